@@ -30,7 +30,7 @@ from dataclasses import dataclass, field
 from benchmarks.simulated_class import Answer, SimulatedClass, answered, classes
 from benchmarks.students import honest_students, mistaken_students, unpromised_students
 from kinegrade.grading.marks import Mark
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 
 DRAWS = 1000
 DIAGNOSED = 0.99
@@ -264,7 +264,7 @@ def main() -> int:
     with ProcessPoolExecutor() as pool:
         tasks = [
             pool.submit(fairness, name, options.draws)
-            for name in options.templates or template_names()
+            for name in options.templates or find_template_names()
         ]
         for task in as_completed(tasks):
             found = task.result()

@@ -11,7 +11,7 @@ import re
 from math import degrees
 
 from kinegrade.exam.document import AnswerRow, Paper, QuestionSheet
-from kinegrade.exam.latex_text import plain
+from kinegrade.exam.latex_text import write_plain
 from kinegrade.figure.scene import Bow, Disc, Label, Outline, Pen, Primitive, Scene, Strokes
 from kinegrade.mechanics.vector import Vector
 
@@ -36,11 +36,12 @@ DEGREES = re.compile(r"(-?[\d.]+)\^\\circ")
 def ordinary_paper(paper: Paper) -> str:
     """The LaTeX source of one student's paper, to be typeset by one pdflatex run."""
     head = (
-        rf"\fancyhf{{}}\lhead{{{plain(paper.course)}, {plain(paper.title)}}}\rhead{{Paper "
-        rf"{plain(paper.code)}}}"
-        rf"\lfoot{{{plain(paper.student)} {plain(paper.name)}}}\rfoot{{page \thepage}}"
+        rf"\fancyhf{{}}\lhead{{{write_plain(paper.course)}, "
+        rf"{write_plain(paper.title)}}}\rhead{{Paper "
+        rf"{write_plain(paper.code)}}}"
+        rf"\lfoot{{{write_plain(paper.student)} {write_plain(paper.name)}}}\rfoot{{page \thepage}}"
     )
-    title = rf"\section*{{{plain(paper.title)}}}" + "\n" + candidate(paper)
+    title = rf"\section*{{{write_plain(paper.title)}}}" + "\n" + candidate(paper)
     rules = listed("itemize", [prose(rule) for rule in paper.rules])
     questions = listed("enumerate", [question(sheet) for sheet in paper.questions])
     return "\n".join(
@@ -54,8 +55,8 @@ def candidate(paper: Paper) -> str:
     points = "&".join(f"{float(sheet.points):g}" for sheet in paper.questions)
     columns = "|c" * len(paper.questions)
     return (
-        rf"\noindent Name: \textbf{{{plain(paper.name)}}}\quad Student: "
-        rf"\textbf{{{plain(paper.student)}}}\hfill"
+        rf"\noindent Name: \textbf{{{write_plain(paper.name)}}}\quad Student: "
+        rf"\textbf{{{write_plain(paper.student)}}}\hfill"
         rf"\begin{{tabular}}{{|l{columns}|c|}}\hline Question&{numbers}&Total\\\hline "
         rf"Points&{points}&{float(paper.points):g}\\\hline "
         rf"Mark{'&' * len(paper.questions)}&\\\hline"
@@ -99,7 +100,8 @@ def prose(text: str) -> str:
     """Text with math in it, its quantities and angles by siunitx."""
     pieces = text.split("$")
     return "".join(
-        f"${math(piece)}$" if index % 2 else plain(piece) for index, piece in enumerate(pieces)
+        f"${math(piece)}$" if index % 2 else write_plain(piece)
+        for index, piece in enumerate(pieces)
     )
 
 

@@ -23,11 +23,11 @@ from tempfile import TemporaryDirectory
 from benchmarks.figure_of_merit import Figure, seconds
 from benchmarks.memory import peak_of_tree
 from benchmarks.ordinary_latex import ordinary_paper
-from kinegrade.exam.bank import bank_path, read_bank
+from kinegrade.exam.bank import find_bank, read_bank
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.pages import paper_pages
+from kinegrade.exam.pages import lay_out_paper
 from kinegrade.exam.roster import read_roster
 from kinegrade.exam.setting import SetPaper
 
@@ -113,7 +113,7 @@ def class_of(folder: Path, students: int) -> Path:
 
 def one_job_each(folder: Path, count: int) -> float:
     """The median time of the whole job for one student, after one to warm up."""
-    bank, place = read_bank(bank_path(Path(BANK)), SEED), folder / "ordinary"
+    bank, place = read_bank(find_bank(Path(BANK)), SEED), folder / "ordinary"
     place.mkdir()
     roster = read_roster(class_of(folder, STUDENTS))
     papers = deal_exam(bank, roster, FromWords(SEED)).papers()
@@ -124,7 +124,7 @@ def ordinary_job(bank: Bank, papers: Iterator[SetPaper], folder: Path) -> None:
     """The next student's paper solved, sketched, written as an ordinary document and printed by
     pdflatex; it was dealt already.
     """
-    pages = paper_pages(bank, next(papers), "en")
+    pages = lay_out_paper(bank, next(papers), "en")
     source = folder / f"{pages.student}.tex"
     source.write_text(ordinary_paper(pages), encoding="utf-8")
     run_latex(source)

@@ -13,25 +13,25 @@ from math import floor, log10
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from kinegrade.csv_writing import csv_text
+from kinegrade.csv_writing import write_csv_text
 from kinegrade.exam.dealing import ClassDeal, deal_exam
 from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.folder.contents import HEAD, KEY
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.keys import Exam
-from kinegrade.exam.folder.writing import head_json, line_json
-from kinegrade.exam.head_record import exam_head
-from kinegrade.exam.key_mistakes import mistaken_answers
-from kinegrade.exam.key_record import key_line
-from kinegrade.exam.printing import PressOrder
+from kinegrade.exam.folder.writing import encode_head, encode_line
+from kinegrade.exam.head_record import candidate, make_exam_head
+from kinegrade.exam.key_mistakes import find_mistaken_answers
+from kinegrade.exam.key_record import make_key_line
+from kinegrade.exam.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.sample import sample_bank
+from kinegrade.exam.sample import make_sample_bank
 from kinegrade.exam.setting import SetPaper
 from kinegrade.grading.class_sheet import read_sheet
 from kinegrade.grading.class_tally import named_mistakes
 from kinegrade.grading.marks import Mark, mark
-from kinegrade.problem.honest_rounding import nearest_turn, turn_of
+from kinegrade.problem.honest_rounding import find_full_turn, find_nearest_turn
 from kinegrade.problem.separation import Separation
 from kinegrade.problem.template import Template
 from kinegrade.tables import parse_table
@@ -75,7 +75,9 @@ class SimulatedClass:
             ]
             for paper, given in zip(self.papers, answers, strict=True)
         ]
-        sheet = read_sheet(parse_table(csv_text(header, rows).encode(), "answers.csv"), self.exam)
+        sheet = read_sheet(
+            parse_table(write_csv_text(header, rows).encode(), "answers.csv"), self.exam
+        )
         for number, each in enumerate(mark(self.exam, sheet).marks):
             yield number // len(self.exam.asks), each
 
@@ -86,7 +88,7 @@ class SimulatedClass:
         led = self.papers[place].questions[0].drawn.solution[ask].mistakes.get(name)
         if led is None:
             return False
-        led = nearest_turn(led, answer.value, turn_of(self.template.asks[ask]))
+        led = find_nearest_turn(led, answer.value, find_full_turn(self.template.asks[ask]))
         unit = 10.0 ** (floor(log10(abs(answer.value))) + 1 - FIGURES) if answer.value else 0.0
         return abs(led - answer.value) <= unit
 
@@ -115,7 +117,7 @@ def simulated_class(template: Template, number: int, students: int) -> Simulated
     """The papers of one class; another number gives others."""
     names = [f"s{place}" for place in range(students)]
     roster = Roster(tuple(Student(name, name, "", name) for name in names), ())
-    dealt = deal_exam(sample_bank(template), roster, FromWords(f"fairness {number}"))
+    dealt = deal_exam(make_sample_bank(template), roster, FromWords(f"fairness {number}"))
     (draw_filter,) = dealt.exam.filters.values()
     papers = tuple(dealt.papers())
     return SimulatedClass(
@@ -140,14 +142,19 @@ def inseparable(separation: Separation | None) -> dict[str, frozenset[str]]:
 
 def as_read(dealt: ClassDeal, papers: Sequence[SetPaper]) -> Exam:
     """The exam, written into a folder as generate writes it and read again as grade reads it."""
-    keys = [KeyPaper(paper.student.student, paper.student.name, paper.code, ()) for paper in papers]
+    candidates = [
+        candidate(
+            paper.student, KeyPaper(paper.student.student, paper.student.name, paper.code, ())
+        )
+        for paper in papers
+    ]
     lines = (
-        key_line(paper, mistakes)
-        for paper, mistakes in zip(papers, mistaken_answers(papers), strict=True)
+        make_key_line(paper, mistakes)
+        for paper, mistakes in zip(papers, find_mistaken_answers(papers), strict=True)
     )
     with TemporaryDirectory() as name:
         folder = Path(name)
-        order = PressOrder(dealt.bank.engine, "a4")
-        (folder / HEAD).write_bytes(head_json(exam_head(dealt, keys, "en", order)))
-        (folder / KEY).write_bytes(b"".join(map(line_json, lines)))
+        run = PrintRun(dealt.bank, "en", PressOrder(dealt.bank.engine, "a4"), Extras())
+        (folder / HEAD).write_bytes(encode_head(make_exam_head(dealt, candidates, run)))
+        (folder / KEY).write_bytes(b"".join(map(encode_line, lines)))
         return open_exam(folder).in_memory()

@@ -17,10 +17,16 @@ from benchmarks.simulated_class import FIGURES, Answer, SimulatedClass
 from kinegrade.errors import KinegradeError
 from kinegrade.exact.elimination import Singular
 from kinegrade.exact.rounding import Rounded, Sparing
-from kinegrade.mechanics.doubles import in_doubles
-from kinegrade.problem.honest_rounding import LOST, by_arms, by_coordinates, calls, plain
-from kinegrade.problem.mistake_kinds import Mistake, candidates
-from kinegrade.problem.mistakes import way_of, work_out
+from kinegrade.mechanics.doubles import convert_to_doubles
+from kinegrade.problem.honest_rounding import (
+    LOST,
+    calls,
+    convert_number,
+    work_by_arms,
+    work_by_coordinates,
+)
+from kinegrade.problem.mistake_kinds import Mistake, find_candidates
+from kinegrade.problem.mistakes import choose_way, work_out
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Ask
 
@@ -68,7 +74,7 @@ class Vague(Moody):
 
 def arms(solution: Solution, rounded: Rounded) -> Mapping[str, float]:
     """Worked by arms: positions stay in the calculator."""
-    return by_arms(solution, in_doubles(solution.motion), rounded)
+    return work_by_arms(solution, convert_to_doubles(solution.motion), rounded)
 
 
 def honest_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answers]]:
@@ -76,7 +82,7 @@ def honest_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answers]]:
     and with all.
     """
     ways: tuple[tuple[str, Working, Rounded], ...] = (
-        ("by coordinates", by_coordinates, Rounded(CARRIED)),
+        ("by coordinates", work_by_coordinates, Rounded(CARRIED)),
         ("by arms", arms, Rounded(CARRIED)),
         ("rates alone rounded", arms, Sparing(CARRIED)),
     )
@@ -89,9 +95,9 @@ def honest_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answers]]:
 def unpromised_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answers]]:
     """Other ways of rounding, three figures typed in."""
     ways: tuple[tuple[str, Working, type[Moody]], ...] = (
-        ("by coordinates, some values rounded", by_coordinates, Moody),
+        ("by coordinates, some values rounded", work_by_coordinates, Moody),
         ("by arms, some values rounded", arms, Moody),
-        ("by coordinates, any error within rounding", by_coordinates, Vague),
+        ("by coordinates, any error within rounding", work_by_coordinates, Vague),
         ("by arms, any error within rounding", arms, Vague),
     )
     for way, working, arithmetic in ways:
@@ -152,7 +158,9 @@ def carried(solution: Solution, name: str) -> Mapping[str, float]:
     """
     template = solution.template
     asks = {ask: template.asks[ask] for ask in solution.answers if by_numbers(template.asks[ask])}
-    mistake = next((each for each in candidates(template, asks) if each.identifier == name), None)
+    mistake = next(
+        (each for each in find_candidates(template, asks) if each.identifier == name), None
+    )
     return worked(solution, asks, mistake) if mistake else {}
 
 
@@ -160,13 +168,13 @@ def worked(solution: Solution, asks: Mapping[str, Ask], mistake: Mistake) -> Map
     """The answers that can be found, in the asks' units."""
     rounded, template = Rounded(CARRIED), solution.template
     values: Mapping[str, Any] = {
-        name: plain(solution.assembly.values[name]) for name in template.parameters
+        name: convert_number(solution.assembly.values[name]) for name in template.parameters
     }
     try:
         found = work_out(
             template,
             asks,
-            way_of(mistake, template, values, rounded),
+            choose_way(mistake, template, values, rounded),
             solution.motion.plan,
             rounded,
         )

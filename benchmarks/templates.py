@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from statistics import median
 from time import process_time
 
-from kinegrade.problem.checking import drawable
+from kinegrade.problem.checking import choose_drawable
 from kinegrade.problem.examining import Refused, examine
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import Template
 
@@ -44,7 +44,7 @@ def figures() -> Iterator[Limit]:
     acceleration.
     """
     start = process_time()
-    templates = [load_template(name) for name in template_names()]
+    templates = [load_template(name) for name in find_template_names()]
     yield Limit(f"loading all {len(templates)} templates", (process_time() - start) * 1e3, 1000)
     times = {template.name: solving_times(template) for template in templates}
     yield Limit(
@@ -57,7 +57,7 @@ def figures() -> Iterator[Limit]:
 def solving_times(template: Template) -> list[float]:
     """Milliseconds of processor time for acceptable instances of a template."""
     times, plan = [], None
-    for values in drawable(template, 20 * INSTANCES):
+    for values in choose_drawable(template, 20 * INSTANCES):
         try:
             plan = examine(template, values, template.asked(), plan).motion.plan
         except Refused:

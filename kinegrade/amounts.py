@@ -10,19 +10,19 @@ from math import lcm
 PLACES = 4
 
 
-def amount_text(amount: Fraction, places: int = PLACES) -> str:
+def write_amount(amount: Fraction, places: int = PLACES) -> str:
     """The shortest decimal with at most that many places, halves rounded up; amounts are not
     negative.
 
-    >>> amount_text(Fraction(7, 2)), amount_text(Fraction(2, 3))
+    >>> write_amount(Fraction(7, 2)), write_amount(Fraction(2, 3))
     ('3.5', '0.6667')
     """
-    return _amount_text(amount.numerator, amount.denominator, places)
+    return _write_amount_once(amount.numerator, amount.denominator, places)
 
 
 # By whole numbers, because hashing a fraction takes longer than writing it
 @lru_cache(maxsize=4096)
-def _amount_text(numerator: int, denominator: int, places: int) -> str:
+def _write_amount_once(numerator: int, denominator: int, places: int) -> str:
     whole, decimals = divmod(
         (2 * numerator * 10**places + denominator) // (2 * denominator), 10**places
     )
@@ -30,17 +30,17 @@ def _amount_text(numerator: int, denominator: int, places: int) -> str:
     return f"{whole}.{digits}" if digits else str(whole)
 
 
-def change_text(change: Fraction, places: int = PLACES) -> str:
+def write_change(change: Fraction, places: int = PLACES) -> str:
     """A change with its sign: "+1.5", "-2", "0".
 
-    >>> change_text(Fraction(-1, 3))
+    >>> write_change(Fraction(-1, 3))
     '-0.3333'
     """
-    size = amount_text(abs(change), places)
+    size = write_amount(abs(change), places)
     return size if size == "0" else f"{'-' if change < 0 else '+'}{size}"
 
 
-def added(amounts: Iterable[Fraction]) -> Fraction:
+def add_amounts(amounts: Iterable[Fraction]) -> Fraction:
     """The sum of the amounts: whole numbers over the common denominator, several times faster than
     adding fractions one by one.
     """

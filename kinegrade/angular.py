@@ -13,10 +13,10 @@ def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
     """Whether the expression has the dimension of an angle, given the names that have it; `pi` is
     an angle.
     """
-    return angular_degree(tree, angles) == 1
+    return find_angular_degree(tree, angles) == 1
 
 
-def angular_degree(tree: Expression, angles: frozenset[str]) -> int:
+def find_angular_degree(tree: Expression, angles: frozenset[str]) -> int:
     """The power of "angle" in the expression: phi/2 has 1, 180*phi/pi has 0."""
     match tree:
         case Number():
@@ -24,17 +24,17 @@ def angular_degree(tree: Expression, angles: frozenset[str]) -> int:
         case Name(name):
             return int(name == "pi" or name in angles)
         case Call("abs", (argument, *_)):
-            return angular_degree(argument, angles)
+            return find_angular_degree(argument, angles)
         case Call(function):
             return int(function in ANGLES)
         case Operation(sign, left, right):
-            degrees = angular_degree(left, angles), angular_degree(right, angles)
-            return _degree_of(sign, *degrees)
+            degrees = find_angular_degree(left, angles), find_angular_degree(right, angles)
+            return _combine_degrees(sign, *degrees)
         case _:
             assert_never(tree)
 
 
-def _degree_of(sign: Operator, left: int, right: int) -> int:
+def _combine_degrees(sign: Operator, left: int, right: int) -> int:
     """The power of "angle" in a combination of two expressions, given the power in each."""
     match sign:
         case "+" | "-":

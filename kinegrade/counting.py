@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 
-def counted(number: int, thing: str) -> str:
+def count_in_words(number: int, thing: str) -> str:
     """The number with the English word for what is counted, whose plural takes an s.
 
-    >>> counted(1, "student"), counted(0, "complaint")
+    >>> count_in_words(1, "student"), count_in_words(0, "complaint")
     ('1 student', '0 complaints')
     """
     return f"{number} {thing}" if number == 1 else f"{number} {thing}s"

@@ -1,7 +1,7 @@
 """CSV as kinegrade writes it: UTF-8, LF, comma; files for people have a byte-order mark, because
 spreadsheets garble names without it.
 
-`neutralised` keeps a typed cell from running as a formula in a spreadsheet, `restored` undoes it.
+`neutralise` keeps a typed cell from running as a formula in a spreadsheet, `restore` undoes it.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ _FORMULA = re.compile(r"'*[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]")
 _HARMLESS = re.compile(r"-|[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
-def neutralised(text: str) -> str:
+def neutralise(text: str) -> str:
     """A cell that no spreadsheet runs as a formula: = + - @, a tab or a line break at its beginning
     is preceded by an apostrophe.
 
-    Plain numbers and a lone dash are unchanged. `restored` is exact, because apostrophes typed
+    Plain numbers and a lone dash are unchanged. `restore` is exact, because apostrophes typed
     before such a sign get one more.
 
-    >>> neutralised("=1+1"), neutralised("-12"), neutralised("O'Neil")
+    >>> neutralise("=1+1"), neutralise("-12"), neutralise("O'Neil")
     ("'=1+1", '-12', "O'Neil")
     """
     if not _FORMULA.match(text) or _HARMLESS.fullmatch(text):
@@ -33,12 +33,12 @@ def neutralised(text: str) -> str:
     return f"'{text}"
 
 
-def restored(text: str) -> str:
-    """The cell from which `neutralised` made this one."""
+def restore(text: str) -> str:
+    """The cell from which `neutralise` made this one."""
     return text[1:] if text.startswith("'") and _FORMULA.match(text) else text
 
 
-def csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+def write_csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """A CSV text with LF line ends; cells are already texts, so no number changes its digits."""
     # CR LF as the terminator makes the csv module quote a cell with a lone CR; the terminator is
     # then cut off.
@@ -50,10 +50,10 @@ def csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     return "".join(f"{line[:-2]}\n" for line in lines.written)
 
 
-def csv_cell(text: str) -> str:
-    """A cell as `csv_text` writes it among others: in quotation marks only where necessary.
+def write_csv_cell(text: str) -> str:
+    """A cell as `write_csv_text` writes it among others: in quotation marks only where necessary.
 
-    >>> csv_cell("0.5"), csv_cell("0,5"), csv_cell("v = 0,5")
+    >>> write_csv_cell("0.5"), write_csv_cell("0,5"), write_csv_cell("v = 0,5")
     ('0.5', '"0,5"', '"v = 0,5"')
     """
     if _QUOTED.search(text) is None:
@@ -64,25 +64,25 @@ def csv_cell(text: str) -> str:
 
 def write_csv(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
     """Writes a CSV file: UTF-8 without mark, LF, comma."""
-    path.write_bytes(encoded(csv_text(header, rows)))
+    path.write_bytes(encode(write_csv_text(header, rows)))
 
 
 def write_for_people(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
     """Writes a CSV file that people open in a spreadsheet."""
-    path.write_bytes(for_people(csv_text(header, rows)))
+    path.write_bytes(encode_for_people(write_csv_text(header, rows)))
 
 
-def for_people(text: str) -> bytes:
+def encode_for_people(text: str) -> bytes:
     """A CSV text as a file that people open: by its byte-order mark, a spreadsheet recognises
     UTF-8.
 
-    >>> for_people("id\\n")
+    >>> encode_for_people("id\\n")
     b'\\xef\\xbb\\xbfid\\n'
     """
-    return BOM_UTF8 + encoded(text)
+    return BOM_UTF8 + encode(text)
 
 
-def encoded(text: str) -> bytes:
+def encode(text: str) -> bytes:
     """A text as kinegrade writes it into files: UTF-8; a lone surrogate is written as an escape."""
     return text.encode("utf-8", "backslashreplace")
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-SUGGESTIONS = 3  # names that a hint suggests for a wrong one
-LONGEST_PART = 300  # characters of each part of a message
-LISTED = 8  # a hint lists all known names up to this many: of more, only the nearest
+_SUGGESTIONS = 3  # names that a hint suggests for a wrong one
+_LONGEST_PART = 300  # characters of each part of a message
+_LISTED = 8  # a hint lists all known names up to this many: of more, only the nearest
 
 
 class KinegradeError(Exception):
@@ -54,7 +54,7 @@ class FieldError(KinegradeError):
 
     def __init__(self, what: str, expected: str = "", do: str = "") -> None:
         self.what, self.expected, self.do = what, expected, do
-        super().__init__(message("", what, expected, do))
+        super().__init__(write_message("", what, expected, do))
 
 
 class TemplateError(KinegradeError):
@@ -105,17 +105,17 @@ class ExportError(KinegradeError):
     """A quiz, or grades, cannot be expressed in the format of another system."""
 
 
-def message(where: str, what: str, expected: str = "", do: str = "") -> str:
+def write_message(where: str, what: str, expected: str = "", do: str = "") -> str:
     """A fault in one line: where it is, what was found, what was expected, what to do.
 
-    >>> message("bank.toml:3: points", "0", "a number above zero", "write points = 1")
+    >>> write_message("bank.toml:3: points", "0", "a number above zero", "write points = 1")
     'bank.toml:3: points: 0 - expected a number above zero - write points = 1'
-    >>> message("bank.toml: title", "missing", "a text")
+    >>> write_message("bank.toml: title", "missing", "a text")
     'bank.toml: title: missing - expected a text'
     """
     place = f"{where}: " if where else ""
-    parts = (f"{place}{short_line(what)}", expected and f"expected {expected}", do)
-    return " - ".join(short_line(part, 2 * LONGEST_PART) for part in parts if part)
+    parts = (f"{place}{shorten(what)}", expected and f"expected {expected}", do)
+    return " - ".join(shorten(part, 2 * _LONGEST_PART) for part in parts if part)
 
 
 def did_you_mean(word: str, choices: Iterable[str]) -> str:
@@ -127,34 +127,34 @@ def did_you_mean(word: str, choices: Iterable[str]) -> str:
     'did you mean "theta_51", "theta_41" or "theta_31"?'
     """
     known = sorted(choices)
-    near = nearest(word, known)
-    if len(known) > LISTED and near:
-        return f"did you mean {either(near)}?"
+    near = find_nearest(word, known)
+    if len(known) > _LISTED and near:
+        return f"did you mean {join_alternatives(near)}?"
     listing = ", ".join(known) if known else "none"
-    if len(known) > LISTED:
-        listing = f"{', '.join(known[:SUGGESTIONS])} and {len(known) - SUGGESTIONS} more"
+    if len(known) > _LISTED:
+        listing = f"{', '.join(known[:_SUGGESTIONS])} and {len(known) - _SUGGESTIONS} more"
     if not near:
         return f"known here: {listing}"
     return f'did you mean "{near[0]}"? (known here: {listing})'
 
 
-def nearest(word: str, choices: Iterable[str]) -> list[str]:
+def find_nearest(word: str, choices: Iterable[str]) -> list[str]:
     """The choices that a word probably stands for, the nearest first; a few, or none.
 
-    >>> nearest("0O7", ["007", "0012"])
+    >>> find_nearest("0O7", ["007", "0012"])
     ['007']
     """
     from difflib import get_close_matches  # only refusals need it, and it would slow every start
 
     known = sorted(choices)
     same = [name for name in known if name.lower() == word.lower()]
-    return same or get_close_matches(word, known, n=SUGGESTIONS)
+    return same or get_close_matches(word, known, n=_SUGGESTIONS)
 
 
-def misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[str]:
+def find_misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[str]:
     """The missing names that an unknown one probably stands for: one slip, to be reported once.
 
-    >>> misspelt(["titel", "colour"], ["title", "course"])
+    >>> find_misspelt(["titel", "colour"], ["title", "course"])
     frozenset({'title'})
     """
     words, absent = list(unknown), list(missing)
@@ -165,30 +165,30 @@ def misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[str]:
     return frozenset(near for word in words for near in get_close_matches(word, absent, 1, 0.7))
 
 
-def either(words: Sequence[str]) -> str:
+def join_alternatives(words: Sequence[str]) -> str:
     """Words to choose from, each in quotation marks.
 
-    >>> either(["a", "b", "c"])
+    >>> join_alternatives(["a", "b", "c"])
     '"a", "b" or "c"'
     """
     quoted = [f'"{word}"' for word in words]
     return " or ".join([", ".join(quoted[:-1]), quoted[-1]] if len(quoted) > 1 else quoted)
 
 
-def one_line(text: str) -> str:
+def show_in_one_line(text: str) -> str:
     """A text from a file as a message shows it: unprintable characters become dots.
 
-    >>> one_line("1 +\\n2")
+    >>> show_in_one_line("1 +\\n2")
     '1 +·2'
     """
     return "".join(letter if letter.isprintable() else "·" for letter in text)
 
 
-def short_line(text: str, longest: int = LONGEST_PART) -> str:
+def shorten(text: str, longest: int = _LONGEST_PART) -> str:
     """A text as a part of a one-line message, cut where it is too long.
 
-    >>> short_line("a very long text", 10)
+    >>> shorten("a very long text", 10)
     'a very lo…'
     """
-    line = one_line(text)
+    line = show_in_one_line(text)
     return line if len(line) <= longest else f"{line[: longest - 1]}…"

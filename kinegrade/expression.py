@@ -7,9 +7,9 @@
     power   = atom ["**" signed]
     atom    = number | name | name "(" [sum ("," sum)*] ")" | "(" sum ["," sum] ")"
 
-`read` gives a tree, `evaluate` computes its value in any arithmetic (`Field`, `Balls`, `Floats`).
-Templates, the command line and the key are read with it; points and constructions are names and
-calls like any other.
+`read_expression` gives a tree, `evaluate` computes its value in any arithmetic (`Field`, `Balls`,
+`Floats`). Templates, the command line and the key are read with it; points and constructions are
+names and calls like any other.
 """
 
 from __future__ import annotations
@@ -21,23 +21,23 @@ from typing import Any, Literal, TypeVar, assert_never
 
 from flint import fmpq
 
-from kinegrade.errors import ExpressionError, did_you_mean, one_line
+from kinegrade.errors import ExpressionError, did_you_mean, show_in_one_line
 from kinegrade.exact.angle import Inexact
 from kinegrade.exact.surd import MAX_HEIGHT, Surd, height
 
 MAX_LENGTH = 400
 MAX_DEPTH = 40
-MAX_DIGITS = 60
-MAX_POWER = 16
-TOKEN = re.compile(
+_MAX_DIGITS = 60
+_MAX_POWER = 16
+_TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,2})?)|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),]))",
     re.ASCII,
 )
-DEGREES = "the number alone where the unit is deg, and parts of pi elsewhere: 30 degrees is pi/6"
+_DEGREES = "the number alone where the unit is deg, and parts of pi elsewhere: 30 degrees is pi/6"
 # What is expected in place of a character that the grammar does not have.
-SLIPS: Mapping[str, str] = {
-    "°": DEGREES,
-    "º": DEGREES,
+_SLIPS: Mapping[str, str] = {
+    "°": _DEGREES,
+    "º": _DEGREES,
     "^": "a power written as **",
     "π": "pi",
     "−": "a plain minus, -",
@@ -88,7 +88,7 @@ class Call:
 Expression = Number | Name | Operation | Call
 
 
-def parts(tree: Expression) -> tuple[Expression, ...]:
+def list_parts(tree: Expression) -> tuple[Expression, ...]:
     """The direct parts of an expression, in order; none for a number or a name."""
     match tree:
         case Number() | Name():
@@ -101,41 +101,41 @@ def parts(tree: Expression) -> tuple[Expression, ...]:
             assert_never(tree)
 
 
-def every_part(tree: Expression) -> Iterator[Expression]:
+def walk(tree: Expression) -> Iterator[Expression]:
     """The expression itself and, depth first, all its parts."""
     yield tree
-    for part in parts(tree):
-        yield from every_part(part)
+    for part in list_parts(tree):
+        yield from walk(part)
 
 
-def read(text: str) -> Expression:
+def read_expression(text: str) -> Expression:
     """The tree of an expression. Raises ExpressionError with the position and what was expected
     there.
 
-    >>> read("2*(x - 1)").sign
+    >>> read_expression("2*(x - 1)").sign
     '*'
     """
     if len(text) > MAX_LENGTH:
         raise ExpressionError(
             f"an expression of {len(text)} characters: at most {MAX_LENGTH} are read"
         )
-    reader = Reader(text)
+    reader = _Reader(text)
     tree = reader.sum(0)
     reader.finish()
     return tree
 
 
-class Reader:
+class _Reader:
     """Recursive descent over one text; `place` is where the next token begins."""
 
     def __init__(self, text: str) -> None:
         self.text, self.place = text, 0
         self.kind, self.token, self.start = "", "", 0
-        self.advance()
+        self._advance()
 
-    def advance(self) -> None:
+    def _advance(self) -> None:
         """Go to the next token; an unknown character is an error."""
-        match = TOKEN.match(self.text, self.place)
+        match = _TOKEN.match(self.text, self.place)
         if match is None:
             self.start = len(self.text) - len(self.text[self.place :].lstrip())
             self.kind, self.token = (
@@ -147,17 +147,17 @@ class Reader:
 
     def fail(self, expected: str) -> ExpressionError:
         """The error at this place."""
-        found = f'"{one_line(self.token)}"' if self.token else "the end"
+        found = f'"{show_in_one_line(self.token)}"' if self.token else "the end"
         return ExpressionError(
-            f'"{one_line(self.text)}", character {self.start + 1}: found {found}, '
-            f"expected {SLIPS.get(self.token, expected)}"
+            f'"{show_in_one_line(self.text)}", character {self.start + 1}: found {found}, '
+            f"expected {_SLIPS.get(self.token, expected)}"
         )
 
     def take(self, *marks: _Taken) -> _Taken | None:
         """The mark at this place if it is one of `marks`, and moves past it; else None."""
         for mark in marks:
             if self.kind == "mark" and self.token == mark:
-                self.advance()
+                self._advance()
                 return mark
         return None
 
@@ -170,7 +170,8 @@ class Reader:
         """sum = product (("+" | "-") product)*"""
         if depth > MAX_DEPTH:
             raise ExpressionError(
-                f'"{one_line(self.text)}": nested deeper than {MAX_DEPTH}: write it more simply'
+                f'"{show_in_one_line(self.text)}": nested deeper '
+                f"than {MAX_DEPTH}: write it more simply"
             )
         tree = self.product(depth)
         while mark := self.take(*SUMS):
@@ -201,10 +202,10 @@ class Reader:
         """A number, a name, a call, or a pair or sum in brackets."""
         kind, token = self.kind, self.token
         if kind == "number":
-            self.advance()
-            return Number(rational(token))
+            self._advance()
+            return Number(read_rational(token))
         if kind == "name":
-            self.advance()
+            self._advance()
             return Call(token, self.arguments(depth)) if self.take("(") else Name(token)
         if self.take("("):
             parts = self.arguments(depth)
@@ -225,24 +226,24 @@ class Reader:
         return tuple(parts)
 
 
-def rational(digits: str) -> Any:
+def read_rational(digits: str) -> Any:
     """An exact rational from decimal digits, with point and exponent.
 
-    >>> rational("1.25e1")
+    >>> read_rational("1.25e1")
     25/2
     """
     mantissa, _, exponent = digits.lower().partition("e")
     whole, _, decimals = mantissa.partition(".")
-    if len(whole) + len(decimals) > MAX_DIGITS:
+    if len(whole) + len(decimals) > _MAX_DIGITS:
         raise ExpressionError(
-            f"{digits[:20]}...: a number of more than {MAX_DIGITS} digits: round it"
+            f"{digits[:20]}...: a number of more than {_MAX_DIGITS} digits: round it"
         )
     return fmpq(int(whole + decimals or "0")) * fmpq(10) ** (int(exponent or "0") - len(decimals))
 
 
-def names(tree: Expression) -> Iterator[str]:
+def find_names(tree: Expression) -> Iterator[str]:
     """The names (not the functions) that occur, in order."""
-    return (part.name for part in every_part(tree) if isinstance(part, Name))
+    return (part.name for part in walk(tree) if isinstance(part, Name))
 
 
 def evaluate(
@@ -268,22 +269,24 @@ def evaluate(
             return values[tree.name]
         case Call():
             arguments = [evaluate(part, values, functions, arithmetic) for part in tree.arguments]
-            return called(tree.function, arguments, functions)
+            return _call_function(tree.function, arguments, functions)
         case Operation(sign=sign):
             left = evaluate(tree.left, values, functions, arithmetic)
             match sign:
                 case "**":
-                    return powered(left, tree.right, arithmetic)
+                    return _raise_power(left, tree.right, arithmetic)
                 case "+" | "-" | "*" | "/":
                     right = evaluate(tree.right, values, functions, arithmetic)
-                    return combined(sign, left, right, tree)
+                    return _combine(sign, left, right, tree)
                 case _:
                     assert_never(sign)
         case _:
             assert_never(tree)
 
 
-def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[..., Any]]) -> Any:
+def _call_function(
+    name: str, arguments: list[Any], functions: Mapping[str, Callable[..., Any]]
+) -> Any:
     """A function's value; its errors become ExpressionErrors."""
     if not name and name not in functions:
         raise ExpressionError("a pair (x, y): expected a number or an angle here")
@@ -304,11 +307,11 @@ def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[...
         raise ExpressionError(f"{name}(...): division by zero: check the values given") from error
 
 
-def powered(base: Any, exponent: Expression, arithmetic: Any) -> Any:
+def _raise_power(base: Any, exponent: Expression, arithmetic: Any) -> Any:
     """base ** whole number, at most MAX_POWER in size. Raises Inexact where the digits would grow
     without bound.
     """
-    power = whole_power(exponent)
+    power = read_whole_power(exponent)
     negative, size = power < 0, abs(power)
     if isinstance(base, (fmpq, Surd)) and height(base) * size > MAX_HEIGHT:
         raise Inexact("a power of too many digits")
@@ -318,10 +321,10 @@ def powered(base: Any, exponent: Expression, arithmetic: Any) -> Any:
         raise ExpressionError("only a number can be raised to a power") from error
     except OverflowError as error:
         raise ExpressionError("a power too large for a double: check the values given") from error
-    return combined("/", arithmetic.number(fmpq(1)), raised, exponent) if negative else raised
+    return _combine("/", arithmetic.number(fmpq(1)), raised, exponent) if negative else raised
 
 
-def whole_power(exponent: Expression) -> int:
+def read_whole_power(exponent: Expression) -> int:
     """The whole number of an exponent. Raises ExpressionError for anything else, and for more than
     MAX_POWER.
     """
@@ -331,14 +334,14 @@ def whole_power(exponent: Expression) -> int:
         and exponent.left == Number(fmpq(0))
     )
     literal = exponent.right if negative and isinstance(exponent, Operation) else exponent
-    if not isinstance(literal, Number) or literal.value.q != 1 or literal.value > MAX_POWER:
+    if not isinstance(literal, Number) or literal.value.q != 1 or literal.value > _MAX_POWER:
         raise ExpressionError(
-            f"a power must be a whole number of at most {MAX_POWER}: for roots write sqrt(...)"
+            f"a power must be a whole number of at most {_MAX_POWER}: for roots write sqrt(...)"
         )
     return -int(literal.value) if negative else int(literal.value)
 
 
-def combined(mark: Mark, left: Any, right: Any, tree: Expression) -> Any:
+def _combine(mark: Mark, left: Any, right: Any, tree: Expression) -> Any:
     """left mark right for + - * /."""
     try:
         match mark:
@@ -366,7 +369,7 @@ def is_literal_zero(tree: Expression) -> bool:
     return isinstance(tree, Operation) and tree.left == Number(fmpq(0))
 
 
-def elementary(arithmetic: Any) -> dict[str, Callable[..., Any]]:
+def make_elementary_functions(arithmetic: Any) -> dict[str, Callable[..., Any]]:
     """The functions of numbers and angles, in one arithmetic."""
 
     def tangent(angle: Any) -> Any:

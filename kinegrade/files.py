@@ -24,7 +24,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinegrade.errors import OutputError
-from kinegrade.leftovers import clear_leftovers, own_name, remove
+from kinegrade.leftovers import clear_leftovers, make_process_name, remove
 from kinegrade.temporary import clear_temporary_folders
 
 _CURRENT_FOLDER = -100  # AT_FDCWD
@@ -65,8 +65,8 @@ def output_folder(
     file of the user's is lost. With `access` the folder is closed to all other users from the
     start; without it, the mode of a replaced folder is kept. Raises OutputError.
     """
-    target = _place(path)
-    with _partial(path, target) as partial:
+    target = _find_place(path)
+    with _open_partial(path, target) as partial:
         _check_folder(path, target, marker, contents, force)
         partial.mkdir(mode=0o777 if access is None else 0o700)
         if target.exists() and access is None:
@@ -96,8 +96,8 @@ def output_file(path: Path, *, force: bool = False) -> Iterator[Path]:
     With `force` an existing plain file is replaced. Raises OutputError, before the block where
     `path` exists and must not be replaced.
     """
-    target = _place(path)
-    with _partial(path, target) as partial:
+    target = _find_place(path)
+    with _open_partial(path, target) as partial:
         _check_file(path, target, force)
         yield partial
         _flush(partial)
@@ -108,11 +108,11 @@ def output_file(path: Path, *, force: bool = False) -> Iterator[Path]:
         _sync_folder(target.parent)
 
 
-def _place(path: Path) -> Path:
+def _find_place(path: Path) -> Path:
     try:
         target = path.resolve()
     except (OSError, RuntimeError) as fault:
-        raise _unwritable(path, fault) from fault
+        raise _explain_unwritable(path, fault) from fault
     if not target.name:
         raise OutputError(
             f"{path}: is the root of the file system - expected a name - choose a folder below it"
@@ -130,7 +130,7 @@ def _check_folder(
             f"{path}: is not a folder - expected a folder to write - choose another name"
         )
     if not force:
-        raise _taken(path, "folder")
+        raise _explain_taken(path, "folder")
     names = {entry.name for entry in target.iterdir()} - DESKTOP_DROPPINGS
     if names and marker is not None and marker not in names:
         raise OutputError(
@@ -151,17 +151,17 @@ def _check_file(path: Path, target: Path, force: bool) -> None:
             f"{path}: is not a plain file - expected a file to write - choose another name"
         )
     if target.exists() and not force:
-        raise _taken(path, "file")
+        raise _explain_taken(path, "file")
 
 
-def _taken(path: Path, kind: str) -> OutputError:
+def _explain_taken(path: Path, kind: str) -> OutputError:
     return OutputError(
         f"{path}: already exists - expected a new {kind} - add --force to replace it, or choose "
         "another name"
     )
 
 
-def _unwritable(path: Path, fault: Exception) -> OutputError:
+def _explain_unwritable(path: Path, fault: Exception) -> OutputError:
     return OutputError(
         f"{path}: cannot be written ({fault}) - expected a place with room and permission - choose "
         "another"
@@ -169,25 +169,25 @@ def _unwritable(path: Path, fault: Exception) -> OutputError:
 
 
 @contextmanager
-def _partial(path: Path, target: Path) -> Iterator[Path]:
+def _open_partial(path: Path, target: Path) -> Iterator[Path]:
     """A hidden name beside `target`; whatever has this name at the end is removed.
 
     The leftovers of killed runs are removed first, including their temporary folders, which may
     contain the key.
     """
-    partial = target.with_name(own_name(_beginning(target)))
+    partial = target.with_name(make_process_name(_make_beginning(target)))
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        clear_leftovers(target.parent, _beginning(target))
+        clear_leftovers(target.parent, _make_beginning(target))
         clear_temporary_folders()
         yield partial
     except OSError as fault:
-        raise _unwritable(path, fault) from fault
+        raise _explain_unwritable(path, fault) from fault
     finally:
         remove(partial)
 
 
-def _beginning(target: Path) -> str:
+def _make_beginning(target: Path) -> str:
     return f".{target.name}.partial"
 
 
@@ -247,7 +247,7 @@ def _move_to_free_place(path: Path, partial: Path, target: Path) -> None:
                 raise FileExistsError
             os.rename(partial, target)
     except FileExistsError:
-        raise _taken(path, "name") from None
+        raise _explain_taken(path, "name") from None
 
 
 def _replace_in_two_steps(partial: Path, target: Path) -> None:

@@ -13,14 +13,14 @@ from contextlib import suppress
 from pathlib import Path
 
 
-def own_name(beginning: str) -> str:
+def make_process_name(beginning: str) -> str:
     """A new name that states which process on which machine uses it: BEGINNING-HOST-PID-TOKEN."""
-    return f"{_of_this_host(beginning)}{os.getpid()}-{secrets.token_hex(4)}"
+    return f"{_find_process(beginning)}{os.getpid()}-{secrets.token_hex(4)}"
 
 
 def clear_leftovers(folder: Path, beginning: str) -> None:
     """Remove what ended processes left in the folder under such names. Raises OSError."""
-    shape = re.compile(re.escape(_of_this_host(beginning)) + r"([0-9]+)-[0-9a-f]{8}")
+    shape = re.compile(re.escape(_find_process(beginning)) + r"([0-9]+)-[0-9a-f]{8}")
     for entry in list(folder.iterdir()):
         found = shape.fullmatch(entry.name)
         if found and not _is_running(int(found.group(1))):
@@ -36,7 +36,7 @@ def remove(entry: Path) -> None:
             entry.unlink()
 
 
-def _of_this_host(beginning: str) -> str:
+def _find_process(beginning: str) -> str:
     return f"{beginning}-{re.sub(r'[^A-Za-z0-9]', '_', socket.gethostname())}-"
 
 

@@ -1,10 +1,10 @@
 """Work for other processes, or for this one: one Executor for a whole command, and the results of
 many tasks in order.
 
-A command opens `executor` and passes it down; code that has tasks calls `mapped`. The first task
-starts the processes: as copies of this one, with everything that it has loaded, where it certainly
-has no other thread, which a copy would lack; otherwise from scratch. (A typesetter that has been
-used has threads.) None of them outlives this process, however it ends.
+A command opens `open_executor` and passes it down; code that has tasks calls `map_in_order`. The
+first task starts the processes: as copies of this one, with everything that it has loaded, where it
+certainly has no other thread, which a copy would lack; otherwise from scratch. (A typesetter that
+has been used has threads.) None of them outlives this process, however it ends.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from kinegrade.worker_process import DEFERRED, begin_work, do_task
 
 Start = Literal["fork", "spawn"]
 
-AHEAD = 2 * (os.cpu_count() or 1)  # tasks running, or done with results waiting
+_AHEAD = 2 * (os.cpu_count() or 1)  # tasks running, or done with results waiting
 
 _PATIENCE = 0.2  # seconds for a dismissed process to stop its typesetter and to remove its files
 _KEPT = 4  # shared values that a process keeps: a command has one or two
@@ -41,7 +41,7 @@ _Value = TypeVar("_Value")
 
 
 @contextmanager
-def executor(jobs: int, command: str, start: Start | None = None) -> Iterator[Executor]:
+def open_executor(jobs: int, command: str, start: Start | None = None) -> Iterator[Executor]:
     """The executor of a command's tasks: up to `jobs` processes; for 1, this process, which does a
     task at once.
 
@@ -67,11 +67,11 @@ def executor(jobs: int, command: str, start: Start | None = None) -> Iterator[Ex
     others.shutdown(cancel_futures=True)
 
 
-def mapped(
+def map_in_order(
     workers: Executor,
     task: Callable[[_Item], _Result],
     items: Iterable[_Item],
-    ahead: int = AHEAD,
+    ahead: int = _AHEAD,
 ) -> Generator[_Result, None, None]:
     """The result of the task for each item, in order, as they are requested.
 
@@ -96,10 +96,10 @@ def mapped(
             future.cancel()
 
 
-def parts_of(items: Iterable[_Item], size: int) -> Iterator[list[_Item]]:
+def split_in_parts(items: Iterable[_Item], size: int) -> Iterator[list[_Item]]:
     """The items in order, so many in each part; fewer in the last.
 
-    >>> list(parts_of("abcde", 2))
+    >>> list(split_in_parts("abcde", 2))
     [['a', 'b'], ['c', 'd'], ['e']]
     """
     remaining = iter(items)
@@ -119,7 +119,7 @@ class Shared(Generic[_Value]):
     value: _Value
 
     def __reduce__(self) -> tuple[Callable[[bytes], Shared[_Value]], tuple[bytes]]:
-        return _received, (self._packed,)
+        return _receive, (self._packed,)
 
     @cached_property
     def _packed(self) -> bytes:
@@ -127,7 +127,7 @@ class Shared(Generic[_Value]):
 
 
 @lru_cache(maxsize=_KEPT)
-def _received(packed: bytes) -> Shared[_Value]:
+def _receive(packed: bytes) -> Shared[_Value]:
     return Shared(pickle.loads(packed))
 
 

@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 
-def bank_number(identifier: str) -> str:
+def find_bank_number(identifier: str) -> str:
     """The number of a question in the bank's order; an identifier of another form is its own
     number.
 
-    >>> bank_number("q3"), bank_number("bonus")
+    >>> find_bank_number("q3"), find_bank_number("bonus")
     ('3', 'bonus')
     """
     number = identifier.removeprefix("q")
     return number if number.isdecimal() else identifier
 
 
-def other_number(identifier: str, number: int) -> str | None:
+def find_other_number(identifier: str, number: int) -> str | None:
     """The number in the bank's order where it is not the one on the paper.
 
-    >>> other_number("q3", 1), other_number("q3", 3)
+    >>> find_other_number("q3", 1), find_other_number("q3", 3)
     ('3', None)
     """
-    in_bank = bank_number(identifier)
+    in_bank = find_bank_number(identifier)
     return None if in_bank == str(number) else in_bank

@@ -23,18 +23,18 @@ from zlib import error as DeflateError
 from openpyxl import load_workbook
 
 from kinegrade.errors import TableError
-from kinegrade.tables import Complaint, Row, Table, shortened, trimmed
+from kinegrade.tables import Complaint, Row, Table, shorten, trim
 
-LARGEST = (
+_LARGEST = (
     64_000_000  # bytes of XML, unpacked: a class of 10,000 with 40 answers each has 25 million
 )
-MOST_TAGS = 2_000_000  # of sheets and their texts, four for a number: read in some seconds
-MOST_STYLE_TAGS = 100_000  # of all else: a parser makes a large thing of each
-MOST_ROWS = 100_000
-MOST_CELLS = 2_000_000  # with the blank ones between filled ones
-LONGEST_TEXT = 32_767  # characters in a cell: no spreadsheet program keeps more
-MOST_CHARACTERS = 30_000_000  # in all cells: one long text may be named by many
-LONGEST_NUMBER = 10**15  # spreadsheets keep fifteen digits
+_MOST_TAGS = 2_000_000  # of sheets and their texts, four for a number: read in some seconds
+_MOST_STYLE_TAGS = 100_000  # of all else: a parser makes a large thing of each
+_MOST_ROWS = 100_000
+_MOST_CELLS = 2_000_000  # with the blank ones between filled ones
+_LONGEST_TEXT = 32_767  # characters in a cell: no spreadsheet program keeps more
+_MOST_CHARACTERS = 30_000_000  # in all cells: one long text may be named by many
+_LONGEST_NUMBER = 10**15  # spreadsheets keep fifteen digits
 _MOST_PARTS = 5_000
 _CHUNK = 1 << 20
 _OVERLAP = 16
@@ -67,9 +67,9 @@ class _Room:
     """How much may still be read of a workbook, all sheets together."""
 
     def __init__(self) -> None:
-        self.rows = MOST_ROWS
-        self.cells = MOST_CELLS
-        self.characters = MOST_CHARACTERS
+        self.rows = _MOST_ROWS
+        self.cells = _MOST_CELLS
+        self.characters = _MOST_CHARACTERS
 
 
 def is_workbook(path: Path) -> bool:
@@ -86,30 +86,30 @@ def read_workbook(path: Path) -> Table:
 
     Raises TableError if the file is missing, not an .xlsx workbook, empty, too large or hostile.
     """
-    has_formulas = _inspected(path)
-    name, lines, others = _sheet(path)
+    has_formulas = _inspect(path)
+    name, lines, others = _read_sheet(path)
     if not lines:
         raise TableError(
             f"{path.name}: has no filled sheet - expected a line of column names - {_SAVE}"
         )
     if has_formulas:
-        lines = _formulas_told(path, name, lines)
+        lines = _note_formulas(path, name, lines)
     (_, header), *rows = lines
     titles = tuple(cell.text for cell in header)
     complaints = [
-        *_sheets_told(path.name, name, others),
-        *_oddities(path.name, titles, lines),
-        *_surplus(path.name, rows, len(titles)),
+        *_note_sheets(path.name, name, others),
+        *_find_oddities(path.name, titles, lines),
+        *_find_surplus(path.name, rows, len(titles)),
     ]
-    filled = tuple(Row(line, _padded(cells, len(titles))) for line, cells in rows)
+    filled = tuple(Row(line, _pad(cells, len(titles))) for line, cells in rows)
     return Table(path.name, titles, filled, "XLSX", "", tuple(complaints))
 
 
-def _padded(cells: Sequence[_Cell], width: int) -> tuple[str, ...]:
+def _pad(cells: Sequence[_Cell], width: int) -> tuple[str, ...]:
     return (*(cell.text for cell in cells), *[""] * (width - len(cells)))
 
 
-def _inspected(path: Path) -> bool:
+def _inspect(path: Path) -> bool:
     """Whether the workbook has formulas. Raises TableError if the file is not a workbook, or
     unpacks to too much.
     """
@@ -122,7 +122,7 @@ def _inspected(path: Path) -> bool:
                 f"{_SAVE}"
             )
         with ZipFile(path) as archive:
-            return _parts_inspected(path, archive)
+            return _inspect_parts(path, archive)
     except OSError as fault:
         raise TableError(
             f"{path}: cannot be read ({fault.strerror}) - expected a workbook - check the name"
@@ -132,10 +132,10 @@ def _inspected(path: Path) -> bool:
             f"{path.name}: is not a workbook, or a damaged one - expected .xlsx - {_SAVE}"
         ) from fault
     except (EOFError, NotImplementedError, RuntimeError, ValueError, ArithmeticError) as fault:
-        raise _damaged(path, fault) from fault
+        raise _explain_damaged(path, fault) from fault
 
 
-def _parts_inspected(path: Path, archive: ZipFile) -> bool:
+def _inspect_parts(path: Path, archive: ZipFile) -> bool:
     parts = archive.infolist()
     if not any(part.filename.endswith("workbook.xml") for part in parts):
         raise TableError(
@@ -143,37 +143,37 @@ def _parts_inspected(path: Path, archive: ZipFile) -> bool:
             "in it"
         )
     size = sum(part.file_size for part in parts if _is_parsed(part.filename))
-    if size > LARGEST or len(parts) > _MOST_PARTS:
+    if size > _LARGEST or len(parts) > _MOST_PARTS:
         raise TableError(
             f"{path.name}: unpacks to {size} bytes in {len(parts)} parts - expected less than "
-            f"{LARGEST} - send the sheet alone, as CSV (UTF-8)"
+            f"{_LARGEST} - send the sheet alone, as CSV (UTF-8)"
         )
-    return _formulas_found(path, archive, [each.filename for each in parts])
+    return _has_formulas(path, archive, [each.filename for each in parts])
 
 
 def _is_parsed(part: str) -> bool:
     return part.endswith((".xml", ".rels"))
 
 
-def _formulas_found(path: Path, archive: ZipFile, parts: Sequence[str]) -> bool:
+def _has_formulas(path: Path, archive: ZipFile, parts: Sequence[str]) -> bool:
     """Whether any part has formulas; counts what a parser would have to build before it does."""
     has_formulas = False
-    room = {True: MOST_TAGS, False: MOST_STYLE_TAGS}
+    room = {True: _MOST_TAGS, False: _MOST_STYLE_TAGS}
     for part in filter(_is_parsed, parts):
         cells = _CELL_PART.search(part) is not None
         before = b""
-        for chunk in _chunks(archive, part):
+        for chunk in _read_chunks(archive, part):
             piece = before + chunk
             _refuse_foreign(path, part, piece, first=not before)
             room[cells] -= chunk.count(b"<")
             if room[cells] < 0:
-                raise _too_many_tags(path, cells=cells)
+                raise _explain_too_many_tags(path, cells=cells)
             has_formulas |= "sheet" in part and _FORMULA.search(piece) is not None
             before = piece[-_OVERLAP:]
     return has_formulas
 
 
-def _chunks(archive: ZipFile, part: str) -> Iterator[bytes]:
+def _read_chunks(archive: ZipFile, part: str) -> Iterator[bytes]:
     with archive.open(part) as stream:
         while chunk := stream.read(_CHUNK):
             yield chunk
@@ -194,14 +194,14 @@ def _refuse_foreign(path: Path, part: str, piece: bytes, *, first: bool) -> None
         )
 
 
-def _too_many_tags(path: Path, *, cells: bool) -> TableError:
+def _explain_too_many_tags(path: Path, *, cells: bool) -> TableError:
     if cells:
         return TableError(
-            f"{path.name}: has more than {MOST_TAGS} tags in its sheets - expected a class - send "
+            f"{path.name}: has more than {_MOST_TAGS} tags in its sheets - expected a class - send "
             "the sheet alone, as CSV (UTF-8)"
         )
     return TableError(
-        f"{path.name}: has more than {MOST_STYLE_TAGS} tags in its styles - expected a table - "
+        f"{path.name}: has more than {_MOST_STYLE_TAGS} tags in its styles - expected a table - "
         "send it as CSV (UTF-8)"
     )
 
@@ -218,18 +218,18 @@ def _workbook(path: Path, *, values: bool) -> Iterator[Any]:
     except TableError:
         raise
     except Exception as fault:  # the parser may raise any exception for a damaged file
-        raise _damaged(path, fault) from fault
+        raise _explain_damaged(path, fault) from fault
     finally:
         if workbook is not None:
             workbook.close()
 
 
-def _damaged(path: Path, fault: Exception) -> TableError:
+def _explain_damaged(path: Path, fault: Exception) -> TableError:
     reason = " ".join(str(fault).split())[:200] or type(fault).__name__
     return TableError(f"{path.name}: is a damaged workbook ({reason}) - expected .xlsx - {_SAVE}")
 
 
-def _sheet(path: Path) -> tuple[str, list[_Line], list[str]]:
+def _read_sheet(path: Path) -> tuple[str, list[_Line], list[str]]:
     """The name and the filled lines of the first filled sheet, and the names of other filled
     ones.
     """
@@ -240,29 +240,29 @@ def _sheet(path: Path) -> tuple[str, list[_Line], list[str]]:
             if sheet.sheet_state != "visible":
                 continue
             if not lines:
-                name, lines = sheet.title, list(_filled_lines(path, sheet, room))
-            elif next(_filled_lines(path, sheet, room), None):
+                name, lines = sheet.title, list(_read_filled_lines(path, sheet, room))
+            elif next(_read_filled_lines(path, sheet, room), None):
                 others.append(sheet.title)
     return name, lines, others
 
 
-def _filled_lines(path: Path, sheet: Any, room: _Room) -> Iterator[_Line]:
-    for line, row in _rows(path, sheet, room):
+def _read_filled_lines(path: Path, sheet: Any, room: _Room) -> Iterator[_Line]:
+    for line, row in _read_rows(path, sheet, room):
         cells = [_BLANK if cell.value is None else _read(cell) for cell in row]
         room.characters -= sum(len(cell.text) for cell in cells)
         longest = max((len(cell.text) for cell in cells), default=0)
-        if longest > LONGEST_TEXT or room.characters < 0:
+        if longest > _LONGEST_TEXT or room.characters < 0:
             raise TableError(
                 f"{path.name}: sheet {sheet.title}, row {line}: holds more text than a spreadsheet "
                 f"program keeps ({longest} characters in a cell) - expected answers - {_SAVE}"
             )
-        while cells and not trimmed(cells[-1].text) and not cells[-1].remark:
+        while cells and not trim(cells[-1].text) and not cells[-1].remark:
             cells.pop()
-        if any(trimmed(cell.text) for cell in cells):
+        if any(trim(cell.text) for cell in cells):
             yield line, cells
 
 
-def _rows(path: Path, sheet: Any, room: _Room) -> Iterator[tuple[int, Sequence[Any]]]:
+def _read_rows(path: Path, sheet: Any, room: _Room) -> Iterator[tuple[int, Sequence[Any]]]:
     """The rows of a sheet, whatever size it declares. Raises TableError for too many of them."""
     sheet.reset_dimensions()
     for line, row in enumerate(sheet.iter_rows(), 1):
@@ -270,7 +270,8 @@ def _rows(path: Path, sheet: Any, room: _Room) -> Iterator[tuple[int, Sequence[A
         room.cells -= len(row)
         if room.rows < 0 or room.cells < 0:
             raise TableError(
-                f"{path.name}: sheet {sheet.title} reaches beyond {MOST_ROWS} rows or {MOST_CELLS} "
+                f"{path.name}: sheet {sheet.title} reaches beyond "
+                f"{_MOST_ROWS} rows or {_MOST_CELLS} "
                 "cells - expected a class - delete everything below and beside the table"
             )
         yield line, row
@@ -281,55 +282,58 @@ def _read(cell: Any) -> _Cell:
     if isinstance(value, bool):
         return _Cell(str(value).upper())
     if isinstance(value, int | float):
-        return _number(value, cell.number_format)
+        return _write_number(value, cell.number_format)
     if isinstance(value, datetime | date | time | timedelta):
         return _Cell(str(value), "is a date or a time for the spreadsheet, whatever was typed")
     return _Cell(str(value))
 
 
-def _number(value: int | float, number_format: str) -> _Cell:
+def _write_number(value: int | float, number_format: str) -> _Cell:
     """The shortest digits of the number: what was typed, except for trailing zeros."""
     whole = (
         int(value)
-        if isinstance(value, int) or (value.is_integer() and abs(value) < LONGEST_NUMBER)
+        if isinstance(value, int) or (value.is_integer() and abs(value) < _LONGEST_NUMBER)
         else None
     )
     text = repr(value) if whole is None else str(whole)
     if whole is not None and whole >= 0 and _ZEROS.fullmatch(number_format):
         text = text.zfill(len(number_format))
-    eaten = abs(value) >= LONGEST_NUMBER
+    eaten = abs(value) >= _LONGEST_NUMBER
     return _Cell(
         text,
         "is a number of more than 15 digits, of which spreadsheets lose the last" if eaten else "",
     )
 
 
-def _formulas_told(path: Path, name: str, lines: list[_Line]) -> list[_Line]:
+def _note_formulas(path: Path, name: str, lines: list[_Line]) -> list[_Line]:
     """The lines, with a remark for each cell that a formula computes."""
     with _workbook(path, values=False) as workbook:
         computed = {
             (line, place): str(getattr(cell.value, "text", cell.value))
-            for line, row in _rows(path, workbook[name], _Room())
+            for line, row in _read_rows(path, workbook[name], _Room())
             for place, cell in enumerate(row)
             if cell.data_type == "f"
         }
     return [
-        (line, [_told(cell, computed.get((line, place))) for place, cell in enumerate(cells)])
+        (
+            line,
+            [_note_formula(cell, computed.get((line, place))) for place, cell in enumerate(cells)],
+        )
         for line, cells in lines
     ]
 
 
-def _told(cell: _Cell, formula: str | None) -> _Cell:
+def _note_formula(cell: _Cell, formula: str | None) -> _Cell:
     if formula is None:
         return cell
     text = _TEXT_FORMULA.fullmatch(formula)
     if text and cell.text in ("", text[1]):
         return _Cell(text[1])
     value = "" if cell.text else " which was never computed"
-    return _Cell(cell.text, f"is computed by the formula {shortened(formula)}{value}")
+    return _Cell(cell.text, f"is computed by the formula {shorten(formula)}{value}")
 
 
-def _oddities(file: str, titles: Sequence[str], lines: Sequence[_Line]) -> Iterator[Complaint]:
+def _find_oddities(file: str, titles: Sequence[str], lines: Sequence[_Line]) -> Iterator[Complaint]:
     for line, cells in lines:
         for place, cell in enumerate(cells):
             if cell.remark:
@@ -338,27 +342,27 @@ def _oddities(file: str, titles: Sequence[str], lines: Sequence[_Line]) -> Itera
                     file,
                     line,
                     column,
-                    shortened(cell.text),
+                    shorten(cell.text),
                     f"the cell {cell.remark}",
                     "taken as its content stands here",
                 )
 
 
-def _surplus(file: str, rows: Sequence[_Line], width: int) -> Iterator[Complaint]:
+def _find_surplus(file: str, rows: Sequence[_Line], width: int) -> Iterator[Complaint]:
     for line, cells in rows:
-        surplus = "; ".join(cell.text for cell in cells[width:] if trimmed(cell.text))
+        surplus = "; ".join(cell.text for cell in cells[width:] if trim(cell.text))
         if surplus:
             yield Complaint(
                 file,
                 line,
                 "",
-                shortened(surplus),
+                shorten(surplus),
                 "cells stand beside the table, under no column name",
                 "the surplus is kept here only",
             )
 
 
-def _sheets_told(file: str, name: str, others: Sequence[str]) -> Iterator[Complaint]:
+def _note_sheets(file: str, name: str, others: Sequence[str]) -> Iterator[Complaint]:
     if others:
         yield Complaint(
             file,

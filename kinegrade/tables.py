@@ -18,10 +18,10 @@ from itertools import chain, islice
 from pathlib import Path
 from typing import NamedTuple
 
-from kinegrade.csv_writing import csv_text
+from kinegrade.csv_writing import write_csv_text
 from kinegrade.errors import TableError
 
-SHOWN_CHARACTERS = 1000
+_SHOWN_CHARACTERS = 1000
 _SEPARATORS = ",;\t"
 _BLANKS = f"{_SEPARATORS} "
 INVISIBLE = "\ufeff\u200b\u200c\u200d\u200e\u200f\u2060"
@@ -112,46 +112,46 @@ def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table
     >>> parse_table(b"student;x\\n007;0,5\\n", "a.csv").rows
     (Row(line=2, cells=('007', '0,5')),)
     """
-    declared = _declared(content, file, encoding)
+    declared = _decode_declared(content, file, encoding)
     if declared is None:
         _refuse_other_formats(content, file)
     text, encoding, complaints = (
-        (declared, str(encoding), []) if declared is not None else _decoded(content, file)
+        (declared, str(encoding), []) if declared is not None else _decode(content, file)
     )
     with _cells_of_any_size(text):
-        separator, width = _separator(text)
-        records, stray_quotes = _records(text, separator, width)
-    filled = [Row(line, tuple(cells)) for line, cells in records if any(map(trimmed, cells))]
+        separator, width = _find_separator(text)
+        records, stray_quotes = _read_records(text, separator, width)
+    filled = [Row(line, tuple(cells)) for line, cells in records if any(map(trim, cells))]
     if not filled:
         raise TableError(f"{file}: is empty - expected a line of column names - send a CSV file")
     header, *rows = filled
-    complaints += [_stray_quote(file, line) for line in stray_quotes]
-    complaints += _ragged(rows, len(header.cells), file)
+    complaints += [_complain_of_stray_quote(file, line) for line in stray_quotes]
+    complaints += _find_ragged(rows, len(header.cells), file)
     return Table(file, header.cells, tuple(rows), encoding, separator, tuple(complaints))
 
 
-def trimmed(text: str) -> str:
+def trim(text: str) -> str:
     """Without surrounding blanks of any kind: no-break, ideographic, zero-width, byte-order mark.
 
-    >>> trimmed("\\u3000 007\\u200b ")
+    >>> trim("\\u3000 007\\u200b ")
     '007'
     """
     return text.strip(_SURROUNDING)
 
 
-def header_key(text: str) -> str:
+def make_header_key(text: str) -> str:
     """A column name for comparison: no full-width forms, single blanks, no upper case.
 
-    >>> header_key(" Q1\\uff0ev_B ")
+    >>> make_header_key(" Q1\\uff0ev_B ")
     'q1.v_b'
     """
-    return " ".join(trimmed(unicodedata.normalize("NFKC", text)).casefold().split())
+    return " ".join(trim(unicodedata.normalize("NFKC", text)).casefold().split())
 
 
-def without_headers(table: Table) -> tuple[Row, ...]:
+def drop_headers(table: Table) -> tuple[Row, ...]:
     """The rows that do not repeat the header, as in files that were put together from several.
 
-    >>> [row.line for row in without_headers(parse_table(b"id,x\\n1,2\\nid,x\\n3,4\\n", "a.csv"))]
+    >>> [row.line for row in drop_headers(parse_table(b"id,x\\n1,2\\nid,x\\n3,4\\n", "a.csv"))]
     [2, 4]
     """
     first = table.header[0] if table.header else ""
@@ -161,21 +161,25 @@ def without_headers(table: Table) -> tuple[Row, ...]:
 
 
 def _is_header(row: Row, header: Sequence[str]) -> bool:
-    return [trimmed(cell) for cell in row.cells] == [trimmed(cell) for cell in header]
+    return [trim(cell) for cell in row.cells] == [trim(cell) for cell in header]
 
 
-def shortened(text: str) -> str:
+def shorten(text: str) -> str:
     """A cell for a report: one longer than SHOWN_CHARACTERS is cut, which is stated."""
-    if len(text) <= SHOWN_CHARACTERS:
+    if len(text) <= _SHOWN_CHARACTERS:
         return text
-    return f"{text[:SHOWN_CHARACTERS]}… (cut; {len(text)} characters)"
+    return f"{text[:_SHOWN_CHARACTERS]}… (cut; {len(text)} characters)"
 
 
 def _refuse_other_formats(content: bytes, file: str) -> None:
     kinds = [kind for beginning, kind in _OTHER_FORMATS if content.startswith(beginning)]
     sample = content[:65536]
     controls = len(sample) - len(sample.translate(None, _CONTROLS))
-    if not kinds and _byte_order_mark(content) is None and controls * _CONTROL_SHARE > len(sample):
+    if (
+        not kinds
+        and _find_byte_order_mark(content) is None
+        and controls * _CONTROL_SHARE > len(sample)
+    ):
         kinds = ["not text"]
     if kinds:
         raise TableError(
@@ -183,15 +187,15 @@ def _refuse_other_formats(content: bytes, file: str) -> None:
         )
 
 
-def _byte_order_mark(content: bytes) -> tuple[bytes, str] | None:
+def _find_byte_order_mark(content: bytes) -> tuple[bytes, str] | None:
     return next((pair for pair in _MARKS if content.startswith(pair[0])), None)
 
 
-def _declared(content: bytes, file: str, encoding: str | None) -> str | None:
+def _decode_declared(content: bytes, file: str, encoding: str | None) -> str | None:
     """The text in the encoding that was declared; None where none was, or where a mark or UTF-8
     says otherwise.
     """
-    if encoding is None or _byte_order_mark(content):
+    if encoding is None or _find_byte_order_mark(content):
         return None
     try:
         content.decode("utf-8")
@@ -208,8 +212,8 @@ def _declared(content: bytes, file: str, encoding: str | None) -> str | None:
         ) from fault
 
 
-def _decoded(content: bytes, file: str) -> tuple[str, str, list[Complaint]]:
-    mark, encoding = _byte_order_mark(content) or (b"", "UTF-8")
+def _decode(content: bytes, file: str) -> tuple[str, str, list[Complaint]]:
+    mark, encoding = _find_byte_order_mark(content) or (b"", "UTF-8")
     body = content[len(mark) :]
     try:
         return body.decode(encoding), encoding, []
@@ -217,14 +221,14 @@ def _decoded(content: bytes, file: str) -> tuple[str, str, list[Complaint]]:
         line = body.count(b"\n", 0, fault.start) + 1
         shown = fault.object[fault.start : fault.start + 8].hex(" ")
     text, assumed = (
-        _assumed(body) if not mark else (body.decode(encoding, "backslashreplace"), encoding)
+        _decode_assumed(body) if not mark else (body.decode(encoding, "backslashreplace"), encoding)
     )
     problem = f"not valid {encoding} from this line on (bytes {shown})"
     done = f"read as {assumed}; look at the names, or save the file as CSV UTF-8"
     return text, assumed, [Complaint(file, line, "", "", problem, done)]
 
 
-def _assumed(body: bytes) -> tuple[str, str]:
+def _decode_assumed(body: bytes) -> tuple[str, str]:
     """The text and its encoding: what most spreadsheets in China and Europe write if not UTF-8."""
     for encoding, is_likely in (("GB18030", _is_chinese), ("Windows-1252", bool)):
         try:
@@ -254,17 +258,13 @@ def _cells_of_any_size(text: str) -> Iterator[None]:
         csv.field_size_limit(before)
 
 
-def _separator(text: str) -> tuple[str, int]:
+def _find_separator(text: str) -> tuple[str, int]:
     """The separator that gives the header the most columns (a comma if any), and how many."""
 
     def columns(separator: str) -> int:
         records = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
         return next(
-            (
-                len(cells)
-                for cells in records
-                if any(trimmed(cell).strip(_BLANKS) for cell in cells)
-            ),
+            (len(cells) for cells in records if any(trim(cell).strip(_BLANKS) for cell in cells)),
             0,
         )
 
@@ -272,7 +272,7 @@ def _separator(text: str) -> tuple[str, int]:
     return separator, columns(separator)
 
 
-def _records(
+def _read_records(
     text: str, separator: str, width: int
 ) -> tuple[list[tuple[int, list[str]]], list[int]]:
     """All records with the lines on which they begin, and the lines with a stray quotation mark.
@@ -326,21 +326,21 @@ def _is_strict(lines: list[str], separator: str) -> bool:
     return True
 
 
-def _stray_quote(file: str, line: int) -> Complaint:
+def _complain_of_stray_quote(file: str, line: int) -> Complaint:
     problem = "a quotation mark is opened and not closed where it should be"
     return Complaint(
         file, line, "", "", problem, "the line is read by itself, its quotation marks as typed"
     )
 
 
-def _ragged(rows: Iterable[Row], width: int, file: str) -> Iterator[Complaint]:
+def _find_ragged(rows: Iterable[Row], width: int, file: str) -> Iterator[Complaint]:
     for row in rows:
         count, surplus = len(row.cells), row.cells[width:]
         problem = f"the line has {count} cells, the header {width}"
         if count < width:
             yield Complaint(file, row.line, "", "", problem, "the missing cells are taken as blank")
-        elif any(map(trimmed, surplus)):
-            content = csv_text([shortened(cell) for cell in surplus], []).rstrip("\n")
+        elif any(map(trim, surplus)):
+            content = write_csv_text([shorten(cell) for cell in surplus], []).rstrip("\n")
             done = (
                 "the surplus is kept here only; if a comma inside a cell is to blame, put the "
                 "cell in quotes"

@@ -10,7 +10,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from kinegrade.errors import OutputError
-from kinegrade.leftovers import clear_leftovers, own_name, remove
+from kinegrade.leftovers import clear_leftovers, make_process_name, remove
 
 _BEGINNING = "kinegrade"
 
@@ -20,7 +20,7 @@ def temporary_folder() -> Iterator[Path]:
     """A new folder that only this user can read, removed after the block. Raises OutputError."""
     place = Path(tempfile.gettempdir())
     clear_temporary_folders()
-    folder = place / own_name(_BEGINNING)
+    folder = place / make_process_name(_BEGINNING)
     try:
         folder.mkdir(mode=0o700)
     except OSError as fault:

@@ -13,7 +13,7 @@ from typing import Any
 
 from flint import fmpq
 
-from kinegrade.errors import ExpressionError, one_line
+from kinegrade.errors import ExpressionError, show_in_one_line
 
 FACTORS: dict[str, tuple[Any, str]] = {
     "m": (fmpq(1), "length"),
@@ -31,7 +31,7 @@ HALF_TURNS: dict[str, Any] = {
     "deg": fmpq(1, 180),
     "turn": fmpq(2),
 }  # angles as exact parts of pi radians
-PART = re.compile(r"(?P<mark>[*/]?)(?P<name>[a-z]+|1)(?:\^(?P<power>-?[1-4]))?", re.ASCII)
+_PART = re.compile(r"(?P<mark>[*/]?)(?P<name>[a-z]+|1)(?:\^(?P<power>-?[1-4]))?", re.ASCII)
 
 
 @dataclass(frozen=True)
@@ -76,10 +76,10 @@ def read_unit(text: str) -> Unit:
     """
     factor, exponents, place = fmpq(1), {"length": 0, "time": 0, "angle": 0, "number": 0}, 0
     while place < len(text) or not place:
-        match = PART.match(text, place)
+        match = _PART.match(text, place)
         if match is None or match["name"] not in FACTORS or (place > 0) != bool(match["mark"]):
             raise ExpressionError(
-                f'unit "{one_line(text)}": expected a product like m/s^2 of '
+                f'unit "{show_in_one_line(text)}": expected a product like m/s^2 of '
                 f"{', '.join(sorted(FACTORS))}"
             )
         size, dimension = FACTORS[match["name"]]

@@ -19,7 +19,7 @@ from typing import TypeVar
 from kinegrade.garbage_collection import NEW_OBJECTS
 
 DEFERRED = (signal.SIGINT, signal.SIGTERM)  # while a process starts, until it is set up
-PATIENCE = 1.0  # seconds to stop a typesetter and to remove files
+_PATIENCE = 1.0  # seconds to stop a typesetter and to remove files
 
 _Result = TypeVar("_Result")
 
@@ -64,7 +64,7 @@ def _end_with_parent() -> None:
     main = threading.main_thread().ident
     if main is not None and hasattr(signal, "pthread_kill"):
         signal.pthread_kill(main, signal.SIGTERM)
-        time.sleep(PATIENCE)
+        time.sleep(_PATIENCE)
     os._exit(1)
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import kinegrade
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 
 PACKAGE = Path(kinegrade.__file__).parent
 ROOT = PACKAGE.parent
@@ -288,7 +288,7 @@ def test_a_module_runs_nothing_that_it_reads(module: str) -> None:
     assert not [name for name in names if name.endswith((".eval", ".system", ".popen", ".chdir"))]
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_every_sentence_of_a_template_is_there_in_both_languages(name: str) -> None:
     template = load_template(name)
     texts = [template.about.title, template.words.statement]
@@ -301,7 +301,7 @@ def test_every_sentence_of_a_template_is_there_in_both_languages(name: str) -> N
         assert not CHINESE.search(text.en), text.en
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_no_two_sentences_of_a_template_say_the_same(name: str) -> None:
     template = load_template(name)
     for language in ("en", "zh"):

@@ -20,7 +20,7 @@ import pytest
 import kinegrade as api
 from kinegrade.cli import main
 from kinegrade.errors import MechanismError, TemplateError
-from kinegrade.problem.library import template_names
+from kinegrade.problem.library import find_template_names
 from tests.small_class import generate, kinegrade, write_class
 
 ROOT = Path(__file__).parent.parent
@@ -127,12 +127,12 @@ print("heavy:", sorted({HEAVY!r} & set(sys.modules)))
 def test_list_names_every_template_in_both_languages() -> None:
     english, chinese = kinegrade("list"), kinegrade("list", "--lang", "zh")
     rows = [line.split("\t") for line in english.stdout.splitlines()]
-    assert [row[0] for row in rows] == list(template_names())
+    assert [row[0] for row in rows] == list(find_template_names())
     assert ["slider-crank", "slider-crank", "Slider-crank mechanism"] in rows
     assert "曲柄滑块机构" in chinese.stdout
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_show_tells_parameters_asks_and_the_number_of_instances(name: str, language: str) -> None:
     problem = api.template(name)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade import template
-from kinegrade.problem.library import template_names
+from kinegrade.problem.library import find_template_names
 from tests.small_class import kinegrade
 
 TEXT = (Path(__file__).parent.parent / "CONTRIBUTING.md").read_text(encoding="utf-8")
@@ -23,7 +23,7 @@ def worked_example(tmp_path: Path) -> Path:
 
 
 def test_the_worked_example_is_new_and_check_accepts_it(worked_example: Path) -> None:
-    assert "scissor-lift" not in template_names()
+    assert "scissor-lift" not in find_template_names()
     result = kinegrade("check", worked_example, "--sample", "60")
     assert (result.exit_code, result.stdout.splitlines()[0]) == (0, "scissor-lift: sound")
     assert "published results proved exactly: 25" in result.stdout

@@ -253,10 +253,10 @@ def test_a_crash_without_room_for_a_report_is_still_one_line(room: Path) -> None
 def test_the_report_of_a_crash_in_a_worker_says_where_in_the_worker(room: Path) -> None:
     program = (
         "import click\nfrom functools import partial\n"
-        "from kinegrade.cli.program import Program\nfrom kinegrade.processes import executor\n"
+        "from kinegrade.cli.program import Program\nfrom kinegrade.processes import open_executor\n"
         "@click.group(cls=Program)\ndef main(): pass\n"
         "@main.command()\ndef fall():\n"
-        "    with executor(2, 'fall', 'fork') as others:\n"
+        "    with open_executor(2, 'fall', 'fork') as others:\n"
         "        others.submit(int, 'a name').result()\n"
         "main()\n"
     )

@@ -27,7 +27,7 @@ EXCEPTIONS = {
     "'**'": "the exponent is no operand; the other signs are matched below",
     "problem/meaning.py: if isinstance(kind, "
     "Unknown)": "what is not known fits anywhere; the slots are matched below",
-    "grading/typed_value.py: Operation('-', Number(rational('0')), tree) if sign == '-' else "
+    "grading/typed_value.py: Operation('-', Number(read_rational('0')), tree) if sign == '-' else "
     "tree": "a character that was typed before a bracket: a minus, a plus, or none",
     "worked/instance_formulas.py: () if isinstance(tree, Number) else "
     "worked": "a literal has no working; anything else is told as it was worked out",
@@ -220,7 +220,7 @@ def test_our_own_types_and_literals_are_known_from_the_package_itself() -> None:
     assert words.values["level"] == {"velocity", "acceleration"}
     assert {"moodle", "canvas", "edx"} <= words.values["system"]
     assert {"pin", "slide", "rotation", "sliding"} <= words.values["kind"]
-    assert {"WORDS", "ROLES", "_FILLS"} <= words.tables
+    assert {"WORDS", "_ROLES", "_FILLS"} <= words.tables
 
 
 @cache

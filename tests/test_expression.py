@@ -14,13 +14,13 @@ from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinegrade.angular import angular_degree, is_angle
+from kinegrade.angular import find_angular_degree, is_angle
 from kinegrade.errors import ExpressionError
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import Balls
 from kinegrade.exact.field import Field
 from kinegrade.exact.floats import Floats
-from kinegrade.exact.text import angle_text, exact_text
+from kinegrade.exact.text import write_angle, write_exact
 from kinegrade.expression import (
     MAX_DEPTH,
     MAX_LENGTH,
@@ -28,13 +28,13 @@ from kinegrade.expression import (
     Name,
     Number,
     Operation,
-    elementary,
     evaluate,
-    names,
-    rational,
-    read,
+    find_names,
+    make_elementary_functions,
+    read_expression,
+    read_rational,
 )
-from kinegrade.mechanics.geometry import constructions
+from kinegrade.mechanics.geometry import make_constructions
 
 KNOWN = {"r": fmpq(3, 2), "k": fmpq(2)}
 
@@ -43,12 +43,12 @@ def value(text: str) -> str:
     """What an expression comes to, as exact text; angles in radians."""
     field = Field()
     number = evaluate(
-        read(text),
+        read_expression(text),
         {**KNOWN, "pi": field.turns(1), "phi": field.turns(fmpq(1, 3))},
-        elementary(field),
+        make_elementary_functions(field),
         field,
     )
-    return angle_text(number, degrees=False) if isinstance(number, Angle) else exact_text(number)
+    return write_angle(number, degrees=False) if isinstance(number, Angle) else write_exact(number)
 
 
 @pytest.mark.parametrize(
@@ -146,7 +146,7 @@ def test_what_expressions_come_to(text: str, result: str) -> None:
 )
 def test_what_is_no_expression_is_told_with_its_place(text: str, message: str) -> None:
     with pytest.raises(ExpressionError) as refusal:
-        read(text)
+        read_expression(text)
     assert message in str(refusal.value)
     assert "\n" not in str(refusal.value)
 
@@ -205,10 +205,12 @@ def test_towers_of_powers_do_not_fill_the_memory(text: str) -> None:
         value(text)
     balls = Balls(256)
     with balls.context():
-        assert isinstance(evaluate(read(text), {}, elementary(balls), balls), arb)
+        assert isinstance(
+            evaluate(read_expression(text), {}, make_elementary_functions(balls), balls), arb
+        )
     floats = Floats()
     with floats.context(), pytest.raises(ExpressionError, match="too large for a double"):
-        evaluate(read("1e99**16"), {}, elementary(floats), floats)
+        evaluate(read_expression("1e99**16"), {}, make_elementary_functions(floats), floats)
 
 
 PIECES = st.sampled_from(
@@ -251,10 +253,10 @@ def test_any_text_gives_a_value_or_one_line_that_says_why_not(text: str) -> None
     field = Field()
     known = {**KNOWN, "pi": field.turns(1), "phi": field.turns(fmpq(1, 3)), "right": "right"}
     points: dict[str, Any] = {}
-    functions = {**elementary(field), **constructions(field, points)}
+    functions = {**make_elementary_functions(field), **make_constructions(field, points)}
     known["O"] = points["O"] = functions[""](fmpq(0), fmpq(1))
     with suppress(Inexact):
-        problems = problems_of(lambda: evaluate(read(text), known, functions, field))
+        problems = problems_of(lambda: evaluate(read_expression(text), known, functions, field))
         assert len(problems) <= 1
         assert all(problem and "\n" not in problem for problem in problems)
 
@@ -282,20 +284,22 @@ TREES = st.recursive(
 @given(TREES)
 def test_sums_and_products_come_to_what_python_makes_of_them(text: str) -> None:
     field = Field()
-    number = evaluate(read(text), KNOWN, elementary(field), field)
+    number = evaluate(read_expression(text), KNOWN, make_elementary_functions(field), field)
     assert number == eval(text, {"__builtins__": {"abs": abs}}, dict(KNOWN))
 
 
 def test_the_tree_of_an_expression() -> None:
-    assert read("x") == Name("x")
-    assert read("2.50") == Number(fmpq(5, 2))
-    assert read("f(a, 1)") == Call("f", (Name("a"), Number(fmpq(1))))
-    assert read("f()") == Call("f", ())
-    assert read("(a, b)") == Call("", (Name("a"), Name("b")))
-    assert read("a - b - c") == Operation("-", Operation("-", Name("a"), Name("b")), Name("c"))
-    assert list(names(read("a + f(b, (c, 1))*a"))) == ["a", "b", "c", "a"]
-    assert read("(" * MAX_DEPTH + "1" + ")" * MAX_DEPTH) == Number(fmpq(1))
-    assert read("1" + "+1" * ((MAX_LENGTH - 1) // 2))
+    assert read_expression("x") == Name("x")
+    assert read_expression("2.50") == Number(fmpq(5, 2))
+    assert read_expression("f(a, 1)") == Call("f", (Name("a"), Number(fmpq(1))))
+    assert read_expression("f()") == Call("f", ())
+    assert read_expression("(a, b)") == Call("", (Name("a"), Name("b")))
+    assert read_expression("a - b - c") == Operation(
+        "-", Operation("-", Name("a"), Name("b")), Name("c")
+    )
+    assert list(find_names(read_expression("a + f(b, (c, 1))*a"))) == ["a", "b", "c", "a"]
+    assert read_expression("(" * MAX_DEPTH + "1" + ")" * MAX_DEPTH) == Number(fmpq(1))
+    assert read_expression("1" + "+1" * ((MAX_LENGTH - 1) // 2))
 
 
 @pytest.mark.parametrize(
@@ -323,20 +327,20 @@ def test_the_tree_of_an_expression() -> None:
     ],
 )
 def test_the_power_of_angle_in_an_expression(text: str, degree: int) -> None:
-    assert angular_degree(read(text), frozenset({"phi"})) == degree
-    assert is_angle(read(text), frozenset({"phi"})) == (degree == 1)
+    assert find_angular_degree(read_expression(text), frozenset({"phi"})) == degree
+    assert is_angle(read_expression(text), frozenset({"phi"})) == (degree == 1)
 
 
 def test_decimals_are_read_as_exact_fractions() -> None:
-    assert rational("0.1") == fmpq(1, 10)
-    assert rational("1.25e1") == fmpq(25, 2)
-    assert rational("3e-2") == fmpq(3, 100)
-    assert rational(".5") == fmpq(1, 2)
-    assert rational("7.") == 7
+    assert read_rational("0.1") == fmpq(1, 10)
+    assert read_rational("1.25e1") == fmpq(25, 2)
+    assert read_rational("3e-2") == fmpq(3, 100)
+    assert read_rational(".5") == fmpq(1, 2)
+    assert read_rational("7.") == 7
 
 
 def test_messages_show_long_texts_whole_up_to_the_limit_only() -> None:
     with pytest.raises(ExpressionError) as refusal:
-        read("$" * MAX_LENGTH)
+        read_expression("$" * MAX_LENGTH)
     assert len(str(refusal.value)) < MAX_LENGTH + 100
     assert re.search(r"character 1: found \"\$\"", str(refusal.value))

@@ -16,7 +16,7 @@ import pytest
 from kinegrade import files
 from kinegrade.errors import OutputError
 from kinegrade.files import output_folder, write_file
-from kinegrade.leftovers import own_name
+from kinegrade.leftovers import make_process_name
 
 FILES = 25
 WRITE_VERSIONS = f"""
@@ -250,7 +250,7 @@ def test_the_key_in_a_temporary_folder_of_a_killed_run_goes_with_the_next_output
     monkeypatch.setattr("tempfile.tempdir", str(room))
     with subprocess.Popen([sys.executable, "-c", "pass"]) as ended:
         ended.wait()
-    left = own_name("kinegrade").replace(f"-{os.getpid()}-", f"-{ended.pid}-")
+    left = make_process_name("kinegrade").replace(f"-{os.getpid()}-", f"-{ended.pid}-")
     (room / left).mkdir()
     (room / left / "key.jsonl").write_text("the key", encoding="utf-8")
     write_file(tmp_path / "quiz.xml", b"")

@@ -10,13 +10,13 @@ import re
 import pytest
 
 from kinegrade.exam.bank import Bank
-from kinegrade.exam.folder.writing import line_json
-from kinegrade.exam.key_record import key_line
-from kinegrade.exam.pages import paper_pages
-from kinegrade.exam.typst_source import paper_source
+from kinegrade.exam.folder.writing import encode_line
+from kinegrade.exam.key_record import make_key_line
+from kinegrade.exam.pages import lay_out_paper
+from kinegrade.exam.typst_source import write_paper_source
 from kinegrade.figure.sketch import sketch
-from kinegrade.figure.typst import to_typst
-from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.figure.typst import write_typst
+from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 from tests.golden_files import Hold, papers
@@ -38,14 +38,14 @@ def readable(source: str) -> str:
 
 
 def test_the_key_of_a_tiny_exam(golden_bank: Bank, hold: Hold) -> None:
-    lines = (line_json(key_line(paper)) for paper in papers(golden_bank))
+    lines = (encode_line(make_key_line(paper)) for paper in papers(golden_bank))
     hold("key.jsonl", b"".join(lines).decode())
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_a_paper_for_the_typesetter(golden_bank: Bank, hold: Hold, language: str) -> None:
-    page = paper_pages(golden_bank, papers(golden_bank)[1], language)  # type: ignore[arg-type]
-    hold(f"paper-{language}.txt", readable(paper_source(page)))
+    page = lay_out_paper(golden_bank, papers(golden_bank)[1], language)  # type: ignore[arg-type]
+    hold(f"paper-{language}.txt", readable(write_paper_source(page)))
 
 
 def test_a_figure_for_the_typesetter(hold: Hold) -> None:
@@ -53,5 +53,5 @@ def test_a_figure_for_the_typesetter(hold: Hold) -> None:
     motion = solve_template(template, {"r": "1/5", "k": "2", "phi": "45"}, ()).motion
     hold(
         "slider-crank.typ",
-        to_typst(sketch(drawable_mechanism(motion.frames.mechanism), template.figure)),
+        write_typst(sketch(convert_to_floats(motion.frames.mechanism), template.figure)),
     )

@@ -10,15 +10,15 @@ import pytest
 
 from kinegrade.exam.bank import Bank
 from kinegrade.exam.document import SolutionSheet
-from kinegrade.exam.latex_key import key_body
-from kinegrade.exam.latex_solution import solution_body
-from kinegrade.exam.latex_source import document, paper_body
-from kinegrade.exam.pages import paper_pages
-from kinegrade.exam.words import words_of
+from kinegrade.exam.latex_key import write_key_body
+from kinegrade.exam.latex_solution import write_solution_body
+from kinegrade.exam.latex_source import write_document, write_paper_body
+from kinegrade.exam.pages import lay_out_paper
+from kinegrade.exam.words import choose_words
 from kinegrade.figure.sketch import sketch
-from kinegrade.figure.tikz import to_tikz
+from kinegrade.figure.tikz import write_tikz
 from kinegrade.language import Language
-from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 from tests.exam.papers import key_book
@@ -28,20 +28,20 @@ from tests.golden_files import Hold, papers
 
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_a_paper_for_latex(golden_bank: Bank, hold: Hold, language: Language) -> None:
-    page = paper_pages(golden_bank, papers(golden_bank)[1], language)
+    page = lay_out_paper(golden_bank, papers(golden_bank)[1], language)
     hold(
         f"paper-{language}.tex",
-        document([paper_body(page)], language, "a4", words_of(language), "fonts"),
+        write_document([write_paper_body(page)], language, "a4", choose_words(language), "fonts"),
     )
 
 
 @pytest.mark.parametrize("sheet", [ENGLISH_SOLUTION, CHINESE_SOLUTION])
 def test_worked_solutions_for_latex(sheet: SolutionSheet, hold: Hold) -> None:
-    hold(f"solution-{sheet.language}.tex", solution_body(sheet))
+    hold(f"solution-{sheet.language}.tex", write_solution_body(sheet))
 
 
 def test_a_key_for_latex(hold: Hold) -> None:
-    hold("key.tex", key_body(replace(key_book(1), course="A & B")))
+    hold("key.tex", write_key_body(replace(key_book(1), course="A & B")))
 
 
 def test_a_figure_for_latex(hold: Hold) -> None:
@@ -49,5 +49,5 @@ def test_a_figure_for_latex(hold: Hold) -> None:
     motion = solve_template(template, {"r": "1/5", "k": "2", "phi": "45"}, ()).motion
     hold(
         "slider-crank.tex",
-        to_tikz(sketch(drawable_mechanism(motion.frames.mechanism), template.figure)),
+        write_tikz(sketch(convert_to_floats(motion.frames.mechanism), template.figure)),
     )

@@ -25,7 +25,7 @@ from kinegrade.errors import TypesetError
 from kinegrade.exam import press
 from kinegrade.exam.printing import PressOrder
 from kinegrade.exam.word import PandocPress
-from kinegrade.exam.words import words_of
+from kinegrade.exam.words import choose_words
 from kinegrade.language import LANGUAGES
 from kinegrade.lms.quiz.writers import WRITERS
 from kinegrade.lms.responses.detection import DIALECTS
@@ -103,7 +103,7 @@ def test_an_exam_that_says_no_language_is_refused_as_well(marked: Path, tmp_path
 
 
 @pytest.mark.parametrize(
-    "told", [words_of, Translated("a crank", "曲柄").in_language], ids=["words", "texts"]
+    "told", [choose_words, Translated("a crank", "曲柄").in_language], ids=["words", "texts"]
 )
 def test_no_text_of_another_language_stands_in_for_a_missing_one(told: Any) -> None:
     with pytest.raises((AssertionError, KeyError), match="fr"):

@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TemplateError, WorkerError
-from kinegrade.processes import Shared, Start, executor, mapped
+from kinegrade.processes import Shared, Start, map_in_order, open_executor
 
 WAYS: list[tuple[int, Start | None]] = [(1, None), (2, None), (2, "fork"), (2, "spawn")]
 every_way = pytest.mark.parametrize(("jobs", "start"), WAYS)
@@ -68,20 +68,20 @@ def visits(shared: Shared[list[int]]) -> tuple[int, int]:
 
 @every_way
 def test_results_come_in_order(jobs: int, start: Start | None) -> None:
-    with executor(jobs, "test", start) as workers:
-        assert list(mapped(workers, late_if_even, range(9), 4)) == list(range(9))
+    with open_executor(jobs, "test", start) as workers:
+        assert list(map_in_order(workers, late_if_even, range(9), 4)) == list(range(9))
     assert not active_children()
 
 
 def test_any_executor_will_do() -> None:
     with ThreadPoolExecutor(2) as workers:
-        assert list(mapped(workers, late_if_even, range(9), 4)) == list(range(9))
+        assert list(map_in_order(workers, late_if_even, range(9), 4)) == list(range(9))
 
 
 @pytest.mark.parametrize("count", [0, 1])
 def test_a_single_item_is_not_worth_another_process(count: int) -> None:
-    with executor(2, "test") as workers:
-        assert list(mapped(workers, process_of, range(count), 4)) == [os.getpid()] * count
+    with open_executor(2, "test") as workers:
+        assert list(map_in_order(workers, process_of, range(count), 4)) == [os.getpid()] * count
         assert not active_children()
 
 
@@ -92,8 +92,8 @@ def test_one_job_is_this_process_which_works_when_a_result_is_asked_for() -> Non
         taken.append(number)
         return number
 
-    with executor(1, "test") as workers:
-        results = mapped(workers, note, range(9), 4)
+    with open_executor(1, "test") as workers:
+        results = map_in_order(workers, note, range(9), 4)
         assert not taken
         assert [next(results), next(results)] == [0, 1]
         assert taken == [0, 1]
@@ -108,8 +108,8 @@ def test_a_bounded_number_of_tasks_is_under_way(jobs: int, start: Start | None) 
             asked.append(number)
             yield number
 
-    with executor(jobs, "test", start) as workers:
-        for number, result in enumerate(mapped(workers, late_if_even, items(), 3)):
+    with open_executor(jobs, "test", start) as workers:
+        for number, result in enumerate(map_in_order(workers, late_if_even, items(), 3)):
             assert result == number
             assert len(asked) <= number + 3
     assert len(asked) == 40
@@ -120,9 +120,9 @@ def test_what_a_task_raises_is_raised_with_all_its_problems(jobs: int, start: St
     done: list[int] = []
     with (
         pytest.raises(TemplateError) as raised,
-        executor(jobs, "test", start) as workers,
+        open_executor(jobs, "test", start) as workers,
     ):
-        done += mapped(workers, refuse, range(9), 4)
+        done += map_in_order(workers, refuse, range(9), 4)
     assert raised.value.problems == ("three: is odd", "three: is prime")
     assert not active_children()
 
@@ -134,9 +134,9 @@ def test_a_process_ended_from_outside_is_one_line_that_names_the_command(
 ) -> None:
     with (
         pytest.raises(WorkerError) as raised,
-        executor(2, "check", start) as workers,
+        open_executor(2, "check", start) as workers,
     ):
-        list(mapped(workers, end, range(9), 4))
+        list(map_in_order(workers, end, range(9), 4))
     assert raised.value.problems == (
         "check: a process was ended from outside - expected room in memory for all of them - "
         "use fewer: --jobs 1",
@@ -146,8 +146,8 @@ def test_a_process_ended_from_outside_is_one_line_that_names_the_command(
 
 @pytest.mark.parametrize("start", ["fork", "spawn"])
 def test_results_that_are_no_longer_wanted_leave_no_process(start: Start) -> None:
-    with executor(2, "test", start) as workers:
-        results = mapped(workers, late_if_even, range(1000), 4)
+    with open_executor(2, "test", start) as workers:
+        results = map_in_order(workers, late_if_even, range(1000), 4)
         assert next(results) == 0
         results.close()
     assert not active_children()
@@ -164,7 +164,7 @@ def test_an_exception_does_not_wait_for_tasks_under_way(start: Start) -> None:
 
 def fail_at_work(start: Start) -> None:
     """Raises KeyError while both processes are at long tasks."""
-    with executor(2, "test", start) as workers:
+    with open_executor(2, "test", start) as workers:
         tasks = [workers.submit(sleep_long, number) for number in range(2)]
         while not all(task.running() for task in tasks):
             time.sleep(0.01)
@@ -172,7 +172,7 @@ def fail_at_work(start: Start) -> None:
 
 
 def test_processes_of_others_are_not_dismissed() -> None:
-    with executor(2, "test") as others:
+    with open_executor(2, "test") as others:
         first = others.submit(process_of, 1).result()
         with pytest.raises(KeyError, match="while they sleep"):
             fail_at_work("fork")
@@ -183,8 +183,8 @@ def test_processes_of_others_are_not_dismissed() -> None:
 @pytest.mark.parametrize("start", ["fork", "spawn"])
 def test_what_all_tasks_share_is_unpickled_once_by_a_process(start: Start) -> None:
     shared: Shared[list[int]] = Shared([])
-    with executor(2, "test", start) as workers:
-        seen = list(mapped(workers, visits, [shared] * 40, 4))
+    with open_executor(2, "test", start) as workers:
+        seen = list(map_in_order(workers, visits, [shared] * 40, 4))
     assert not shared.value
     for process in {process for process, _ in seen}:
         counts = [count for each, count in seen if each == process]
@@ -193,8 +193,8 @@ def test_what_all_tasks_share_is_unpickled_once_by_a_process(start: Start) -> No
 
 def test_what_all_tasks_share_is_not_copied_for_this_process() -> None:
     shared: Shared[list[int]] = Shared([])
-    with executor(1, "test") as workers:
-        assert list(mapped(workers, visits, [shared] * 2, 4)) == [
+    with open_executor(1, "test") as workers:
+        assert list(map_in_order(workers, visits, [shared] * 2, 4)) == [
             (os.getpid(), 1),
             (os.getpid(), 2),
         ]
@@ -204,10 +204,10 @@ def test_what_all_tasks_share_is_not_copied_for_this_process() -> None:
 STARTS = """
 import threading
 from multiprocessing import active_children
-from kinegrade.processes import executor
+from kinegrade.processes import open_executor
 {before}
 if __name__ == "__main__":
-    with executor(2, "test") as workers:
+    with open_executor(2, "test") as workers:
         workers.submit(abs, 1).result()
         print(sorted({{type(process).__name__ for process in active_children()}}))
 """

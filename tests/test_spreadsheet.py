@@ -220,7 +220,7 @@ def test_a_workbook_that_bursts_is_refused(tmp_path: Path, monkeypatch: pytest.M
         archive.writestr("xl/media/x.bin", bytes(2_000_000))  # a picture is not read
         archive.writestr("xl/x.xml", b" " * 1_000_000)
     read_workbook(path)
-    monkeypatch.setattr(spreadsheet, "LARGEST", 1_000_000)
+    monkeypatch.setattr(spreadsheet, "_LARGEST", 1_000_000)
     with pytest.raises(
         TableError, match=r"unpacks to 10\d+ bytes in \d+ parts - expected less than 1000000 - send"
     ):

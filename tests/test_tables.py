@@ -12,9 +12,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.csv_writing import csv_text, neutralised, restored, write_csv
+from kinegrade.csv_writing import neutralise, restore, write_csv, write_csv_text
 from kinegrade.errors import TableError
-from kinegrade.tables import Complaint, Table, parse_table, read_table, shortened, trimmed
+from kinegrade.tables import Complaint, Table, parse_table, read_table, shorten, trim
 
 CHINESE = "student,name,q1.v_B\n007,王伟,0.5\n008,李娜,1.5\n"
 # a file full of control characters is refused as not being text, and lone surrogates are no text at
@@ -120,7 +120,7 @@ def test_nul_bytes_and_huge_cells_survive() -> None:
     table = parsed(f"student,name,a\n1,{huge},x\0y\n2,Ann,z\n")
     assert [row.cells for row in table.rows] == [("1", huge, "x\0y"), ("2", "Ann", "z")]
     assert csv.field_size_limit() == before
-    assert shortened(huge) == "9" * 1000 + "… (cut; 300000 characters)"
+    assert shorten(huge) == "9" * 1000 + "… (cut; 300000 characters)"
 
 
 @pytest.mark.parametrize(
@@ -159,7 +159,7 @@ def test_any_bytes_give_a_table_or_a_table_error(content: bytes) -> None:
 
 @given(st.lists(st.tuples(ANY_TEXT, ANY_TEXT, st.just("x")), min_size=1))
 def test_what_is_written_is_read_back(rows: list[tuple[str, str, str]]) -> None:
-    text = csv_text(("a", "b", "c"), rows)
+    text = write_csv_text(("a", "b", "c"), rows)
     assert [row.cells for row in parsed(text).rows] == rows
 
 
@@ -178,28 +178,28 @@ def test_written_files_have_lf_and_keep_typed_digits(tmp_path: Path) -> None:
     "formula", ["=1+1", "+cmd", "-1 m/s", "@x", "\t=1", "\r=1", "'=1", "=", "--", "'-", "＝1"]
 )
 def test_a_formula_gets_one_apostrophe(formula: str) -> None:
-    assert neutralised(formula) == f"'{formula}"
+    assert neutralise(formula) == f"'{formula}"
 
 
 @pytest.mark.parametrize(
     "plain", ["-", "-12", "+3", "-0,5", "-.5", "-1e-5", "O'Neil", "'t Hooft", "0.5", "", "王"]
 )
 def test_plain_numbers_and_names_stay_as_they_are(plain: str) -> None:
-    assert neutralised(plain) == plain
+    assert neutralise(plain) == plain
 
 
 @given(st.one_of(ANY_TEXT, st.text("'=+-@\t\r1.,e", max_size=6)))
 def test_neutralising_can_be_undone(text: str) -> None:
-    assert restored(neutralised(text)) == text
+    assert restore(neutralise(text)) == text
 
 
 @given(ANY_TEXT)
 def test_trimmed_text_has_nothing_left_to_trim(text: str) -> None:
-    assert trimmed(trimmed(text)) == trimmed(text)
-    assert trimmed(f"\u3000\u00a0 {text}\ufeff\t") == trimmed(text)
+    assert trim(trim(text)) == trim(text)
+    assert trim(f"\u3000\u00a0 {text}\ufeff\t") == trim(text)
 
 
 def test_a_complaint_reads_as_one_line() -> None:
     complaint = Complaint("answers.csv", 7, "q1.v_B", "abc", "not a number", "no points")
     assert str(complaint) == "answers.csv:7: q1.v_B: not a number - no points"
-    assert next(csv.reader(io.StringIO(csv_text([str(complaint)], []))))[0] == str(complaint)
+    assert next(csv.reader(io.StringIO(write_csv_text([str(complaint)], []))))[0] == str(complaint)

@@ -15,17 +15,17 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from kinegrade import __version__
-from kinegrade.errors import one_line
+from kinegrade.errors import show_in_one_line
 
 _SHOWN = 200  # characters of the exception's message
 
 
-def crash_line(fault: BaseException, arguments: Sequence[str]) -> str:
+def write_crash(fault: BaseException, arguments: Sequence[str]) -> str:
     """The line for the terminal about a crash; writes the file that it names."""
-    words = one_line(" ".join(str(fault).split()))[:_SHOWN]
+    words = show_in_one_line(" ".join(str(fault).split()))[:_SHOWN]
     what = f"{type(fault).__name__}: {words}" if words else type(fault).__name__
     try:
-        written = _write("\n".join(_report(fault, arguments)) + "\n")
+        written = _write("\n".join(_write_report(fault, arguments)) + "\n")
     except OSError as refusal:
         where = f"no report could be written ({refusal.strerror})"
     else:
@@ -41,24 +41,24 @@ def _write(text: str) -> Path:
     return Path(name)
 
 
-def _report(fault: BaseException, arguments: Sequence[str]) -> Iterator[str]:
+def _write_report(fault: BaseException, arguments: Sequence[str]) -> Iterator[str]:
     yield f"kinegrade {__version__}, Python {platform.python_version()}, {platform.platform()}"
-    yield f"command: {' '.join(_without_values(arguments))}"
+    yield f"command: {' '.join(_drop_values(arguments))}"
     seen: BaseException | None = fault
     while seen is not None:
         yield ""
-        yield from _places(seen)
+        yield from _list_places(seen)
         seen = seen.__cause__ or seen.__context__
 
 
-def _without_values(arguments: Sequence[str]) -> Iterator[str]:
+def _drop_values(arguments: Sequence[str]) -> Iterator[str]:
     """The command and the names of its options; whatever else was typed is a dot."""
     for place, argument in enumerate(arguments):
         option = argument.startswith("-") and len(argument) > 1 and not argument[1].isdigit()
         yield argument.split("=")[0] if option or place == 0 else "."
 
 
-def _places(fault: BaseException) -> Iterator[str]:
+def _list_places(fault: BaseException) -> Iterator[str]:
     """The type of a fault and the lines of code that led to it; of a worker's fault, those in the
     worker.
     """

@@ -16,12 +16,12 @@ from kinegrade.cli.options import (
     JOBS,
     LANGUAGE,
     METHOD,
-    finish,
-    progress,
+    finish_with_complaints,
     refusing,
-    writable,
+    require_writable,
+    show_progress,
 )
-from kinegrade.counting import counted
+from kinegrade.counting import count_in_words
 
 if TYPE_CHECKING:
     from kinegrade.exam.document import PaperSize
@@ -31,9 +31,9 @@ if TYPE_CHECKING:
     from kinegrade.language import Language
     from kinegrade.problem.template import Method
 
-WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "strict", "force")
-GUESSABLE = "anyone who guesses these words can print every paper and its key"
-COST = f"--reproducible: {GUESSABLE}; for tests and demonstrations only"
+_WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "strict", "force")
+_GUESSABLE = "anyone who guesses these words can print every paper and its key"
+_COST = f"--reproducible: {_GUESSABLE}; for tests and demonstrations only"
 
 
 @click.command()
@@ -45,14 +45,14 @@ COST = f"--reproducible: {GUESSABLE}; for tests and demonstrations only"
 @click.option(
     "--seed",
     "label",
-    callback=writable,
+    callback=require_writable,
     metavar="LABEL",
     help="A label mixed into the random secret that EXAM keeps; no secret itself.",
 )
 @click.option(
     "--reproducible",
     "words",
-    callback=writable,
+    callback=require_writable,
     metavar="WORDS",
     help="Derive the whole exam from WORDS alone. Whoever guesses them can print every paper and "
     "its key: for tests and demonstrations only.",
@@ -132,7 +132,7 @@ def generate(
     \b
     Example: kinegrade generate demo banks/demo-roster.csv -o EXAM --lang zh
     """
-    from kinegrade.exam.bank import bank_path, read_blueprint
+    from kinegrade.exam.bank import find_bank, read_blueprint
     from kinegrade.exam.generate import PRIVATE, SHARED_WITH_GROUP, Place, Printing
     from kinegrade.exam.generate import generate as write_exam
     from kinegrade.exam.printing import Extras
@@ -142,21 +142,21 @@ def generate(
         _add(output, bank, roster, late, odd_ids=allow_odd_ids, strict=strict, jobs=jobs)
         return
     written = write_exam(
-        read_blueprint(bank_path(bank)),
+        read_blueprint(find_bank(bank)),
         read_roster(roster, odd_ids=allow_odd_ids),
         Place(output, force, SHARED_WITH_GROUP if share_with_group else PRIVATE),
-        _wish(label, words, new=new_numbers),
+        _read_wish(label, words, new=new_numbers),
         language,
         strict=strict,
         printing=Printing(paper_size, engine, jobs),
         extras=Extras(solutions, method, tuple(dict.fromkeys(also))),
-        progress=progress,
+        progress=show_progress,
     )
     if written.dealt.secret.guessable:
-        kept = f"{output}: keeps numbers that come from words: {GUESSABLE}; --new-numbers is safe"
-        click.echo(kept if words is None else COST, err=True)
+        kept = f"{output}: keeps numbers that come from words: {_GUESSABLE}; --new-numbers is safe"
+        click.echo(kept if words is None else _COST, err=True)
     _say(written, output)
-    finish(written.complaints)
+    finish_with_complaints(written.complaints)
 
 
 def _add(
@@ -166,22 +166,22 @@ def _add(
     than the exam has it.
     """
     from kinegrade.exam.adding import add_students
-    from kinegrade.exam.bank import bank_path, read_blueprint
+    from kinegrade.exam.bank import find_bank, read_blueprint
     from kinegrade.exam.roster import read_roster
 
     _expect_no_other_wishes()
     expect_folders((exam, "EXAM"))
     added = add_students(
         exam,
-        read_blueprint(bank_path(bank)),
+        read_blueprint(find_bank(bank)),
         read_roster(roster, odd_ids=odd_ids),
         read_roster(late, odd_ids=odd_ids),
         strict=strict,
         jobs=jobs,
-        progress=progress,
+        progress=show_progress,
     )
     click.echo(f"{exam}: {added}", err=True)
-    finish(added.complaints)
+    finish_with_complaints(added.complaints)
 
 
 def _expect_no_other_wishes() -> None:
@@ -190,7 +190,7 @@ def _expect_no_other_wishes() -> None:
     given = [
         each.opts[0]
         for each in context.command.params
-        if each.name not in WITH_ADD
+        if each.name not in _WITH_ADD
         and context.get_parameter_source(str(each.name)) is ParameterSource.COMMANDLINE
     ]
     if given:
@@ -199,7 +199,7 @@ def _expect_no_other_wishes() -> None:
         )
 
 
-def _wish(label: str | None, words: str | None, *, new: bool) -> SecretWish:
+def _read_wish(label: str | None, words: str | None, *, new: bool) -> SecretWish:
     """What the numbers are to be drawn from.
 
     Raises UsageError where two things are wanted that exclude each other.
@@ -228,7 +228,7 @@ def _say(written: Generated, output: Path) -> None:
     for remark in written.remarks:
         click.echo(f"{output}: {remark}", err=True)
     click.echo(
-        f"{output}: {counted(written.papers, 'paper')}; to hand them out: "
+        f"{output}: {count_in_words(written.papers, 'paper')}; to hand them out: "
         f"kinegrade papers {output} -o DIR; nothing else in {output} is for students",
         err=True,
     )
@@ -254,7 +254,7 @@ def papers(exam: Path, output: Path, *, force: bool) -> None:
     expect_folders((exam, "EXAM"))
     count = hand_out(open_exam(exam), output, force=force)
     click.echo(
-        f"{output}: {counted(count, 'paper')}, and nothing that gives the key away", err=True
+        f"{output}: {count_in_words(count, 'paper')}, and nothing that gives the key away", err=True
     )
 
 
@@ -291,4 +291,4 @@ def paper(exam: Path, student: str, output: Path | None, *, solution: bool, forc
         click.echo(pages, nl=False)
     else:
         write_file(output, pages, force=force)
-    finish(again.complaints())
+    finish_with_complaints(again.complaints())

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Literal, assert_never, get_args
 import click
 
 from kinegrade.cli.folders import expect_folders
-from kinegrade.cli.options import FILE, FORCE, finish, refusing
-from kinegrade.counting import counted
+from kinegrade.cli.options import FILE, FORCE, finish_with_complaints, refusing
+from kinegrade.counting import count_in_words
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -132,15 +132,14 @@ def export(
     from kinegrade.lms.grades import read_grades
 
     grades = read_grades(folder, None if exam is None else open_exam(exam))
-    named = _columns(columns, grades, per_question=per_question)
+    named = _read_columns(columns, grades, per_question=per_question)
+    most = _read_maximum(maximum)
     _write(
-        _dialect(system, language or grades.language),
+        _choose_dialect(system, language or grades.language),
         grades,
         into,
         output,
-        ExportOptions(
-            by, named, title.strip(), per_question, feedback, ungraded, scale, _maximum(maximum)
-        ),
+        ExportOptions(by, named, title.strip(), per_question, feedback, ungraded, scale, most),
         force=force,
     )
 
@@ -183,12 +182,13 @@ def _write(
         else ""
     )
     click.echo(
-        f"{output}: grades of {counted(students, 'student')} for {dialect.name}{left}", err=True
+        f"{output}: grades of {count_in_words(students, 'student')} for {dialect.name}{left}",
+        err=True,
     )
-    finish(tuple(map(str, complaints)))
+    finish_with_complaints(tuple(map(str, complaints)))
 
 
-def _dialect(system: GradeSystem, language: Language) -> Dialect:
+def _choose_dialect(system: GradeSystem, language: Language) -> Dialect:
     match system:
         case "moodle":
             from kinegrade.lms.moodle import MOODLE as dialect
@@ -211,7 +211,7 @@ def _dialect(system: GradeSystem, language: Language) -> Dialect:
     return dialect
 
 
-def _columns(
+def _read_columns(
     columns: tuple[str, ...], grades: ClassGrades, *, per_question: bool
 ) -> Mapping[str, str]:
     """Headers by question, or that of the total under "". Raises BadParameter."""
@@ -234,7 +234,7 @@ def _columns(
     return found
 
 
-def _maximum(text: str | None) -> Fraction | None:
+def _read_maximum(text: str | None) -> Fraction | None:
     """A number above zero. Raises BadParameter."""
     from kinegrade.lms.item_columns import number
 

@@ -13,16 +13,16 @@ from kinegrade.exam.folder.contents import CONTENTS, HEAD, KEY
 from kinegrade.marks_folder.layout import ANSWERS, GRADES
 from kinegrade.marks_folder.layout import FILES as MARKS_FILES
 
-Kind = Literal["EXAM", "MARKS"]
-_FILES: Mapping[Kind, tuple[str, ...]] = {
+_Kind = Literal["EXAM", "MARKS"]
+_FILES: Mapping[_Kind, tuple[str, ...]] = {
     "EXAM": (HEAD, KEY),
     "MARKS": (ANSWERS.name, GRADES.name),
 }
-_EXPECTED: Mapping[Kind, str] = {
+_EXPECTED: Mapping[_Kind, str] = {
     "EXAM": "an exam folder made by kinegrade generate",
     "MARKS": "a folder of marks made by kinegrade grade",
 }
-_PARTS: Mapping[Kind, tuple[str, ...]] = {
+_PARTS: Mapping[_Kind, tuple[str, ...]] = {
     "EXAM": CONTENTS,
     "MARKS": MARKS_FILES,
 }
@@ -43,7 +43,7 @@ def expect_own_place(output: Path) -> None:
                 )
 
 
-def expect_folders(*given: tuple[Path | None, Kind]) -> None:
+def expect_folders(*given: tuple[Path | None, _Kind]) -> None:
     """Raises TableError where a folder of the other kind, or a file, was given.
 
     A folder that is neither is left to the code that reads it. Two swapped folders are one fault.
@@ -51,7 +51,7 @@ def expect_folders(*given: tuple[Path | None, Kind]) -> None:
     wrong = [
         (path, kind, found)
         for path, kind in given
-        if path is not None and (found := _found(path)) not in (None, kind)
+        if path is not None and (found := _find_kind(path)) not in (None, kind)
     ]
     swapped = {(kind, found) for _, kind, found in wrong} >= {("EXAM", "MARKS"), ("MARKS", "EXAM")}
     faults = [
@@ -63,7 +63,7 @@ def expect_folders(*given: tuple[Path | None, Kind]) -> None:
         raise TableError(*(faults[:1] if swapped else faults))
 
 
-def _found(path: Path) -> str | None:
+def _find_kind(path: Path) -> str | None:
     """What stands there; None for a folder that is neither, or nothing."""
     if path.is_file():
         return "a file"

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Literal, assert_never
 import click
 
 from kinegrade.cli.folders import expect_folders
-from kinegrade.cli.options import FILE, FORCE, JOBS, finish, refusing
-from kinegrade.counting import counted
+from kinegrade.cli.options import FILE, FORCE, JOBS, finish_with_complaints, refusing
+from kinegrade.counting import count_in_words
 from kinegrade.language import LANGUAGES
 from kinegrade.marks_folder.layout import COMPLAINTS, KEPT
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     FeedbackForm = Literal["pdf", "html", "md"]
 
-EXAM_LANGUAGE = click.option(
+_EXAM_LANGUAGE = click.option(
     "--lang",
     "language",
     type=click.Choice(LANGUAGES),
@@ -105,7 +105,7 @@ def grade(
     Moodle:  kinegrade grade EXAM responses.csv -o MARKS --from moodle
     Again:   kinegrade grade EXAM answers.csv -o MARKS2 --policy policy.toml --never-lower MARKS
     """
-    from kinegrade.cli.shortlist import shortlist
+    from kinegrade.cli.shortlist import shorten_list
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.grading.grade import grade as mark_class
     from kinegrade.lms import moodle
@@ -127,14 +127,14 @@ def grade(
         decimal=decimal,
         policy=policy,
         never_lower=earlier,
-        follows=_following(folder),
+        follows=_choose_following(folder),
         own_papers=own_papers,
     )
-    _say(what_was_written(marks, output, kept=never_lower is not None))
-    finish(shortlist(marks.complaints, output / COMPLAINTS.name))
+    _say(_list_written(marks, output, kept=never_lower is not None))
+    finish_with_complaints(shorten_list(marks.complaints, output / COMPLAINTS.name))
 
 
-def _following(exam: ExamFolder) -> Follows:
+def _choose_following(exam: ExamFolder) -> Follows:
     from kinegrade.exam.follow_through import FollowThrough
     from kinegrade.grading.follow import Follows
 
@@ -147,14 +147,14 @@ def _say(lines: Iterable[str]) -> None:
         click.echo(line, err=True)
 
 
-def what_was_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[str]:
+def _list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[str]:
     """What `grade` reports at its end, one line each."""
-    students = counted(len(marks.grades), "student")
-    yield f"{output}: {students} marked, {counted(len(marks.complaints), 'complaint')}"
+    students = count_in_words(len(marks.grades), "student")
+    yield f"{output}: {students} marked, {count_in_words(len(marks.complaints), 'complaint')}"
     if kept:
         who = sum(each.kept is not None for each in marks.grades)
         keep = "keeps" if who == 1 else "keep"
-        yield f"{output / KEPT.name}: {counted(who, 'student')} {keep} an earlier total"
+        yield f"{output / KEPT.name}: {count_in_words(who, 'student')} {keep} an earlier total"
 
 
 @click.command()
@@ -175,7 +175,7 @@ def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
     \b
     Example: kinegrade diff MARKS MARKS2 -o changes.csv
     """
-    from kinegrade.grading.comparison import compare, comparison_csv, comparison_text
+    from kinegrade.grading.comparison import compare, write_comparison_csv, write_comparison_text
     from kinegrade.marks_folder.folder import open_marks
 
     expect_folders((before, "MARKS"), (after, "MARKS"))
@@ -183,8 +183,8 @@ def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
     if output is not None:
         from kinegrade.files import write_file
 
-        write_file(output, comparison_csv(comparison), force=force)
-    click.echo(comparison_text(comparison))
+        write_file(output, write_comparison_csv(comparison), force=force)
+    click.echo(write_comparison_text(comparison))
 
 
 @click.command("report")
@@ -193,7 +193,7 @@ def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
 @click.option(
     "-o", "--output", type=FILE, required=True, metavar="FILE", help="The HTML page to write."
 )
-@EXAM_LANGUAGE
+@_EXAM_LANGUAGE
 @FORCE
 @refusing
 def class_report(
@@ -205,7 +205,7 @@ def class_report(
     \b
     Example: kinegrade report EXAM MARKS -o report.html
     """
-    from kinegrade.exam.exam_wording import exam_wording
+    from kinegrade.exam.exam_wording import read_exam_wording
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.files import write_file
     from kinegrade.grading.class_report import class_report as report_on
@@ -214,7 +214,7 @@ def class_report(
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
     marked, folder = open_marks(marks), open_exam(exam)
     chosen = language or folder.language
-    page = report_on(marked, folder, exam_wording(folder, chosen), chosen)
+    page = report_on(marked, folder, read_exam_wording(folder, chosen), chosen)
     write_file(output, page.encode("utf-8", "backslashreplace"), force=force)
 
 
@@ -243,7 +243,7 @@ def class_report(
     help="Also hand out the worked solutions that EXAM holds.  [default: what the bank says, else "
     "no-solutions]",
 )
-@EXAM_LANGUAGE
+@_EXAM_LANGUAGE
 @JOBS
 @FORCE
 @refusing
@@ -263,11 +263,11 @@ def feedback(
     \b
     Example: kinegrade feedback EXAM MARKS -o FEEDBACK --format html
     """
-    from kinegrade.exam.exam_wording import exam_wording
+    from kinegrade.exam.exam_wording import read_exam_wording
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.grading.feedback_folder import FeedbackWishes, write_feedback
     from kinegrade.marks_folder.folder import open_marks
-    from kinegrade.processes import executor
+    from kinegrade.processes import open_executor
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
     marked, folder = open_marks(marks), open_exam(exam)
@@ -277,17 +277,20 @@ def feedback(
 
         KeptExam(folder).require_no_contradiction()
     chosen = language or folder.language
-    wishes = FeedbackWishes(_printed(form), chosen, wanted, force)
-    wording = exam_wording(folder, chosen)
-    with executor(jobs, "feedback") as workers:
+    wishes = FeedbackWishes(_choose_form(form), chosen, wanted, force)
+    wording = read_exam_wording(folder, chosen)
+    with open_executor(jobs, "feedback") as workers:
         count = write_feedback(folder, marked, output, wording, wishes, workers=workers)
     click.echo(
-        f"{output}: {counted(count, 'sheet')}; {output / 'feedback.csv'} says which is whose",
+        (
+            f"{output}: {count_in_words(count, 'sheet')}; "
+            f"{output / 'feedback.csv'} says which is whose"
+        ),
         err=True,
     )
 
 
-def _printed(form: FeedbackForm) -> Text | Press:
+def _choose_form(form: FeedbackForm) -> Text | Press:
     """What makes the sheets of a form."""
     match form:
         case "pdf":

@@ -45,7 +45,9 @@ FORCE = click.option("--force", is_flag=True, help="Replace an output that kineg
 FILE = click.Path(path_type=Path)
 
 
-def writable(context: click.Context, parameter: click.Parameter, seed: str | None) -> str | None:
+def require_writable(
+    context: click.Context, parameter: click.Parameter, seed: str | None
+) -> str | None:
     """A seed that can be written down and used again. Raises BadParameter for a blank one and for
     broken text.
     """
@@ -62,7 +64,7 @@ def refusing(command: Callable[..., None]) -> Callable[..., None]:
     @wraps(command)
     def run(*arguments: Any, **options: Any) -> None:
         try:
-            with whole_output():
+            with _whole_output():
                 if isinstance(output := options.get("output"), Path):
                     expect_own_place(output)
                 command(*arguments, **options)
@@ -75,7 +77,7 @@ def refusing(command: Callable[..., None]) -> Callable[..., None]:
 
 
 @contextmanager
-def whole_output() -> Iterator[None]:
+def _whole_output() -> Iterator[None]:
     """What is printed on standard output inside arrives, or OutputError is raised: a full disk does
     not truncate it silently. A closed pipe is not such a fault.
     """
@@ -97,7 +99,7 @@ def whole_output() -> Iterator[None]:
         ) from fault
 
 
-def finish(complaints: tuple[str, ...]) -> None:
+def finish_with_complaints(complaints: tuple[str, ...]) -> None:
     """Print complaints on standard error; with any, end with status 1."""
     for complaint in complaints:
         click.echo(f"complaint: {' '.join(complaint.split())}", err=True)
@@ -105,7 +107,7 @@ def finish(complaints: tuple[str, ...]) -> None:
         sys.exit(COMPLAINTS)
 
 
-def progress(items: Iterator[Any], count: int) -> Iterator[Any]:
+def show_progress(items: Iterator[Any], count: int) -> Iterator[Any]:
     """The items with a progress bar on standard error, when that is a terminal."""
     if not sys.stderr.isatty():
         yield from items

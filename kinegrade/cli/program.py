@@ -17,15 +17,15 @@ from typing import Any, NoReturn
 
 import click
 
-from kinegrade.cli.crash import crash_line
+from kinegrade.cli.crash import write_crash
 from kinegrade.cli.options import FAILURE, FULL
 from kinegrade.cli.signals import BY_SIGNAL, Signalled, signals_obeyed
 
-CRASH = 70  # EX_SOFTWARE of sysexits.h
-CLOSED_PIPE = BY_SIGNAL + 13  # as if SIGPIPE had ended it, which Windows does not have
+_CRASH = 70  # EX_SOFTWARE of sysexits.h
+_CLOSED_PIPE = BY_SIGNAL + 13  # as if SIGPIPE had ended it, which Windows does not have
 
 
-class ClosedPipe(Exception):
+class _ClosedPipe(Exception):
     """What this process writes is no longer read, as after `| head`."""
 
 
@@ -36,7 +36,7 @@ class Program(click.Group):
 
     def __call__(self, *arguments: Any, **options: Any) -> NoReturn:
         """Run the command that the process was started with, and exit with its status."""
-        sys.exit(_status(partial(self.main, *arguments, standalone_mode=False, **options)))
+        sys.exit(_run_to_status(partial(self.main, *arguments, standalone_mode=False, **options)))
 
     def make_context(self, *arguments: Any, **options: Any) -> click.Context:
         """Read the arguments, which may print the help."""
@@ -49,7 +49,7 @@ class Program(click.Group):
             return super().invoke(ctx)
 
 
-class UnexpectedEnd(Exception):
+class _UnexpectedEnd(Exception):
     """Some data ended where that was not expected."""
 
 
@@ -61,33 +61,33 @@ def _not_for_click() -> Iterator[None]:
     try:
         yield
     except BrokenPipeError as fault:
-        raise ClosedPipe from fault
+        raise _ClosedPipe from fault
     except EOFError as fault:
-        raise UnexpectedEnd from fault
+        raise _UnexpectedEnd from fault
 
 
-def _status(run: Callable[[], object]) -> int:
+def _run_to_status(run: Callable[[], object]) -> int:
     """The exit status of a run; anything to report about its end goes to standard error, in one
     line.
     """
     try:
         with signals_obeyed():
-            return _finished(run)
+            return _run_to_end(run)
     except Signalled as ending:
         _say(
             ending.number, "interrupted" if ending.number == signal.SIGINT else "ended from outside"
         )
         return BY_SIGNAL + ending.number
-    except (ClosedPipe, BrokenPipeError):
+    except (_ClosedPipe, BrokenPipeError):
         _discard_output()
-        return CLOSED_PIPE
+        return _CLOSED_PIPE
     except click.Abort:
         return BY_SIGNAL + signal.SIGINT
-    except UnexpectedEnd as fault:
-        return _crashed(fault.__cause__ or fault)
+    except _UnexpectedEnd as fault:
+        return _report_crash(fault.__cause__ or fault)
     except OSError as fault:
         if fault.errno not in FULL or fault.filename is not None:
-            return _crashed(fault)
+            return _report_crash(fault)
         _echo(
             f"error: standard output: cannot be written ({fault.strerror}) - expected a place "
             "with room - send it elsewhere"
@@ -95,10 +95,10 @@ def _status(run: Callable[[], object]) -> int:
         _discard_output()
         return FAILURE
     except Exception as fault:
-        return _crashed(fault)
+        return _report_crash(fault)
 
 
-def _finished(run: Callable[[], object]) -> int:
+def _run_to_end(run: Callable[[], object]) -> int:
     """The status of a run that ends by itself. Raises what it raises otherwise."""
     status: object = 0
     try:
@@ -114,9 +114,9 @@ def _finished(run: Callable[[], object]) -> int:
     return status if isinstance(status, int) else 0
 
 
-def _crashed(fault: BaseException) -> int:
-    _echo(crash_line(fault, sys.argv[1:]))
-    return CRASH
+def _report_crash(fault: BaseException) -> int:
+    _echo(write_crash(fault, sys.argv[1:]))
+    return _CRASH
 
 
 def _say(number: int, what: str) -> None:

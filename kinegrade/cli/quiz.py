@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING, Literal, assert_never, get_args
 import click
 
 from kinegrade.cli.folders import expect_folders
-from kinegrade.cli.options import FILE, FORCE, JOBS, METHOD, finish, progress, refusing
+from kinegrade.cli.options import (
+    FILE,
+    FORCE,
+    JOBS,
+    METHOD,
+    finish_with_complaints,
+    refusing,
+    show_progress,
+)
 from kinegrade.language import LANGUAGES
 
 if TYPE_CHECKING:
@@ -115,18 +123,23 @@ def quiz(
     from kinegrade.exam.quiz import read_quiz
     from kinegrade.exam.quiz_paper import QuizWishes
     from kinegrade.exam.variants import variants_stored
-    from kinegrade.processes import executor
+    from kinegrade.processes import open_executor
 
     expect_folders((exam, "EXAM"))
     limit = None if megabytes is None else Fraction(str(megabytes))
-    writer = writer_of(system, form, limit)
+    writer = _writer_of(system, form, limit)
     wishes = QuizWishes(
         mistakes, None if credit is None else Fraction(str(credit)) / 100, solutions, method
     )
     folder = open_exam(exam)
-    with executor(jobs, "quiz") as workers:
+    with open_executor(jobs, "quiz") as workers:
         put = read_quiz(
-            folder, language, variants=variants, wishes=wishes, workers=workers, progress=progress
+            folder,
+            language,
+            variants=variants,
+            wishes=wishes,
+            workers=workers,
+            progress=show_progress,
         )
         with variants_stored(folder, variants or 0):
             remarks = writer(put, output, force=force)
@@ -136,10 +149,10 @@ def quiz(
         "follow-through",
         err=True,
     )
-    finish(tuple(remarks))
+    finish_with_complaints(tuple(remarks))
 
 
-def writer_of(system: QuizSystem, form: Form, megabytes: Fraction | None) -> Writer:
+def _writer_of(system: QuizSystem, form: Form, megabytes: Fraction | None) -> Writer:
     """What writes for a system as it is wished. Raises ExportError for parts of anything but
     Moodle's XML.
     """

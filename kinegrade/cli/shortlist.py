@@ -9,11 +9,11 @@ from pathlib import Path
 
 from kinegrade.tables import Complaint
 
-SHOWN = 10  # of a kind
+_SHOWN = 10  # of a kind
 _PARTICULARS = re.compile(r'"[^"]*"|[-+0-9.,/^*√π()]*[0-9][-+0-9.,/^*√π()]*')
 
 
-def shortlist(complaints: Sequence[Complaint], file: Path) -> tuple[str, ...]:
+def shorten_list(complaints: Sequence[Complaint], file: Path) -> tuple[str, ...]:
     """The complaints in their order, at most SHOWN of each kind; `file` has all of them.
 
     Complaints are of one kind if they say the same about different cells, students or numbers.
@@ -23,9 +23,9 @@ def shortlist(complaints: Sequence[Complaint], file: Path) -> tuple[str, ...]:
     for complaint in complaints:
         kind = _PARTICULARS.sub("…", complaint.problem)
         kinds[kind].append(complaint)
-        if len(kinds[kind]) <= SHOWN:
+        if len(kinds[kind]) <= _SHOWN:
             shown.append(str(complaint))
     for each in kinds.values():
-        if len(each) > SHOWN:
-            shown.append(f"... and {len(each) - SHOWN} more like {each[0]} - all are in {file}")
+        if len(each) > _SHOWN:
+            shown.append(f"... and {len(each) - _SHOWN} more like {each[0]} - all are in {file}")
     return tuple(shown)

@@ -15,9 +15,9 @@ from kinegrade.cli.options import (
     JOBS,
     LANGUAGE,
     METHOD,
-    finish,
+    finish_with_complaints,
     refusing,
-    writable,
+    require_writable,
 )
 from kinegrade.errors import TemplateError
 
@@ -36,9 +36,9 @@ def list_templates(language: Language) -> None:
     \b
     Example: kinegrade list --lang zh
     """
-    from kinegrade.problem.library import load_template, template_names
+    from kinegrade.problem.library import find_template_names, load_template
 
-    for name in template_names():
+    for name in find_template_names():
         template = load_template(name)
         click.echo(f"{name}\t{template.about.family}\t{template.about.title.in_language(language)}")
 
@@ -49,7 +49,7 @@ def list_templates(language: Language) -> None:
 @click.option("-o", "--output", type=FILE, help="Also typeset a sample page as PDF.")
 @click.option(
     "--seed",
-    callback=writable,
+    callback=require_writable,
     default="sample",
     show_default=True,
     help="Which sample is typeset.",
@@ -64,16 +64,16 @@ def show(
     \b
     Example: kinegrade show slider-crank -o page.pdf
     """
-    from kinegrade.problem.describing import describe
+    from kinegrade.problem.describing import describe_template
     from kinegrade.problem.library import load_template
 
     template = load_template(template_name)
-    click.echo(describe(template, language))
+    click.echo(describe_template(template, language))
     if output is not None:
-        from kinegrade.exam.sample import sample_page
+        from kinegrade.exam.sample import print_sample
         from kinegrade.files import write_file
 
-        write_file(output, sample_page(template, seed, language), force=force)
+        write_file(output, print_sample(template, seed, language), force=force)
 
 
 @click.command()
@@ -112,16 +112,16 @@ def solve(
     from kinegrade.problem.library import load_template
     from kinegrade.problem.solving import solve_template
 
-    solution = solve_template(load_template(template_name), read_settings(settings))
-    click.echo(solution_json(solution) if as_json else solution_text(solution))
+    solution = solve_template(load_template(template_name), _read_settings(settings))
+    click.echo(_write_json(solution) if as_json else _write_table(solution))
     if output is not None:
-        from kinegrade.exam.sample import worked_page
+        from kinegrade.exam.sample import print_worked_solution
         from kinegrade.files import write_file
 
-        write_file(output, worked_page(solution, language, method), force=force)
+        write_file(output, print_worked_solution(solution, language, method), force=force)
 
 
-def read_settings(settings: tuple[str, ...]) -> dict[str, str]:
+def _read_settings(settings: tuple[str, ...]) -> dict[str, str]:
     """The values of --set. Raises TemplateError for a setting without "=" or given twice."""
     values: dict[str, str] = {}
     faults = []
@@ -137,7 +137,7 @@ def read_settings(settings: tuple[str, ...]) -> dict[str, str]:
     return values
 
 
-def solution_json(solution: Solution) -> str:
+def _write_json(solution: Solution) -> str:
     """The solution as JSON. Raises TemplateError for values that no JSON number holds."""
     import json
 
@@ -154,7 +154,7 @@ def solution_json(solution: Solution) -> str:
         ) from error
 
 
-def solution_text(solution: Solution) -> str:
+def _write_table(solution: Solution) -> str:
     """The solution as a table: name, decimal, unit, exact."""
     lines = []
     for group in (solution.parameters, solution.answers):
@@ -186,11 +186,11 @@ def check(template_names: tuple[str, ...], sample: int, jobs: int) -> None:
     Example: kinegrade check slider-crank --sample 1000
     """
     from kinegrade.exam.template_proof import prove_templates
-    from kinegrade.problem.library import template_names as shipped_names
-    from kinegrade.processes import executor
+    from kinegrade.problem.library import find_template_names as shipped_names
+    from kinegrade.processes import open_executor
 
     sound = True
-    with executor(jobs, "check") as workers:
+    with open_executor(jobs, "check") as workers:
         for proof in prove_templates(template_names or shipped_names(), sample, workers):
             for line in proof.lines:
                 click.echo(line)
@@ -240,10 +240,10 @@ def gallery(
     \b
     Example: kinegrade gallery -o gallery.pdf --lang zh --draws 2
     """
-    from kinegrade.exam.gallery import contact_sheet
+    from kinegrade.exam.gallery import make_contact_sheet
     from kinegrade.files import write_file
-    from kinegrade.problem.library import template_names as shipped_names
+    from kinegrade.problem.library import find_template_names as shipped_names
 
-    sheet = contact_sheet(template_names or shipped_names(), language, draws)
+    sheet = make_contact_sheet(template_names or shipped_names(), language, draws)
     write_file(output, sheet.pdf, force=force)
-    finish(sheet.complaints)
+    finish_with_complaints(sheet.complaints)

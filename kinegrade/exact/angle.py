@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from flint import arb, fmpq
 
-from kinegrade.exact.surd import Real, ball
+from kinegrade.exact.surd import Real, enclose_at_precision
 
 if TYPE_CHECKING:
     from kinegrade.exact.field import Field
@@ -37,7 +37,7 @@ class Angle:
 
     def __add__(self, other: Any) -> Angle:
         if isinstance(other, Angle):
-            return Angle(self.half_turns + other.half_turns, merged(self.parts + other.parts))
+            return Angle(self.half_turns + other.half_turns, _merge(self.parts + other.parts))
         return self if other == 0 else NotImplemented
 
     __radd__ = __add__
@@ -55,7 +55,7 @@ class Angle:
         if not isinstance(factor, (int, fmpq)):
             raise Inexact("an angle times an irrational number")
         return Angle(
-            self.half_turns * factor, merged(tuple((k * factor, v) for k, v in self.parts))
+            self.half_turns * factor, _merge(tuple((k * factor, v) for k, v in self.parts))
         )
 
     __rmul__ = __mul__
@@ -72,21 +72,21 @@ class Angle:
 
     def direction(self, field: Field) -> Direction:
         """(cosine, sine) in `field`; raises Inexact where they lie in no small field."""
-        result = multiple_of_pi(self.half_turns, field)
+        result = _multiple_of_pi(self.half_turns, field)
         for factor, (x, y) in self.parts:
             length = field.sqrt(x * x + y * y)
-            result = composed(result, power((x / length, y / length), factor, field))
+            result = _compose(result, _power((x / length, y / length), factor, field))
         return result
 
     def ball(self) -> Any:
         """The angle in radians as an enclosure at the working precision."""
         total = arb.pi() * arb(self.half_turns)
         for factor, (x, y) in self.parts:
-            total += arb(factor) * arb.atan2(ball(y), ball(x))
+            total += arb(factor) * arb.atan2(enclose_at_precision(y), enclose_at_precision(x))
         return total
 
 
-def merged(parts: tuple[tuple[Any, Direction], ...]) -> tuple[tuple[Any, Direction], ...]:
+def _merge(parts: tuple[tuple[Any, Direction], ...]) -> tuple[tuple[Any, Direction], ...]:
     """Parts with equal vectors added up, those with factor zero left out."""
     factors: dict[Direction, Any] = {}
     for factor, vector in parts:
@@ -94,46 +94,46 @@ def merged(parts: tuple[tuple[Any, Direction], ...]) -> tuple[tuple[Any, Directi
     return tuple((factor, vector) for vector, factor in factors.items() if factor != 0)
 
 
-def composed(first: Direction, second: Direction) -> Direction:
+def _compose(first: Direction, second: Direction) -> Direction:
     """The direction of the sum of two angles (complex product)."""
     return first[0] * second[0] - first[1] * second[1], first[0] * second[1] + first[1] * second[0]
 
 
-def power(direction: Direction, factor: Any, field: Field) -> Direction:
+def _power(direction: Direction, factor: Any, field: Field) -> Direction:
     """The direction of `factor` times the angle of `direction`; factors with denominator 1 or 2."""
     if factor.q == 2:
-        direction, factor = halved(direction, field), factor * 2
+        direction, factor = _halve(direction, field), factor * 2
     if factor.q != 1 or abs(factor) > 12:
         raise Inexact("a fraction of an angle that has no small field")
     if factor < 0:
         direction, factor = (direction[0], -direction[1]), -factor
     result: Direction = (fmpq(1), fmpq(0))
     for _ in range(int(factor)):
-        result = composed(result, direction)
+        result = _compose(result, direction)
     return result
 
 
-def halved(direction: Direction, field: Field) -> Direction:
+def _halve(direction: Direction, field: Field) -> Direction:
     """The direction of half the angle in (-pi, pi] of `direction`."""
     cosine = field.sqrt((1 + direction[0]) / 2)
     sine = field.sqrt((1 - direction[0]) / 2)
     return cosine, -sine if field.sign(direction[1]) < 0 else sine
 
 
-def multiple_of_pi(half_turns: Any, field: Field) -> Direction:
+def _multiple_of_pi(half_turns: Any, field: Field) -> Direction:
     """(cosine, sine) of half_turns*pi for multiples of 15, 18 and 22.5 degrees; else Inexact."""
     degrees = half_turns * 180
     quarters = int((degrees / 90).floor())
-    cosine, sine = first_quadrant(degrees - 90 * quarters, field)
+    cosine, sine = _first_quadrant(degrees - 90 * quarters, field)
     for _ in range(quarters % 4):
         cosine, sine = -sine, cosine
     return cosine, sine
 
 
-def first_quadrant(degrees: Any, field: Field) -> Direction:
+def _first_quadrant(degrees: Any, field: Field) -> Direction:
     """(cosine, sine) of an angle of 0 to 90 degrees."""
     if degrees > 45:
-        cosine, sine = first_quadrant(90 - degrees, field)
+        cosine, sine = _first_quadrant(90 - degrees, field)
         return sine, cosine
     if degrees == 0:
         return fmpq(1), fmpq(0)
@@ -154,5 +154,5 @@ def first_quadrant(degrees: Any, field: Field) -> Direction:
             else (long, field.sqrt(1 - long * long))
         )
     if degrees * 2 == 45:
-        return halved(first_quadrant(fmpq(45), field), field)
+        return _halve(_first_quadrant(fmpq(45), field), field)
     raise Inexact(f"the cosine of {degrees} degrees")

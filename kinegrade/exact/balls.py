@@ -12,7 +12,7 @@ from flint import arb, ctx, fmpq
 
 from kinegrade.exact.elimination import Contradiction, eliminate
 from kinegrade.exact.magnitude import Magnitude
-from kinegrade.exact.surd import Surd, ball
+from kinegrade.exact.surd import Surd, enclose_at_precision
 
 PRECISIONS = (
     256,
@@ -49,7 +49,7 @@ class Balls(Magnitude):
 
     def number(self, rational: Any) -> Any:
         """An enclosure of a rational number or of an exact surd."""
-        return ball(rational) if isinstance(rational, Surd) else arb(fmpq(rational))
+        return enclose_at_precision(rational) if isinstance(rational, Surd) else arb(fmpq(rational))
 
     def turns(self, half_turns: Any) -> Any:
         """The angle of `half_turns` times pi, in radians."""

@@ -10,7 +10,7 @@ import numpy as np
 from kinegrade.exact.elimination import Singular
 from kinegrade.exact.floats import DEPENDENT, Floats
 
-ZERO = 1e-12  # `Floats` takes it for zero too
+_ZERO = 1e-12  # `Floats` takes it for zero too
 
 
 class Doubles(Floats):
@@ -22,11 +22,11 @@ class Doubles(Floats):
 
     def is_zero(self, number: Any) -> bool:
         """Whether a number is zero to within rounding."""
-        return bool(abs(number) < ZERO)
+        return bool(abs(number) < _ZERO)
 
     def sign(self, number: Any) -> float:
         """-1, 0 or 1; a value within rounding of zero counts as zero."""
-        return 0.0 if abs(number) < ZERO else math.copysign(1.0, number)
+        return 0.0 if abs(number) < _ZERO else math.copysign(1.0, number)
 
     def choose(self, condition: Any, yes: Any, no: Any) -> Any:
         """`yes` where the condition holds, else `no`."""
@@ -34,7 +34,7 @@ class Doubles(Floats):
 
     def sqrt(self, number: Any) -> float:
         """The positive square root; NaN below zero (but zero within rounding of zero)."""
-        return math.sqrt(max(number, 0.0)) if number > -ZERO else math.nan
+        return math.sqrt(max(number, 0.0)) if number > -_ZERO else math.nan
 
     def cos(self, angle: Any) -> float:
         """Cosine of an angle in radians."""
@@ -53,7 +53,7 @@ class Doubles(Floats):
         Singular.
         """
         if len(rows) == len(rows[0]) == 2:
-            return pair(rows, right)
+            return _pair(rows, right)
         matrix = np.array(rows, dtype=float)
         if len(rows) < len(rows[0]) or not np.isfinite(matrix).all():
             raise Singular("the equations do not determine every unknown")
@@ -64,7 +64,7 @@ class Doubles(Floats):
         return unknowns
 
 
-def pair(rows: list[list[Any]], right: list[Any]) -> list[Any]:
+def _pair(rows: list[list[Any]], right: list[Any]) -> list[Any]:
     """Two unknowns from two equations, as most steps of a plan have them. Raises Singular."""
     (a, b), (c, d) = rows
     area = a * d - b * c

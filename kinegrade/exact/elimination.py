@@ -28,13 +28,13 @@ def eliminate(rows: list[list[Any]], right: list[Any], is_zero: Callable[[Any], 
         if pivot is None:
             raise Singular("the equations do not determine every unknown")
         table[column], table[pivot] = table[pivot], table[column]
-        clear_column(table, column, is_zero)
+        _clear_column(table, column, is_zero)
     if any(not is_zero(row[count]) for row in table[count:]):
         raise Contradiction("the equations contradict each other")
     return [table[column][count] for column in range(count)]
 
 
-def clear_column(table: list[list[Any]], column: int, is_zero: Callable[[Any], bool]) -> None:
+def _clear_column(table: list[list[Any]], column: int, is_zero: Callable[[Any], bool]) -> None:
     """Make the pivot row's entry one and all others of the column zero."""
     pivot_row = table[column]
     factor = 1 / pivot_row[column]
@@ -48,7 +48,9 @@ def clear_column(table: list[list[Any]], column: int, is_zero: Callable[[Any], b
             ]
 
 
-def reduced(table: list[list[Any]], columns: int, is_zero: Callable[[Any], bool]) -> list[int]:
+def _reduce_table(
+    table: list[list[Any]], columns: int, is_zero: Callable[[Any], bool]
+) -> list[int]:
     """Bring the table to reduced echelon form in its first `columns` columns, in place; gives the
     pivot columns.
     """
@@ -69,12 +71,12 @@ def reduced(table: list[list[Any]], columns: int, is_zero: Callable[[Any], bool]
     return pivots
 
 
-def null_vectors(
+def find_null_vectors(
     rows: list[list[Any]], columns: int, is_zero: Callable[[Any], bool]
 ) -> list[set[int]]:
     """For each independent solution of rows * x = 0: which components of x are not zero."""
     table = [list(row) for row in rows]
-    pivots = reduced(table, columns, is_zero)
+    pivots = _reduce_table(table, columns, is_zero)
     free = [column for column in range(columns) if column not in pivots]
     return [
         {column}
@@ -83,8 +85,8 @@ def null_vectors(
     ]
 
 
-def consistent(rows: list[list[Any]], right: list[Any], is_zero: Callable[[Any], bool]) -> bool:
+def is_consistent(rows: list[list[Any]], right: list[Any], is_zero: Callable[[Any], bool]) -> bool:
     """Whether rows * x = right has any solution."""
     table = [[*row, value] for row, value in zip(rows, right, strict=True)]
-    depth = len(reduced(table, len(rows[0]) if rows else 0, is_zero))
+    depth = len(_reduce_table(table, len(rows[0]) if rows else 0, is_zero))
     return all(is_zero(row[-1]) for row in table[depth:])

@@ -16,10 +16,10 @@ from flint import arb, fmpq, fmpz
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.elimination import Contradiction, eliminate
 from kinegrade.exact.magnitude import Magnitude
-from kinegrade.exact.surd import MAX_HEIGHT, Real, Root, Surd, enclosure, height, sign, surd
+from kinegrade.exact.surd import MAX_HEIGHT, Real, Root, Surd, enclose, height, make_surd, sign
 
 MAX_LEVEL = 5  # degree 32: beyond it balls are faster (0.3 ms at level 2, 8 ms at level 5)
-TRIAL_PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(p**0.5) + 1))]
+_TRIAL_PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(p**0.5) + 1))]
 
 
 class Field(Magnitude):
@@ -79,7 +79,7 @@ class Field(Magnitude):
         """
         if sign(number) < 0:
             raise ValueError("square root of a negative number")
-        root = square_root(number, self.roots)
+        root = _square_root(number, self.roots)
         if root is None:
             root = self._adjoin(number)
         return root if sign(root) >= 0 else -root
@@ -87,13 +87,13 @@ class Field(Magnitude):
     def _adjoin(self, number: Real) -> Real:
         if len(self.roots) >= MAX_LEVEL:
             raise Inexact("the exact field would be too large")
-        simpler = denesting(number, self.roots)
+        simpler = _denesting(number, self.roots)
         if simpler is not None:
             self.sqrt(simpler)
             return self.sqrt(number)
         if height(number) > MAX_HEIGHT:
             raise Inexact("the root of a number of too many digits")
-        factor, radicand = primitive(number)
+        factor, radicand = split_radicand(number)
         shared = self._shared(radicand)
         if shared is not None:
             return self.sqrt(fmpq(shared.radicand)) * self.sqrt(radicand / shared.radicand) * factor
@@ -130,21 +130,21 @@ class Field(Magnitude):
 
     def cos(self, angle: Any) -> Real:
         """Cosine of an Angle (or of the number 0)."""
-        return as_angle(angle).direction(self)[0]
+        return _as_angle(angle).direction(self)[0]
 
     def sin(self, angle: Any) -> Real:
         """Sine of an Angle (or of the number 0)."""
-        return as_angle(angle).direction(self)[1]
+        return _as_angle(angle).direction(self)[1]
 
     def arctangent(self, y: Real, x: Real) -> Angle:
         """The angle from +x to the vector (x, y), in (-pi, pi]; a rational multiple of pi when it
-        is one of those of `nice_angle`.
+        is one of those of `_recognise_angle`.
 
         Raises ValueError for the zero vector.
         """
         if x == 0 and y == 0:
             raise ValueError("the direction of a zero vector")
-        nice = nice_angle(self, y, x)
+        nice = _recognise_angle(self, y, x)
         return nice if nice is not None else Angle(fmpq(0), ((fmpq(1), (x, y)),))
 
     def solve(self, rows: list[list[Real]], right: list[Real]) -> list[Real]:
@@ -155,7 +155,9 @@ class Field(Magnitude):
         does not fit.
         """
         return eliminate(
-            [list(map(rational, row)) for row in rows], list(map(rational, right)), self.is_zero
+            [list(map(_make_rational, row)) for row in rows],
+            list(map(_make_rational, right)),
+            self.is_zero,
         )
 
     def require_zero(self, number: Real) -> None:
@@ -164,12 +166,12 @@ class Field(Magnitude):
             raise Contradiction("the equations contradict each other")
 
 
-def rational(number: Any) -> Real:
+def _make_rational(number: Any) -> Real:
     """Plain integers as rationals, so that a division never leaves the exact numbers."""
     return fmpq(number) if isinstance(number, int) else number
 
 
-def as_angle(value: Any) -> Angle:
+def _as_angle(value: Any) -> Angle:
     """An Angle unchanged; the number 0 as the zero angle; any other number has no exact sine."""
     if isinstance(value, Angle):
         return value
@@ -180,13 +182,11 @@ def as_angle(value: Any) -> Angle:
     raise Inexact("the sine of a number of radians")
 
 
-def nice_angle(field: Field, y: Real, x: Real) -> Angle | None:
+def _recognise_angle(field: Field, y: Real, x: Real) -> Angle | None:
     """The direction of (x, y) as a rational multiple of pi, when it is a multiple of 15, 18 or 22.5
     degrees.
     """
-    degrees = (
-        round(float(arb.atan2(enclosure(y, 96), enclosure(x, 96))) * 57.29577951308232 * 2) / 2
-    )
+    degrees = round(float(arb.atan2(enclose(y, 96), enclose(x, 96))) * 57.29577951308232 * 2) / 2
     if degrees % 15 and degrees % 18 and degrees % 22.5:
         return None
     candidate = Angle(fmpq(int(degrees * 2), 360))
@@ -198,32 +198,32 @@ def nice_angle(field: Field, y: Real, x: Real) -> Angle | None:
     return candidate if fits else None
 
 
-def square_root(number: Real, roots: tuple[Root, ...]) -> Real | None:
+def _square_root(number: Real, roots: tuple[Root, ...]) -> Real | None:
     """A square root of `number` within the tower of `roots`, or None when there is none.
 
     (u + v sqrt d)^2 = a + b sqrt d requires a^2 - b^2 d to be a square n^2 one level lower, and u^2
     = (a +- n)/2.
     """
     if not roots:
-        return rational_root(number)
+        return _rational_root(number)
     top, lower = roots[-1], roots[:-1]
     if not (isinstance(number, Surd) and number.root.level == top.level):
-        plain = square_root(number, lower)
+        plain = _square_root(number, lower)
         if plain is not None:
             return plain
-        multiple = square_root(number / top.radicand, lower)
-        return None if multiple is None else surd(top, fmpq(0), multiple)
-    norm = square_root(number.a * number.a - number.b * number.b * top.radicand, lower)
+        multiple = _square_root(number / top.radicand, lower)
+        return None if multiple is None else make_surd(top, fmpq(0), multiple)
+    norm = _square_root(number.a * number.a - number.b * number.b * top.radicand, lower)
     if norm is None:
         return None
     for half in ((number.a + norm) / 2, (number.a - norm) / 2):
-        part = square_root(half, lower) if half != 0 else None
+        part = _square_root(half, lower) if half != 0 else None
         if part is not None:
             return Surd(top, part, number.b / (2 * part))
     return None
 
 
-def denesting(number: Real, roots: tuple[Root, ...]) -> Real | None:
+def _denesting(number: Real, roots: tuple[Root, ...]) -> Real | None:
     """A number lower in the tower whose root gives the root of `number` too, or None: sqrt(5 - 2
     sqrt 6) needs sqrt 3.
 
@@ -231,14 +231,14 @@ def denesting(number: Real, roots: tuple[Root, ...]) -> Real | None:
     """
     if not isinstance(number, Surd):
         return None
-    norm = square_root(
+    norm = _square_root(
         number.a * number.a - number.b * number.b * number.root.radicand,
         roots[: number.root.level - 1],
     )
     return None if norm is None else (number.a + abs(norm)) / 2
 
 
-def rational_root(number: Any) -> Any | None:
+def _rational_root(number: Any) -> Any | None:
     """The square root of a rational number if it is rational, else None."""
     if number < 0:
         return None
@@ -246,11 +246,11 @@ def rational_root(number: Any) -> Any | None:
     return fmpq(above, below) if above * above == number.p and below * below == number.q else None
 
 
-def primitive(number: Real) -> tuple[Any, Real]:
+def split_radicand(number: Real) -> tuple[Any, Real]:
     """(factor, radicand) with sqrt(number) = factor*sqrt(radicand): integer coefficients, no small
     square divisor.
     """
-    coefficients = rational_coefficients(number)
+    coefficients = _list_coefficients(number)
     below = 1
     for coefficient in coefficients:
         below = below * int(coefficient.q) // gcd(below, int(coefficient.q))
@@ -261,10 +261,10 @@ def primitive(number: Real) -> tuple[Any, Real]:
     return fmpq(root, below), number * fmpq(below * free, above)
 
 
-def rational_coefficients(number: Real) -> list[Any]:
+def _list_coefficients(number: Real) -> list[Any]:
     """The non-zero rational coefficients of a number over its tower."""
     if isinstance(number, Surd):
-        return rational_coefficients(number.a) + rational_coefficients(number.b)
+        return _list_coefficients(number.a) + _list_coefficients(number.b)
     return [number] if number != 0 else []
 
 
@@ -276,7 +276,7 @@ def split_square(number: int) -> tuple[int, int]:
     (6, 2)
     """
     root = 1
-    for prime in TRIAL_PRIMES:
+    for prime in _TRIAL_PRIMES:
         while number % (prime * prime) == 0:
             number //= prime * prime
             root *= prime

@@ -19,14 +19,14 @@ from numpy.typing import NDArray
 from kinegrade.exact.elimination import Singular
 from kinegrade.exact.rounding import NOTHING, Rounded
 
-POWERS = np.array([float(10**power) for power in range(23)])  # those that doubles hold exactly
-NEAR = 1e-14  # relative: far more than the error of a product of two doubles
-DEGREES, RADIANS = (
+_POWERS = np.array([float(10**power) for power in range(23)])  # those that doubles hold exactly
+_NEAR = 1e-14  # relative: far more than the error of a product of two doubles
+_DEGREES, _RADIANS = (
     180.0 / math.pi,
     math.pi / 180.0,
 )  # as in `math.degrees` and `math.radians`
-SINE, COSINE = np.frompyfunc(math.sin, 1, 1), np.frompyfunc(math.cos, 1, 1)
-ARCTANGENT = np.frompyfunc(math.atan2, 2, 1)
+_SINE, _COSINE = np.frompyfunc(math.sin, 1, 1), np.frompyfunc(math.cos, 1, 1)
+_ARCTANGENT = np.frompyfunc(math.atan2, 2, 1)
 
 
 class RoundedArrays(Rounded):
@@ -60,14 +60,14 @@ class RoundedArrays(Rounded):
         none = size < NOTHING
         exponent = np.log10(np.where(none, 1.0, size))
         places = (self.figures - 1 - np.floor(exponent)).astype(int)
-        power = POWERS[np.minimum(np.abs(places), len(POWERS) - 1)]
+        power = _POWERS[np.minimum(np.abs(places), len(_POWERS) - 1)]
         below = places >= 0
         scaled = np.where(below, number * power, number / power)
         whole = np.rint(scaled)
         result = np.where(none, 0.0, np.where(below, whole / power, whole * power))
-        tied = np.abs(np.abs(scaled - whole) - 0.5) <= NEAR * np.abs(scaled)
-        bound = np.abs(exponent - np.rint(exponent)) <= NEAR * (1 + np.abs(exponent))
-        for place in np.flatnonzero(~none & (tied | bound | (np.abs(places) >= len(POWERS)))):
+        tied = np.abs(np.abs(scaled - whole) - 0.5) <= _NEAR * np.abs(scaled)
+        bound = np.abs(exponent - np.rint(exponent)) <= _NEAR * (1 + np.abs(exponent))
+        for place in np.flatnonzero(~none & (tied | bound | (np.abs(places) >= len(_POWERS)))):
             result[place] = super().written(float(number[place]))
         return result
 
@@ -128,15 +128,15 @@ class RoundedArrays(Rounded):
 
     def cos(self, angle: Any) -> Any:
         """Cosines of angles in radians, written down."""
-        return self.noted(in_doubles(COSINE(angle)))
+        return self.noted(_in_doubles(_COSINE(angle)))
 
     def sin(self, angle: Any) -> Any:
         """Sines of angles in radians, written down."""
-        return self.noted(in_doubles(SINE(angle)))
+        return self.noted(_in_doubles(_SINE(angle)))
 
     def arctangent(self, y: Any, x: Any) -> Any:
         """The angles from +x to the vectors (x, y) in radians, written down in degrees."""
-        return self.noted(in_doubles(ARCTANGENT(y, x)) * DEGREES) * RADIANS
+        return self.noted(_in_doubles(_ARCTANGENT(y, x)) * _DEGREES) * _RADIANS
 
     def solve(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
         """The unknowns of rows * unknowns = right, each written down; instances without them are
@@ -170,7 +170,7 @@ class RoundedArrays(Rounded):
         return table
 
 
-def in_doubles(found: Any) -> Any:
+def _in_doubles(found: Any) -> Any:
     """Values found one by one, as an array of doubles; a single value stays a double."""
     return found.astype(float) if isinstance(found, np.ndarray) else found
 

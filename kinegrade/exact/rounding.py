@@ -103,8 +103,8 @@ class Rounded(Magnitude):
         if len(table) < count:
             raise Singular("the equations do not determine every unknown")
         for column in range(count):
-            bring_largest(table, column)
-            clear(table, column)
+            _bring_largest(table, column)
+            _clear(table, column)
         return [self.written(row[count]) for row in table[:count]]
 
     def require_zero(self, number: Any) -> None:
@@ -124,7 +124,7 @@ class Sparing(Rounded):
         return 0.0 if self.is_zero(number) else number
 
 
-def bring_largest(table: list[list[float]], column: int) -> None:
+def _bring_largest(table: list[list[float]], column: int) -> None:
     """Exchange rows so that the largest entry of the column, from its diagonal row on, is the
     pivot. Raises Singular.
     """
@@ -134,7 +134,7 @@ def bring_largest(table: list[list[float]], column: int) -> None:
     table[column], table[pivot] = table[pivot], table[column]
 
 
-def clear(table: list[list[float]], column: int) -> None:
+def _clear(table: list[list[float]], column: int) -> None:
     """Make the pivot one and the rest of its column zero."""
     divisor = table[column][column]
     table[column] = source = [entry / divisor for entry in table[column]]

@@ -18,7 +18,7 @@ from typing import Any
 from flint import arb, ctx, fmpq
 
 Real = Any  # flint.fmpq or Surd: flint ships no types
-MAX_SIGN_PRECISION = 1 << 16
+_MAX_SIGN_PRECISION = 1 << 16
 # Bits of a coefficient: some 5,000 digits; beyond it balls serve better, and hostile powers end
 MAX_HEIGHT = 1 << 14
 
@@ -52,8 +52,8 @@ class Surd:
         if isinstance(other, Surd) and other.root.level >= self.root.level:
             if other.root.level > self.root.level:
                 return Surd(other.root, other.a + self, other.b)
-            require_same_tower(self, other)
-            return surd(self.root, self.a + other.a, self.b + other.b)
+            _require_same_tower(self, other)
+            return make_surd(self.root, self.a + other.a, self.b + other.b)
         if isinstance(other, (Surd, fmpq, int)):
             return Surd(self.root, self.a + other, self.b)
         return NotImplemented
@@ -73,11 +73,13 @@ class Surd:
         if isinstance(other, Surd) and other.root.level >= self.root.level:
             if other.root.level > self.root.level:
                 return Surd(other.root, other.a * self, other.b * self)
-            require_same_tower(self, other)
+            _require_same_tower(self, other)
             product = self.b * other.b * self.root.radicand
-            return surd(self.root, self.a * other.a + product, self.a * other.b + self.b * other.a)
+            return make_surd(
+                self.root, self.a * other.a + product, self.a * other.b + self.b * other.a
+            )
         if isinstance(other, (Surd, fmpq, int)):
-            return surd(self.root, self.a * other, self.b * other)
+            return make_surd(self.root, self.a * other, self.b * other)
         return NotImplemented
 
     __rmul__ = __mul__
@@ -128,13 +130,13 @@ class Surd:
         return -self if sign(self) < 0 else self
 
     def __float__(self) -> float:
-        return float(enclosure(self, 96))
+        return float(enclose(self, 96))
 
     def __repr__(self) -> str:
         return f"Surd({self.a} + {self.b}*sqrt({self.root.radicand}))"
 
 
-def surd(root: Root, a: Real, b: Real) -> Real:
+def make_surd(root: Root, a: Real, b: Real) -> Real:
     """a + b*sqrt(root.radicand) in its unique form: the root is dropped when b is zero."""
     return Surd(root, a, b) if b != 0 else a
 
@@ -146,23 +148,26 @@ def height(number: Real) -> int:
     return max(int(number.p).bit_length(), int(number.q).bit_length())
 
 
-def require_same_tower(first: Surd, second: Surd) -> None:
+def _require_same_tower(first: Surd, second: Surd) -> None:
     """Refuse to mix numbers of different towers, which have no common form."""
     if first.root is not second.root and first.root != second.root:
         raise ArithmeticError("numbers of two different fields: bring both into one field first")
 
 
-def ball(number: Real) -> Any:
+def enclose_at_precision(number: Real) -> Any:
     """An enclosure of `number` as a `flint.arb` at the working precision."""
     if isinstance(number, Surd):
-        return ball(number.a) + ball(number.b) * ball(number.root.radicand).sqrt()
+        return (
+            enclose_at_precision(number.a)
+            + enclose_at_precision(number.b) * enclose_at_precision(number.root.radicand).sqrt()
+        )
     return arb(number)
 
 
-def enclosure(number: Real, precision: int) -> Any:
+def enclose(number: Real, precision: int) -> Any:
     """An enclosure of `number` as a `flint.arb`, computed with `precision` bits."""
     with ctx.workprec(precision):
-        return ball(number)
+        return enclose_at_precision(number)
 
 
 def sign(number: Real) -> int:
@@ -172,8 +177,8 @@ def sign(number: Real) -> int:
     if not isinstance(number, Surd):
         return int(number > 0) - int(number < 0)
     precision = 64
-    while precision <= MAX_SIGN_PRECISION:
-        value = enclosure(number, precision)
+    while precision <= _MAX_SIGN_PRECISION:
+        value = enclose(number, precision)
         if value > 0:
             return 1
         if value < 0:

@@ -11,44 +11,44 @@ import re
 from decimal import Decimal
 from fractions import Fraction
 
-MOST_DIGITS = 600
-LARGEST_POWER = 300  # of ten: the range of doubles
-LONGEST_SHOWN = 40
+_MOST_DIGITS = 600
+_LARGEST_POWER = 300  # of ten: the range of doubles
+_LONGEST_SHOWN = 40
 _NUMBER = re.compile(
     r"[+-]?(?P<whole>[0-9]*)(?:\.(?P<decimals>[0-9]*))?(?:[eE](?P<power>[+-]?[0-9]{1,4}))?"
 )
 _RATIO = re.compile(r"[+-]?[0-9]+/[0-9]*[1-9][0-9]*")
-_LIMIT = Fraction(10**LARGEST_POWER)
+_LIMIT = Fraction(10**_LARGEST_POWER)
 
 
 class NumberError(ValueError):
     """A text or value that is not a number; the message says what it is and what was expected."""
 
     def __init__(self, found: object) -> None:
-        text = str(found)[: LONGEST_SHOWN + 1]
-        shown = text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}…"
+        text = str(found)[: _LONGEST_SHOWN + 1]
+        shown = text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}…"
         super().__init__(
-            f'"{shown}" - expected a number between -1e{LARGEST_POWER} and 1e{LARGEST_POWER}'
+            f'"{shown}" - expected a number between -1e{_LARGEST_POWER} and 1e{_LARGEST_POWER}'
         )
 
 
-def written_number(found: object) -> Fraction:
+def read_number(found: object) -> Fraction:
     """A number of JSON, TOML or CSV, a decimal or a plain fraction, exactly; a fraction is one
     already.
 
     Raises NumberError.
 
-    >>> written_number("-1.25e1"), written_number(0.1), written_number("2/3")
+    >>> read_number("-1.25e1"), read_number(0.1), read_number("2/3")
     (Fraction(-25, 2), Fraction(1, 10), Fraction(2, 3))
     """
     if isinstance(found, Fraction):
         return found
     if isinstance(found, bool) or not isinstance(found, str | int | float | Decimal):
         raise NumberError(type(found).__name__)
-    if isinstance(found, int) and found.bit_length() > 4 * LARGEST_POWER:
+    if isinstance(found, int) and found.bit_length() > 4 * _LARGEST_POWER:
         raise NumberError(f"{'-' if found < 0 else ''}a whole number of {found.bit_length()} bits")
     text = str(found)
-    if len(text) > MOST_DIGITS or not _is_number(text):
+    if len(text) > _MOST_DIGITS or not _is_number(text):
         raise NumberError(text)
     value = Fraction(text)
     if abs(value) > _LIMIT:
@@ -63,4 +63,4 @@ def _is_number(text: str) -> bool:
     match = _NUMBER.fullmatch(text)
     if match is None or not (match["whole"] or match["decimals"]):
         return False
-    return abs(int(match["power"] or 0)) <= LARGEST_POWER + MOST_DIGITS
+    return abs(int(match["power"] or 0)) <= _LARGEST_POWER + _MOST_DIGITS

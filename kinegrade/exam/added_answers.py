@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kinegrade.csv_writing import neutralised, write_for_people
-from kinegrade.errors import TableError, message
+from kinegrade.csv_writing import neutralise, write_for_people
+from kinegrade.errors import TableError, write_message
 from kinegrade.exam.exam_files import write_blank_answers
 from kinegrade.exam.folder.contents import ANSWERS
 from kinegrade.exam.folder.records import Candidate, ExamHead
 from kinegrade.exam.hand_work import OWN_COLUMNS
-from kinegrade.exam.roster import student_key
-from kinegrade.tables import Table, header_key, read_table
+from kinegrade.exam.roster import make_student_key
+from kinegrade.tables import Table, make_header_key, read_table
 
 
 def write_grown_answers(old: Path, head: ExamHead, folder: Path) -> None:
@@ -25,10 +25,10 @@ def write_grown_answers(old: Path, head: ExamHead, folder: Path) -> None:
         write_blank_answers(head, folder)
         return
     table = read_table(sheet)
-    columns = [header_key(name) for name in table.header]
+    columns = [make_header_key(name) for name in table.header]
     if OWN_COLUMNS[0] not in columns:
         raise TableError(
-            message(
+            write_message(
                 str(sheet),
                 f'no column "{OWN_COLUMNS[0]}"',
                 "the answer sheet as kinegrade generate wrote it, with what was typed into it",
@@ -42,11 +42,11 @@ def write_grown_answers(old: Path, head: ExamHead, folder: Path) -> None:
 def _lacking(table: Table, columns: list[str], head: ExamHead) -> list[Candidate]:
     """The students who have no row."""
     place = columns.index(OWN_COLUMNS[0])
-    listed = {student_key(row.cell(place)) for row in table.rows}
-    return [each for each in head.students if student_key(each.student) not in listed]
+    listed = {make_student_key(row.cell(place)) for row in table.rows}
+    return [each for each in head.students if make_student_key(each.student) not in listed]
 
 
 def _blank(columns: list[str], candidate: Candidate) -> list[str]:
     """A row in which nothing is typed yet."""
-    own = dict(zip(OWN_COLUMNS, (candidate.student, neutralised(candidate.name)), strict=True))
+    own = dict(zip(OWN_COLUMNS, (candidate.student, neutralise(candidate.name)), strict=True))
     return [own.get(column, "") for column in columns]

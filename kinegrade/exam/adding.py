@@ -12,11 +12,11 @@ from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from kinegrade.counting import counted
+from kinegrade.counting import count_in_words
 from kinegrade.errors import OutputError
 from kinegrade.exam.added_answers import write_grown_answers
 from kinegrade.exam.blueprint import Blueprint
-from kinegrade.exam.class_printing import CHUNK, printed
+from kinegrade.exam.class_printing import CHUNK, print_class
 from kinegrade.exam.dealing import ClassDeal, deal_exam
 from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.exam_files import write_blank_workbook, write_head, write_papers
@@ -25,11 +25,11 @@ from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.generate import PRIVATE, SHARED_WITH_GROUP, Progress, require_none
 from kinegrade.exam.grown_class import LateClass, late_class, require_same_sources
-from kinegrade.exam.hand_work import editable, edited, edited_since
+from kinegrade.exam.hand_work import digest_editable, find_edited, refuse_edited
 from kinegrade.exam.handout import KINDS
-from kinegrade.exam.head_record import candidate, exam_head
+from kinegrade.exam.head_record import candidate, make_exam_head
 from kinegrade.exam.kept_exam import KeptExam
-from kinegrade.exam.pages import key_paper
+from kinegrade.exam.pages import make_key_paper
 from kinegrade.exam.printing import PrintRun, require_tools
 from kinegrade.exam.replaced_exam import read_replaced, required_secret
 from kinegrade.exam.reprint import kept_run
@@ -37,7 +37,7 @@ from kinegrade.exam.roster import Roster
 from kinegrade.exam.roster_complaints import roster_complaints
 from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
-from kinegrade.processes import executor
+from kinegrade.processes import open_executor
 
 _GROUP_READS = 0o040
 
@@ -53,7 +53,7 @@ class Added:
     def __str__(self) -> str:
         stay = "stays" if self.before == 1 else "stay"
         as_were = "as it is" if self.before == 1 else "as they are"
-        return f"{counted(self.papers, 'paper')} added, {self.before} {stay} {as_were}"
+        return f"{count_in_words(self.papers, 'paper')} added, {self.before} {stay} {as_were}"
 
 
 def add_students(
@@ -80,14 +80,16 @@ def add_students(
     require_tools(run.extras)
     old = read_replaced(exam)
     jobs = max(min(jobs, len(students.together) // CHUNK), 1)
-    with bulk_work(), _folder(exam) as folder, executor(jobs, "generate") as workers:
+    with bulk_work(), _folder(exam) as folder, open_executor(jobs, "generate") as workers:
         press = run.press_order.press()
         whole = Roster(students.together, (), late.file)
         dealt = deal_exam(run.bank, whole, required_secret(exam), workers, old.kept)
         said = (*roster_complaints(students.late, press), *dealt.shortages())
         require_none(said if strict else ())
         _copy(exam, folder)
-        with closing(printed(run, replace(dealt, roster=students.late), workers, jobs)) as papers:
+        with closing(
+            print_class(run, replace(dealt, roster=students.late), workers, jobs)
+        ) as papers:
             results = progress(papers, len(students.late.students))
             earlier = _keys(kept)
             newcomers = students.late.students
@@ -143,14 +145,14 @@ def _copy(exam: ExamFolder, folder: Path) -> None:
 def _keys(kept: KeptExam) -> Iterator[KeyPaper]:
     """The keys of the papers that stay, for the instructor's book. Raises ExamError."""
     head = kept.exam.head
-    return (key_paper(kept.paper(each), head.language) for each in head.students)
+    return (make_key_paper(kept.paper(each), head.language) for each in head.students)
 
 
 def _grown_head(
     exam: ExamFolder, dealt: ClassDeal, run: PrintRun, students: LateClass, keys: list[KeyPaper]
 ) -> ExamHead:
     newcomers = map(candidate, students.late.students, keys)
-    return exam_head(dealt, (*exam.head.students, *newcomers), run)
+    return make_exam_head(dealt, (*exam.head.students, *newcomers), run)
 
 
 def _write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> None:
@@ -160,9 +162,9 @@ def _write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> None:
     """
     write_grown_answers(exam.path, head, folder)
     write_blank_workbook(head, folder)
-    lost = list(edited(exam.path, exam.head, folder))
+    lost = list(find_edited(exam.path, exam.head, folder))
     if lost:
-        raise edited_since(exam.path, lost)
+        raise refuse_edited(exam.path, lost)
     write_head(head, _as_generated(exam, folder), folder)
 
 
@@ -173,7 +175,7 @@ def _as_generated(exam: ExamFolder, folder: Path) -> Mapping[str, str] | None:
     stated = exam.head.editable
     if stated is None:
         return None
-    before = editable(exam.path)
-    fresh = editable(folder)
+    before = digest_editable(exam.path)
+    fresh = digest_editable(folder)
     written = {name: digest for name, digest in fresh.items() if before.get(name) != digest}
     return dict(sorted({**stated, **written}.items()))

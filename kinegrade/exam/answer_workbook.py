@@ -66,19 +66,19 @@ def write_answer_workbook(path: Path, header: Sequence[str], rows: Iterable[Sequ
     """
     with ZipFile(path, "w") as archive:
         for name, content in _PARTS.items():
-            archive.writestr(_entry(name), f"{_HEAD}{content}")
-        with archive.open(_entry(_SHEET), "w", force_zip64=True) as sheet:
-            for piece in _sheet(header, rows):
+            archive.writestr(_make_entry(name), f"{_HEAD}{content}")
+        with archive.open(_make_entry(_SHEET), "w", force_zip64=True) as sheet:
+            for piece in _write_sheet(header, rows):
                 sheet.write(piece.encode())
 
 
-def _entry(name: str) -> ZipInfo:
+def _make_entry(name: str) -> ZipInfo:
     entry = ZipInfo(name)  # dated 1980, so that nothing depends on the time
     entry.compress_type = ZIP_DEFLATED
     return entry
 
 
-def _sheet(header: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
+def _write_sheet(header: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
     yield (
         f'{_HEAD}<worksheet xmlns="{_SPACE}/spreadsheetml/2006/main"><sheetViews><sheetView '
         'workbookViewId="0"><pane xSplit="2" ySplit="1" topLeftCell="C2" '
@@ -87,17 +87,17 @@ def _sheet(header: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str
         'customWidth="1"/></cols>'
         "<sheetData>"
     )
-    yield _row(header)
+    yield _write_row(header)
     for row in rows:
-        yield _row(row)
+        yield _write_row(row)
     yield "</sheetData></worksheet>"
 
 
-def _row(cells: Sequence[str]) -> str:
-    return f"<row>{''.join(map(_cell, cells))}</row>"
+def _write_row(cells: Sequence[str]) -> str:
+    return f"<row>{''.join(map(_write_cell, cells))}</row>"
 
 
-def _cell(text: str) -> str:
+def _write_cell(text: str) -> str:
     if not text:
         return '<c s="1"/>'
     shown = escape(_UNPRINTABLE.sub("·", text))

@@ -32,24 +32,24 @@ from dataclasses import replace
 from pathlib import Path
 from typing import get_args
 
-from kinegrade.errors import BankError, did_you_mean, short_line
+from kinegrade.errors import BankError, did_you_mean, shorten
 from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries, Entry
-from kinegrade.exam.bank_terms import tolerance
-from kinegrade.exam.blueprint import LMS, Bank, Blueprint, Slot, matched, wishes
+from kinegrade.exam.bank_terms import read_bank_tolerance
+from kinegrade.exam.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.press import ENGINES
 from kinegrade.exam.versions import LETTERS
 from kinegrade.fields.document import FileKind, read_text, toml_table
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import choice, date_text, flag, whole
-from kinegrade.problem.library import shipped
-from kinegrade.problem.mistake_kinds import sentences
+from kinegrade.problem.library import find_shipped
+from kinegrade.problem.mistake_kinds import load_sentences
 from kinegrade.problem.template import Translated
 from kinegrade.problem.tolerance import ONE_PER_CENT
 from kinegrade.problem.translations import translated_or_one
 from kinegrade.stated_marking import read_credit
 
-KEYS = (
+_KEYS = (
     "title",
     "course",
     "date",
@@ -68,17 +68,16 @@ _SYSTEMS: tuple[LMS, ...] = get_args(LMS)
 _NO_TEXT = Translated("", "")
 
 
-def bank_path(path: Path) -> Path:
+def find_bank(path: Path) -> Path:
     """A bank's file: the one at that path, or the shipped bank of that name. Raises BankError if
     there is neither.
     """
-    banks = {file.stem: file for file in shipped("banks").glob("*.toml")}
+    banks = {file.stem: file for file in find_shipped("banks").glob("*.toml")}
     if not path.is_file() and str(path) in banks:
         return banks[str(path)]
     if path.suffix != ".toml" and not path.exists():
         raise BankError(
-            f'no bank "{short_line(str(path))}": {did_you_mean(str(path), banks)}; or give a bank '
-            "file"
+            f'no bank "{shorten(str(path))}": {did_you_mean(str(path), banks)}; or give a bank file'
         )
     return path
 
@@ -121,33 +120,33 @@ def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False
     Raises BankError with all faults at once.
     """
     text = read_text(path, _BANK_FILE)
-    table = toml_table(str(path), text, _BANK_FILE).only(*KEYS)
-    entries = Entries(table.faults, folder or shipped("templates"), path.parent, kept)
-    frame = _frame(table, text)
-    slots = _slots(table, entries, frame)
+    table = toml_table(str(path), text, _BANK_FILE).only(*_KEYS)
+    entries = Entries(table.faults, folder or find_shipped("templates"), path.parent, kept)
+    frame = _read_frame(table, text)
+    slots = _read_slots(table, entries, frame)
     table.faults.require_none()
     return Blueprint(frame, slots)
 
 
-def _frame(table: Table, text: str) -> Bank:
+def _read_frame(table: Table, text: str) -> Bank:
     """Everything but the questions; an entry at fault is left empty or at its default."""
     return Bank(
         title=table.required("title", translated_or_one) or _NO_TEXT,
         course=table.required("course", translated_or_one) or _NO_TEXT,
         date=table.with_default("date", date_text, ""),
-        tolerance=tolerance(table, ONE_PER_CENT),
+        tolerance=read_bank_tolerance(table, ONE_PER_CENT),
         questions=(),
         text=text,
         shuffle=table.with_default("shuffle", flag, False),
         versions=table.with_default("versions", whole(1, len(LETTERS)), 0),
         engine=table.with_default("engine", choice(ENGINES), "typst"),
-        credit=read_credit(table, sentences),
+        credit=read_credit(table, load_sentences),
         solutions=table.with_default("solutions", flag, False),
         lms=table.optional("lms", choice(_SYSTEMS)),
     )
 
 
-def _slots(table: Table, entries: Entries, frame: Bank) -> tuple[Slot, ...]:
+def _read_slots(table: Table, entries: Entries, frame: Bank) -> tuple[Slot, ...]:
     """The exam's questions q1, q2 ... in the bank's order; an entry may stand for several."""
     tables = table.tables("questions")
     if not 1 <= len(tables) <= MAX_QUESTIONS:
@@ -190,7 +189,7 @@ def _require_different_names(entries: Sequence[Entry]) -> None:
 
 def _require_enough(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:
     """A fault if there are not enough templates to give every question a different one."""
-    chosen = matched(wishes(slots, lambda slot, name: 0))
+    chosen = match_slots(list_wishes(slots, lambda slot, name: 0))
     for entry in entries:
         count = len(entry.slots)
         left = sum(not slot.drawn or slot.identifier in chosen for slot in entry.slots)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from kinegrade.exam.bank_terms import MAX_POINTS, points, tolerance
+from kinegrade.exam.bank_terms import MAX_POINTS, read_bank_tolerance, read_points
 from kinegrade.exam.blueprint import BankAsk
-from kinegrade.exam.points import shared
+from kinegrade.exam.points import share_points
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import choice, whole
-from kinegrade.problem.tags import KINDS, asked_about
+from kinegrade.problem.tags import KINDS, select_asks
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
 
@@ -20,11 +20,11 @@ _POINTED = "a table of asks with their points, like { v_B = 3 }"
 def read_asks(entry: Table, template: Template, wider: Tolerance) -> tuple[BankAsk, ...]:
     """What is asked of a template: what the bank names, or what the template gives points."""
     if entry.holds_table("asks") and entry.table("asks"):
-        return _named(entry, template, wider)
+        return _read_named_asks(entry, template, wider)
     kind = read_kind(entry, _POINTED)
     if kind is None:
         return ()
-    asked = weighed(entry, [template], kind, wider).get(template.name, ())
+    asked = weigh_asks(entry, [template], kind, wider).get(template.name, ())
     if not asked:
         entry.fault("asks", f"{template.name} gives points to nothing of this", _POINTED)
     return asked
@@ -40,7 +40,7 @@ def read_kind(entry: Table, otherwise: str = "") -> str | None:
     return entry.optional("asks", choice(KINDS, otherwise))
 
 
-def weighed(
+def weigh_asks(
     entry: Table, templates: Sequence[Template], kind: str, tolerance: Tolerance
 ) -> dict[str, tuple[BankAsk, ...]]:
     """What each template asks of the entry's kind, with its points or its share of the entry's
@@ -48,19 +48,19 @@ def weighed(
     """
     weights: dict[str, Mapping[str, int]] = {}
     for template in templates:
-        asked = asked_about(template, kind)
+        asked = select_asks(template, kind)
         if asked:
             weights[template.name] = {name: template.asks[name].points for name in asked}
-    total = _total(entry, weights)
+    total = _read_total(entry, weights)
     if total is not None:
-        weights = {name: shared(total, asks) for name, asks in weights.items()}
+        weights = {name: share_points(total, asks) for name, asks in weights.items()}
     return {
         name: tuple(BankAsk(ask, Fraction(points), tolerance) for ask, points in asks.items())
         for name, asks in weights.items()
     }
 
 
-def _total(entry: Table, weights: Mapping[str, Mapping[str, int]]) -> int | None:
+def _read_total(entry: Table, weights: Mapping[str, Mapping[str, int]]) -> int | None:
     """The points to be shared out, at least one for each ask; None if the bank does not state them,
     or after a fault.
     """
@@ -75,25 +75,25 @@ def _total(entry: Table, weights: Mapping[str, Mapping[str, int]]) -> int | None
     return total
 
 
-def _named(entry: Table, template: Template, wider: Tolerance) -> tuple[BankAsk, ...]:
+def _read_named_asks(entry: Table, template: Template, wider: Tolerance) -> tuple[BankAsk, ...]:
     """The asks that the bank names."""
     if "points" in entry:
         entry.fault("points", "asks gives the points already", do="leave one of the two out")
     asks = entry.table("asks").only(*template.asks, kind=f"ask of {template.name}")
-    return tuple(_ask(asks, name, template, wider) for name in asks)
+    return tuple(_read_ask(asks, name, template, wider) for name in asks)
 
 
-def _ask(asks: Table, name: str, template: Template, wider: Tolerance) -> BankAsk:
+def _read_ask(asks: Table, name: str, template: Template, wider: Tolerance) -> BankAsk:
     """One ask: points, or a table with points (by default the template's) and tolerance."""
     usual = Fraction(template.asks[name].points)
     if not asks.holds_table(name):
-        return BankAsk(name, asks.with_default(name, points, usual), wider)
+        return BankAsk(name, asks.with_default(name, read_points, usual), wider)
     ask = asks.table(name).only("points", "tolerance")
-    return BankAsk(name, _points(ask, usual), tolerance(ask, wider))
+    return BankAsk(name, _read_points(ask, usual), read_bank_tolerance(ask, wider))
 
 
-def _points(ask: Table, usual: Fraction) -> Fraction:
+def _read_points(ask: Table, usual: Fraction) -> Fraction:
     """The points of an ask; a template's ask that has none needs some."""
     if "points" not in ask and not usual:
         ask.missing("points", "the points of an ask to which the template gives none")
-    return ask.with_default("points", points, usual)
+    return ask.with_default("points", read_points, usual)

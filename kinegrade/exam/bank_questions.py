@@ -14,17 +14,17 @@ from pathlib import Path
 from kinegrade.errors import FieldError, KinegradeError, did_you_mean
 from kinegrade.exact.angle import Inexact
 from kinegrade.exact.field import Field
-from kinegrade.exam.bank_asks import read_asks, read_kind, weighed
-from kinegrade.exam.bank_terms import tolerance
+from kinegrade.exam.bank_asks import read_asks, read_kind, weigh_asks
+from kinegrade.exam.bank_terms import read_bank_tolerance
 from kinegrade.exam.blueprint import BankAsk, BankQuestion, Slot
 from kinegrade.exam.shipped_templates import Shelf, read_shelf
-from kinegrade.expression import read
+from kinegrade.expression import read_expression
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import found, text, whole
-from kinegrade.problem.assemble import parameter_value
+from kinegrade.problem.assemble import read_parameter
 from kinegrade.problem.domain import read_choices
-from kinegrade.problem.library import kept_template, load_template
+from kinegrade.problem.library import load_kept_template, load_template
 from kinegrade.problem.statement import check_statements
 from kinegrade.problem.template import Parameter, Template
 from kinegrade.problem.tolerance import Tolerance
@@ -64,7 +64,7 @@ class Entries:
 
     def slots(self, entry: Table, first: int, wider: Tolerance) -> tuple[Slot, ...]:
         """The questions of one entry, numbered from `first`; none if it cannot be read."""
-        by = _kind(entry)
+        by = _read_kind(entry)
         word = entry.required(by, text) if by else None
         if not by or not word:
             return ()
@@ -78,19 +78,19 @@ class Entries:
         template = entry.required("template", self._template)
         if template is None:
             return ()
-        asks = read_asks(entry, template, tolerance(entry, wider))
-        question = BankQuestion(identifier, template, asks, _domains(entry, template))
+        asks = read_asks(entry, template, read_bank_tolerance(entry, wider))
+        question = BankQuestion(identifier, template, asks, _read_domains(entry, template))
         return (Slot(identifier, (question,), drawn=False),)
 
     def _drawn(self, entry: Table, by: str, first: int, wider: Tolerance) -> tuple[Slot, ...]:
         """The questions whose templates are drawn by family or tag."""
         number = entry.with_default("number", whole(1, MAX_QUESTIONS), 1)
-        entry_tolerance = tolerance(entry, wider)
+        entry_tolerance = read_bank_tolerance(entry, wider)
         kind = read_kind(entry)
         pool = self._pool(entry, by)
         if kind is None:
             return ()
-        asks = weighed(entry, pool, kind, entry_tolerance)
+        asks = weigh_asks(entry, pool, kind, entry_tolerance)
         candidates = [template for template in pool if template.name in asks]
         if pool and not candidates:
             entry.fault(
@@ -98,7 +98,7 @@ class Entries:
             )
         if not candidates:
             return ()
-        return tuple(_slot(f"q{first + index}", candidates, asks) for index in range(number))
+        return tuple(_read_slot(f"q{first + index}", candidates, asks) for index in range(number))
 
     def _pool(self, entry: Table, by: str) -> list[Template]:
         """The templates of a family or with a tag, without those that the entry leaves out."""
@@ -106,7 +106,7 @@ class Entries:
         if not pool:
             return []
         names = [template.name for template in pool]
-        named = text if self.kept else partial(_left_out, names)
+        named = text if self.kept else partial(_read_left_out, names)
         without = entry.listing("without", named, '["slider-crank"]')
         if set(names) <= set(without):
             what = f'leaves no template of the {by} "{entry.value(by)}"'
@@ -137,13 +137,13 @@ class Entries:
         if beside and not _TEMPLATE_FILE.fullmatch(name):
             raise FieldError(found(name), "a file beside the bank, without folders")
         if self.kept:
-            return kept_template(name.removesuffix(".toml"), self.folder)
+            return load_kept_template(name.removesuffix(".toml"), self.folder)
         template = load_template(str(self.beside / name) if beside else name, self.folder)
         check_statements(template)
         return template
 
 
-def _kind(entry: Table) -> str | None:
+def _read_kind(entry: Table) -> str | None:
     """The key by which an entry names its templates; None after a fault."""
     kinds = [key for key in _ENTRY_KEYS if key in entry]
     if len(kinds) == 1:
@@ -154,7 +154,7 @@ def _kind(entry: Table) -> str | None:
     return None
 
 
-def _slot(
+def _read_slot(
     identifier: str, candidates: Sequence[Template], asks: Mapping[str, tuple[BankAsk, ...]]
 ) -> Slot:
     """A question that becomes one of the candidates."""
@@ -164,7 +164,7 @@ def _slot(
     return Slot(identifier, tuple(questions), drawn=True)
 
 
-def _left_out(names: Sequence[str], value: object) -> str:
+def _read_left_out(names: Sequence[str], value: object) -> str:
     """The name of a template that is not to be drawn; it must be one of those that could be."""
     name = text(value)
     if name not in names:
@@ -172,19 +172,20 @@ def _left_out(names: Sequence[str], value: object) -> str:
     return name
 
 
-def _domains(entry: Table, template: Template) -> dict[str, tuple[str, ...]]:
+def _read_domains(entry: Table, template: Template) -> dict[str, tuple[str, ...]]:
     """Domains that replace the template's."""
     draw = entry.table("draw", "{ k = [2, 3] }").only(*template.parameters, kind="parameter")
     domains = {
-        name: draw.optional(name, partial(_choices, template.parameters[name])) for name in draw
+        name: draw.optional(name, partial(_read_choices, template.parameters[name]))
+        for name in draw
     }
     return {name: choices for name, choices in domains.items() if choices is not None}
 
 
-def _choices(parameter: Parameter, value: object) -> tuple[str, ...]:
+def _read_choices(parameter: Parameter, value: object) -> tuple[str, ...]:
     """The values that may be drawn for a parameter; each must be one that it can have."""
     choices = read_choices(value)
     for choice in choices:
         with suppress(Inexact):  # then it is a number all the same
-            parameter_value(parameter, read(choice), Field())
+            read_parameter(parameter, read_expression(choice), Field())
     return choices

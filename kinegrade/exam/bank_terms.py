@@ -15,7 +15,7 @@ _MOST_DIGITS = 15  # as many as survive as a JSON number
 _FIGURES = whole(2, 6)  # no more than the key prints
 
 
-def points(value: object) -> Fraction:
+def read_points(value: object) -> Fraction:
     """The points of an ask, exactly."""
     number = amount(value)
     if not 0 < number <= MAX_POINTS:
@@ -23,7 +23,7 @@ def points(value: object) -> Fraction:
     return number
 
 
-def tolerance(table: Table, default: Tolerance) -> Tolerance:
+def read_bank_tolerance(table: Table, default: Tolerance) -> Tolerance:
     """The tolerance that a table states; the default where it states none, and after a fault."""
     stated = read_tolerance(table, _FIGURES)
     if "tolerance" not in table or not table.is_sound("tolerance"):

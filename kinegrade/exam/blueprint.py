@@ -109,8 +109,8 @@ class Blueprint:
 
         A blueprint that was read has enough templates for every slot.
         """
-        names = matched(
-            wishes(self.slots, lambda slot, name: address(secret, "template", slot, name))
+        names = match_slots(
+            list_wishes(self.slots, lambda slot, name: address(secret, "template", slot, name))
         )
         questions = tuple(
             candidate
@@ -121,28 +121,30 @@ class Blueprint:
         return replace(self.frame, questions=questions)
 
 
-def wishes(slots: Iterable[Slot], rank: Callable[[str, str], int]) -> dict[str, tuple[str, ...]]:
+def list_wishes(
+    slots: Iterable[Slot], rank: Callable[[str, str], int]
+) -> dict[str, tuple[str, ...]]:
     """For each slot that is drawn the templates it may take, those of lowest rank first."""
     slots = tuple(slots)
     named = {slot.candidates[0].template.name for slot in slots if not slot.drawn}
     return {
-        slot.identifier: ranked(slot, named, partial(rank, slot.identifier))
+        slot.identifier: _rank_templates(slot, named, partial(rank, slot.identifier))
         for slot in slots
         if slot.drawn
     }
 
 
-def ranked(slot: Slot, named: set[str], rank: Callable[[str], int]) -> tuple[str, ...]:
+def _rank_templates(slot: Slot, named: set[str], rank: Callable[[str], int]) -> tuple[str, ...]:
     """The templates that a slot may take, without those that the bank names, by rank and name."""
     candidates = {question.template.name for question in slot.candidates} - named
     return tuple(sorted(candidates, key=lambda name: (rank(name), name)))
 
 
-def matched(wanted: Mapping[str, Sequence[str]]) -> dict[str, str]:
+def match_slots(wanted: Mapping[str, Sequence[str]]) -> dict[str, str]:
     """A name for as many slots as can have one, no name twice: the first that is free, or one that
     is made free.
 
-    >>> matched({"q1": ["crank", "cam"], "q2": ["crank"], "q3": ["cam"]})
+    >>> match_slots({"q1": ["crank", "cam"], "q2": ["crank"], "q3": ["cam"]})
     {'q2': 'crank', 'q1': 'cam'}
     """
     holders: dict[str, str] = {}
@@ -151,11 +153,11 @@ def matched(wanted: Mapping[str, Sequence[str]]) -> dict[str, str]:
         if free is not None:
             holders[free] = slot
         else:
-            displace(slot, wanted, holders, set())
+            _displace(slot, wanted, holders, set())
     return {slot: name for name, slot in holders.items()}
 
 
-def displace(
+def _displace(
     slot: str, wanted: Mapping[str, Sequence[str]], holders: dict[str, str], tried: set[str]
 ) -> bool:
     """Let a slot take a name whose holder can take another one, and return whether that was
@@ -165,7 +167,7 @@ def displace(
         if name in tried:
             continue
         tried.add(name)
-        if name not in holders or displace(holders[name], wanted, holders, tried):
+        if name not in holders or _displace(holders[name], wanted, holders, tried):
             holders[name] = slot
             return True
     return False

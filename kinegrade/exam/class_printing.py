@@ -13,18 +13,18 @@ from kinegrade.exam.dealing import ClassDeal
 from kinegrade.exam.press import Press
 from kinegrade.exam.printing import PressOrder, Printed, PrintRun, print_papers
 from kinegrade.exam.setting import DealtPaper, Exam, set_paper
-from kinegrade.processes import Shared, mapped
+from kinegrade.processes import Shared, map_in_order
 from kinegrade.temporary import temporary_folder
 
 # Papers in one task at least: fewer would make too many tasks
 CHUNK = 20
 # Papers in one task at most: enough for the work they share to cost little per paper
 MOST = 60
-AHEAD = 2  # tasks for each process that are under way or wait for it
+_AHEAD = 2  # tasks for each process that are under way or wait for it
 
 
 @dataclass(frozen=True)
-class PrintTask:
+class _PrintTask:
     """A part of a class, and what holds for all parts."""
 
     exam: Shared[Exam]
@@ -32,7 +32,7 @@ class PrintTask:
     papers: tuple[DealtPaper, ...]
 
 
-def printed(
+def print_class(
     run: PrintRun, dealt: ClassDeal, workers: Executor, jobs: int
 ) -> Generator[Printed, None, None]:
     """Each paper as it was printed, in order, by `jobs` processes.
@@ -43,16 +43,16 @@ def printed(
         shared = Shared(replace(run, sketchbook=figures) if jobs > 1 else run)
         students = dealt.roster.students
         tasks = (
-            PrintTask(
+            _PrintTask(
                 dealt.shared, shared, tuple(map(dealt.dealt, students[part.start : part.stop]))
             )
-            for part in parts_of(len(students), jobs)
+            for part in split_class(len(students), jobs)
         )
-        for part in mapped(workers, _print, tasks, AHEAD * jobs):
+        for part in map_in_order(workers, _print, tasks, _AHEAD * jobs):
             yield from part
 
 
-def parts_of(count: int, jobs: int) -> Iterator[range]:
+def split_class(count: int, jobs: int) -> Iterator[range]:
     """The class in parts, smaller ones at the end, so that all processes end together."""
     first = 0
     while first < count:
@@ -61,14 +61,14 @@ def parts_of(count: int, jobs: int) -> Iterator[range]:
         first += size
 
 
-def _print(task: PrintTask) -> list[Printed]:
+def _print(task: _PrintTask) -> list[Printed]:
     """A part of the class set and printed."""
     run = task.run.value
     papers = [set_paper(task.exam.value, each) for each in task.papers]
-    return print_papers(run, _press(run.press_order), papers)
+    return print_papers(run, _open_press(run.press_order), papers)
 
 
 @lru_cache(maxsize=1)
-def _press(order: PressOrder) -> Press:
+def _open_press(order: PressOrder) -> Press:
     """The press of this process, kept because a press is only fast after its first papers."""
     return order.press()

@@ -17,7 +17,7 @@ PATTERN = 3
 _DARK = re.compile(rb"\x01+")
 
 
-class Run(NamedTuple):
+class _Run(NamedTuple):
     """Dark modules side by side, from column `x` of row `y` on; counted from the top left
     corner.
     """
@@ -34,18 +34,18 @@ class CodeMark:
     """
 
     size: int
-    runs: tuple[Run, ...]
+    runs: tuple[_Run, ...]
 
 
-def code_mark(code: str) -> CodeMark:
+def make_code_mark(code: str) -> CodeMark:
     """The QR code of a paper's code; one of the usual nine characters makes 21 modules a side.
 
-    >>> code_mark("F7H0-CV5F").size
+    >>> make_code_mark("F7H0-CV5F").size
     21
     """
     matrix = segno.make(code, error="m", micro=False, mask=PATTERN).matrix
     runs = tuple(
-        Run(dark.start(), y, len(dark[0]))
+        _Run(dark.start(), y, len(dark[0]))
         for y, row in enumerate(matrix)
         for dark in _DARK.finditer(row)
     )

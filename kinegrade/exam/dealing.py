@@ -16,18 +16,18 @@ from types import MappingProxyType
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.exam_secret import ExamSecret
 from kinegrade.exam.folder.records import KeyLine
-from kinegrade.exam.kept_deal import dealt_values
-from kinegrade.exam.paper_codes import paper_codes
-from kinegrade.exam.places import places_of
+from kinegrade.exam.kept_deal import deal_values
+from kinegrade.exam.paper_codes import make_paper_codes
+from kinegrade.exam.places import assign_places
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import DealtPaper, Exam, SetPaper, set_paper
-from kinegrade.exam.versions import version_letters, version_of
+from kinegrade.exam.versions import choose_version, list_version_letters
 from kinegrade.problem.deal import Deal, DeckPart, Look, Verdicts, deal, look_here
 from kinegrade.problem.deck import Combination
 from kinegrade.problem.keyed_order import address
-from kinegrade.processes import Shared, mapped
+from kinegrade.processes import Shared, map_in_order
 
-AHEAD = 8  # parts of decks that are under way or wait
+_AHEAD = 8  # parts of decks that are under way or wait
 _NOTHING: Mapping[str, KeyLine] = MappingProxyType({})
 
 
@@ -119,10 +119,10 @@ def deal_exam(
     """
     shared = Shared(Exam(bank, secret.drawing))
     exam = shared.value
-    places = _places(roster, exam.secret, kept)
-    letters = version_letters(bank.versions)
+    places = _assign_places(roster, exam.secret, kept)
+    letters = list_version_letters(bank.versions)
     versions = {
-        whose: version_of(exam.secret, places[whose], letters) for whose in places if letters
+        whose: choose_version(exam.secret, places[whose], letters) for whose in places if letters
     }
     versions |= {whose: paper.version for whose, paper in kept.items() if paper.version in letters}
     units = {letter: place for place, letter in enumerate(letters)} or places
@@ -133,7 +133,7 @@ def deal_exam(
     look = _look_by(workers, shared) if workers else partial(look_here, exam.filters)
     deals = deal(exam.filters, max(units.values()) + 1, look)
     values = {
-        name: dealt_values(
+        name: deal_values(
             each.deck,
             deals[name],
             units,
@@ -141,11 +141,11 @@ def deal_exam(
         )
         for name, each in exam.filters.items()
     }
-    codes = paper_codes(secret.coding, places)
+    codes = make_paper_codes(secret.coding, places)
     return ClassDeal(shared, roster, secret, places, codes, versions, deals, values)
 
 
-def _places(roster: Roster, secret: str, kept: Mapping[str, KeyLine]) -> dict[str, int]:
+def _assign_places(roster: Roster, secret: str, kept: Mapping[str, KeyLine]) -> dict[str, int]:
     """The place of each student.
 
     Papers of earlier versions of kinegrade, which state none, have the free places in the order of
@@ -155,12 +155,12 @@ def _places(roster: Roster, secret: str, kept: Mapping[str, KeyLine]) -> dict[st
     taken = set(stated.values())
     free = (place for place in count() if place not in taken)
     earlier = {whose: next(free) for whose in kept if whose not in stated}
-    return places_of((each.student for each in roster.students), secret, {**stated, **earlier})
+    return assign_places((each.student for each in roster.students), secret, {**stated, **earlier})
 
 
 def _look_by(workers: Executor, shared: Shared[Exam]) -> Look:
     """Looking at parts of decks by other processes."""
-    return lambda parts: mapped(workers, _look, [(shared, part) for part in parts], AHEAD)
+    return lambda parts: map_in_order(workers, _look, [(shared, part) for part in parts], _AHEAD)
 
 
 def _look(task: tuple[Shared[Exam], DeckPart]) -> Verdicts:

@@ -16,10 +16,10 @@ import msgspec
 
 from kinegrade.errors import FieldError, KinegradeError
 from kinegrade.exam.blueprint import BankQuestion
-from kinegrade.exam.folder.contradictions import contradicted, other_value
-from kinegrade.exam.folder.numbers import RATIONAL, number
+from kinegrade.exam.folder.contradictions import describe_difference, explain_contradiction
+from kinegrade.exam.folder.numbers import RATIONAL, require_number
 from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer, StatedNumber, StatedTolerance
-from kinegrade.exam.key_record import stated_answer
+from kinegrade.exam.key_record import make_stated_answer
 from kinegrade.exam.setting import Drawn, SetAsk, SetQuestion, set_drawn
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.quantity import CERTIFIED_DIGITS, Quantity
@@ -40,24 +40,24 @@ def derive_question(
 
     Raises ExamError, with all differences, if the result is not what the key states.
     """
-    solution = _solved(question, kept, where, plan)
+    solution = _solve(question, kept, where, plan)
     derived = set_drawn(question, Drawn(kept.values, solution))
-    differences = list(_differences(derived, kept))
+    differences = list(_find_differences(derived, kept))
     if differences:
-        raise contradicted(where, differences)
+        raise explain_contradiction(where, differences)
     return derived
 
 
-def _solved(question: BankQuestion, kept: KeyQuestion, where: str, plan: Plan | None) -> Solution:
+def _solve(question: BankQuestion, kept: KeyQuestion, where: str, plan: Plan | None) -> Solution:
     asks = tuple(ask.name for ask in question.asks)
     try:
         return solve_template(question.template, kept.values, asks, plan)
     except KinegradeError as error:
         reasons = (f"no longer follows ({problem})" for problem in error.problems)
-        raise contradicted(where, reasons) from error
+        raise explain_contradiction(where, reasons) from error
 
 
-def _differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[str]:
+def _find_differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[str]:
     """The differences between a question and its key, each with both values."""
     parameters = derived.drawn.solution.parameters
     asks = {entry.ask.name: entry for entry in derived.asks}
@@ -65,12 +65,12 @@ def _differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[str]:
     yield from _name_differences("asks", asks, kept.asks)
     for name, quantity in parameters.items():
         if name in kept.parameters:
-            yield from _value_differences(name, quantity, kept.parameters[name], _CERTIFIED)
+            yield from _find_value_differences(name, quantity, kept.parameters[name], _CERTIFIED)
     room = _CERTIFIED if _exactly_drawn(kept) else _OF_DOUBLES
     for name, entry in asks.items():
         if name in kept.asks:
-            yield from _value_differences(name, entry.answer, kept.asks[name], room)
-            yield from _term_differences(entry, kept.asks[name])
+            yield from _find_value_differences(name, entry.answer, kept.asks[name], room)
+            yield from _find_term_differences(entry, kept.asks[name])
 
 
 def _exactly_drawn(kept: KeyQuestion) -> bool:
@@ -80,14 +80,14 @@ def _exactly_drawn(kept: KeyQuestion) -> bool:
 
 def _name_differences(what: str, derived: Collection[str], kept: Collection[str]) -> Iterator[str]:
     if set(derived) != set(kept):
-        yield f"the key has the {what} {_listed(kept)}, the templates {_listed(derived)}"
+        yield f"the key has the {what} {_write_list(kept)}, the templates {_write_list(derived)}"
 
 
-def _listed(names: Collection[str]) -> str:
+def _write_list(names: Collection[str]) -> str:
     return ", ".join(sorted(names)) or "none"
 
 
-def _value_differences(
+def _find_value_differences(
     name: str, derived: Quantity, kept: StatedNumber | StatedAnswer, room: Fraction
 ) -> Iterator[str]:
     """Where a quantity differs from the key: in its unit, or in one of the forms of its value.
@@ -105,7 +105,7 @@ def _value_differences(
     )
     for way, found, allowed in stated:
         if found is not None and not _agree(way, found, derived, allowed):
-            yield other_value(name, found, derived.decimal(_DIGITS_SHOWN))
+            yield describe_difference(name, found, derived.decimal(_DIGITS_SHOWN))
     if all(found is None for _, found, _ in stated):
         yield f"{name} has no value in the key"
 
@@ -115,16 +115,16 @@ def _agree(way: str, found: Decimal | str, derived: Quantity, room: Fraction) ->
     if derived.at_infinity:
         return False
     try:
-        kept = number(way, found)
+        kept = require_number(way, found)
     except FieldError:
         return False
     right = Fraction(derived.certified)
     return abs(kept - right) <= room * abs(right)
 
 
-def _term_differences(entry: SetAsk, kept: StatedAnswer) -> Iterator[str]:
+def _find_term_differences(entry: SetAsk, kept: StatedAnswer) -> Iterator[str]:
     """Where the terms by which an answer is marked are not those of the key."""
-    derived = stated_answer(entry, {})
+    derived = make_stated_answer(entry, {})
     terms = (
         ("tolerance", derived.tolerance, kept.tolerance),
         ("period", derived.period, kept.period),
@@ -133,11 +133,12 @@ def _term_differences(entry: SetAsk, kept: StatedAnswer) -> Iterator[str]:
     for term, ours, theirs in terms:
         if ours != theirs:
             yield (
-                f"{entry.ask.name}: {term} is {_said(theirs)} by the key, {_said(ours)} by the bank"
+                f"{entry.ask.name}: {term} is {_write_value(theirs)} "
+                f"by the key, {_write_value(ours)} by the bank"
             )
 
 
-def _said(term: StatedTolerance | Decimal | None) -> str:
+def _write_value(term: StatedTolerance | Decimal | None) -> str:
     match term:
         case None:
             return "none"

@@ -31,14 +31,14 @@ class EquationLine:
     pieces: tuple[str, ...]
 
 
-def equation_line(latex: str) -> EquationLine:
+def split_equation_line(latex: str) -> EquationLine:
     """The parts of one line of a display.
 
-    >>> equation_line(r"v_B &= v_A + (a + b) = 2")
+    >>> split_equation_line(r"v_B &= v_A + (a + b) = 2")
     EquationLine(left='v_B', pieces=('= v_A', '+ (a + b)', '= 2'))
     """
     tokens = [match.group() for match in _TOKEN.finditer(latex)]
-    depths = _depths(tokens)
+    depths = _count_depths(tokens)
     marks = [index for index, token in enumerate(tokens) if token == "&" and depths[index] == 0]
     start = marks[0] + 1 if marks else 0
     starts = [start] + [
@@ -53,7 +53,7 @@ def equation_line(latex: str) -> EquationLine:
     )
 
 
-def _depths(tokens: Sequence[str]) -> list[int]:
+def _count_depths(tokens: Sequence[str]) -> list[int]:
     """How many brackets are open at each token; a fence's own bracket, as in `\\left(`, is not
     counted again.
     """

@@ -12,7 +12,7 @@ from typing import BinaryIO
 
 from msgspec import structs
 
-from kinegrade.csv_writing import neutralised, write_for_people
+from kinegrade.csv_writing import neutralise, write_for_people
 from kinegrade.errors import BankError
 from kinegrade.exam.answer_workbook import write_answer_workbook
 from kinegrade.exam.blueprint import Bank
@@ -27,10 +27,10 @@ from kinegrade.exam.folder.contents import (
     TEMPLATES,
 )
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.folder.writing import head_json
+from kinegrade.exam.folder.writing import encode_head
 from kinegrade.exam.hand_work import OWN_COLUMNS
 from kinegrade.exam.head_record import WARNING
-from kinegrade.exam.pages import key_book
+from kinegrade.exam.pages import make_key_book
 from kinegrade.exam.press import Press
 from kinegrade.exam.printed_files import printed_files, write_key
 from kinegrade.exam.printing import Printed, PrintRun
@@ -59,7 +59,7 @@ def write_papers(
         printed_files(folder, solutions=run.extras.solutions) as write,
     ):
         papers = _noted(_written(results, students, write), lines, keys)
-        book = key_book(run.bank, chain(earlier, papers), run.language)
+        book = make_key_book(run.bank, chain(earlier, papers), run.language)
         write_key(folder, press.key(book))
     return keys
 
@@ -117,7 +117,7 @@ def write_sources(sources: Mapping[str, str], folder: Path) -> None:
 def write_blank_answers(head: ExamHead, folder: Path) -> None:
     """The blank answer sheet as CSV: a row for each student, a column for each ask."""
     rows = (
-        [each.student, neutralised(each.name), *[""] * len(head.columns)] for each in head.students
+        [each.student, neutralise(each.name), *[""] * len(head.columns)] for each in head.students
     )
     write_for_people(folder / ANSWERS, (*OWN_COLUMNS, *head.columns), rows)
 
@@ -131,5 +131,5 @@ def write_blank_workbook(head: ExamHead, folder: Path) -> None:
 def write_head(head: ExamHead, editable: Mapping[str, str] | None, folder: Path) -> None:
     """exam.json and the notice to instructors; `editable` are digests of files as generated."""
     stated = None if editable is None else dict(editable)
-    (folder / HEAD).write_bytes(head_json(structs.replace(head, editable=stated)))
+    (folder / HEAD).write_bytes(encode_head(structs.replace(head, editable=stated)))
     (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")

@@ -13,9 +13,9 @@ from hmac import digest
 from secrets import token_hex
 from typing import Any, assert_never
 
-BYTES = 32  # of the secret: 256 bits, as many as HMAC-SHA256 returns
-LEAST = 32  # hexadecimal digits of the shortest secret accepted: 128 bits
-EARLIER = "seed"  # the key under which earlier versions kept the words
+_BYTES = 32  # of the secret: 256 bits, as many as HMAC-SHA256 returns
+_LEAST = 32  # hexadecimal digits of the shortest secret accepted: 128 bits
+_EARLIER = "seed"  # the key under which earlier versions kept the words
 
 
 @dataclass(frozen=True)
@@ -101,16 +101,16 @@ class SecretWish:
         if self.words is not None:
             return FromWords(self.words)
         if kept is None or self.new:
-            return random_secret(self.label or "")
-        return kept if self.label is None else relabelled(kept, self.label)
+            return draw_secret(self.label or "")
+        return kept if self.label is None else _relabel(kept, self.label)
 
 
-def random_secret(label: str = "") -> RandomSecret:
+def draw_secret(label: str = "") -> RandomSecret:
     """A new secret, 256 random bits for the numbers and as many for the codes of papers."""
-    return RandomSecret(token_hex(BYTES), token_hex(BYTES), label)
+    return RandomSecret(token_hex(_BYTES), token_hex(_BYTES), label)
 
 
-def relabelled(secret: ExamSecret, label: str) -> ExamSecret:
+def _relabel(secret: ExamSecret, label: str) -> ExamSecret:
     """The secret with another label; words have no label, so unless it is the same words, the
     result is a new random secret.
     """
@@ -118,25 +118,25 @@ def relabelled(secret: ExamSecret, label: str) -> ExamSecret:
         case RandomSecret():
             return replace(secret, label=label)
         case FromWords():
-            return secret if secret.words == label else random_secret(label)
+            return secret if secret.words == label else draw_secret(label)
         case _:
             assert_never(secret)
 
 
-def secret_of(head: Mapping[str, Any]) -> ExamSecret | None:
+def find_secret(head: Mapping[str, Any]) -> ExamSecret | None:
     """The secret that exam.json states; None if it states no complete one."""
-    words = head.get("reproducible", head.get(EARLIER))
+    words = head.get("reproducible", head.get(_EARLIER))
     if isinstance(words, str):
         return FromWords(words)
     draws, codes, label = (head.get(name) for name in ("secret", "codes", "label"))
-    if hexadecimal(draws) and hexadecimal(codes) and isinstance(label, str):
+    if _is_hexadecimal(draws) and _is_hexadecimal(codes) and isinstance(label, str):
         return RandomSecret(str(draws), str(codes), label)
     return None
 
 
-def hexadecimal(text: object) -> bool:
+def _is_hexadecimal(text: object) -> bool:
     """Whether this is a text of whole bytes in hexadecimal, 128 bits or more."""
-    if not isinstance(text, str) or len(text) < LEAST:
+    if not isinstance(text, str) or len(text) < _LEAST:
         return False
     try:
         return len(bytes.fromhex(text)) * 2 == len(text)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.language import Language
-from kinegrade.problem.mistake_kinds import sentences
+from kinegrade.problem.mistake_kinds import load_sentences
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class ExamWording:
     mistakes: Mapping[str, str] = field(default_factory=dict)
 
 
-def exam_wording(exam: ExamFolder, language: Language) -> ExamWording:
+def read_exam_wording(exam: ExamFolder, language: Language) -> ExamWording:
     """The words of an exam in a language."""
     templates = exam.templates.readable
     asks = {
@@ -48,5 +48,5 @@ def exam_wording(exam: ExamFolder, language: Language) -> ExamWording:
             for question, template in templates.items()
             for name, parameter in template.parameters.items()
         },
-        {identifier: sentence[language] for identifier, sentence in sentences().items()},
+        {identifier: sentence[language] for identifier, sentence in load_sentences().items()},
     )

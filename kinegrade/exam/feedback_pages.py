@@ -11,16 +11,16 @@ from functools import lru_cache
 from typing import Protocol
 
 from kinegrade.exam.document import PaperSize
-from kinegrade.exam.formula import formula
-from kinegrade.exam.join import joined
-from kinegrade.exam.layout_call import Sheet, each, gathered, layout_call
-from kinegrade.exam.markup import line
-from kinegrade.exam.typst import TypstPress, legible
+from kinegrade.exam.formula import convert_formula
+from kinegrade.exam.join import join_pages
+from kinegrade.exam.layout_call import Sheet, convert_each, gather, write_layout_call
+from kinegrade.exam.markup import write_line
+from kinegrade.exam.typst import TypstPress, make_legible
 from kinegrade.language import Language
 
-ROW_TEXTS = ("typed", "read_as", "right", "verdict", "points", "reason")
-SHEET_TEXTS = ("course", "title", "date", "student", "name", "code", "total")
-WORDS = (
+_ROW_TEXTS = ("typed", "read_as", "right", "verdict", "points", "reason")
+_SHEET_TEXTS = ("course", "title", "date", "student", "name", "code", "total")
+_WORDS = (
     "feedback",
     "name",
     "student",
@@ -35,11 +35,11 @@ WORDS = (
     "kept",
     "about_hints",
 )
-TYPESET: Mapping[str, Language] = {"en": "en", "zh-CN": "zh"}  # by the tag of the words
+_TYPESET: Mapping[str, Language] = {"en": "en", "zh-CN": "zh"}  # by the tag of the words
 
 
-class Row(Protocol):
-    """One ask: `symbol` is math, `meaning` and `remark` are prose; the texts of `ROW_TEXTS` are
+class _Row(Protocol):
+    """One ask: `symbol` is math, `meaning` and `remark` are prose; the texts of `_ROW_TEXTS` are
     plain.
     """
 
@@ -56,7 +56,7 @@ class Row(Protocol):
         """Prose: what probably went wrong; "" for nothing."""
 
 
-class Question(Protocol):
+class _Question(Protocol):
     """One question: `heading` and `points` are plain, `title` is prose."""
 
     @property
@@ -72,12 +72,12 @@ class Question(Protocol):
         """Plain: points out of points."""
 
     @property
-    def rows(self) -> Sequence[Row]:
+    def rows(self) -> Sequence[_Row]:
         """One for each ask."""
 
 
-class Words(Protocol):
-    """The fixed words: those in `WORDS`, and these."""
+class _Words(Protocol):
+    """The fixed words: those in `_WORDS`, and these."""
 
     @property
     def language(self) -> str:
@@ -93,10 +93,10 @@ class Words(Protocol):
 
 
 class FeedbackSheet(Protocol):
-    """One student's sheet; the texts of `SHEET_TEXTS` are plain."""
+    """One student's sheet; the texts of `_SHEET_TEXTS` are plain."""
 
     @property
-    def words(self) -> Words:
+    def words(self) -> _Words:
         """In the language of the sheet."""
 
     @property
@@ -112,7 +112,7 @@ class FeedbackSheet(Protocol):
         """Whether some remark is a guess."""
 
     @property
-    def questions(self) -> Sequence[Question]:
+    def questions(self) -> Sequence[_Question]:
         """In the order of the paper."""
 
 
@@ -135,28 +135,29 @@ class FeedbackPress(TypstPress):
         In names and in what a student typed, characters that no font has are printed as code
         points. Raises TypesetError with all faults of the exam's texts.
         """
-        plain = [text for text in _plain_texts(sheet) if not text.isascii()]
+        plain = [text for text in _write_plain_texts(sheet) if not text.isascii()]
         pdf = self._explaining(
-            feedback_source(sheet, self.unprintable(plain), self._size), f"feedback {sheet.code}"
+            _write_feedback_source(sheet, self.unprintable(plain), self._size),
+            f"feedback {sheet.code}",
         )
-        return pdf if solution is None else joined([pdf, solution])
+        return pdf if solution is None else join_pages([pdf, solution])
 
 
-def feedback_source(
+def _write_feedback_source(
     sheet: FeedbackSheet, missing: frozenset[str] = frozenset(), size: PaperSize = "a4"
 ) -> str:
     """Typst source of a sheet, the characters `missing` as code points. Raises TypesetError with
     all faults.
     """
     words = sheet.words
-    language = TYPESET[words.language]
-    parts = gathered(
-        questions=lambda: each(
-            lambda question: _question(question, words, missing), sheet.questions
+    language = _TYPESET[words.language]
+    parts = gather(
+        questions=lambda: convert_each(
+            lambda question: _write_question(question, words, missing), sheet.questions
         )
     )
     fixed: Mapping[str, object] = {
-        **_texts(words, WORDS, frozenset()),
+        **_texts(words, _WORDS, frozenset()),
         "page": words.page.split("{}"),
     }
     said = {
@@ -166,24 +167,26 @@ def feedback_source(
         "language": language,
         "size": size,
     }
-    return layout_call("feedback", {**parts, **_texts(sheet, SHEET_TEXTS, missing), **said})
+    return write_layout_call("feedback", {**parts, **_texts(sheet, _SHEET_TEXTS, missing), **said})
 
 
-def _question(question: Question, words: Words, missing: frozenset[str]) -> Sheet:
-    parts = gathered(
-        title=lambda: line(question.title, f"{question.heading}, title"),
-        rows=lambda: each(lambda row: _row(row, question.heading, words, missing), question.rows),
+def _write_question(question: _Question, words: _Words, missing: frozenset[str]) -> Sheet:
+    parts = gather(
+        title=lambda: write_line(question.title, f"{question.heading}, title"),
+        rows=lambda: convert_each(
+            lambda row: _write_row(row, question.heading, words, missing), question.rows
+        ),
     )
     return parts | {"heading": question.heading, "points": question.points}
 
 
-def _row(row: Row, where: str, words: Words, missing: frozenset[str]) -> Sheet:
-    parts = gathered(
-        symbol=lambda: f"${formula(row.symbol, f'{where}, symbol')}$",
-        meaning=lambda: line(row.meaning, f"{where}, meaning"),
-        remark=lambda: line(row.remark, f"{where}, remark") if row.remark else None,
+def _write_row(row: _Row, where: str, words: _Words, missing: frozenset[str]) -> Sheet:
+    parts = gather(
+        symbol=lambda: f"${convert_formula(row.symbol, f'{where}, symbol')}$",
+        meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
+        remark=lambda: write_line(row.remark, f"{where}, remark") if row.remark else None,
     )
-    texts = _texts(row, ROW_TEXTS, missing)
+    texts = _texts(row, _ROW_TEXTS, missing)
     return (
         parts
         | texts
@@ -192,12 +195,12 @@ def _row(row: Row, where: str, words: Words, missing: frozenset[str]) -> Sheet:
 
 
 def _texts(holder: object, names: Sequence[str], missing: frozenset[str]) -> dict[str, str]:
-    return {name: legible(getattr(holder, name), missing) for name in names}
+    return {name: make_legible(getattr(holder, name), missing) for name in names}
 
 
-def _plain_texts(sheet: FeedbackSheet) -> list[str]:
+def _write_plain_texts(sheet: FeedbackSheet) -> list[str]:
     rows = [row for question in sheet.questions for row in question.rows]
     return [
-        *_texts(sheet, SHEET_TEXTS, frozenset()).values(),
-        *(text for row in rows for text in _texts(row, ROW_TEXTS, frozenset()).values()),
+        *_texts(sheet, _SHEET_TEXTS, frozenset()).values(),
+        *(text for row in rows for text in _texts(row, _ROW_TEXTS, frozenset()).values()),
     ]

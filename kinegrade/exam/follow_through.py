@@ -13,17 +13,22 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import remainder
 
-from kinegrade.exam.folder.contradictions import contradicted, other_value
-from kinegrade.exam.folder.exact_keys import exact_value
+from kinegrade.exam.folder.contradictions import describe_difference, explain_contradiction
+from kinegrade.exam.folder.exact_keys import find_exact_value
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer
 from kinegrade.mechanics.plan import Plan
-from kinegrade.problem.follow_through import Follower, connections, generic_plan, in_plan_order
-from kinegrade.problem.mistakes import in_float
+from kinegrade.problem.follow_through import (
+    Follower,
+    find_connections,
+    find_generic_plan,
+    order_by_plan,
+)
+from kinegrade.problem.mistakes import convert_parameter
 from kinegrade.problem.template import Template
 
 KEPT = 256  # instances kept in memory, so that the student's next answers find theirs
-AGREEMENT = (
+_AGREEMENT = (
     1e-6  # relative, between doubles and the key: rounding stays below, an edited template above
 )
 
@@ -49,17 +54,19 @@ class FollowThrough:
         leading = {
             ask: float(value)
             for ask, value in own.items()
-            if (ask, later) in self.connections(question)
+            if (ask, later) in self._connections(question)
         }
         follower = self.instance(student, question) if leading else None
         value = None if follower is None else follower.value(leading, later)
         return None if value is None else Fraction(value)
 
-    def connections(self, question: str) -> frozenset[tuple[str, str]]:
+    def _connections(self, question: str) -> frozenset[tuple[str, str]]:
         """Which ask of a question (first) another one (second) depends on."""
         if question not in self.connected:
             template = self.templates.get(question)
-            self.connected[question] = frozenset() if template is None else connections(template)
+            self.connected[question] = (
+                frozenset() if template is None else find_connections(template)
+            )
         return self.connected[question]
 
     def in_plan_order(self, question: str, asks: Iterable[str]) -> tuple[str, ...]:
@@ -67,7 +74,7 @@ class FollowThrough:
         accelerations.
         """
         template = self.templates.get(question)
-        return tuple(asks) if template is None else in_plan_order(template, asks)
+        return tuple(asks) if template is None else order_by_plan(template, asks)
 
     def instance(self, student: str, question: str) -> Follower | None:
         """A question as it stands on a student's paper; None if it can no longer be worked out."""
@@ -90,27 +97,29 @@ class FollowThrough:
         if texts.keys() < template.parameters.keys():
             return None
         values = {
-            name: in_float(parameter, texts[name])
+            name: convert_parameter(parameter, texts[name])
             for name, parameter in template.parameters.items()
         }
         follower = Follower(template, values, self.plan(question, template))
-        self.require_same(follower, kept, f'student "{student}", {question}')
+        self._require_same(follower, kept, f'student "{student}", {question}')
         return follower
 
-    def require_same(self, follower: Follower, kept: KeyQuestion, where: str) -> None:
+    def _require_same(self, follower: Follower, kept: KeyQuestion, where: str) -> None:
         """Raises ExamError if an answer of the instance differs from the key's: anything that
         followed would belong to another mechanism.
         """
         for name, answer in kept.asks.items():
             derived = follower.right(name) if name in follower.template.asks else None
-            if derived is not None and not same(derived, answer):
-                difference = other_value(name, answer.decimal or answer.value, f"{derived:.12g}")
-                raise contradicted(f"{self.exam.key}: {where}", [difference])
+            if derived is not None and not _is_same(derived, answer):
+                difference = describe_difference(
+                    name, answer.decimal or answer.value, f"{derived:.12g}"
+                )
+                raise explain_contradiction(f"{self.exam.key}: {where}", [difference])
 
     def plan(self, question: str, template: Template) -> Plan | None:
         """The plan of a question's template, found once; it is the same for all students."""
         if question not in self.plans:
-            self.plans[question] = generic_plan(template)
+            self.plans[question] = find_generic_plan(template)
         return self.plans[question]
 
     def kept(self, student: str, question: str) -> KeyQuestion | None:
@@ -124,10 +133,10 @@ class FollowThrough:
         return self.exam.templates.readable
 
 
-def same(derived: float, answer: StatedAnswer) -> bool:
+def _is_same(derived: float, answer: StatedAnswer) -> bool:
     """Whether an answer worked out in doubles is that of the key, except for rounding."""
-    right = float(exact_value(answer))
-    room = AGREEMENT * max(abs(right), float(answer.tolerance.absolute), 1)
+    right = float(find_exact_value(answer))
+    room = _AGREEMENT * max(abs(right), float(answer.tolerance.absolute), 1)
     difference = derived - right
     if answer.period:
         difference = remainder(difference, float(answer.period))

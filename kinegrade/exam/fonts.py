@@ -11,7 +11,7 @@ import pylopdf_fonts_zh_cn
 import typst
 
 
-def installed_fonts() -> typst.Fonts:
+def find_installed_fonts() -> typst.Fonts:
     """The fonts a press may use, none of them the system's."""
     folder = pylopdf_fonts_zh_cn.serif_path().parent
     return typst.Fonts(

@@ -14,7 +14,7 @@ from functools import lru_cache
 
 import tylax
 
-from kinegrade.errors import TypesetError, message, short_line
+from kinegrade.errors import TypesetError, shorten, write_message
 
 _GREEK = """
     alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi
@@ -35,7 +35,7 @@ _FUNCTIONS = "sin cos tan cot arcsin arccos arctan sinh cosh tanh exp ln log min
 COMMANDS = frozenset(
     " ".join((_GREEK, _LETTERING, _STRUCTURE, _SYMBOLS, _FUNCTIONS, "begin end")).split()
 )
-ENVIRONMENTS = frozenset({"cases", "aligned"})
+_ENVIRONMENTS = frozenset({"cases", "aligned"})
 
 _COMMAND = re.compile(r"\\([A-Za-z]+|.|$)", re.DOTALL)
 _SPACING = frozenset(",;:! ")
@@ -53,93 +53,95 @@ _PLACE = "@"  # stands for a text during the conversion
 _PLACED = re.compile(rf"\s*{_PLACE}\s*")  # a blank beside a string literal would be printed
 
 
-def literal(text: str) -> str:
+def write_literal(text: str) -> str:
     """`text` as a Typst string literal, whatever it contains; control characters become spaces.
 
-    >>> print(literal('a "b" #read(1)'))
+    >>> print(write_literal('a "b" #read(1)'))
     "a \\"b\\" #read(1)"
     """
     return '"' + _CONTROL.sub(" ", text).replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
-def unit_text(unit: str) -> str:
+def write_unit(unit: str) -> str:
     """A unit as it is printed: exponents raised, a degree sign, a thin dash for a pure number.
 
-    >>> unit_text("rad/s^2"), unit_text("deg"), unit_text("1")
+    >>> write_unit("rad/s^2"), write_unit("deg"), write_unit("1")
     ('rad/s²', '°', '–')
     """
     raised = RAISED.sub(lambda match: match[1].translate(_SUPERSCRIPTS), unit)
     return {"deg": "°", "1": "–"}.get(unit, raised.replace("*", "·"))
 
 
-def formula(latex: str, where: str) -> str:
+def convert_formula(latex: str, where: str) -> str:
     """Typst math (to stand between dollar signs) for `latex`, LaTeX math without dollar signs.
 
     Raises TypesetError naming `where` and every unknown command, environment and stray character.
 
-    >>> formula(r"v_B = \\frac{2\\sqrt{3}}{3}\\,\\mathrm{m/s}", "q1")
+    >>> convert_formula(r"v_B = \\frac{2\\sqrt{3}}{3}\\,\\mathrm{m/s}", "q1")
     'v_(B) = frac(2 sqrt(3), 3)thin upright(m slash s)'
     """
     try:
-        return _converted(latex)
+        return _convert_once(latex)
     except TypesetError:
         return _convert(latex, where)
 
 
 @lru_cache(maxsize=8192)
-def _converted(latex: str) -> str:
+def _convert_once(latex: str) -> str:
     """The same wherever it is used, so that the papers of a class share it."""
     return _convert(latex, "")
 
 
 def _convert(latex: str, where: str) -> str:
-    texts = ["".join(groups) for groups in TEXT.findall(checked(latex, where))]
+    texts = ["".join(groups) for groups in TEXT.findall(require_known_math(latex, where))]
     converted = tylax.latex_to_typst(TEXT.sub(f"{{{_PLACE}}}", latex), options=_OPTIONS)
     if _LEFTOVER.search(converted) or converted.count(_PLACE) != len(texts):
         raise TypesetError(
-            message(formula_place(latex, where), "cannot be read", "whole LaTeX math", "fix it")
+            write_message(
+                formula_place(latex, where), "cannot be read", "whole LaTeX math", "fix it"
+            )
         )
     following = iter(texts)
-    placed = _PLACED.sub(lambda _: literal(unit_text(next(following))), converted)
+    placed = _PLACED.sub(lambda _: write_literal(write_unit(next(following))), converted)
     return placed.replace("^(circle.small)", "degree").strip()
 
 
 def formula_place(latex: str, where: str) -> str:
     """How a message names a formula, cut if it is long."""
-    return f"{where}: formula ${short_line(latex)}$"
+    return f"{where}: formula ${shorten(latex)}$"
 
 
-def checked(latex: str, where: str) -> str:
+def require_known_math(latex: str, where: str) -> str:
     """`latex` itself, when it holds nothing but the math that every press prints.
 
     Raises TypesetError naming `where` and every unknown command, environment and stray character.
     """
-    problems = _problems(latex, where)
+    problems = _find_problems(latex, where)
     if problems:
         raise TypesetError(*problems)
     return latex
 
 
-def _problems(latex: str, where: str) -> list[str]:
+def _find_problems(latex: str, where: str) -> list[str]:
     place = formula_place(latex, where)
     outside = TEXT.sub("", latex)
     found = [
-        message(place, f"unknown command \\{name}", "plain LaTeX math", _nearest(name))
+        write_message(place, f"unknown command \\{name}", "plain LaTeX math", _find_nearest(name))
         for name in _COMMAND.findall(outside)
-        if not _known(name)
+        if not _is_known(name)
     ]
     found += [
-        message(
+        write_message(
             place,
             f"unknown environment {name}",
-            " or ".join(sorted(ENVIRONMENTS)),
+            " or ".join(sorted(_ENVIRONMENTS)),
             "use one of these",
         )
         for name in _ENVIRONMENT.findall(outside)
-        if name not in ENVIRONMENTS
+        if name not in _ENVIRONMENTS
     ]
     found += [
-        message(
+        write_message(
             place,
             f"{stray} in math",
             "letters, numbers and LaTeX commands",
@@ -147,21 +149,21 @@ def _problems(latex: str, where: str) -> list[str]:
         )
         for stray in _FORBIDDEN.findall(outside)
     ]
-    if not _balanced(outside):
-        found.append(message(place, "braces do not match", "a } for every {", "count them"))
+    if not _is_balanced(outside):
+        found.append(write_message(place, "braces do not match", "a } for every {", "count them"))
     return found
 
 
-def _nearest(command: str) -> str:
+def _find_nearest(command: str) -> str:
     near = get_close_matches(command, COMMANDS, n=1)
     return f"did you mean \\{near[0]}?" if near else "write it with other commands"
 
 
-def _known(command: str) -> bool:
+def _is_known(command: str) -> bool:
     return command in COMMANDS or command in _SPACING or command in _ESCAPED
 
 
-def _balanced(latex: str) -> bool:
+def _is_balanced(latex: str) -> bool:
     depth = 0
     for brace in re.findall(r"(?<!\\)[{}]", latex):
         depth += 1 if brace == "{" else -1

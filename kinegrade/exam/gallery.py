@@ -14,16 +14,16 @@ from pathlib import Path
 
 from kinegrade.errors import KinegradeError, TemplateError, TypesetError
 from kinegrade.exam.document import Gallery, GalleryEntry, GalleryFigure
-from kinegrade.exam.typst import TypstPress, legible
+from kinegrade.exam.typst import TypstPress, make_legible
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
-from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.deal import deal, look_here
-from kinegrade.problem.deck import template_deck
+from kinegrade.problem.deck import make_deck
 from kinegrade.problem.draw_filter import DrawFilter
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import Solution
-from kinegrade.problem.statement import Given, with_unit
+from kinegrade.problem.statement import Given, write_with_unit
 from kinegrade.problem.template import Template
 
 
@@ -35,41 +35,41 @@ class ContactSheet:
     complaints: tuple[str, ...]
 
 
-def contact_sheet(names: Iterable[str], language: Language, draws: int) -> ContactSheet:
+def make_contact_sheet(names: Iterable[str], language: Language, draws: int) -> ContactSheet:
     """The gallery of the templates of these names (or paths that end in .toml), each at that many
     draws.
 
     Raises TemplateError when none of them can be read.
     """
-    entries = [gallery_entry(name, language, draws) for name in dict.fromkeys(names)]
+    entries = [_make_entry(name, language, draws) for name in dict.fromkeys(names)]
     if not any(entry.family for entry in entries):
         raise TemplateError(*(fault for entry in entries for fault in entry.faults))
     press = TypstPress()
     try:
-        return printed(press, Gallery(language, in_order(entries)))
+        return _require_printed(press, Gallery(language, _order_entries(entries)))
     except TypesetError:
-        legible = [printable(press, entry, language) for entry in entries]
-        return printed(press, Gallery(language, in_order(legible)))
+        legible = [_require_printable(press, entry, language) for entry in entries]
+        return _require_printed(press, Gallery(language, _order_entries(legible)))
 
 
-def printed(press: TypstPress, gallery: Gallery) -> ContactSheet:
+def _require_printed(press: TypstPress, gallery: Gallery) -> ContactSheet:
     """The sheet of entries that are all printable. Raises TypesetError when one is not."""
     complaints = tuple(fault for entry in gallery.entries for fault in entry.faults)
     return ContactSheet(press.gallery(gallery), complaints)
 
 
-def in_order(entries: Iterable[GalleryEntry]) -> tuple[GalleryEntry, ...]:
+def _order_entries(entries: Iterable[GalleryEntry]) -> tuple[GalleryEntry, ...]:
     """The entries by family and name; what cannot be read comes last."""
     return tuple(sorted(entries, key=lambda entry: (not entry.family, entry.family, entry.name)))
 
 
-def gallery_entry(name: str, language: Language, draws: int) -> GalleryEntry:
+def _make_entry(name: str, language: Language, draws: int) -> GalleryEntry:
     """The entry of one template; if it cannot be read, its faults alone."""
     try:
         template = load_template(name)
     except TemplateError as error:
-        return unreadable(Path(name).stem, error.problems)
-    figures, faults = drawn_figures(template, draws)
+        return _make_unreadable_entry(Path(name).stem, error.problems)
+    figures, faults = _draw_figures(template, draws)
     asked = template.asked()
     return GalleryEntry(
         template.about.family,
@@ -83,12 +83,12 @@ def gallery_entry(name: str, language: Language, draws: int) -> GalleryEntry:
     )
 
 
-def unreadable(name: str, faults: tuple[str, ...]) -> GalleryEntry:
+def _make_unreadable_entry(name: str, faults: tuple[str, ...]) -> GalleryEntry:
     """The entry of a template that can only be named."""
     return GalleryEntry("", name, "", 0, (), (), (), faults)
 
 
-def printable(press: TypstPress, entry: GalleryEntry, language: Language) -> GalleryEntry:
+def _require_printable(press: TypstPress, entry: GalleryEntry, language: Language) -> GalleryEntry:
     """The entry itself where it can be typeset, otherwise its faults alone, in characters that
     can.
     """
@@ -97,37 +97,38 @@ def printable(press: TypstPress, entry: GalleryEntry, language: Language) -> Gal
     except TypesetError as error:
         faults = entry.faults + (error.problems if entry.family else ())
         missing = press.unprintable((entry.name, *faults))
-        return unreadable(
-            legible(entry.name, missing), tuple(legible(fault, missing) for fault in faults)
+        return _make_unreadable_entry(
+            make_legible(entry.name, missing),
+            tuple(make_legible(fault, missing) for fault in faults),
         )
     return entry
 
 
-def drawn_figures(
+def _draw_figures(
     template: Template, draws: int
 ) -> tuple[tuple[GalleryFigure, ...], tuple[str, ...]]:
     """The figures of the first good combinations, the same in every gallery, and why there are no
     more.
     """
-    deck = template_deck(template, template.name, "gallery")
+    deck = make_deck(template, template.name, "gallery")
     filters = {"gallery": DrawFilter(template, template.asked(), deck, {})}
     figures: list[GalleryFigure] = []
     try:
         dealt = deal(filters, draws, partial(look_here, filters))["gallery"]
         for place in range(dealt.good):
             values = deck.combination(dealt.position(place))
-            figures.append(gallery_figure(filters["gallery"].solved(values)))
+            figures.append(_draw_figure(filters["gallery"].solved(values)))
     except KinegradeError as error:
         return tuple(figures), error.problems
     return tuple(figures), (() if dealt.lasting else (dealt.shortage(template.name, "draws"),))
 
 
-def gallery_figure(solution: Solution) -> GalleryFigure:
+def _draw_figure(solution: Solution) -> GalleryFigure:
     """The figure of an instance with the values drawn."""
     template = solution.template
-    figure = sketch(drawable_mechanism(solution.assembly.mechanism), template.figure)
+    figure = sketch(convert_to_floats(solution.assembly.mechanism), template.figure)
     givens = (
-        Given(template.parameters[name].symbol, with_unit(quantity))
+        Given(template.parameters[name].symbol, write_with_unit(quantity))
         for name, quantity in solution.parameters.items()
     )
     return GalleryFigure(figure, ", ".join(map(str, givens)))

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from kinegrade.errors import TableError
 from kinegrade.exam.blueprint import Bank, Blueprint
-from kinegrade.exam.class_printing import CHUNK, printed
+from kinegrade.exam.class_printing import CHUNK, print_class
 from kinegrade.exam.dealing import ClassDeal, deal_exam
 from kinegrade.exam.document import PaperSize
 from kinegrade.exam.exam_files import (
@@ -31,8 +31,8 @@ from kinegrade.exam.folder.contents import (
     HEAD,
 )
 from kinegrade.exam.folder.records import ExamHead, KeyLine
-from kinegrade.exam.hand_work import editable
-from kinegrade.exam.head_record import candidate, exam_head
+from kinegrade.exam.hand_work import digest_editable
+from kinegrade.exam.head_record import candidate, make_exam_head
 from kinegrade.exam.press import Engine
 from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, require_tools
 from kinegrade.exam.replaced_exam import PaperChanges, ReplacedExam, replaced_exam, settle
@@ -41,11 +41,11 @@ from kinegrade.exam.roster_complaints import roster_complaints
 from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.language import Language
-from kinegrade.processes import executor
+from kinegrade.processes import open_executor
 
 PRIVATE = Access(0o700, 0o600, FOR_STUDENTS)
 SHARED_WITH_GROUP = Access(0o750, 0o640, FOR_STUDENTS)
-PLAIN = Extras()
+_PLAIN = Extras()
 Progress = Callable[[Iterator[Printed], int], Iterator[Printed]]
 
 
@@ -105,7 +105,7 @@ class Printing:
         return PressOrder(self.engine or bank.engine, self.paper_size)
 
 
-ORDINARY = Printing()
+_ORDINARY = Printing()
 
 
 def generate(
@@ -116,8 +116,8 @@ def generate(
     language: Language,
     *,
     strict: bool = False,
-    printing: Printing = ORDINARY,
-    extras: Extras = PLAIN,
+    printing: Printing = _ORDINARY,
+    extras: Extras = _PLAIN,
     progress: Progress = lambda papers, count: papers,
 ) -> Generated:
     """Write an exam folder at `place`.
@@ -132,30 +132,30 @@ def generate(
     bank = blueprint.bank(secret.drawing)
     sources = source_files(bank)
     jobs = max(min(printing.jobs, len(roster.students) // CHUNK), 1)
-    with bulk_work(), place.folder() as folder, executor(jobs, "generate") as workers:
+    with bulk_work(), place.folder() as folder, open_executor(jobs, "generate") as workers:
         order = printing.order(bank)
         press = order.press()
-        dealt = deal_exam(bank, roster, secret, workers, kept_papers(old, secret))
+        dealt = deal_exam(bank, roster, secret, workers, _find_kept_papers(old, secret))
         said = (*roster_complaints(roster, press), *dealt.shortages())
         require_none(said if strict else ())
         run = PrintRun(bank, language, order, extras)
-        with closing(printed(run, dealt, workers, jobs)) as papers:
+        with closing(print_class(run, dealt, workers, jobs)) as papers:
             results = progress(papers, len(roster.students))
             keys = write_papers(folder, run, press, roster.students, results)
         write_sources(sources, folder)
-        _write_rest(exam_head(dealt, map(candidate, roster.students, keys), run), folder)
+        _write_rest(make_exam_head(dealt, map(candidate, roster.students, keys), run), folder)
         settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
-    return Generated(dealt, drawn_templates(blueprint, bank), said, *settled)
+    return Generated(dealt, _list_drawn_templates(blueprint, bank), said, *settled)
 
 
 def _write_rest(head: ExamHead, folder: Path) -> None:
     """The answer sheets and the head, which says what all other files were when they were made."""
     write_blank_answers(head, folder)
     write_blank_workbook(head, folder)
-    write_head(head, editable(folder), folder)
+    write_head(head, digest_editable(folder), folder)
 
 
-def drawn_templates(blueprint: Blueprint, bank: Bank) -> dict[str, str]:
+def _list_drawn_templates(blueprint: Blueprint, bank: Bank) -> dict[str, str]:
     """For each question that was drawn the name of its template."""
     return {
         slot.identifier: question.template.name
@@ -164,7 +164,7 @@ def drawn_templates(blueprint: Blueprint, bank: Bank) -> dict[str, str]:
     }
 
 
-def kept_papers(old: ReplacedExam | None, secret: ExamSecret) -> Mapping[str, KeyLine]:
+def _find_kept_papers(old: ReplacedExam | None, secret: ExamSecret) -> Mapping[str, KeyLine]:
     """The papers that stay: those of the folder that is replaced, where the secret stays too."""
     return old.kept if old is not None and old.secret == secret else {}
 

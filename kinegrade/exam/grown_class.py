@@ -8,13 +8,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from kinegrade.errors import BankError, TableError, message
+from kinegrade.errors import BankError, TableError, write_message
 from kinegrade.exam.blueprint import Bank, Blueprint
 from kinegrade.exam.exam_files import source_files
 from kinegrade.exam.folder.contents import HEAD, TEMPLATES
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.kept_exam import student_of
-from kinegrade.exam.roster import Roster, Student, file_names, student_key
+from kinegrade.exam.roster import Roster, Student, make_file_names, make_student_key
 
 _EXPECTED = "the bank and the templates that the exam was generated from"
 _RESTORING = "give those, or write another exam"
@@ -34,12 +34,14 @@ def require_same_sources(exam: ExamFolder, blueprint: Blueprint) -> None:
     sources = source_files(bank)
     found = {question.template.name for question in bank.questions}
     faults = [
-        message(str(exam.path / name), "differs from what was given", _EXPECTED, _RESTORING)
+        write_message(str(exam.path / name), "differs from what was given", _EXPECTED, _RESTORING)
         for name, text in sources.items()
         if not _holds(exam.path / name, text)
     ]
     faults += [
-        message(str(exam.path / TEMPLATES), f"{name} is not in the bank", _EXPECTED, _RESTORING)
+        write_message(
+            str(exam.path / TEMPLATES), f"{name} is not in the bank", _EXPECTED, _RESTORING
+        )
         for name in dict.fromkeys(each.template for each in exam.head.questions)
         if name not in found
     ]
@@ -71,21 +73,21 @@ def late_class(exam: ExamFolder, roster: Roster, late: Roster) -> LateClass:
     already, or would need the file name of somebody who has one.
     """
     earlier = tuple(map(student_of, exam.head.students))
-    known = {student_key(each.student): each for each in earlier}
+    known = {make_student_key(each.student): each for each in earlier}
     faults = [*_roster_faults(exam, known, roster), *_known_faults(exam, known, late)]
     if faults:
         raise TableError(*faults)
     _require_names_kept(earlier, late)
-    stems = file_names(each.student for each in (*earlier, *late.students))
+    stems = make_file_names(each.student for each in (*earlier, *late.students))
     newcomers = tuple(replace(each, file_name=stems[each.student]) for each in late.students)
     return LateClass(replace(late, students=newcomers), (*earlier, *newcomers))
 
 
 def _roster_faults(exam: ExamFolder, known: Mapping[str, Student], roster: Roster) -> Iterator[str]:
     """How a roster differs from that of an exam, but for its order."""
-    given = {student_key(each.student): each for each in roster.students}
+    given = {make_student_key(each.student): each for each in roster.students}
     for student in (each for key, each in known.items() if key not in given):
-        yield message(
+        yield write_message(
             roster.file,
             f'no student "{student.student}"',
             f"everyone who has a paper in {exam.path}",
@@ -93,7 +95,7 @@ def _roster_faults(exam: ExamFolder, known: Mapping[str, Student], roster: Roste
         )
     for key, student in given.items():
         if key not in known:
-            yield message(
+            yield write_message(
                 _place(roster, student),
                 f'student "{student.student}" has no paper in {exam.path}',
                 "the students of the exam",
@@ -108,7 +110,7 @@ def _changes(exam: ExamFolder, known: Student, roster: Roster, given: Student) -
     fields = (("name", given.name, known.name), ("email", given.email, known.email))
     for field, here, there in fields:
         if here != there:
-            yield message(
+            yield write_message(
                 _place(roster, given),
                 f'{field} "{here}" of student "{given.student}"',
                 f'"{there}", as in {exam.path / HEAD}',
@@ -118,8 +120,8 @@ def _changes(exam: ExamFolder, known: Student, roster: Roster, given: Student) -
 
 def _known_faults(exam: ExamFolder, known: Mapping[str, Student], late: Roster) -> Iterator[str]:
     for student in late.students:
-        if student_key(student.student) in known:
-            yield message(
+        if make_student_key(student.student) in known:
+            yield write_message(
                 _place(late, student),
                 f'student "{student.student}" ({student.name}) has a paper in {exam.path} already',
                 "students without one",
@@ -131,10 +133,10 @@ def _require_names_kept(earlier: Sequence[Student], late: Roster) -> None:
     """Raises TableError where files of students who have a paper would be called otherwise: not
     every file system tells capitals from small letters.
     """
-    before = file_names(each.student for each in earlier)
-    after = file_names(each.student for each in (*earlier, *late.students))
+    before = make_file_names(each.student for each in earlier)
+    after = make_file_names(each.student for each in (*earlier, *late.students))
     faults = [
-        message(
+        write_message(
             late.file,
             f'an id differs from "{student}" in capitals alone, so that their files would be one',
             "ids that differ in more",

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from kinegrade.errors import ExamError, OutputError, one_line
+from kinegrade.errors import ExamError, OutputError, show_in_one_line
 from kinegrade.exam.folder.contents import HEAD, PAPERS
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import broken
+from kinegrade.exam.folder.faults import explain_broken
 from kinegrade.files import output_folder
 
 KINDS = (".pdf", ".docx", ".html")  # every student has the first
@@ -21,17 +21,17 @@ def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
     With `force`, the contents of the folder `output` are replaced if they are papers of this exam
     and nothing else. Raises ExamError, OutputError; then nothing is written.
     """
-    require_outside(exam.path, output)
-    stems = paper_stems(exam)
-    files = list(paper_files(exam.path, stems))
+    _require_outside(exam.path, output)
+    stems = _list_paper_stems(exam)
+    files = list(_list_paper_files(exam.path, stems))
     names = [f"{stem}{kind}" for stem in stems for kind in KINDS]
     with output_folder(output, marker=None, contents=names, force=force) as folder:
         for file in files:
-            (folder / file.name).write_bytes(content(file))
+            (folder / file.name).write_bytes(_read_paper(file))
     return len(stems)
 
 
-def require_outside(exam: Path, output: Path) -> None:
+def _require_outside(exam: Path, output: Path) -> None:
     """Raises OutputError where `output` is the exam folder, or lies in it or around it."""
     inner, outer = output.resolve(), exam.resolve()
     if outer == inner or outer in inner.parents or inner in outer.parents:
@@ -41,21 +41,26 @@ def require_outside(exam: Path, output: Path) -> None:
         )
 
 
-def paper_stems(exam: ExamFolder) -> list[str]:
+def _list_paper_stems(exam: ExamFolder) -> list[str]:
     """The file name of every paper, without its suffix. Raises ExamError if a paper is not where
     the others are.
     """
     files = [Path(candidate.file) for candidate in exam.head.students]
     for file in files:
         if file.parent != Path(PAPERS) or file.suffix != KINDS[0]:
-            raise broken(
+            raise explain_broken(
                 exam.path / HEAD,
-                [f'the paper "{one_line(str(file))}" - expected a {KINDS[0]} file in {PAPERS}'],
+                [
+                    (
+                        f'the paper "{show_in_one_line(str(file))}" - '
+                        f"expected a {KINDS[0]} file in {PAPERS}"
+                    )
+                ],
             )
     return [file.stem for file in files]
 
 
-def paper_files(exam: Path, stems: list[str]) -> Iterator[Path]:
+def _list_paper_files(exam: Path, stems: list[str]) -> Iterator[Path]:
     """The files of these papers, of every kind that there is.
 
     A PDF that is missing is noticed when it is read.
@@ -67,7 +72,7 @@ def paper_files(exam: Path, stems: list[str]) -> Iterator[Path]:
                 yield file
 
 
-def content(file: Path) -> bytes:
+def _read_paper(file: Path) -> bytes:
     """The bytes of a paper. Raises ExamError."""
     if file.is_symlink():
         raise ExamError(

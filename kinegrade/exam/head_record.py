@@ -16,7 +16,7 @@ from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.exam.printing import PrintRun
 from kinegrade.exam.roster import Student
-from kinegrade.exam.versions import version_letters
+from kinegrade.exam.versions import list_version_letters
 
 WARNING = (
     "For the instructor only: this folder gives the key away. Students may see what is under "
@@ -27,7 +27,7 @@ WARNING = (
 )
 
 
-def exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: PrintRun) -> ExamHead:
+def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: PrintRun) -> ExamHead:
     """The head of an exam, printed by that run."""
     bank, language, order = dealt.bank, run.language, run.press_order
     head = ExamHead(
@@ -41,16 +41,16 @@ def exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: PrintRun) 
         paper_size=order.paper_size,
         engine=order.engine,
         method=run.extras.method,
-        versions=tuple(version_letters(bank.versions)),
+        versions=tuple(list_version_letters(bank.versions)),
         credit=bank.credit.record() or None,
         solutions=bank.solutions,
-        questions=tuple(_exam_question(dealt, question) for question in bank.questions),
+        questions=tuple(_make_exam_question(dealt, question) for question in bank.questions),
         students=tuple(candidates),
     )
     return structs.replace(head, **dealt.secret.record())
 
 
-def _exam_question(dealt: ClassDeal, question: BankQuestion) -> ExamQuestion:
+def _make_exam_question(dealt: ClassDeal, question: BankQuestion) -> ExamQuestion:
     asks = question.template.asks
     deal = dealt.deals[question.identifier]
     return ExamQuestion(

@@ -11,7 +11,7 @@ import pikepdf
 
 
 @contextmanager
-def joining(target: Path, *, duplex: bool = False) -> Iterator[Callable[[bytes], None]]:
+def open_volume(target: Path, *, duplex: bool = False) -> Iterator[Callable[[bytes], None]]:
     """A function that takes one PDF after another; at the end their pages are written to `target`.
 
     For printing on both sides, `duplex` starts each on a new sheet: a blank page follows an odd
@@ -30,7 +30,7 @@ def joining(target: Path, *, duplex: bool = False) -> Iterator[Callable[[bytes],
             whole.save(stream, deterministic_id=True)
 
 
-def joined(pdfs: Iterable[bytes]) -> bytes:
+def join_pages(pdfs: Iterable[bytes]) -> bytes:
     """The pages of all `pdfs` in order as one PDF; same input, same bytes."""
     whole_bytes = BytesIO()
     with pikepdf.new() as whole:
@@ -40,7 +40,7 @@ def joined(pdfs: Iterable[bytes]) -> bytes:
     return whole_bytes.getvalue()
 
 
-def page_count(pdf: bytes) -> int:
+def count_pages(pdf: bytes) -> int:
     """The number of pages of a PDF."""
     with pikepdf.open(BytesIO(pdf)) as document:
         return len(document.pages)

@@ -10,10 +10,10 @@ from contextlib import suppress
 from kinegrade.errors import ExpressionError
 from kinegrade.problem.deal import Deal
 from kinegrade.problem.deck import Combination, Deck
-from kinegrade.problem.domain import digits
+from kinegrade.problem.domain import find_digits
 
 
-def dealt_values(
+def deal_values(
     deck: Deck, deal: Deal, places: Mapping[str, int], stated: Mapping[str, Mapping[str, str]]
 ) -> dict[str, Combination]:
     """The values that each student, or version, gets for a question, by place; `stated` holds those
@@ -26,7 +26,7 @@ def dealt_values(
     kept = {
         whose: values
         for whose, texts in stated.items()
-        if whose in dealt and (values := _combination(deck, texts)) is not None
+        if whose in dealt and (values := _find_combination(deck, texts)) is not None
     }
     if all(dealt[whose] == values for whose, values in kept.items()):
         return dealt
@@ -36,22 +36,22 @@ def dealt_values(
     return {whose: kept.get(whose) or next(free, values) for whose, values in dealt.items()}
 
 
-def _combination(deck: Deck, texts: Mapping[str, str]) -> Combination | None:
+def _find_combination(deck: Deck, texts: Mapping[str, str]) -> Combination | None:
     """The combination of a deck with these values; None where a domain does not hold one."""
     if texts.keys() != deck.domains.keys():
         return None
     found = {}
     for name, choices in deck.domains.items():
-        choice = texts[name] if texts[name] in choices else _equal_choice(texts[name], choices)
+        choice = texts[name] if texts[name] in choices else _find_equal_choice(texts[name], choices)
         if choice is None:
             return None
         found[name] = choice
     return found
 
 
-def _equal_choice(text: str, choices: tuple[str, ...]) -> str | None:
+def _find_equal_choice(text: str, choices: tuple[str, ...]) -> str | None:
     """The choice that is the same number in another form."""
     with suppress(ExpressionError):
-        number = digits(text)
-        return next((choice for choice in choices if digits(choice) == number), None)
+        number = find_digits(text)
+        return next((choice for choice in choices if find_digits(choice) == number), None)
     return None

@@ -11,13 +11,13 @@ from kinegrade.exam.bank import read_kept_bank
 from kinegrade.exam.blueprint import Bank, BankQuestion
 from kinegrade.exam.derivation import derive_question
 from kinegrade.exam.folder.contents import BANK, HEAD, TEMPLATES
-from kinegrade.exam.folder.contradictions import contradicted
+from kinegrade.exam.folder.contradictions import explain_contradiction
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate, KeyLine, KeyQuestion
 from kinegrade.exam.roster import Student
 from kinegrade.exam.setting import Exam, SetPaper, SetQuestion
 from kinegrade.mechanics.plan import Plan
-from kinegrade.problem.follow_through import generic_plan
+from kinegrade.problem.follow_through import find_generic_plan
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class KeptExam:
         where = f'{self.exam.key}: student "{line.student}", {kept.question}'
         question = self._questions.get(kept.question)
         if question is None:
-            raise contradicted(where, ["is no question of the bank"])
+            raise explain_contradiction(where, ["is no question of the bank"])
         return derive_question(question, kept, where, plan)
 
     def paper(self, candidate: Candidate) -> SetPaper:
@@ -82,11 +82,11 @@ class KeptExam:
             if found != other
         ]
         if differences:
-            raise contradicted(f'{self.exam.key}: student "{line.student}"', differences)
+            raise explain_contradiction(f'{self.exam.key}: student "{line.student}"', differences)
 
     def require_no_contradiction(self) -> None:
         """Raises ExamError where something else follows for a paper than the key says."""
-        plans = {name: generic_plan(each.template) for name, each in self._questions.items()}
+        plans = {name: find_generic_plan(each.template) for name, each in self._questions.items()}
         for line in self.exam.lines():
             for kept in line.questions:
                 self.derive(line, kept, plans.get(kept.question))

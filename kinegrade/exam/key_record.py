@@ -13,17 +13,17 @@ from kinegrade.exam.folder.records import (
     StatedNumber,
     StatedTolerance,
 )
-from kinegrade.exam.folder.writing import few_digits
+from kinegrade.exam.folder.writing import make_decimal
 from kinegrade.exam.key_mistakes import Mistaken
 from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.tolerance import Tolerance
 
-NOTHING_KNOWN: Mapping[str, Mistaken] = MappingProxyType({})
+_NOTHING_KNOWN: Mapping[str, Mistaken] = MappingProxyType({})
 
 
-def key_line(
-    paper: SetPaper, mistakes: Mapping[str, Mistaken] = NOTHING_KNOWN, *, shuffled: bool = False
+def make_key_line(
+    paper: SetPaper, mistakes: Mapping[str, Mistaken] = _NOTHING_KNOWN, *, shuffled: bool = False
 ) -> KeyLine:
     """The key of a paper; its questions are in the bank's order, and if papers are `shuffled` it
     states their order on this one.
@@ -35,60 +35,61 @@ def key_line(
         paper=paper.code,
         version=paper.version,
         place=paper.place,
-        printed=_identifiers(paper.printed) if shuffled else (),
+        printed=_list_identifiers(paper.printed) if shuffled else (),
         questions=tuple(
-            key_question(question, mistakes.get(question.question.identifier, {}))
+            make_key_question(question, mistakes.get(question.question.identifier, {}))
             for question in paper.questions
         ),
     )
 
 
-def key_question(question: SetQuestion, mistakes: Mistaken) -> KeyQuestion:
+def make_key_question(question: SetQuestion, mistakes: Mistaken) -> KeyQuestion:
     """One question: what was drawn, what is right within which tolerance, what mistakes lead to."""
     drawn = question.drawn
     return KeyQuestion(
         question=question.question.identifier,
         template=question.question.template.name,
         parameters={
-            name: _stated_number(quantity) for name, quantity in drawn.solution.parameters.items()
+            name: _make_stated_number(quantity)
+            for name, quantity in drawn.solution.parameters.items()
         },
         drawn=dict(drawn.values),
         asks={
-            entry.ask.name: stated_answer(entry, mistakes.get(entry.ask.name, {}))
+            entry.ask.name: make_stated_answer(entry, mistakes.get(entry.ask.name, {}))
             for entry in question.asks
         },
     )
 
 
-def stated_answer(entry: SetAsk, mistakes: Mapping[str, str]) -> StatedAnswer:
+def make_stated_answer(entry: SetAsk, mistakes: Mapping[str, str]) -> StatedAnswer:
     """What is right for an ask; `decimal` has 40 correct digits, by which marks are decided."""
     answer = entry.answer
     return StatedAnswer(
         exact=answer.exact,
-        value=None if answer.at_infinity else _double(answer),
+        value=None if answer.at_infinity else _round_to_double(answer),
         unit=answer.unit,
         decimal=answer.certified,
-        tolerance=_stated_tolerance(entry.tolerance),
+        tolerance=_make_stated_tolerance(entry.tolerance),
         period=Decimal(answer.full_turn) if entry.cyclic else None,
-        points=few_digits(entry.ask.points),
+        points=make_decimal(entry.ask.points),
         mistakes=dict(mistakes),
     )
 
 
-def _identifiers(questions: tuple[SetQuestion, ...]) -> tuple[str, ...]:
+def _list_identifiers(questions: tuple[SetQuestion, ...]) -> tuple[str, ...]:
     return tuple(question.question.identifier for question in questions)
 
 
-def _stated_number(quantity: Quantity) -> StatedNumber:
-    return StatedNumber(quantity.exact, _double(quantity), quantity.unit)
+def _make_stated_number(quantity: Quantity) -> StatedNumber:
+    return StatedNumber(quantity.exact, _round_to_double(quantity), quantity.unit)
 
 
-def _double(quantity: Quantity) -> Decimal:
+def _round_to_double(quantity: Quantity) -> Decimal:
     """The nearest double, in as many digits as distinguish it from its neighbours."""
     return Decimal(repr(quantity.value))
 
 
-def _stated_tolerance(tolerance: Tolerance) -> StatedTolerance:
+def _make_stated_tolerance(tolerance: Tolerance) -> StatedTolerance:
     return StatedTolerance(
-        few_digits(tolerance.relative), few_digits(tolerance.absolute), tolerance.figures
+        make_decimal(tolerance.relative), make_decimal(tolerance.absolute), tolerance.figures
     )

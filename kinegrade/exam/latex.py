@@ -14,40 +14,48 @@ from typing import Any, Generic, TypeVar
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.document import KeyBook, Paper, PaperSize, SolutionSheet
-from kinegrade.exam.latex_faults import faults
-from kinegrade.exam.latex_key import key_body
-from kinegrade.exam.latex_run import FONTS, STYLE, Outcome, font_folder, pdf_of, run, style
-from kinegrade.exam.latex_solution import solution_body
-from kinegrade.exam.latex_source import document, paper_body
-from kinegrade.exam.latex_text import is_surely_printed, plain
-from kinegrade.exam.layout_call import each
+from kinegrade.exam.latex_faults import find_faults
+from kinegrade.exam.latex_key import write_key_body
+from kinegrade.exam.latex_run import (
+    FONTS,
+    STYLE,
+    Outcome,
+    find_font_folder,
+    make_pdf,
+    run,
+    write_style,
+)
+from kinegrade.exam.latex_solution import write_solution_body
+from kinegrade.exam.latex_source import write_document, write_paper_body
+from kinegrade.exam.latex_text import is_surely_printed, write_plain
+from kinegrade.exam.layout_call import convert_each
 from kinegrade.exam.press import Printout
-from kinegrade.exam.solution_words import solution_words_of
-from kinegrade.exam.typst import legible_owner, legible_owners
-from kinegrade.exam.words import words_of
+from kinegrade.exam.solution_words import choose_solution_words
+from kinegrade.exam.typst import make_owner_legible, make_owners_legible
+from kinegrade.exam.words import choose_words
 from kinegrade.language import Language
 from kinegrade.temporary import temporary_folder
 
 # TeX writes some things only on the first page of a run (its initial colour): this page, which is
 # left out
-FIRST_PAGE = "\\mbox{}\\clearpage\n"
-START_SECONDS = 60.0
-SHEET_SECONDS = 5.0  # some fifty times what a sheet takes
+_FIRST_PAGE = "\\mbox{}\\clearpage\n"
+_START_SECONDS = 60.0
+_SHEET_SECONDS = 5.0  # some fifty times what a sheet takes
 
-Sheet = TypeVar("Sheet", Paper, SolutionSheet)
+_Sheet = TypeVar("_Sheet", Paper, SolutionSheet)
 
 
 @dataclass(frozen=True)
-class Kind(Generic[Sheet]):
+class _Kind(Generic[_Sheet]):
     """One of the two kinds of sheets: what it is called, and how its sources are written."""
 
     name: str
-    body: Callable[[Sheet], str]
+    body: Callable[[_Sheet], str]
     words: Callable[[str], Any]
 
 
-PAPERS: Kind[Paper] = Kind("papers", paper_body, words_of)
-SOLUTIONS: Kind[SolutionSheet] = Kind("solutions", solution_body, solution_words_of)
+_PAPERS: _Kind[Paper] = _Kind("papers", write_paper_body, choose_words)
+_SOLUTIONS: _Kind[SolutionSheet] = _Kind("solutions", write_solution_body, choose_solution_words)
 
 
 class LatexPress:
@@ -64,20 +72,20 @@ class LatexPress:
         (`unprintable` gives them). Raises TypesetError with all faults of the papers' texts, with
         the first fault that TeX finds, or where TeX is not installed.
         """
-        return self._print(papers, PAPERS)
+        return self._print(papers, _PAPERS)
 
     def solutions(self, sheets: Mapping[str, SolutionSheet]) -> dict[str, Printout]:
         """Every student's worked solutions, as `papers` does it."""
-        return self._print(sheets, SOLUTIONS)
+        return self._print(sheets, _SOLUTIONS)
 
     def key(self, book: KeyBook) -> Printout:
         """The instructor's key; names are printed and errors raised as by `papers`."""
-        named = legible_owners(book, self)
-        body, words = key_body(named), words_of(book.language)
+        named = make_owners_legible(book, self)
+        body, words = write_key_body(named), choose_words(book.language)
         with self._typeset([body], book.language, words, "key") as (folder, _):
-            pdf = pdf_of(folder)
-        source = document([body], book.language, self._size, words, str(font_folder()))
-        return _printout("key", pdf, source)
+            pdf = make_pdf(folder)
+        source = write_document([body], book.language, self._size, words, str(find_font_folder()))
+        return _make_printout("key", pdf, source)
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print; raises TypesetError where
@@ -88,18 +96,18 @@ class LatexPress:
         }
         unknown = sorted(characters - self._looked_at.keys())
         if unknown:
-            missing = _missing(unknown)
+            missing = _find_missing(unknown)
             self._looked_at |= {character: character not in missing for character in unknown}
         return frozenset(character for character in characters if not self._looked_at[character])
 
-    def _print(self, sheets: Mapping[str, Sheet], kind: Kind[Sheet]) -> dict[str, Printout]:
+    def _print(self, sheets: Mapping[str, _Sheet], kind: _Kind[_Sheet]) -> dict[str, Printout]:
         owners = (text for sheet in sheets.values() for text in (sheet.name, sheet.student))
         missing = self.unprintable(owners)
         printed: dict[str, Printout] = {}
         for language in sorted({sheet.language for sheet in sheets.values()}):
             printed |= self._print_class(
                 {
-                    name: legible_owner(sheet, missing)
+                    name: make_owner_legible(sheet, missing)
                     for name, sheet in sheets.items()
                     if sheet.language == language
                 },
@@ -109,17 +117,19 @@ class LatexPress:
         return printed
 
     def _print_class(
-        self, sheets: Mapping[str, Sheet], language: Language, kind: Kind[Sheet]
+        self, sheets: Mapping[str, _Sheet], language: Language, kind: _Kind[_Sheet]
     ) -> dict[str, Printout]:
         """All sheets of one language."""
-        words, fonts = kind.words(language), str(font_folder())
-        bodies: list[str] = each(kind.body, sheets.values())
-        with self._typeset([FIRST_PAGE, *bodies], language, words, kind.name) as (folder, outcome):
+        words, fonts = kind.words(language), str(find_font_folder())
+        bodies: list[str] = convert_each(kind.body, sheets.values())
+        with self._typeset([_FIRST_PAGE, *bodies], language, words, kind.name) as (folder, outcome):
             # One page further than the sheets count, as the first page belongs to none of them
             pages = [(first + 1, first + count) for first, count in outcome.ranges]
-            pdfs = [pdf_of(folder, part) for part in pages]
+            pdfs = [make_pdf(folder, part) for part in pages]
         return {
-            name: _printout(name, pdf, document([body], language, self._size, words, fonts))
+            name: _make_printout(
+                name, pdf, write_document([body], language, self._size, words, fonts)
+            )
             for name, body, pdf in zip(sheets, bodies, pdfs, strict=True)
         }
 
@@ -130,28 +140,28 @@ class LatexPress:
         """The folder where the pages of the bodies lie, as long as the context lasts. Raises
         TypesetError.
         """
-        source = document(bodies, language, self._size, words, FONTS)
+        source = write_document(bodies, language, self._size, words, FONTS)
         with temporary_folder() as folder:
-            outcome = run(source, folder, START_SECONDS + SHEET_SECONDS * len(bodies))
-            problems = faults(outcome, source, where)
+            outcome = run(source, folder, _START_SECONDS + _SHEET_SECONDS * len(bodies))
+            problems = find_faults(outcome, source, where)
             if problems:
                 raise TypesetError(*problems)
             yield folder, outcome
 
 
-def _printout(name: str, pdf: bytes, source: str) -> Printout:
+def _make_printout(name: str, pdf: bytes, source: str) -> Printout:
     """The pages, and their source with the style that it asks for."""
-    text = _introduction(name) + source
-    return Printout(pdf, {f"{name}.tex": text.encode(), STYLE: style().encode()})
+    text = _write_introduction(name) + source
+    return Printout(pdf, {f"{name}.tex": text.encode(), STYLE: write_style().encode()})
 
 
-def _missing(characters: Iterable[str]) -> frozenset[str]:
+def _find_missing(characters: Iterable[str]) -> frozenset[str]:
     """Those of the characters that XeTeX has no font for."""
-    words = words_of("en")
-    source = document([" ".join(map(plain, characters))], "en", "a4", words, FONTS)
+    words = choose_words("en")
+    source = write_document([" ".join(map(write_plain, characters))], "en", "a4", words, FONTS)
     with temporary_folder() as folder:
-        return run(source, folder, START_SECONDS).missing
+        return run(source, folder, _START_SECONDS).missing
 
 
-def _introduction(name: str) -> str:
+def _write_introduction(name: str) -> str:
     return f"% Change it as you like. To typeset it, here in its folder:  xelatex {name}.tex\n"

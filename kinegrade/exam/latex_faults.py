@@ -2,27 +2,29 @@
 
 from __future__ import annotations
 
-from kinegrade.errors import message, short_line
+from kinegrade.errors import shorten, write_message
 from kinegrade.exam.latex_run import Outcome
 from kinegrade.exam.press import unprintable_character
 
-PLACE = "%% "  # begins the comment lines of a source that say what follows
+_PLACE = "%% "  # begins the comment lines of a source that say what follows
 
 
-def faults(outcome: Outcome, source: str, where: str) -> tuple[str, ...]:
+def find_faults(outcome: Outcome, source: str, where: str) -> tuple[str, ...]:
     """A line for the fault of a run, or for each character that no font printed; `where` if nothing
     nearer is known.
     """
     lines = source.split("\n")
     if outcome.fault is None:
-        return tuple(_unprinted(character, lines, where) for character in sorted(outcome.missing))
+        return tuple(
+            _describe_unprinted(character, lines, where) for character in sorted(outcome.missing)
+        )
     complaint, number = f"TeX: {outcome.fault.message}", outcome.fault.line
     if number is None or number > len(lines):
-        return (message(where, complaint, "LaTeX that can be typeset", "fix the formulas"),)
-    offending = short_line(lines[number - 1].strip())
+        return (write_message(where, complaint, "LaTeX that can be typeset", "fix the formulas"),)
+    offending = shorten(lines[number - 1].strip())
     return (
-        message(
-            _place(lines, number, where),
+        write_message(
+            _find_place(lines, number, where),
             f'{complaint} in line "{offending}"',
             "math that can be typeset",
             "fix the formula in the template",
@@ -30,17 +32,17 @@ def faults(outcome: Outcome, source: str, where: str) -> tuple[str, ...]:
     )
 
 
-def _unprinted(character: str, lines: list[str], where: str) -> str:
+def _describe_unprinted(character: str, lines: list[str], where: str) -> str:
     numbers = (
         number
         for number, line in enumerate(lines, start=1)
-        if character in line and not line.startswith(PLACE)
+        if character in line and not line.startswith(_PLACE)
     )
-    place = _place(lines, next(numbers, 0), where)
+    place = _find_place(lines, next(numbers, 0), where)
     return unprintable_character(place, character)
 
 
-def _place(lines: list[str], number: int, where: str) -> str:
+def _find_place(lines: list[str], number: int, where: str) -> str:
     """What the last comment before a line says."""
-    before = (line for line in reversed(lines[:number]) if line.startswith(PLACE))
-    return next((line.removeprefix(PLACE).removesuffix("%") for line in before), where)
+    before = (line for line in reversed(lines[:number]) if line.startswith(_PLACE))
+    return next((line.removeprefix(_PLACE).removesuffix("%") for line in before), where)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from kinegrade.exam.document import KeyAnswer, KeyBook, KeyEntry, KeyPaper, KeyParameter
-from kinegrade.exam.latex_markup import line
-from kinegrade.exam.latex_math import math
-from kinegrade.exam.latex_source import Block, command, environment
-from kinegrade.exam.latex_text import comment, plain, signed, unit
-from kinegrade.exam.layout_call import each, gathered
-from kinegrade.exam.typst_source import points_text
-from kinegrade.question_numbers import bank_number
+from kinegrade.exam.latex_markup import write_line
+from kinegrade.exam.latex_math import write_math
+from kinegrade.exam.latex_source import Block, write_command, write_environment
+from kinegrade.exam.latex_text import write_comment, write_plain, write_signed, write_unit
+from kinegrade.exam.layout_call import convert_each, gather
+from kinegrade.exam.typst_source import write_points_text
+from kinegrade.question_numbers import find_bank_number
 
 
 class KeyAnswers(Block):
@@ -20,52 +20,58 @@ class Together(Block):
     """What stays on one page."""
 
 
-def key_body(book: KeyBook) -> str:
+def write_key_body(book: KeyBook) -> str:
     """The whole key; raises TypesetError with all faults of its texts."""
-    head = command("keyhead", *map(plain, (book.course, book.title, book.warning)))
-    papers = each(_paper, book.papers)
+    head = write_command("keyhead", *map(write_plain, (book.course, book.title, book.warning)))
+    papers = convert_each(_write_paper, book.papers)
     return "\n".join((head, *papers)) + "\n"
 
 
-def _paper(paper: KeyPaper) -> str:
+def _write_paper(paper: KeyPaper) -> str:
     where = f"paper {paper.code}"
-    entries = each(lambda entry: _entry(entry, f"{where}, {entry.identifier}"), paper.entries)
-    head = command("keypaper", *map(plain, (paper.name, paper.student, paper.code)))
-    return "\n".join((comment(where), head, *entries))
+    entries = convert_each(
+        lambda entry: _write_entry(entry, f"{where}, {entry.identifier}"), paper.entries
+    )
+    head = write_command("keypaper", *map(write_plain, (paper.name, paper.student, paper.code)))
+    return "\n".join((write_comment(where), head, *entries))
 
 
-def _entry(entry: KeyEntry, where: str) -> str:
-    parts = gathered(
-        title=lambda: line(entry.title, where),
-        parameters=lambda: each(lambda parameter: _parameter(parameter, where), entry.parameters),
-        answers=lambda: each(lambda answer: _answer(answer, where), entry.answers),
+def _write_entry(entry: KeyEntry, where: str) -> str:
+    parts = gather(
+        title=lambda: write_line(entry.title, where),
+        parameters=lambda: convert_each(
+            lambda parameter: _write_parameter(parameter, where), entry.parameters
+        ),
+        answers=lambda: convert_each(lambda answer: _write_answer(answer, where), entry.answers),
     )
     given = rf"\wordgiven{', '.join(parts['parameters'])}" if entry.parameters else ""
-    head = command("keyquestion", plain(bank_number(entry.identifier)), parts["title"], given)
-    table = environment(KeyAnswers(), parts["answers"])
-    return f"{comment(where)}\n{environment(Together(), [head, table])}"
+    head = write_command(
+        "keyquestion", write_plain(find_bank_number(entry.identifier)), parts["title"], given
+    )
+    table = write_environment(KeyAnswers(), parts["answers"])
+    return f"{write_comment(where)}\n{write_environment(Together(), [head, table])}"
 
 
-def _parameter(parameter: KeyParameter, where: str) -> str:
+def _write_parameter(parameter: KeyParameter, where: str) -> str:
     """`r = 1/5 = 0.2 m`; the decimal is not repeated where the exact value is written the same
     way.
     """
-    equation = math(parameter.symbol, where)
+    equation = write_math(parameter.symbol, where)
     if parameter.exact is not None and parameter.exact != parameter.decimal:
-        equation += f" = {math(parameter.exact, where)}"
-    shown = "" if parameter.unit == "1" else unit(parameter.unit)
+        equation += f" = {write_math(parameter.exact, where)}"
+    shown = "" if parameter.unit == "1" else write_unit(parameter.unit)
     space = "" if shown in ("", "°") else r"\,"
-    return rf"\mbox{{${equation} = {{}}${signed(parameter.decimal)}{space}{shown}}}"
+    return rf"\mbox{{${equation} = {{}}${write_signed(parameter.decimal)}{space}{shown}}}"
 
 
-def _answer(answer: KeyAnswer, where: str) -> str:
-    exact = "–" if answer.exact is None else f"${math(answer.exact, where)}$"
-    return command(
+def _write_answer(answer: KeyAnswer, where: str) -> str:
+    exact = "–" if answer.exact is None else f"${write_math(answer.exact, where)}$"
+    return write_command(
         "keyanswer",
-        f"${math(answer.symbol, where)}$",
+        f"${write_math(answer.symbol, where)}$",
         exact,
-        signed(answer.decimal),
-        unit(answer.unit),
-        signed(answer.interval),
-        points_text(answer.points),
+        write_signed(answer.decimal),
+        write_unit(answer.unit),
+        write_signed(answer.interval),
+        write_points_text(answer.points),
     )

@@ -11,11 +11,11 @@ from collections.abc import Sequence
 
 from markdown_it.token import Token
 
-from kinegrade.exam.latex_math import math
-from kinegrade.exam.latex_text import plain
-from kinegrade.exam.markup import between_wide, leaves_of, read_line, read_prose
+from kinegrade.exam.latex_math import write_math
+from kinegrade.exam.latex_text import write_plain
+from kinegrade.exam.markup import find_leaves, is_between_wide, read_line, read_prose
 
-WRITTEN = {
+_WRITTEN = {
     "paragraph_open": "",
     "paragraph_close": "\n\n",
     "strong_open": r"\textbf{",
@@ -31,45 +31,45 @@ WRITTEN = {
 }
 
 
-def prose(markdown: str, where: str) -> str:
+def write_prose(markdown: str, where: str) -> str:
     r"""LaTeX for several paragraphs of Markdown.
 
     Raises TypesetError with every fault of the text, each naming `where`.
 
-    >>> print(prose("The crank $OA$ **turns**.", "q1"))
+    >>> print(write_prose("The crank $OA$ **turns**.", "q1"))
     The crank $OA$ \textbf{turns}.
     """
     return _join(read_prose(markdown, where), where).rstrip("\n")
 
 
-def line(markdown: str, where: str) -> str:
+def write_line(markdown: str, where: str) -> str:
     r"""LaTeX for one line of Markdown: a title, the meaning of a symbol, a sign convention.
 
-    >>> print(line("speed of $B$ & more", "q1"))
+    >>> print(write_line("speed of $B$ & more", "q1"))
     speed of $B$ \& more
     """
     return _join(read_line(markdown, where), where)
 
 
 def _join(tokens: Sequence[Token], where: str) -> str:
-    leaves = leaves_of(tokens)
-    return "".join(_written(leaves, index, where) for index in range(len(leaves)))
+    leaves = find_leaves(tokens)
+    return "".join(_write_written(leaves, index, where) for index in range(len(leaves)))
 
 
-def _written(leaves: Sequence[Token], index: int, where: str) -> str:
+def _write_written(leaves: Sequence[Token], index: int, where: str) -> str:
     token = leaves[index]
     match token.type:
         case "text" | "text_special":
-            return plain(token.content)
+            return write_plain(token.content)
         case "softbreak":
-            return "%\n" if between_wide(leaves, index) else "\n"
+            return "%\n" if is_between_wide(leaves, index) else "\n"
         case "math_inline":
-            return f"${math(token.content.strip(), where)}$"
+            return f"${write_math(token.content.strip(), where)}$"
         case "math_inline_double" | "math_block":
-            return f"\\[{math(token.content.strip(), where)}\\]"
+            return f"\\[{write_math(token.content.strip(), where)}\\]"
         case "ordered_list_open":
             start = int(token.attrs.get("start", 1))
             return f"\\begin{{enumerate}}\\startat{{{start}}}\n"
         case "paragraph_close" if token.hidden:
             return ""
-    return WRITTEN[token.type]
+    return _WRITTEN[token.type]

@@ -11,9 +11,9 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from kinegrade.errors import TypesetError, message
-from kinegrade.exam.formula import TEXT, checked, formula_place
-from kinegrade.exam.latex_text import unit
+from kinegrade.errors import TypesetError, write_message
+from kinegrade.exam.formula import TEXT, formula_place, require_known_math
+from kinegrade.exam.latex_text import write_unit
 
 _COMMENT = re.compile(r"(?<!\\)(?:\\\\)*%")
 _CODED = re.compile(r"\^\s*\^")
@@ -31,25 +31,25 @@ _DOORS = (
 
 
 @lru_cache(maxsize=4096)
-def math(latex: str, where: str) -> str:
+def write_math(latex: str, where: str) -> str:
     r"""LaTeX math without dollar signs, on one line.
 
     Raises TypesetError naming `where` and every fault.
 
-    >>> print(math(r"v = 2\,\unit{m/s^2}", "q1"))
+    >>> print(write_math(r"v = 2\,\unit{m/s^2}", "q1"))
     v = 2\,\text{m/s\textsuperscript{2}}
     """
-    outside = TEXT.sub(" ", checked(latex, where))
+    outside = TEXT.sub(" ", require_known_math(latex, where))
     problems = [
-        message(formula_place(latex, where), what, expected, do)
+        write_message(formula_place(latex, where), what, expected, do)
         for door, what, expected, do in _DOORS
         if door.search(outside)
     ]
     if problems:
         raise TypesetError(*problems)
-    return " ".join(TEXT.sub(_text, latex).split())
+    return " ".join(TEXT.sub(_write_text, latex).split())
 
 
-def _text(found: re.Match[str]) -> str:
+def _write_text(found: re.Match[str]) -> str:
     comma = found[2]
-    return "{,}" if comma else rf"\text{{{unit(found[1])}}}"
+    return "{,}" if comma else rf"\text{{{write_unit(found[1])}}}"

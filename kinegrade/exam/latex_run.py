@@ -19,14 +19,14 @@ from typing import Literal
 
 import pylopdf_fonts_zh_cn
 
-from kinegrade.errors import TypesetError, message, short_line
+from kinegrade.errors import TypesetError, shorten, write_message
 from kinegrade.exam.program_run import run_program
 
-Program = Literal["xelatex", "xdvipdfmx"]
+_Program = Literal["xelatex", "xdvipdfmx"]
 STYLE = "kinegrade.sty"
 FONTS = "fonts"  # in the folder of a run, the folder of the Chinese fonts
-PDF_SECONDS = 60.0  # a sheet takes a tenth of one
-FIXED_TIME = "946684800"  # 2000-01-01 00:00 UTC, in seconds
+_PDF_SECONDS = 60.0  # a sheet takes a tenth of one
+_FIXED_TIME = "946684800"  # 2000-01-01 00:00 UTC, in seconds
 
 _SWITCHES = (
     "-no-pdf",
@@ -36,7 +36,7 @@ _SWITCHES = (
     "-file-line-error",
 )
 _SETTINGS = {
-    "SOURCE_DATE_EPOCH": FIXED_TIME,
+    "SOURCE_DATE_EPOCH": _FIXED_TIME,
     "FORCE_SOURCE_DATE": "1",
     "openin_any": "p",  # no file above the folder, none that begins with a dot
     "openout_any": "p",
@@ -71,33 +71,33 @@ class Outcome:
 
 
 def run(source: str, folder: Path, seconds: float) -> Outcome:
-    """Typeset `source` in `folder`, where its pages then lie for `pdf_of`.
+    """Typeset `source` in `folder`, where its pages then lie for `make_pdf`.
 
     Raises TypesetError where XeTeX is not installed or does not end in that time.
     """
     _furnish(folder, source)
-    output = _executed("xelatex", (*_SWITCHES, f"{_JOB}.tex"), folder, seconds)
+    output = _execute("xelatex", (*_SWITCHES, f"{_JOB}.tex"), folder, seconds)
     log = folder / f"{_JOB}.log"
     text = log.read_text(encoding="utf-8", errors="replace") if log.exists() else output
     missing = frozenset(_MISSING.findall(text))
-    fault = _fault(text, folder / f"{_JOB}.xdv")
-    return Outcome(_ranges(folder / f"{_JOB}.pages"), fault, missing)
+    fault = _find_fault(text, folder / f"{_JOB}.xdv")
+    return Outcome(_list_ranges(folder / f"{_JOB}.pages"), fault, missing)
 
 
-def pdf_of(folder: Path, pages: tuple[int, int] | None = None) -> bytes:
+def make_pdf(folder: Path, pages: tuple[int, int] | None = None) -> bytes:
     """Pages that a run has left in `folder`, as PDF: the first to the last of `pages` (from 1), or
     all.
 
     Raises TypesetError where they cannot be written.
     """
     chosen = () if pages is None else ("-s", f"{pages[0]}-{pages[1]}")
-    output = _executed("xdvipdfmx", ("-q", "-E", *chosen, f"{_JOB}.xdv"), folder, PDF_SECONDS)
+    output = _execute("xdvipdfmx", ("-q", "-E", *chosen, f"{_JOB}.xdv"), folder, _PDF_SECONDS)
     file = folder / f"{_JOB}.pdf"
     if not file.exists():
         raise TypesetError(
-            message(
+            write_message(
                 "latex",
-                f"xdvipdfmx wrote no PDF ({short_line(output.strip())})",
+                f"xdvipdfmx wrote no PDF ({shorten(output.strip())})",
                 "the pages that XeTeX has typeset",
                 "try again, or use --engine typst",
             )
@@ -107,30 +107,30 @@ def pdf_of(folder: Path, pages: tuple[int, int] | None = None) -> bytes:
     return pdf
 
 
-def style() -> str:
+def write_style() -> str:
     """The style file that every source asks for."""
     return (files("kinegrade.exam") / "layouts" / STYLE).read_text(encoding="utf-8")
 
 
-def font_folder() -> Path:
+def find_font_folder() -> Path:
     """Where the Chinese fonts are installed."""
     return Path(pylopdf_fonts_zh_cn.serif_path()).parent
 
 
 def _furnish(folder: Path, source: str) -> None:
-    (folder / STYLE).write_text(style(), encoding="utf-8")
+    (folder / STYLE).write_text(write_style(), encoding="utf-8")
     (folder / f"{_JOB}.tex").write_text(source, encoding="utf-8", newline="\n")
-    (folder / FONTS).symlink_to(font_folder())
+    (folder / FONTS).symlink_to(find_font_folder())
 
 
-def _executed(program: Program, options: Sequence[str], folder: Path, seconds: float) -> str:
+def _execute(program: _Program, options: Sequence[str], folder: Path, seconds: float) -> str:
     """The output of a program of TeX. Raises TypesetError where it is not installed or does not end
     in that time.
     """
     found = which(program)
     if found is None:
         raise TypesetError(
-            message(
+            write_message(
                 "latex",
                 f"{program} not found",
                 "a TeX installation",
@@ -149,7 +149,7 @@ def _executed(program: Program, options: Sequence[str], folder: Path, seconds: f
         )
     except TimeoutError as error:
         raise TypesetError(
-            message(
+            write_message(
                 "latex",
                 f"{program} did not end within {seconds:.0f} s",
                 "a few pages a second",
@@ -159,25 +159,27 @@ def _executed(program: Program, options: Sequence[str], folder: Path, seconds: f
     return (done.output + done.complaint).decode("utf-8", "replace")
 
 
-def _ranges(file: Path) -> tuple[tuple[int, int], ...]:
+def _list_ranges(file: Path) -> tuple[tuple[int, int], ...]:
     if not file.exists():
         return ()
     rows = (line.split() for line in file.read_text(encoding="utf-8").splitlines())
     return tuple((int(first), int(pages)) for first, pages in rows)
 
 
-def _fault(log: str, pages: Path) -> Fault | None:
+def _find_fault(log: str, pages: Path) -> Fault | None:
     """The first thing that TeX complains of; it halts there."""
     found = _FAULT.search(log)
     if found:
-        return Fault(_sentence(log, found), int(found[2]) if found[1] == f"{_JOB}.tex" else None)
+        return Fault(
+            _read_sentence(log, found), int(found[2]) if found[1] == f"{_JOB}.tex" else None
+        )
     unplaced = _BARE_FAULT.search(log)
     if unplaced:
         return Fault(unplaced[1].strip(), None)
     return None if pages.exists() and pages.stat().st_size else Fault("TeX wrote no pages", None)
 
 
-def _sentence(log: str, found: re.Match[str]) -> str:
+def _read_sentence(log: str, found: re.Match[str]) -> str:
     """TeX's message, with the offending command where the message does not name it."""
     sentence = found[3].strip().rstrip(".")
     if sentence != "Undefined control sequence":

@@ -8,16 +8,16 @@ from collections.abc import Sequence
 from re import fullmatch
 
 from kinegrade.exam.document import SolutionSheet, WorkedQuestion
-from kinegrade.exam.equation_line import equation_line
-from kinegrade.exam.latex_markup import line, prose
-from kinegrade.exam.latex_math import math
-from kinegrade.exam.latex_source import Sheet, command, environment, named
-from kinegrade.exam.latex_text import comment, plain, signed, unit
-from kinegrade.exam.layout_call import each, gathered
+from kinegrade.exam.equation_line import split_equation_line
+from kinegrade.exam.latex_markup import write_line, write_prose
+from kinegrade.exam.latex_math import write_math
+from kinegrade.exam.latex_source import Sheet, write_command, write_environment, write_named
+from kinegrade.exam.latex_text import write_comment, write_plain, write_signed, write_unit
+from kinegrade.exam.layout_call import convert_each, gather
 from kinegrade.exam.solution_blocks import FORMULA_ALONE, UNKNOWN, has_exact_decimal, stays
-from kinegrade.exam.solution_words import SolutionWords, solution_words_of
-from kinegrade.figure.tikz import to_tikz
-from kinegrade.question_numbers import other_number
+from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
+from kinegrade.figure.tikz import write_tikz
+from kinegrade.question_numbers import find_other_number
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -31,105 +31,117 @@ from kinegrade.worked.document import (
     TermTable,
 )
 
-BANDS = (
+_BANDS = (
     (4, "34mm"),
     (6, "26mm"),
     (8, "20mm"),
 )  # terms side by side, and the width that this leaves each for a column of words
 
 
-def solution_body(sheet: SolutionSheet) -> str:
+def write_solution_body(sheet: SolutionSheet) -> str:
     """One student's worked solutions; raises TypesetError with all faults of its texts."""
-    words, where = solution_words_of(sheet.language), f"solutions of paper {sheet.code}"
+    words, where = choose_solution_words(sheet.language), f"solutions of paper {sheet.code}"
     texts = (sheet.title, sheet.course, sheet.date, sheet.student, sheet.name, sheet.code)
-    head = command("solutionhead", *map(plain, texts))
-    questions = each(lambda question: _question(question, words, where), sheet.questions)
-    return environment(Sheet(), [comment(where), head, *questions]) + "\n"
+    head = write_command("solutionhead", *map(write_plain, texts))
+    questions = convert_each(
+        lambda question: _write_question(question, words, where), sheet.questions
+    )
+    return write_environment(Sheet(), [write_comment(where), head, *questions]) + "\n"
 
 
-def _question(question: WorkedQuestion, words: SolutionWords, sheet: str) -> str:
-    where = named(sheet, question.identifier, question.template)
-    other = other_number(question.identifier, question.number)
+def _write_question(question: WorkedQuestion, words: SolutionWords, sheet: str) -> str:
+    where = write_named(sheet, question.identifier, question.template)
+    other = find_other_number(question.identifier, question.number)
     known = words.question if other is None else words.question_known
-    parts = gathered(
-        title=lambda: line(question.title, f"{where}, title"),
-        statement=lambda: prose(question.statement, f"{where}, statement"),
-        blocks=lambda: each(
-            lambda place: _block(question.blocks, place, where), range(len(question.blocks))
+    parts = gather(
+        title=lambda: write_line(question.title, f"{where}, title"),
+        statement=lambda: write_prose(question.statement, f"{where}, statement"),
+        blocks=lambda: convert_each(
+            lambda place: _write_block(question.blocks, place, where), range(len(question.blocks))
         ),
     )
-    heading = plain(known.format(question.number, other))
+    heading = write_plain(known.format(question.number, other))
     return "\n".join(
         (
-            comment(where),
-            command("worked", heading, parts["title"], parts["statement"]),
+            write_comment(where),
+            write_command("worked", heading, parts["title"], parts["statement"]),
             *parts["blocks"],
         )
     )
 
 
-def _block(blocks: Sequence[Block], place: int, where: str) -> str:
+def _write_block(blocks: Sequence[Block], place: int, where: str) -> str:
     """One block, and whether it stays on the page of the next one."""
-    return _content(blocks[place], where) + (r"\stays" if stays(*blocks[place : place + 3]) else "")
+    return _write_content(blocks[place], where) + (
+        r"\stays" if stays(*blocks[place : place + 3]) else ""
+    )
 
 
-def _content(block: Block, where: str) -> str:
+def _write_content(block: Block, where: str) -> str:
     match block:
         case Heading():
-            return command("chapter" if block.level == 1 else "step", line(block.text, where))
+            return write_command(
+                "chapter" if block.level == 1 else "step", write_line(block.text, where)
+            )
         case Prose():
-            return command("reasoning", prose(block.text, where))
+            return write_command("reasoning", write_prose(block.text, where))
         case Display():
-            return command(
-                "equations", "".join(each(lambda latex: _line(latex, where), block.lines))
+            return write_command(
+                "equations",
+                "".join(convert_each(lambda latex: _write_line(latex, where), block.lines)),
             )
         case TermTable():
-            return "\n".join(_bands(block.terms, where))
+            return "\n".join(_write_bands(block.terms, where))
         case Pictures():
-            return command(
+            return write_command(
                 "pictures",
-                "%\n".join(each(lambda picture: _picture(picture, where), block.pictures)),
+                "%\n".join(
+                    convert_each(lambda picture: _write_picture(picture, where), block.pictures)
+                ),
             )
         case Results():
-            return command(
-                "results", "".join(each(lambda result: _result(result, where), block.results))
+            return write_command(
+                "results",
+                "".join(convert_each(lambda result: _write_result(result, where), block.results)),
             )
 
 
-def _line(latex: str, where: str) -> str:
+def _write_line(latex: str, where: str) -> str:
     r"""`\equationline{left}{\relation{= a}\summand{+ b}}`: a line may be broken before each
     piece.
     """
-    parts = equation_line(latex)
-    pieces = each(lambda piece: command(_kind(piece), math(piece, where)), parts.pieces)
-    return command("equationline", math(parts.left, where), "".join(pieces))
+    parts = split_equation_line(latex)
+    pieces = convert_each(
+        lambda piece: write_command(_write_kind(piece), write_math(piece, where)), parts.pieces
+    )
+    return write_command("equationline", write_math(parts.left, where), "".join(pieces))
 
 
-def _kind(piece: str) -> str:
+def _write_kind(piece: str) -> str:
     return "summand" if piece[0] in "+-" else "relation"
 
 
-def _bands(terms: Sequence[Term], where: str) -> list[str]:
+def _write_bands(terms: Sequence[Term], where: str) -> list[str]:
     """The table of a vector equation; a very long one goes on in a second band of columns."""
-    widest = BANDS[-1][0]
+    widest = _BANDS[-1][0]
     count = -(-len(terms) // widest)
     size = -(-len(terms) // count)
-    return [_band(terms[start : start + size], where) for start in range(0, len(terms), size)]
+    return [_write_band(terms[start : start + size], where) for start in range(0, len(terms), size)]
 
 
-def _band(terms: Sequence[Term], where: str) -> str:
-    width = next(width for most, width in BANDS if len(terms) <= most)
-    cells = each(lambda term: _term(term, width, where), terms)
+def _write_band(terms: Sequence[Term], where: str) -> str:
+    width = next(width for most, width in _BANDS if len(terms) <= most)
+    cells = convert_each(lambda term: _write_term(term, width, where), terms)
     rows = ("".join(parts) for parts in zip(*cells, strict=True))
-    return command("terms", str(len(terms)), *rows)
+    return write_command("terms", str(len(terms)), *rows)
 
 
-def _term(term: Term, width: str, where: str) -> tuple[str, str, str]:
+def _write_term(term: Term, width: str, where: str) -> tuple[str, str, str]:
     """The entries of a term in the rows of the equation, the magnitudes and the directions."""
-    parts = gathered(
-        symbol=lambda: math(term.symbol, where),
-        magnitude=lambda: _cell(term.magnitude, width, where),
-        direction=lambda: _cell(term.direction, width, where),
+    parts = gather(
+        symbol=lambda: write_math(term.symbol, where),
+        magnitude=lambda: _write_cell(term.magnitude, width, where),
+        direction=lambda: _write_cell(term.direction, width, where),
     )
     return (
         f"&${term.sign}$&\\normalsize${parts['symbol']}$",
@@ -138,38 +150,40 @@ def _term(term: Term, width: str, where: str) -> tuple[str, str, str]:
     )
 
 
-def _cell(text: str, width: str, where: str) -> str:
+def _write_cell(text: str, width: str, where: str) -> str:
     """A formula alone stays on its line, words are broken into lines."""
-    written = line(text, where)
+    written = write_line(text, where)
     if text == UNKNOWN:
         return rf"\textbf{{{written}}}"
-    return written if fullmatch(FORMULA_ALONE, text) else command("cell", width, written)
+    return written if fullmatch(FORMULA_ALONE, text) else write_command("cell", width, written)
 
 
-def _picture(picture: Picture, where: str) -> str:
-    parts = gathered(
-        caption=lambda: line(picture.caption, where), figure=lambda: to_tikz(picture.scene)
+def _write_picture(picture: Picture, where: str) -> str:
+    parts = gather(
+        caption=lambda: write_line(picture.caption, where), figure=lambda: write_tikz(picture.scene)
     )
-    return command(
+    return write_command(
         "drawing", f"{max(picture.scene.width, 40):.6g}mm", parts["figure"], parts["caption"]
     )
 
 
-def _result(result: Result, where: str) -> str:
-    parts = gathered(
-        symbol=lambda: math(result.symbol, where),
+def _write_result(result: Result, where: str) -> str:
+    parts = gather(
+        symbol=lambda: write_math(result.symbol, where),
         exact=lambda: (
-            "" if result.exact in (None, result.decimal) else f"= {math(result.exact or '', where)}"
+            ""
+            if result.exact in (None, result.decimal)
+            else f"= {write_math(result.exact or '', where)}"
         ),
-        sense=lambda: line(result.sense, where),
+        sense=lambda: write_line(result.sense, where),
     )
-    shown = "" if result.unit == "1" else unit(result.unit)
+    shown = "" if result.unit == "1" else write_unit(result.unit)
     space = "" if shown in ("", "°") else r"\,"
     relation = "=" if has_exact_decimal(result) else r"\approx"
     value = rf"{{}}{parts['exact']} {relation} {{}}"
-    return command(
+    return write_command(
         "result",
         parts["symbol"],
-        f"${value}${signed(result.decimal)}{space}{shown}",
+        f"${value}${write_signed(result.decimal)}{space}{shown}",
         parts["sense"],
     )

@@ -16,25 +16,25 @@ from typing import Any
 from pylatex import Command, Document, NoEscape, Package
 from pylatex.base_classes import Arguments, Environment, Options
 
-from kinegrade.exam.code_mark import code_mark
+from kinegrade.exam.code_mark import make_code_mark
 from kinegrade.exam.document import AnswerRow, Paper, PaperSize, QuestionSheet
-from kinegrade.exam.latex_markup import line, prose
-from kinegrade.exam.latex_math import math
-from kinegrade.exam.latex_text import comment, plain, unit
-from kinegrade.exam.layout_call import each, gathered
-from kinegrade.exam.typst_source import BESIDE, COLUMNS_OF_MARKS, points_text
-from kinegrade.exam.words import Words, words_of
+from kinegrade.exam.latex_markup import write_line, write_prose
+from kinegrade.exam.latex_math import write_math
+from kinegrade.exam.latex_text import write_comment, write_plain, write_unit
+from kinegrade.exam.layout_call import convert_each, gather
+from kinegrade.exam.typst_source import BESIDE, COLUMNS_OF_MARKS, write_points_text
+from kinegrade.exam.words import Words, choose_words
 from kinegrade.figure.scene import Scene
-from kinegrade.figure.tikz import to_tikz
+from kinegrade.figure.tikz import write_tikz
 from kinegrade.language import Language
-from kinegrade.question_numbers import other_number
+from kinegrade.question_numbers import find_other_number
 
-BESIDE_STUDENT = (
+_BESIDE_STUDENT = (
     8  # columns of the marker's table that leave room for the student's name beside them
 )
 
-LANGUAGE_OPTIONS: Mapping[Language, tuple[str, ...]] = {"en": (), "zh": ("chinese",)}
-SIZE_OPTIONS: Mapping[PaperSize, tuple[str, ...]] = {"a4": (), "letter": ("letter",)}
+_LANGUAGE_OPTIONS: Mapping[Language, tuple[str, ...]] = {"en": (), "zh": ("chinese",)}
+_SIZE_OPTIONS: Mapping[PaperSize, tuple[str, ...]] = {"a4": (), "letter": ("letter",)}
 
 
 class Block(Environment):  # type: ignore[misc]  # pylatex has no types
@@ -55,7 +55,7 @@ class Answers(Block):
     """The table with the boxes to be filled."""
 
 
-def document(
+def write_document(
     bodies: Iterable[str], language: Language, size: PaperSize, words: Any, fonts: str
 ) -> str:
     """A whole LaTeX source; `words` is a dataclass of fixed words, `fonts` the folder of the
@@ -71,60 +71,62 @@ def document(
         indent=True,
         microtype=False,
     )
-    chosen = [*LANGUAGE_OPTIONS[language], *SIZE_OPTIONS[size]]
+    chosen = [*_LANGUAGE_OPTIONS[language], *_SIZE_OPTIONS[size]]
     whole.packages.append(Package("kinegrade", options=chosen or None))
-    whole.preamble.extend(_word(name, text) for name, text in asdict(words).items())
+    whole.preamble.extend(_write_word(name, text) for name, text in asdict(words).items())
     whole.preamble.append(Command("chinesefonts", NoEscape(fonts)))
     whole.extend(NoEscape(body) for body in bodies)
     return str(whole.dumps())
 
 
-def paper_body(paper: Paper) -> str:
+def write_paper_body(paper: Paper) -> str:
     """One student's paper; raises TypesetError with all faults of its texts."""
-    words, where = words_of(paper.language), f"paper {paper.code}"
-    parts = gathered(
-        rules=lambda: each(lambda rule: prose(rule, "rules"), paper.rules),
-        questions=lambda: each(lambda question: _question(question, words, where), paper.questions),
+    words, where = choose_words(paper.language), f"paper {paper.code}"
+    parts = gather(
+        rules=lambda: convert_each(lambda rule: write_prose(rule, "rules"), paper.rules),
+        questions=lambda: convert_each(
+            lambda question: _write_question(question, words, where), paper.questions
+        ),
     )
     sheet = Sheet()
-    sheet.append(NoEscape(comment(where)))
+    sheet.append(NoEscape(write_comment(where)))
     texts = (paper.title, paper.course, paper.date, paper.student, paper.name, paper.code)
-    sheet.append(NoEscape(command("masthead", *map(plain, texts), _mark(paper.code))))
-    sheet.append(NoEscape(_marks(paper)))
+    sheet.append(NoEscape(write_command("masthead", *map(write_plain, texts), _mark(paper.code))))
+    sheet.append(NoEscape(_write_marks(paper)))
     if paper.rules:
-        sheet.append(NoEscape(command("rules", *_rule_columns(parts["rules"]))))
+        sheet.append(NoEscape(write_command("rules", *_write_rule_columns(parts["rules"]))))
     sheet.extend(NoEscape(question) for question in parts["questions"])
     return str(sheet.dumps()) + "\n"
 
 
-def command(name: str, *arguments: str) -> str:
+def write_command(name: str, *arguments: str) -> str:
     r"""A LaTeX command with its arguments, which are LaTeX already.
 
-    >>> print(command("ask", "v_B", "speed"))
+    >>> print(write_command("ask", "v_B", "speed"))
     \ask{v_B}{speed}
     """
     return str(Command(name, Arguments(*map(NoEscape, arguments))).dumps())
 
 
-def environment(kind: Environment, lines: Iterable[str]) -> str:
+def write_environment(kind: Environment, lines: Iterable[str]) -> str:
     """An environment around lines that are LaTeX already."""
     kind.extend(NoEscape(text) for text in lines)
     return str(kind.dumps())
 
 
-def named(where: str, identifier: str, template: str) -> str:
+def write_named(where: str, identifier: str, template: str) -> str:
     """How faults and comments name a question.
 
-    >>> named("paper A-1", "q2", "slider-crank")
+    >>> write_named("paper A-1", "q2", "slider-crank")
     'paper A-1, q2 (slider-crank)'
     """
     return f"{where}, {identifier}" + (f" ({template})" if template else "")
 
 
-def _word(name: str, text: str) -> Command:
+def _write_word(name: str, text: str) -> Command:
     """The fixed words as commands: `\\wordpage{1}{3}` where there are places for numbers."""
     places = text.count("{}")
-    pieces = [plain(piece) for piece in text.split("{}")]
+    pieces = [write_plain(piece) for piece in text.split("{}")]
     filled = "".join(
         piece + (f"#{index}" if index <= places else "")
         for index, piece in enumerate(pieces, start=1)
@@ -142,38 +144,42 @@ def _mark(code: str) -> str:
     r"""The QR code: its size in modules, then \dark{column}{row}{length} for each run of dark ones,
     row by row.
     """
-    mark = code_mark(code)
+    mark = make_code_mark(code)
     rows = groupby(mark.runs, lambda run: run.y)
     drawn = (
         "".join(f"\\dark{{{run.x}}}{{{y}}}{{{run.length}}}" for run in runs) + "%\n"
         for y, runs in rows
     )
-    return command("codemark", str(mark.size), "%\n" + "".join(drawn))
+    return write_command("codemark", str(mark.size), "%\n" + "".join(drawn))
 
 
-def _marks(paper: Paper) -> str:
+def _write_marks(paper: Paper) -> str:
     """The student, and the table of the marker's boxes; a long one stands below the student."""
-    columns = [(str(question.number), points_text(question.points)) for question in paper.questions]
-    columns.append((r"\wordtotal", points_text(paper.points)))
+    columns = [
+        (str(question.number), write_points_text(question.points)) for question in paper.questions
+    ]
+    columns.append((r"\wordtotal", write_points_text(paper.points)))
     rows = [
         columns[start : start + COLUMNS_OF_MARKS]
         for start in range(0, len(columns), COLUMNS_OF_MARKS)
     ]
-    return command(
+    return write_command(
         "candidate",
-        plain(paper.name),
-        plain(paper.student),
+        write_plain(paper.name),
+        write_plain(paper.student),
         "".join(map(_mark_table, rows)),
-        "beside" if len(columns) <= BESIDE_STUDENT else "below",
+        "beside" if len(columns) <= _BESIDE_STUDENT else "below",
     )
 
 
 def _mark_table(columns: Sequence[tuple[str, str]]) -> str:
     numbers, points = (" & ".join(entries) for entries in zip(*columns, strict=True))
-    return command("markboxes", str(len(columns)), numbers, points, " & " * (len(columns) - 1))
+    return write_command(
+        "markboxes", str(len(columns)), numbers, points, " & " * (len(columns) - 1)
+    )
 
 
-def _rule_columns(rules: Sequence[str]) -> list[str]:
+def _write_rule_columns(rules: Sequence[str]) -> list[str]:
     """The rules in two columns of about the same length."""
     half, taken = sum(map(len, rules)) / 2, 0
     columns: tuple[list[str], list[str]] = ([], [])
@@ -183,47 +189,54 @@ def _rule_columns(rules: Sequence[str]) -> list[str]:
     return ["\n".join(column) for column in columns]
 
 
-def _question(question: QuestionSheet, words: Words, paper: str) -> str:
-    where = named(paper, question.identifier, question.template)
+def _write_question(question: QuestionSheet, words: Words, paper: str) -> str:
+    where = write_named(paper, question.identifier, question.template)
     points = words.point if question.points == 1 else words.points
-    other = other_number(question.identifier, question.number)
+    other = find_other_number(question.identifier, question.number)
     known = "" if other is None else words.known.format(other)
-    parts = gathered(
-        title=lambda: line(question.title, f"{where}, title"),
-        statement=lambda: prose(question.statement, f"{where}, statement"),
-        rows=lambda: each(lambda row: _ask(row, words, where), question.rows),
-        figure=lambda: to_tikz(question.figure) if question.figure else "",
+    parts = gather(
+        title=lambda: write_line(question.title, f"{where}, title"),
+        statement=lambda: write_prose(question.statement, f"{where}, statement"),
+        rows=lambda: convert_each(lambda row: _write_ask(row, words, where), question.rows),
+        figure=lambda: write_tikz(question.figure) if question.figure else "",
     )
     head = (
         str(question.number),
         parts["title"],
-        plain(known),
-        plain(points.format(points_text(question.points))),
+        write_plain(known),
+        write_plain(points.format(write_points_text(question.points))),
     )
     block = Question(arguments=Arguments(*map(NoEscape, head)))
-    block.append(NoEscape(_statement(parts["statement"], question.figure, parts["figure"])))
-    block.append(NoEscape(environment(Answers(), parts["rows"])))
+    block.append(NoEscape(_write_statement(parts["statement"], question.figure, parts["figure"])))
+    block.append(NoEscape(write_environment(Answers(), parts["rows"])))
     if question.source:
-        block.append(NoEscape(command("source", plain(words.source.format(question.source)))))
-    return f"{comment(where)}\n{block.dumps()}"
+        block.append(
+            NoEscape(write_command("source", write_plain(words.source.format(question.source))))
+        )
+    return f"{write_comment(where)}\n{block.dumps()}"
 
 
-def _statement(text: str, figure: Scene | None, drawn: str) -> str:
+def _write_statement(text: str, figure: Scene | None, drawn: str) -> str:
     if figure is None:
-        return command("statement", text)
+        return write_command("statement", text)
     # A flat one stands better below the text
     if figure.width <= BESIDE and figure.height >= figure.width / 4:
-        return command("beside", f"{figure.width:.6g}mm", text, drawn)
-    return command("statement", text) + "\n" + command("below", drawn)
+        return write_command("beside", f"{figure.width:.6g}mm", text, drawn)
+    return write_command("statement", text) + "\n" + write_command("below", drawn)
 
 
-def _ask(row: AnswerRow, words: Words, where: str) -> str:
-    parts = gathered(
-        symbol=lambda: math(row.symbol, f"{where}, symbol"),
-        meaning=lambda: line(row.meaning, f"{where}, meaning"),
-        sign=lambda: line(row.sign, f"{where}, sign"),
+def _write_ask(row: AnswerRow, words: Words, where: str) -> str:
+    parts = gather(
+        symbol=lambda: write_math(row.symbol, f"{where}, symbol"),
+        meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
+        sign=lambda: write_line(row.sign, f"{where}, sign"),
     )
-    printed = plain(words.unitless) if row.unit == "1" else unit(row.unit)
-    return command(
-        "ask", parts["symbol"], parts["meaning"], parts["sign"], printed, points_text(row.points)
+    printed = write_plain(words.unitless) if row.unit == "1" else write_unit(row.unit)
+    return write_command(
+        "ask",
+        parts["symbol"],
+        parts["meaning"],
+        parts["sign"],
+        printed,
+        write_points_text(row.points),
     )

@@ -44,38 +44,38 @@ _LATIN = re.compile("[ -~\n¡-§©-¬®-·»-ĥĨ-ķĹ-ľŁ-ňŊ-ťŨ-žȘșȚț
 _BEYOND_LATIN = re.compile("[ẠạẢảẤ-ỹƠơƯưΑ-ΡΣ-Ωα-ωА-яЁё\u3000-\u3002\u4e00-\u9fa5]")
 
 
-def plain(text: str) -> str:
+def write_plain(text: str) -> str:
     r"""`text` as LaTeX that prints it; control characters become spaces, invisible ones vanish.
 
-    >>> print(plain(r"\input{x} & 100 %"))
+    >>> print(write_plain(r"\input{x} & 100 %"))
     \textbackslash{}input\{x\} \& 100 \%
     """
     composed = normalize("NFC", text)
-    return "".join(_written(character) for character in _LIGATURE.sub("\\1\u200b", composed))
+    return "".join(_write_written(character) for character in _LIGATURE.sub("\\1\u200b", composed))
 
 
-def unit(text: str) -> str:
+def write_unit(text: str) -> str:
     r"""A unit as it is printed: exponents raised, a degree sign, a thin dash for a pure number.
 
-    >>> print(unit("rad/s^2"), unit("deg"), unit("1"))
+    >>> print(write_unit("rad/s^2"), write_unit("deg"), write_unit("1"))
     rad/s\textsuperscript{2} ° –
     """
     raised = RAISED.sub(lambda power: f"\0{power[1]}\1", text)
     shown = {"deg": "°", "1": "–"}.get(text, raised.replace("*", "·"))
     parts = re.split("\0(.*?)\1", shown)
     return "".join(
-        rf"\textsuperscript{{{_negative(part)}}}" if index % 2 else plain(part)
+        rf"\textsuperscript{{{_write_negative(part)}}}" if index % 2 else write_plain(part)
         for index, part in enumerate(parts)
     )
 
 
-def signed(number: str) -> str:
+def write_signed(number: str) -> str:
     r"""A number as it is printed, with a minus sign instead of a hyphen.
 
-    >>> print(signed("[-0.9, 1]"))
+    >>> print(write_signed("[-0.9, 1]"))
     {[}$-$0.9, 1{]}
     """
-    return plain(number.replace("-", "\u2212"))
+    return write_plain(number.replace("-", "\u2212"))
 
 
 def is_surely_printed(character: str) -> bool:
@@ -90,22 +90,22 @@ def is_surely_printed(character: str) -> bool:
     return unseen or known is not None
 
 
-def comment(text: str) -> str:
+def write_comment(text: str) -> str:
     """`text` as one comment line of LaTeX.
 
-    >>> comment("paper A-1, q1")
+    >>> write_comment("paper A-1, q1")
     '%% paper A-1, q1'
     """
     return "%% " + "".join(letter if letter.isprintable() else "·" for letter in text)
 
 
 @lru_cache(maxsize=4096)
-def _written(character: str) -> str:
+def _write_written(character: str) -> str:
     kind = category(character)
     if kind == _INVISIBLE:
         return "{}" if character == "\u200b" else ""
     return _WRITTEN.get(character, " " if kind in _CONTROLS else character)
 
 
-def _negative(exponent: str) -> str:
+def _write_negative(exponent: str) -> str:
     return exponent.replace("-", "$-$").replace("\u2212", "$-$")

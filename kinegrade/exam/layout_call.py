@@ -12,32 +12,32 @@ from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.formula import literal
+from kinegrade.exam.formula import write_literal
 
-Item = TypeVar("Item")
-Value = TypeVar("Value")
+_Item = TypeVar("_Item")
+_Value = TypeVar("_Value")
 Sheet = dict[str, Any]  # what a layout reads: text, numbers, lists and dictionaries of them
 
 
-def layout_call(layout: str, sheet: Sheet) -> str:
+def write_layout_call(layout: str, sheet: Sheet) -> str:
     """Typst source that hands `sheet` to the function of that name in the file of that name.
 
-    >>> print(layout_call("paper", {"code": "A"}), end="")
+    >>> print(write_layout_call("paper", {"code": "A"}), end="")
     #import "/paper.typ": paper
     #paper(json(bytes("{\\"code\\": \\"A\\"}")))
     """
-    data = literal(json.dumps(sheet, ensure_ascii=False, sort_keys=True))
+    data = write_literal(json.dumps(sheet, ensure_ascii=False, sort_keys=True))
     return f'#import "/{layout}.typ": {layout}\n#{layout}(json(bytes({data})))\n'
 
 
-def gathered(**parts: Callable[[], Any]) -> Sheet:
+def gather(**parts: Callable[[], Any]) -> Sheet:
     """The value of every part; raises one TypesetError with the faults of all of them."""
-    return dict(zip(parts, each(lambda part: part(), parts.values()), strict=True))
+    return dict(zip(parts, convert_each(lambda part: part(), parts.values()), strict=True))
 
 
-def each(convert: Callable[[Item], Value], items: Iterable[Item]) -> list[Value]:
+def convert_each(convert: Callable[[_Item], _Value], items: Iterable[_Item]) -> list[_Value]:
     """Every item converted; raises one TypesetError with the faults of all of them."""
-    values: list[Value] = []
+    values: list[_Value] = []
     problems: list[str] = []
     for item in items:
         try:

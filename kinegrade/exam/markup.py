@@ -19,10 +19,10 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-from kinegrade.errors import TypesetError, message
-from kinegrade.exam.formula import formula, literal
+from kinegrade.errors import TypesetError, write_message
+from kinegrade.exam.formula import convert_formula, write_literal
 
-BRACKETS = {
+_BRACKETS = {
     "paragraph_open": "",
     "paragraph_close": "parbreak()",
     "strong_open": "strong({",
@@ -36,7 +36,7 @@ BRACKETS = {
     "list_item_close": "},",
     "hardbreak": "linebreak()",
 }
-REFUSED = {
+_REFUSED = {
     "image": "an image",
     "html_inline": "raw HTML",
     "html_block": "raw HTML",
@@ -51,82 +51,82 @@ REFUSED = {
 }
 _MATH = re.compile(r"\$([^$\n]+)\$")
 _ANY_FORMULA = "0"  # stands for each while the words are read
-EXPECTED = "text, **bold**, *emphasis*, lists and $math$"
+_EXPECTED = "text, **bold**, *emphasis*, lists and $math$"
 
 
 @lru_cache(maxsize=1024)
-def prose(markdown: str, where: str) -> str:
+def write_prose(markdown: str, where: str) -> str:
     """Typst code (an expression yielding content) for several paragraphs of Markdown.
 
     Raises TypesetError with every fault of the text, each naming `where`.
 
-    >>> print(prose("The crank $OA$ turns.", "q1"))
+    >>> print(write_prose("The crank $OA$ turns.", "q1"))
     {"The crank ";box($O A$);" turns.";}
     """
-    code = _prose_around_formulas(markdown) or _join(
+    code = _write_around_formulas(markdown) or _join(
         read_prose(markdown, where), where
     ).removesuffix("parbreak();")
     return "{" + code + "}"
 
 
-def _prose_around_formulas(markdown: str) -> str | None:
+def _write_around_formulas(markdown: str) -> str | None:
     """The code of a text that differs from one already converted in its formulas alone; None if it
     must be read as a whole, for instance to report its faults.
     """
-    separated = _separated(markdown)
+    separated = _separate_formulas(markdown)
     if separated is None:
         return None
     words, formulas = separated
     try:
-        between = _code_between_formulas(words)
-        inserted = [_boxed(latex, "") for latex in formulas]
+        between = _write_between_formulas(words)
+        inserted = [_write_boxed(latex, "") for latex in formulas]
     except TypesetError:
         return None
     return "".join(chain.from_iterable(zip(between, [*inserted, ""], strict=True)))
 
 
 @lru_cache(maxsize=1024)
-def _code_between_formulas(words: str) -> tuple[str, ...]:
+def _write_between_formulas(words: str) -> tuple[str, ...]:
     """The code between the formulas of `words`. Dollar signs stand only around formulas there, so
     that no text can look like a formula's code.
     """
     code = _join(read_prose(words, ""), "").removesuffix("parbreak();")
-    return tuple(code.split(_boxed(_ANY_FORMULA, "")))
+    return tuple(code.split(_write_boxed(_ANY_FORMULA, "")))
 
 
-def line(markdown: str, where: str) -> str:
+def write_line(markdown: str, where: str) -> str:
     """Typst code for one line of Markdown: a title, the meaning of a symbol, a sign convention.
 
-    >>> print(line("speed of $B$", "q1"))
+    >>> print(write_line("speed of $B$", "q1"))
     {"speed of ";box($B$);}
     """
     try:
-        return _line(markdown)
+        return _write_line(markdown)
     except TypesetError:
         read_line(markdown, where)
         raise
 
 
 @lru_cache(maxsize=4096)
-def _line(markdown: str) -> str:
+def _write_line(markdown: str) -> str:
     """The same wherever it is used, so that the papers of a class share it."""
     return "{" + _join(read_line(markdown, ""), "") + "}"
 
 
 def read_prose(markdown: str, where: str) -> list[Token]:
-    """The tokens of several paragraphs, none of them in `REFUSED`. Raises TypesetError as `prose`
-    does.
+    """The tokens of several paragraphs, none of them in `_REFUSED`. Raises TypesetError as
+    `write_prose` does.
     """
-    tokens = _with_math(markdown) or _reader().parse(markdown)
+    tokens = _insert_math(markdown) or _make_reader().parse(markdown)
     _refuse_faults(tokens, where)
     return tokens
 
 
-def _with_math(markdown: str) -> list[Token] | None:
+def _insert_math(markdown: str) -> list[Token] | None:
     """The tokens of a text, whose words are read once for all its formulas: papers differ only in
     these. None if what is between dollar signs may not be a formula.
     """
-    separated = _separated(markdown)
+    separated = _separate_formulas(markdown)
     if separated is None:
         return None
     words, formulas = separated
@@ -140,9 +140,9 @@ def _with_math(markdown: str) -> list[Token] | None:
     return tokens
 
 
-def _separated(markdown: str) -> tuple[str, list[str]] | None:
+def _separate_formulas(markdown: str) -> tuple[str, list[str]] | None:
     """The text with the same short formula in the place of each, and the formulas; None as for
-    `_with_math`.
+    `_insert_math`.
     """
     parts = _MATH.split(markdown)
     words, formulas = f"${_ANY_FORMULA}$".join(parts[::2]), parts[1::2]
@@ -154,45 +154,47 @@ def _separated(markdown: str) -> tuple[str, list[str]] | None:
 @lru_cache(maxsize=1024)
 def _read_words(words: str) -> tuple[tuple[Token, ...], int]:
     """The tokens of a text, and how many formulas in a line are among them."""
-    tokens = tuple(_reader().parse(words))
+    tokens = tuple(_make_reader().parse(words))
     return tokens, sum(
         leaf.type == "math_inline" for token in tokens for leaf in token.children or ()
     )
 
 
 def read_line(markdown: str, where: str) -> list[Token]:
-    """The tokens of one line, none of them in `REFUSED`. Raises TypesetError as `line` does."""
-    tokens = _reader().parseInline(markdown)
+    """The tokens of one line, none of them in `_REFUSED`. Raises TypesetError as `write_line`
+    does.
+    """
+    tokens = _make_reader().parseInline(markdown)
     _refuse_faults(tokens, where)
     return tokens
 
 
 @lru_cache(maxsize=1)
-def _reader() -> MarkdownIt:
+def _make_reader() -> MarkdownIt:
     reader = MarkdownIt("commonmark", {"typographer": True}).enable("smartquotes")
     return reader.use(dollarmath_plugin, double_inline=True)
 
 
 def _refuse_faults(tokens: Sequence[Token], where: str) -> None:
-    problems = [problem for token in leaves_of(tokens) for problem in _faults(token, where)]
+    problems = [problem for token in find_leaves(tokens) for problem in _find_faults(token, where)]
     if problems:
         raise TypesetError(*problems)
 
 
-def leaves_of(tokens: Sequence[Token]) -> list[Token]:
+def find_leaves(tokens: Sequence[Token]) -> list[Token]:
     """The tokens in the order of the text, inline ones instead of their container."""
     groups = (token.children or [] if token.type == "inline" else [token] for token in tokens)
     return [leaf for group in groups for leaf in group]
 
 
-def _faults(token: Token, where: str) -> tuple[str, ...]:
-    if token.type in REFUSED:
+def _find_faults(token: Token, where: str) -> tuple[str, ...]:
+    if token.type in _REFUSED:
         shown = f" ({token.content.strip()})" if token.content.strip() else ""
-        what = f"{REFUSED[token.type]}{shown} cannot be printed"
-        return (message(where, what, EXPECTED, "take it out"),)
+        what = f"{_REFUSED[token.type]}{shown} cannot be printed"
+        return (write_message(where, what, _EXPECTED, "take it out"),)
     if token.type.startswith("math_"):
         try:
-            formula(token.content.strip(), where)
+            convert_formula(token.content.strip(), where)
         except TypesetError as error:
             return error.problems
     return ()
@@ -200,35 +202,39 @@ def _faults(token: Token, where: str) -> tuple[str, ...]:
 
 def _join(tokens: Sequence[Token], where: str) -> str:
     """One Typst statement after another; semicolons keep them apart on one line."""
-    leaves = leaves_of(tokens)
-    return "".join(_statement(leaves, index, where) for index in range(len(leaves)))
+    leaves = find_leaves(tokens)
+    return "".join(_write_statement(leaves, index, where) for index in range(len(leaves)))
 
 
-def _statement(leaves: Sequence[Token], index: int, where: str) -> str:
+def _write_statement(leaves: Sequence[Token], index: int, where: str) -> str:
     token = leaves[index]
     match token.type:
         case "text" | "text_special":
-            return f"{literal(_glue(leaves, index) + token.content)};" if token.content else ""
+            return (
+                f"{write_literal(_write_glue(leaves, index) + token.content)};"
+                if token.content
+                else ""
+            )
         case "softbreak":
-            return "" if between_wide(leaves, index) else '" ";'
+            return "" if is_between_wide(leaves, index) else '" ";'
         case "math_inline":
-            return _boxed(token.content, where)
+            return _write_boxed(token.content, where)
         case "math_inline_double" | "math_block":
-            return f"$ {formula(token.content.strip(), where)} $;"
+            return f"$ {convert_formula(token.content.strip(), where)} $;"
         case "ordered_list_open":
             return f"enum(start: {int(token.attrs.get('start', 1))}, "
         case "paragraph_close" if token.hidden:
             return ""
-    code = BRACKETS[token.type]
+    code = _BRACKETS[token.type]
     return code if not code or code[-1] in "({," else f"{code};"
 
 
-def _boxed(latex: str, where: str) -> str:
+def _write_boxed(latex: str, where: str) -> str:
     """A formula in its line, in a box, so that a value is not separated from its symbol."""
-    return f"box(${formula(latex.strip(), where)}$);"
+    return f"box(${convert_formula(latex.strip(), where)}$);"
 
 
-def _glue(leaves: Sequence[Token], index: int) -> str:
+def _write_glue(leaves: Sequence[Token], index: int) -> str:
     """A word joiner between a formula and a Chinese colon or semicolon, which by Unicode's rules
     could otherwise begin a line.
     """
@@ -236,7 +242,7 @@ def _glue(leaves: Sequence[Token], index: int) -> str:
     return "\u2060" if after_math and leaves[index].content[0] in "：；" else ""
 
 
-def between_wide(leaves: Sequence[Token], index: int) -> bool:
+def is_between_wide(leaves: Sequence[Token], index: int) -> bool:
     """Whether a line end stands between two Chinese characters, where it must not print a blank."""
     before = leaves[index - 1].content[-1:] if index else ""
     after = leaves[index + 1].content[:1] if index + 1 < len(leaves) else ""

@@ -17,17 +17,17 @@ from kinegrade.exam.document import (
     Paper,
     QuestionSheet,
 )
-from kinegrade.exam.rules import rules
+from kinegrade.exam.rules import write_rules
 from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
-from kinegrade.exam.words import words_of
+from kinegrade.exam.words import choose_words
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.hints import FigureHints
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.statement import statement
+from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template import Ask
 
 WARNING = {
@@ -36,49 +36,49 @@ WARNING = {
 }
 
 Sketcher = Callable[[Mechanism, FigureHints], Scene]
-FULL_TURNS = {"en": "; full turns do not matter", "zh": "；相差整周视为相同"}
+_FULL_TURNS = {"en": "; full turns do not matter", "zh": "；相差整周视为相同"}
 
 
-def paper_pages(
+def lay_out_paper(
     bank: Bank, paper: SetPaper, language: Language, figure: Sketcher = sketch
 ) -> Paper:
     """The pages of one student; `figure` draws as `sketch` does."""
     sheets = tuple(
-        question_sheet(number, question, language, figure)
+        _lay_out_question(number, question, language, figure)
         for number, question in enumerate(paper.printed, start=1)
     )
     return Paper(
         language,
         bank.course.in_language(language),
-        paper_title(bank, paper, language),
+        write_title(bank, paper, language),
         bank.date,
         paper.student.student,
         paper.student.name,
         paper.code,
-        rules(bank, language, [each.question.identifier for each in paper.printed]),
+        write_rules(bank, language, [each.question.identifier for each in paper.printed]),
         sheets,
     )
 
 
-def paper_title(bank: Bank, paper: SetPaper, language: Language) -> str:
+def write_title(bank: Bank, paper: SetPaper, language: Language) -> str:
     """The exam's title, with the version where there are versions."""
     title = bank.title.in_language(language)
-    return f"{title} · {version_name(paper.version, language)}" if paper.version else title
+    return f"{title} · {write_version_name(paper.version, language)}" if paper.version else title
 
 
-def version_name(letter: str, language: Language) -> str:
+def write_version_name(letter: str, language: Language) -> str:
     """A version as it is printed."""
-    return words_of(language).version.format(letter)
+    return choose_words(language).version.format(letter)
 
 
-def question_sheet(
+def _lay_out_question(
     number: int, question: SetQuestion, language: Language, figure: Sketcher = sketch
 ) -> QuestionSheet:
     """A question with its statement, figure to scale and answer table."""
     template, solution = question.question.template, question.drawn.solution
-    drawn = figure(drawable_mechanism(solution.assembly.mechanism), template.figure)
+    drawn = figure(convert_to_floats(solution.assembly.mechanism), template.figure)
     rows = tuple(
-        answer_row(template.asks[entry.ask.name], entry.ask.points, language)
+        make_answer_row(template.asks[entry.ask.name], entry.ask.points, language)
         for entry in question.asks
     )
     return QuestionSheet(
@@ -86,24 +86,24 @@ def question_sheet(
         question.question.identifier,
         template.about.title.in_language(language),
         question.question.points,
-        statement(template, solution.parameters, language),
+        write_statement(template, solution.parameters, language),
         drawn,
         rows,
         template=template.name,
     )
 
 
-def answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
+def make_answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
     """The box of one answer."""
-    sign = ask.sign.in_language(language) + (FULL_TURNS[language] if ask.cyclic else "")
+    sign = ask.sign.in_language(language) + (_FULL_TURNS[language] if ask.cyclic else "")
     return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, sign, points)
 
 
-def key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyBook:
+def make_key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyBook:
     """The instructor's book: a key for each paper, which may come one after another, or for each
     version.
     """
-    shown = each_version(tuple(papers), language) if bank.versions else papers
+    shown = _select_versions(tuple(papers), language) if bank.versions else papers
     return KeyBook(
         language,
         bank.course.in_language(language),
@@ -113,22 +113,22 @@ def key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyB
     )
 
 
-def each_version(papers: Sequence[KeyPaper], language: Language) -> tuple[KeyPaper, ...]:
+def _select_versions(papers: Sequence[KeyPaper], language: Language) -> tuple[KeyPaper, ...]:
     """One key for each version that a student got, by letter."""
     first = {paper.version: paper for paper in reversed(papers)}
     return tuple(
-        replace(first[letter], student="", name=version_name(letter, language), code=letter)
+        replace(first[letter], student="", name=write_version_name(letter, language), code=letter)
         for letter in sorted(first)
     )
 
 
-def key_paper(paper: SetPaper, language: Language) -> KeyPaper:
+def make_key_paper(paper: SetPaper, language: Language) -> KeyPaper:
     """The key of one paper."""
-    entries = tuple(key_entry(question, language) for question in paper.questions)
+    entries = tuple(_make_key_entry(question, language) for question in paper.questions)
     return KeyPaper(paper.student.student, paper.student.name, paper.code, entries, paper.version)
 
 
-def key_entry(question: SetQuestion, language: Language) -> KeyEntry:
+def _make_key_entry(question: SetQuestion, language: Language) -> KeyEntry:
     """The key of one question."""
     template, solution = question.question.template, question.drawn.solution
     parameters = tuple(
@@ -146,7 +146,7 @@ def key_entry(question: SetQuestion, language: Language) -> KeyEntry:
             entry.answer.closed_form,
             entry.answer.decimal(6),
             entry.answer.unit,
-            interval(entry),
+            write_interval(entry),
             entry.ask.points,
         )
         for entry in question.asks
@@ -159,12 +159,12 @@ def key_entry(question: SetQuestion, language: Language) -> KeyEntry:
     )
 
 
-def interval(entry: SetAsk) -> str:
+def write_interval(entry: SetAsk) -> str:
     """The closed interval of what is marked right, rounded to six figures for the reader."""
-    low, high = entry.tolerance.interval(decimal_fraction(entry.answer))
+    low, high = entry.tolerance.interval(_read_decimal(entry.answer))
     return f"[{float(low):.6g}, {float(high):.6g}]"
 
 
-def decimal_fraction(quantity: Quantity) -> Fraction:
+def _read_decimal(quantity: Quantity) -> Fraction:
     """The value to 40 digits as a fraction."""
     return Fraction(quantity.certified)

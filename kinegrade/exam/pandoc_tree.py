@@ -12,72 +12,72 @@ from typing import Any, Literal
 
 Node = dict[str, Any]
 Alignment = Literal["Default", "Right", "Center"]  # default: as the style of the cell has it
-VERSION = [1, 23, 1]  # of the form, as pandoc 3 has it
+_VERSION = [1, 23, 1]  # of the form, as pandoc 3 has it
 
 
-def document(blocks: Iterable[Node]) -> bytes:
+def make_document(blocks: Iterable[Node]) -> bytes:
     """A whole document, to be handed to pandoc as `json`."""
-    return json.dumps({"pandoc-api-version": VERSION, "meta": {}, "blocks": list(blocks)}).encode()
+    return json.dumps({"pandoc-api-version": _VERSION, "meta": {}, "blocks": list(blocks)}).encode()
 
 
-def text(plain: str) -> Node:
+def make_text(plain: str) -> Node:
     """Characters, printed as they are; control characters become spaces.
 
-    >>> text("<b> $x$")
+    >>> make_text("<b> $x$")
     {'t': 'Str', 'c': '<b> $x$'}
     """
     return {"t": "Str", "c": "".join(letter if letter.isprintable() else " " for letter in plain)}
 
 
-def math(latex: str, display: bool = False) -> Node:
+def make_math(latex: str, display: bool = False) -> Node:
     """A formula, LaTeX math without dollar signs."""
     return {"t": "Math", "c": [{"t": "DisplayMath" if display else "InlineMath"}, latex]}
 
 
-def strong(inlines: Sequence[Node]) -> Node:
+def make_strong(inlines: Sequence[Node]) -> Node:
     """Bold text."""
     return {"t": "Strong", "c": list(inlines)}
 
 
-def emphasis(inlines: Sequence[Node]) -> Node:
+def make_emphasis(inlines: Sequence[Node]) -> Node:
     """Italic text."""
     return {"t": "Emph", "c": list(inlines)}
 
 
-def line_break() -> Node:
+def make_line_break() -> Node:
     """The end of a line within a paragraph."""
     return {"t": "LineBreak"}
 
 
-def image(data_uri: str, width: float, description: str) -> Node:
+def make_image(data_uri: str, width: float, description: str) -> Node:
     """A picture `width` millimetres wide, with its bytes in the address."""
     return {
         "t": "Image",
-        "c": [["", [], [["width", f"{width:.2f}mm"]]], [text(description)], [data_uri, ""]],
+        "c": [["", [], [["width", f"{width:.2f}mm"]]], [make_text(description)], [data_uri, ""]],
     }
 
 
-def paragraph(inlines: Sequence[Node]) -> Node:
+def make_paragraph(inlines: Sequence[Node]) -> Node:
     """A paragraph."""
     return {"t": "Para", "c": list(inlines)}
 
 
-def plain(inlines: Sequence[Node]) -> Node:
+def make_plain(inlines: Sequence[Node]) -> Node:
     """Text without the space around a paragraph, as in a cell or in a short item."""
     return {"t": "Plain", "c": list(inlines)}
 
 
-def heading(level: int, inlines: Sequence[Node]) -> Node:
+def make_heading(level: int, inlines: Sequence[Node]) -> Node:
     """A heading; 1 is the highest."""
     return {"t": "Header", "c": [level, ["", [], []], list(inlines)]}
 
 
-def bullets(items: Sequence[Sequence[Node]]) -> Node:
+def make_bullets(items: Sequence[Sequence[Node]]) -> Node:
     """A list with bullets, each item some blocks."""
     return {"t": "BulletList", "c": [list(item) for item in items]}
 
 
-def numbered(items: Sequence[Sequence[Node]], start: int) -> Node:
+def make_numbered(items: Sequence[Sequence[Node]], start: int) -> Node:
     """A list numbered from `start`."""
     return {
         "t": "OrderedList",
@@ -85,7 +85,7 @@ def numbered(items: Sequence[Sequence[Node]], start: int) -> Node:
     }
 
 
-def styled(name: str, blocks: Sequence[Node]) -> Node:
+def make_styled(name: str, blocks: Sequence[Node]) -> Node:
     """Blocks in a style: "Answer box" is Word's style of that name and the HTML class
     "answer-box".
     """
@@ -95,7 +95,7 @@ def styled(name: str, blocks: Sequence[Node]) -> Node:
     }
 
 
-def table(
+def make_table(
     name: str,
     widths: Sequence[float],
     alignments: Sequence[Alignment],
@@ -109,24 +109,27 @@ def table(
         [{"t": f"Align{side}"}, {"t": "ColWidth", "c": width}]
         for side, width in zip(alignments, widths, strict=True)
     ]
-    body = [_blank(), 0, [], [_row(row) for row in rows]]
+    body = [_make_attributes(), 0, [], [_make_row(row) for row in rows]]
     return {
         "t": "Table",
         "c": [
             ["", [name], []],
             [None, []],
             columns,
-            [_blank(), [_row(head)] if head else []],
+            [_make_attributes(), [_make_row(head)] if head else []],
             [body],
-            [_blank(), []],
+            [_make_attributes(), []],
         ],
     }
 
 
-def _row(cells: Iterable[Node]) -> list[Any]:
-    return [_blank(), [[_blank(), {"t": "AlignDefault"}, 1, 1, [cell]] for cell in cells]]
+def _make_row(cells: Iterable[Node]) -> list[Any]:
+    return [
+        _make_attributes(),
+        [[_make_attributes(), {"t": "AlignDefault"}, 1, 1, [cell]] for cell in cells],
+    ]
 
 
-def _blank() -> list[Any]:
+def _make_attributes() -> list[Any]:
     """No identifier, no class, no further attribute."""
     return ["", [], []]

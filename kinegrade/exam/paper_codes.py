@@ -10,20 +10,20 @@ from kinegrade.problem.keyed_order import address
 LETTERS = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"  # without I, L, O, U, which are easily misread
 
 
-def paper_codes(secret: str, students: Iterable[str]) -> dict[str, str]:
+def make_paper_codes(secret: str, students: Iterable[str]) -> dict[str, str]:
     """The code of each paper, no two alike; `students` come in the order of their places, and where
     two codes would be alike, the later student gets another.
     """
     codes: dict[str, str] = {}
     taken: set[str] = set()
     for student in students:
-        attempts = (paper_code(secret, student, attempt) for attempt in count())
+        attempts = (make_paper_code(secret, student, attempt) for attempt in count())
         codes[student] = next(code for code in attempts if code not in taken)
         taken.add(codes[student])
     return codes
 
 
-def paper_code(secret: str, student: str, attempt: int = 0) -> str:
+def make_paper_code(secret: str, student: str, attempt: int = 0) -> str:
     """The code of a student's paper, like K7Q2-9FHM: 40 bits of the secret for codes and the
     student's id.
     """

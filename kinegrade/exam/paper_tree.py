@@ -10,146 +10,168 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from kinegrade.exam.document import AnswerRow, Paper, QuestionSheet
-from kinegrade.exam.formula import unit_text
-from kinegrade.exam.layout_call import each, gathered
-from kinegrade.exam.pandoc_prose import line_inlines, math_inline, prose_blocks
+from kinegrade.exam.formula import write_unit
+from kinegrade.exam.layout_call import convert_each, gather
+from kinegrade.exam.pandoc_prose import write_line_inlines, write_math_inline, write_prose_blocks
 from kinegrade.exam.pandoc_tree import (
     Alignment,
     Node,
-    bullets,
-    document,
-    heading,
-    image,
-    line_break,
-    paragraph,
-    plain,
-    strong,
-    styled,
-    table,
-    text,
+    make_bullets,
+    make_document,
+    make_heading,
+    make_image,
+    make_line_break,
+    make_paragraph,
+    make_plain,
+    make_strong,
+    make_styled,
+    make_table,
+    make_text,
 )
-from kinegrade.exam.typst_source import points_text
-from kinegrade.exam.words import Words, words_of
-from kinegrade.question_numbers import other_number
+from kinegrade.exam.typst_source import write_points_text
+from kinegrade.exam.words import Words, choose_words
+from kinegrade.question_numbers import find_other_number
 
-FIELD_WIDTHS = (0.5, 0.25, 0.25)
-FIELD_SIDES: tuple[Alignment, ...] = ("Default", "Default", "Default")
-ROW_WIDTHS = (0.44, 0.14, 0.31, 0.11)
-ROW_SIDES: tuple[Alignment, ...] = ("Default", "Right", "Default", "Right")
-MARKS = 12  # questions in one table for the marker
-CENTER: Alignment = "Center"
-MARK_SIDES: tuple[Alignment, ...] = ("Default", *(CENTER,) * MARKS)
-NO_BREAK = "\u00a0"
-GAP = 2 * NO_BREAK
+_FIELD_WIDTHS = (0.5, 0.25, 0.25)
+_FIELD_SIDES: tuple[Alignment, ...] = ("Default", "Default", "Default")
+_ROW_WIDTHS = (0.44, 0.14, 0.31, 0.11)
+_ROW_SIDES: tuple[Alignment, ...] = ("Default", "Right", "Default", "Right")
+_MARKS = 12  # questions in one table for the marker
+_CENTER: Alignment = "Center"
+_MARK_SIDES: tuple[Alignment, ...] = ("Default", *(_CENTER,) * _MARKS)
+_NO_BREAK = "\u00a0"
+_GAP = 2 * _NO_BREAK
 
 
-def paper_tree(paper: Paper, figures: Mapping[int, str]) -> bytes:
+def write_paper_tree(paper: Paper, figures: Mapping[int, str]) -> bytes:
     """The document, to be handed to pandoc as `json`; `figures` holds a data URI for each question
     that has a figure.
 
     Raises TypesetError with all faults of the paper's texts.
     """
-    words = words_of(paper.language)
-    parts = gathered(
-        rules=lambda: each(lambda rule: [plain(line_inlines(rule, "rules"))], paper.rules),
-        questions=lambda: each(
-            lambda question: _question(question, figures, words), paper.questions
+    words = choose_words(paper.language)
+    parts = gather(
+        rules=lambda: convert_each(
+            lambda rule: [make_plain(write_line_inlines(rule, "rules"))], paper.rules
+        ),
+        questions=lambda: convert_each(
+            lambda question: _write_question(question, figures, words), paper.questions
         ),
     )
-    head = [*_title(paper), _fields(paper, words), *_marks(paper, words)]
+    head = [*_write_title(paper), _write_fields(paper, words), *_write_marks(paper, words)]
     rules = (
-        [styled("Rules", [_bold_line(words.rules), bullets(parts["rules"])])]
+        [make_styled("Rules", [_write_bold_line(words.rules), make_bullets(parts["rules"])])]
         if parts["rules"]
         else []
     )
-    return document(
+    return make_document(
         [*head, *rules, *(block for question in parts["questions"] for block in question)]
     )
 
 
-def _title(paper: Paper) -> list[Node]:
-    course = f"{paper.course}{GAP}·{GAP}{paper.date}" if paper.date else paper.course
+def _write_title(paper: Paper) -> list[Node]:
+    course = f"{paper.course}{_GAP}·{_GAP}{paper.date}" if paper.date else paper.course
     return [
-        styled("Course", [paragraph([text(course)])]),
-        styled("Title", [paragraph([text(paper.title)])]),
+        make_styled("Course", [make_paragraph([make_text(course)])]),
+        make_styled("Title", [make_paragraph([make_text(paper.title)])]),
     ]
 
 
-def _fields(paper: Paper, words: Words) -> Node:
+def _write_fields(paper: Paper, words: Words) -> Node:
     """The student's name and id and the paper's code, side by side."""
     fields = ((words.name, paper.name), (words.student, paper.student), (words.paper, paper.code))
-    cells = [plain([text(label), line_break(), strong([text(value)])]) for label, value in fields]
-    return table("fields", FIELD_WIDTHS, FIELD_SIDES, (), (cells,))
+    cells = [
+        make_plain([make_text(label), make_line_break(), make_strong([make_text(value)])])
+        for label, value in fields
+    ]
+    return make_table("fields", _FIELD_WIDTHS, _FIELD_SIDES, (), (cells,))
 
 
-def _marks(paper: Paper, words: Words) -> Iterator[Node]:
+def _write_marks(paper: Paper, words: Words) -> Iterator[Node]:
     """For the marker: under each question's number its points, and room for the mark."""
-    columns = [(str(question.number), points_text(question.points)) for question in paper.questions]
-    columns.append((words.total, points_text(paper.points)))
-    for start in range(0, len(columns), MARKS):
-        part = columns[start : start + MARKS]
+    columns = [
+        (str(question.number), write_points_text(question.points)) for question in paper.questions
+    ]
+    columns.append((words.total, write_points_text(paper.points)))
+    for start in range(0, len(columns), _MARKS):
+        part = columns[start : start + _MARKS]
         rows = (
             (words.number_column, *(number for number, _ in part)),
             (words.out_of, *(points for _, points in part)),
-            (words.mark, *(NO_BREAK for _ in part)),
+            (words.mark, *(_NO_BREAK for _ in part)),
         )
         widths = (0.16, *(0.07 for _ in part))
-        yield table(
-            "marks", widths, MARK_SIDES[: len(widths)], (), [_plain_cells(row) for row in rows]
+        yield make_table(
+            "marks",
+            widths,
+            _MARK_SIDES[: len(widths)],
+            (),
+            [_write_plain_cells(row) for row in rows],
         )
 
 
-def _plain_cells(texts: Iterable[str]) -> list[Node]:
-    return [plain([text(words)]) for words in texts]
+def _write_plain_cells(texts: Iterable[str]) -> list[Node]:
+    return [make_plain([make_text(words)]) for words in texts]
 
 
-def _bold_line(words: str) -> Node:
-    return paragraph([strong([text(words)])])
+def _write_bold_line(words: str) -> Node:
+    return make_paragraph([make_strong([make_text(words)])])
 
 
-def _question(question: QuestionSheet, figures: Mapping[int, str], words: Words) -> list[Node]:
+def _write_question(
+    question: QuestionSheet, figures: Mapping[int, str], words: Words
+) -> list[Node]:
     where = question.identifier
-    parts = gathered(
-        title=lambda: line_inlines(question.title, f"{where}, title"),
-        statement=lambda: prose_blocks(question.statement, f"{where}, statement"),
-        rows=lambda: each(lambda row: _row(row, where, words), question.rows),
+    parts = gather(
+        title=lambda: write_line_inlines(question.title, f"{where}, title"),
+        statement=lambda: write_prose_blocks(question.statement, f"{where}, statement"),
+        rows=lambda: convert_each(lambda row: _write_row(row, where, words), question.rows),
     )
-    blocks = [heading(1, _head(question, parts["title"], words)), *parts["statement"]]
+    blocks = [make_heading(1, _write_head(question, parts["title"], words)), *parts["statement"]]
     if question.figure and question.number in figures:
-        picture = image(
+        picture = make_image(
             figures[question.number],
             question.figure.width,
             f"{words.number_column} {question.number}",
         )
-        blocks.append(styled("Figure", [paragraph([picture])]))
-    heads = (words.asked, NO_BREAK, words.answer, words.point_column)
-    blocks.append(table("answers", ROW_WIDTHS, ROW_SIDES, _plain_cells(heads), parts["rows"]))
+        blocks.append(make_styled("Figure", [make_paragraph([picture])]))
+    heads = (words.asked, _NO_BREAK, words.answer, words.point_column)
+    blocks.append(
+        make_table("answers", _ROW_WIDTHS, _ROW_SIDES, _write_plain_cells(heads), parts["rows"])
+    )
     source = (
-        [styled("Source", [paragraph([text(words.source.format(question.source))])])]
+        [make_styled("Source", [make_paragraph([make_text(words.source.format(question.source))])])]
         if question.source
         else []
     )
     return [*blocks, *source]
 
 
-def _head(question: QuestionSheet, title: Sequence[Node], words: Words) -> list[Node]:
+def _write_head(question: QuestionSheet, title: Sequence[Node], words: Words) -> list[Node]:
     """Number, title, the number in the answer sheet where that is another, and points."""
-    other = other_number(question.identifier, question.number)
-    known = "" if other is None else GAP + words.known.format(other)
+    other = find_other_number(question.identifier, question.number)
+    known = "" if other is None else _GAP + words.known.format(other)
     points = (words.point if question.points == 1 else words.points).format(
-        points_text(question.points)
+        write_points_text(question.points)
     )
-    return [text(f"{question.number}{GAP}"), *title, text(f"{known}{GAP}·{GAP}{points}")]
+    return [
+        make_text(f"{question.number}{_GAP}"),
+        *title,
+        make_text(f"{known}{_GAP}·{_GAP}{points}"),
+    ]
 
 
-def _row(row: AnswerRow, where: str, words: Words) -> list[Node]:
-    parts = gathered(
-        meaning=lambda: line_inlines(row.meaning, f"{where}, meaning"),
-        sign=lambda: line_inlines(row.sign, f"{where}, sign"),
-        symbol=lambda: [math_inline(row.symbol, f"{where}, symbol"), text(f"{NO_BREAK}=")],
+def _write_row(row: AnswerRow, where: str, words: Words) -> list[Node]:
+    parts = gather(
+        meaning=lambda: write_line_inlines(row.meaning, f"{where}, meaning"),
+        sign=lambda: write_line_inlines(row.sign, f"{where}, sign"),
+        symbol=lambda: [
+            write_math_inline(row.symbol, f"{where}, symbol"),
+            make_text(f"{_NO_BREAK}="),
+        ],
     )
-    sign = [line_break(), *parts["sign"]] if parts["sign"] else []
-    unit = words.unitless if row.unit == "1" else unit_text(row.unit)
-    box = styled("Answer box", [paragraph([text(unit)])])
-    points = plain([text(f"/ {points_text(row.points)}")])
-    return [plain([*parts["meaning"], *sign]), plain(parts["symbol"]), box, points]
+    sign = [make_line_break(), *parts["sign"]] if parts["sign"] else []
+    unit = words.unitless if row.unit == "1" else write_unit(row.unit)
+    box = make_styled("Answer box", [make_paragraph([make_text(unit)])])
+    points = make_plain([make_text(f"/ {write_points_text(row.points)}")])
+    return [make_plain([*parts["meaning"], *sign]), make_plain(parts["symbol"]), box, points]

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from kinegrade.exam.roster import student_key
+from kinegrade.exam.roster import make_student_key
 from kinegrade.problem.keyed_order import address
 
 
-def places_of(students: Iterable[str], secret: str, kept: Mapping[str, int]) -> dict[str, int]:
+def assign_places(students: Iterable[str], secret: str, kept: Mapping[str, int]) -> dict[str, int]:
     """The place of each student, counted from zero, no two alike, in the order of the places.
 
     A place depends on who is in the class and on the secret, and not on the order of the roster.
@@ -17,7 +17,7 @@ def places_of(students: Iterable[str], secret: str, kept: Mapping[str, int]) -> 
     """
     new = sorted(
         (student for student in students if student not in kept),
-        key=lambda student: address(secret, "place", student_key(student)),
+        key=lambda student: address(secret, "place", make_student_key(student)),
     )
     first = max(kept.values(), default=-1) + 1
     places = {**kept, **{student: place for place, student in enumerate(new, first)}}

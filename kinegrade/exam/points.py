@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 
-def shared(total: int, weights: Mapping[str, int]) -> dict[str, int]:
+def share_points(total: int, weights: Mapping[str, int]) -> dict[str, int]:
     """`total` in whole points, in proportion to positive weights, by largest remainder; at least
     one point for each.
 
     Of equal claims, the first listed takes precedence. `total` is at least the number of weights.
 
-    >>> shared(10, {"v_B": 3, "omega_AB": 2, "a_B": 4})
+    >>> share_points(10, {"v_B": 3, "omega_AB": 2, "a_B": 4})
     {'v_B': 3, 'omega_AB': 2, 'a_B': 5}
     """
     whole = sum(weights.values())

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, Protocol
 
-from kinegrade.errors import message
+from kinegrade.errors import write_message
 from kinegrade.exam.document import KeyBook, Paper, SolutionSheet
 
 Engine = Literal["typst", "latex"]
@@ -29,7 +29,7 @@ class Printout:
 
 def unprintable_character(where: str, character: str) -> str:
     """The message for a character that no font of a press has."""
-    return message(
+    return write_message(
         where,
         f"no font prints {character} (U+{ord(character):04X})",
         "Latin, Greek, Cyrillic or Chinese",

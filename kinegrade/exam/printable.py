@@ -9,32 +9,32 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.formula import formula
-from kinegrade.exam.markup import line, prose
+from kinegrade.exam.formula import convert_formula
+from kinegrade.exam.markup import write_line, write_prose
 from kinegrade.exam.typst import TypstPress
 from kinegrade.language import LANGUAGES, Language
-from kinegrade.problem.slots import Slot, pieces, slots_in_formulas
-from kinegrade.problem.statement import specimens
+from kinegrade.problem.slots import Slot, find_slots_in_formulas, split_slots
+from kinegrade.problem.statement import write_specimens
 from kinegrade.problem.template import Template
 
-Writer = Callable[[str, str], str]  # takes a text and its place, gives Typst code
+_Writer = Callable[[str, str], str]  # takes a text and its place, gives Typst code
 
 
-def printing_faults(template: Template) -> list[str]:
+def find_printing_faults(template: Template) -> list[str]:
     """What keeps texts of a template from being printed, each with its place; empty where nothing
     does.
     """
     faults: list[str] = []
     codes: dict[str, str] = {}
-    for where, text, written in _texts(template):
+    for where, text, written in _list_texts(template):
         try:
             codes[where] = written(text, where)
         except TypesetError as error:
             faults += error.problems
-    return list(dict.fromkeys([*faults, *_refused(codes), *_unfilled(template)]))
+    return list(dict.fromkeys([*faults, *_find_refused(codes), *_find_unfilled(template)]))
 
 
-def _refused(codes: dict[str, str]) -> list[str]:
+def _find_refused(codes: dict[str, str]) -> list[str]:
     """The typesetter's complaints about codes, given by their places: all are tried at once, and
     one by one only if that is refused.
     """
@@ -52,12 +52,12 @@ def _refused(codes: dict[str, str]) -> list[str]:
     return []
 
 
-def _unfilled(template: Template) -> Iterator[str]:
+def _find_unfilled(template: Template) -> Iterator[str]:
     """Slots where nothing is filled in: they would be printed with their braces."""
     for language in LANGUAGES:
-        for where, text in _lines(template, language):
-            inside = slots_in_formulas(text)
-            for slot in pieces(text):
+        for where, text in _list_lines(template, language):
+            inside = find_slots_in_formulas(text)
+            for slot in split_slots(text):
                 if isinstance(slot, Slot) and slot not in inside:
                     yield (
                         f"{where}: {{{{ {slot.name} }}}}: nothing is filled in here: "
@@ -65,20 +65,20 @@ def _unfilled(template: Template) -> Iterator[str]:
                     )
 
 
-def _texts(template: Template) -> Iterator[tuple[str, str, Writer]]:
+def _list_texts(template: Template) -> Iterator[tuple[str, str, _Writer]]:
     """Every text with its place in the template and what writes it."""
     for name, parameter in template.parameters.items():
-        yield f"parameters.{name}.symbol", parameter.symbol, _symbol
+        yield f"parameters.{name}.symbol", parameter.symbol, _write_symbol
     for name, ask in template.asks.items():
-        yield f"asks.{name}.symbol", ask.symbol, _symbol
+        yield f"asks.{name}.symbol", ask.symbol, _write_symbol
     for language in LANGUAGES:
-        for where, text in specimens(template, language):
-            yield where, text, _prose
-        for where, text in _lines(template, language):
-            yield where, text, _line
+        for where, text in write_specimens(template, language):
+            yield where, text, _write_prose
+        for where, text in _list_lines(template, language):
+            yield where, text, _write_line
 
 
-def _lines(template: Template, language: Language) -> Iterator[tuple[str, str]]:
+def _list_lines(template: Template, language: Language) -> Iterator[tuple[str, str]]:
     """The texts of one line with their places."""
     yield f"title.{language}", template.about.title.in_language(language)
     for name, parameter in template.parameters.items():
@@ -88,13 +88,13 @@ def _lines(template: Template, language: Language) -> Iterator[tuple[str, str]]:
         yield f"asks.{name}.sign.{language}", ask.sign.in_language(language)
 
 
-def _symbol(latex: str, where: str) -> str:
-    return f"#[${formula(latex, where)}$]"
+def _write_symbol(latex: str, where: str) -> str:
+    return f"#[${convert_formula(latex, where)}$]"
 
 
-def _prose(markdown: str, where: str) -> str:
-    return f"#{prose(markdown, where)}"
+def _write_prose(markdown: str, where: str) -> str:
+    return f"#{write_prose(markdown, where)}"
 
 
-def _line(markdown: str, where: str) -> str:
-    return f"#{line(markdown, where)}"
+def _write_line(markdown: str, where: str) -> str:
+    return f"#{write_line(markdown, where)}"

@@ -12,7 +12,7 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 from kinegrade.exam.folder.contents import KEY_BOOK, PAPERS, SOLUTIONS, SOURCES
-from kinegrade.exam.join import joining
+from kinegrade.exam.join import open_volume
 from kinegrade.exam.press import Printout
 from kinegrade.exam.printing import Printed
 
@@ -24,7 +24,7 @@ def printed_files(folder: Path, *, solutions: bool) -> Iterator[Callable[[str, P
     """
     with ExitStack() as books:
         volumes = {
-            name: books.enter_context(joining(folder / f"{name}.pdf", duplex=True))
+            name: books.enter_context(open_volume(folder / f"{name}.pdf", duplex=True))
             for name in (PAPERS, *([SOLUTIONS] if solutions else []))
         }
         for name, append in volumes.items():
@@ -34,7 +34,7 @@ def printed_files(folder: Path, *, solutions: bool) -> Iterator[Callable[[str, P
                 append(book.read_bytes())
 
         def write(file_name: str, printed: Printed) -> None:
-            for name, printout in _printouts(printed).items():
+            for name, printout in _collect_printouts(printed).items():
                 _write(folder / name / f"{file_name}.pdf", printout, folder / SOURCES / name)
                 volumes[name](printout.pdf)
             for kind, content in printed.also.items():
@@ -48,7 +48,7 @@ def write_key(folder: Path, key: Printout) -> None:
     _write(folder / KEY_BOOK, key, folder / SOURCES)
 
 
-def _printouts(printed: Printed) -> Mapping[str, Printout]:
+def _collect_printouts(printed: Printed) -> Mapping[str, Printout]:
     """The printouts by the folder where they lie."""
     if printed.solution is None:
         return {PAPERS: printed.paper}

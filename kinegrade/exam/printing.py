@@ -12,10 +12,10 @@ from typing import assert_never
 
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.document import KeyPaper, Paper, PaperSize
-from kinegrade.exam.folder.writing import line_json
-from kinegrade.exam.key_mistakes import mistaken_answers
-from kinegrade.exam.key_record import key_line
-from kinegrade.exam.pages import key_paper, paper_pages
+from kinegrade.exam.folder.writing import encode_line
+from kinegrade.exam.key_mistakes import find_mistaken_answers
+from kinegrade.exam.key_record import make_key_line
+from kinegrade.exam.pages import lay_out_paper, make_key_paper
 from kinegrade.exam.press import Engine, Press, Printout
 from kinegrade.exam.setting import SetPaper
 from kinegrade.exam.typst import TypstPress
@@ -99,32 +99,34 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
     """
     figure = partial(sketch_once, run.sketchbook) if run.sketchbook else sketch
     pages = {
-        paper.student.file_name: paper_pages(run.bank, paper, run.language, figure)
+        paper.student.file_name: lay_out_paper(run.bank, paper, run.language, figure)
         for paper in papers
     }
     printouts = press.papers(pages)
-    solutions = _solutions(run, press, papers) if run.extras.solutions else {}
-    also = _also(pages, run) if run.extras.also else {}
+    solutions = _print_solutions(run, press, papers) if run.extras.solutions else {}
+    also = _print_also(pages, run) if run.extras.also else {}
     return [
         Printed(
             printouts[name],
             solutions.get(name),
             also.get(name, {}),
-            line_json(key_line(paper, mistakes, shuffled=run.bank.shuffle)),
-            key_paper(paper, run.language),
+            encode_line(make_key_line(paper, mistakes, shuffled=run.bank.shuffle)),
+            make_key_paper(paper, run.language),
         )
-        for name, paper, mistakes in zip(pages, papers, mistaken_answers(papers), strict=True)
+        for name, paper, mistakes in zip(pages, papers, find_mistaken_answers(papers), strict=True)
     ]
 
 
-def _solutions(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> dict[str, Printout]:
+def _print_solutions(
+    run: PrintRun, press: Press, papers: Sequence[SetPaper]
+) -> dict[str, Printout]:
     """The worked solutions of each paper, by its file name."""
     # It loads everything for worked solutions
-    from kinegrade.exam.solution_pages import solution_sheet
+    from kinegrade.exam.solution_pages import write_solution_sheet
 
     return press.solutions(
         {
-            paper.student.file_name: solution_sheet(
+            paper.student.file_name: write_solution_sheet(
                 run.bank, paper, run.language, run.extras.method
             )
             for paper in papers
@@ -132,7 +134,7 @@ def _solutions(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> dict[
     )
 
 
-def _also(pages: Mapping[str, Paper], run: PrintRun) -> dict[str, dict[str, bytes]]:
+def _print_also(pages: Mapping[str, Paper], run: PrintRun) -> dict[str, dict[str, bytes]]:
     """Each paper, by its file name, in the other kinds of files that are wanted. Raises
     TypesetError as `kinegrade.exam.word` does.
     """

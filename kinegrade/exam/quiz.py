@@ -16,21 +16,21 @@ from itertools import islice
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import KeyLine
-from kinegrade.exam.pages import version_name
+from kinegrade.exam.pages import write_version_name
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
-from kinegrade.exam.quiz_paper import QuizWishes, paper_asks, quiz_paper
+from kinegrade.exam.quiz_paper import QuizWishes, list_asks, make_quiz_paper
 from kinegrade.exam.quiz_source import QuizSource, read_quiz_source
 from kinegrade.language import Language
-from kinegrade.processes import THIS_PROCESS, Shared, mapped, parts_of
+from kinegrade.processes import THIS_PROCESS, Shared, map_in_order, split_in_parts
 
-PART = 20  # papers in one task, few enough for all processes to end together
+_PART = 20  # papers in one task, few enough for all processes to end together
 PLAIN = QuizWishes()
 Progress = Callable[[Iterator[QuizPaper], int], Iterator[QuizPaper]]
 Line = tuple[int, bytes]
 
 
 @dataclass(frozen=True)
-class QuizOrder:
+class _QuizOrder:
     """What is the same for all papers of a quiz."""
 
     source: QuizSource
@@ -62,15 +62,15 @@ def read_quiz(
             f"{exam.path}: has {available} different papers - expected {variants} for {variants} "
             f"variants of each question - ask for up to {available}"
         )
-    order = QuizOrder(source, wishes, variants is not None)
-    papers = _papers(order, islice(different(exam), variants), workers)
+    order = _QuizOrder(source, wishes, variants is not None)
+    papers = _make_papers(order, islice(different(exam), variants), workers)
     return Quiz(
         source.language,
         source.course,
         source.title,
         progress(papers, variants or available),
         source.identifier,
-        _asks(source, islice(different(exam), variants)),
+        _list_asks(source, islice(different(exam), variants)),
     )
 
 
@@ -89,34 +89,38 @@ def different(exam: ExamFolder) -> Iterator[Line]:
     yield from (found[letter] for letter in sorted(found))
 
 
-def _asks(source: QuizSource, lines: Iterator[Line]) -> Iterator[tuple[str, QuizAsk]]:
+def _list_asks(source: QuizSource, lines: Iterator[Line]) -> Iterator[tuple[str, QuizAsk]]:
     """The asks of these lines, papers one after the other."""
     for line in lines:
-        yield from paper_asks(source, source.exam.read_line(*line))
+        yield from list_asks(source, source.exam.read_line(*line))
 
 
-def _papers(order: QuizOrder, lines: Iterator[Line], workers: Executor) -> Iterator[QuizPaper]:
+def _make_papers(
+    order: _QuizOrder, lines: Iterator[Line], workers: Executor
+) -> Iterator[QuizPaper]:
     """The papers of these lines, in order."""
     shared = Shared(order)
-    tasks = ((shared, part) for part in parts_of(lines, PART))
-    for papers in mapped(workers, _part, tasks):
+    tasks = ((shared, part) for part in split_in_parts(lines, _PART))
+    for papers in map_in_order(workers, _make_part, tasks):
         yield from papers
 
 
-def _part(task: tuple[Shared[QuizOrder], Sequence[Line]]) -> list[QuizPaper]:
+def _make_part(task: tuple[Shared[_QuizOrder], Sequence[Line]]) -> list[QuizPaper]:
     """The papers of a part of the class."""
     shared, lines = task
-    return [_paper(shared.value, line) for line in lines]
+    return [_make_paper(shared.value, line) for line in lines]
 
 
-def _paper(order: QuizOrder, text: Line) -> QuizPaper:
+def _make_paper(order: _QuizOrder, text: Line) -> QuizPaper:
     line = order.source.exam.read_line(*text)
     if line.version and not order.pooled:
-        return _version(order.source, order.wishes, line)
-    return quiz_paper(order.source, order.wishes, line, pooled=order.pooled)
+        return _make_version(order.source, order.wishes, line)
+    return make_quiz_paper(order.source, order.wishes, line, pooled=order.pooled)
 
 
-def _version(source: QuizSource, wishes: QuizWishes, line: KeyLine) -> QuizPaper:
+def _make_version(source: QuizSource, wishes: QuizWishes, line: KeyLine) -> QuizPaper:
     """The paper of all students who have that version."""
-    paper = quiz_paper(source, wishes, line, pooled=True)
-    return QuizPaper(line.version, "", version_name(line.version, source.language), paper.questions)
+    paper = make_quiz_paper(source, wishes, line, pooled=True)
+    return QuizPaper(
+        line.version, "", write_version_name(line.version, source.language), paper.questions
+    )

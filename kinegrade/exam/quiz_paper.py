@@ -11,33 +11,33 @@ from typing import Any
 
 from kinegrade.errors import ExamError, FieldError, KinegradeError
 from kinegrade.exam.folder.contents import HEAD
-from kinegrade.exam.folder.exact_keys import exact_value, mistakes_of
-from kinegrade.exam.folder.faults import AS_GENERATED, broken
-from kinegrade.exam.folder.numbers import number
+from kinegrade.exam.folder.exact_keys import find_exact_value, read_mistakes
+from kinegrade.exam.folder.faults import AS_GENERATED, explain_broken
+from kinegrade.exam.folder.numbers import require_number
 from kinegrade.exam.folder.records import KeyLine, KeyQuestion, StatedAnswer
-from kinegrade.exam.pages import answer_row
+from kinegrade.exam.pages import make_answer_row
 from kinegrade.exam.quiz_document import QuizAsk, QuizFigure, QuizMistake, QuizPaper, QuizQuestion
-from kinegrade.exam.quiz_solution import solution_html
+from kinegrade.exam.quiz_solution import write_solution_html
 from kinegrade.exam.quiz_source import QuizSource, tolerance_of
-from kinegrade.exam.quiz_words import FIGURE, AskRule, digits_to_type, marking_rules
+from kinegrade.exam.quiz_words import FIGURE, AskRule, count_digits_to_type, write_marking_rules
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.svg import to_svg
 from kinegrade.language import Language
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.assemble import assemble
-from kinegrade.problem.mistake_kinds import sentences
-from kinegrade.problem.quantity import Quantity, in_unit
+from kinegrade.problem.mistake_kinds import load_sentences
+from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.problem.solving import (
-    certain,
-    certified,
-    parameter_values,
+    find_certain_values,
+    find_parameter_values,
     read_values,
+    solve_certified,
 )
-from kinegrade.problem.statement import statement
+from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template import Method, Template
 
-NO_CREDIT = Fraction(0)
+_NO_CREDIT = Fraction(0)
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class QuizWishes:
     method: Method | None = None
 
 
-def quiz_paper(
+def make_quiz_paper(
     source: QuizSource, wishes: QuizWishes, line: KeyLine, *, pooled: bool = False
 ) -> QuizPaper:
     """The questions of one paper, without a student where they are pooled.
@@ -62,14 +62,14 @@ def quiz_paper(
     """
     code = line.version or line.paper  # a version belongs to no particular student
     try:
-        questions = tuple(_question(source, wishes, line, entry) for entry in line.questions)
+        questions = tuple(_make_question(source, wishes, line, entry) for entry in line.questions)
         name = "" if pooled else source.exam.head.candidates[line.student].name
     except (KeyError, FieldError) as fault:
-        raise _broken(source, line, fault) from fault
+        raise _explain_broken(source, line, fault) from fault
     return QuizPaper(code, "" if pooled else line.student, name, questions)
 
 
-def paper_asks(source: QuizSource, line: KeyLine) -> Iterator[tuple[str, QuizAsk]]:
+def list_asks(source: QuizSource, line: KeyLine) -> Iterator[tuple[str, QuizAsk]]:
     """The asks of one paper by question, without known mistakes, figures and texts, which makes it
     fast.
 
@@ -80,29 +80,29 @@ def paper_asks(source: QuizSource, line: KeyLine) -> Iterator[tuple[str, QuizAsk
         for entry in line.questions:
             template = source.templates[entry.question]
             for name, stated in entry.asks.items():
-                yield entry.question, _ask(template, name, stated, without_mistakes, source)
+                yield entry.question, _make_ask(template, name, stated, without_mistakes, source)
     except (KeyError, FieldError) as fault:
-        raise _broken(source, line, fault) from fault
+        raise _explain_broken(source, line, fault) from fault
 
 
-def _broken(source: QuizSource, line: KeyLine, fault: KeyError | FieldError) -> ExamError:
+def _explain_broken(source: QuizSource, line: KeyLine, fault: KeyError | FieldError) -> ExamError:
     reason = f"{fault} is not in {HEAD}" if isinstance(fault, KeyError) else str(fault)
-    return broken(
+    return explain_broken(
         source.exam.key,
         [f'the line of student "{line.student}" is broken ({reason}) - {AS_GENERATED}'],
     )
 
 
-def _question(
+def _make_question(
     source: QuizSource, wishes: QuizWishes, line: KeyLine, entry: KeyQuestion
 ) -> QuizQuestion:
     name, language, code = entry.question, source.language, line.version or line.paper
     template = source.templates[name]
     solution = source.kept.derive(line, entry).drawn.solution if wishes.solutions else None
     try:
-        parameters, mechanism = shown(template, entry.values)
+        parameters, mechanism = show_instance(template, entry.values)
         asks = tuple(
-            _ask(template, ask, stated, wishes, source) for ask, stated in entry.asks.items()
+            _make_ask(template, ask, stated, wishes, source) for ask, stated in entry.asks.items()
         )
         rules = {
             template.asks[ask].symbol: AskRule(source.tolerances[name, ask], stated.unit)
@@ -112,12 +112,14 @@ def _question(
             f"{source.identifier}-{code}-{name}",
             name,
             template.about.title.in_language(language),
-            statement(template, parameters, language),
-            _figure(template, mechanism, language),
+            write_statement(template, parameters, language),
+            _draw_figure(template, mechanism, language),
             asks,
-            solution_html(solution, tuple(entry.asks), language, wishes.method) if solution else "",
-            marking_rules(rules, language),
-            digits_to_type(rule.tolerance for rule in rules.values()),
+            write_solution_html(solution, tuple(entry.asks), language, wishes.method)
+            if solution
+            else "",
+            write_marking_rules(rules, language),
+            count_digits_to_type(rule.tolerance for rule in rules.values()),
         )
     except FieldError:
         raise  # a fault of the key, which its reader places
@@ -127,7 +129,9 @@ def _question(
         ) from error
 
 
-def shown(template: Template, given: Mapping[str, str]) -> tuple[dict[str, Quantity], Mechanism]:
+def show_instance(
+    template: Template, given: Mapping[str, str]
+) -> tuple[dict[str, Quantity], Mechanism]:
     """What a paper shows of an instance, its parameters and the mechanism to be drawn, without
     solving it.
 
@@ -136,18 +140,18 @@ def shown(template: Template, given: Mapping[str, str]) -> tuple[dict[str, Quant
     trees = read_values(template, given)
 
     def work(arithmetic: Any) -> tuple[dict[str, Quantity], Mechanism]:
-        values = parameter_values(template, trees, arithmetic)
-        known = values if arithmetic.exact else certain(template, trees, values)
+        values = find_parameter_values(template, trees, arithmetic)
+        known = values if arithmetic.exact else find_certain_values(template, trees, values)
         parameters = {
-            name: in_unit(name, value, template.parameters[name].unit)
+            name: express_in_unit(name, value, template.parameters[name].unit)
             for name, value in known.items()
         }
-        return parameters, drawable_mechanism(assemble(template, values, arithmetic).mechanism)
+        return parameters, convert_to_floats(assemble(template, values, arithmetic).mechanism)
 
-    return certified(work)
+    return solve_certified(work)
 
 
-def _figure(template: Template, mechanism: Mechanism, language: Language) -> QuizFigure:
+def _draw_figure(template: Template, mechanism: Mechanism, language: Language) -> QuizFigure:
     scene = sketch(mechanism, template.figure)
     title = template.about.title.in_language(language).replace("$", "")
     return QuizFigure(
@@ -155,14 +159,16 @@ def _figure(template: Template, mechanism: Mechanism, language: Language) -> Qui
     )
 
 
-def _ask(
+def _make_ask(
     template: Template, name: str, stated: StatedAnswer, wishes: QuizWishes, source: QuizSource
 ) -> QuizAsk:
-    row = answer_row(template.asks[name], number("points", stated.points), source.language)
-    value = exact_value(stated)
+    row = make_answer_row(
+        template.asks[name], require_number("points", stated.points), source.language
+    )
+    value = find_exact_value(stated)
     low, high = tolerance_of(stated.tolerance).interval(value)
-    period = None if stated.period is None else number("period", stated.period)
-    mistakes = tuple(_mistakes(stated, wishes.credit, source)) if wishes.mistakes else ()
+    period = None if stated.period is None else require_number("period", stated.period)
+    mistakes = tuple(_find_mistakes(stated, wishes.credit, source)) if wishes.mistakes else ()
     return QuizAsk(
         name,
         row.symbol,
@@ -178,14 +184,14 @@ def _ask(
     )
 
 
-def _mistakes(
+def _find_mistakes(
     stated: StatedAnswer, wished: Fraction | None, source: QuizSource
 ) -> Iterator[QuizMistake]:
     """What known mistakes lead to outside the interval of what is right."""
-    tolerance, words = tolerance_of(stated.tolerance), sentences()
-    low, high = tolerance.interval(exact_value(stated))
-    for identifier, value in mistakes_of(stated.mistakes).items():
+    tolerance, words = tolerance_of(stated.tolerance), load_sentences()
+    low, high = tolerance.interval(find_exact_value(stated))
+    for identifier, value in read_mistakes(stated.mistakes).items():
         if not low <= value <= high:
             sentence = words[identifier][source.language] if identifier in words else identifier
-            credit = source.credits.get(identifier, NO_CREDIT) if wished is None else wished
+            credit = source.credits.get(identifier, _NO_CREDIT) if wished is None else wished
             yield QuizMistake(identifier, value, credit, sentence, *tolerance.interval(value))

@@ -14,10 +14,10 @@ from html import escape
 
 from markdown_it.token import Token
 
-from kinegrade.exam.formula import RAISED, TEXT, checked, unit_text
-from kinegrade.exam.markup import between_wide, leaves_of, read_line, read_prose
+from kinegrade.exam.formula import RAISED, TEXT, require_known_math, write_unit
+from kinegrade.exam.markup import find_leaves, is_between_wide, read_line, read_prose
 
-WRITTEN = {
+_WRITTEN = {
     "paragraph_open": "<p>",
     "paragraph_close": "</p>\n",
     "strong_open": "<strong>",
@@ -37,75 +37,77 @@ _BOLD = re.compile(r"\\bm(?![A-Za-z])")
 
 
 @lru_cache(maxsize=512)  # the lines about what is asked for are on every paper
-def prose_html(markdown: str, where: str = "text", *, inline: bool = False) -> str:
+def write_prose_html(markdown: str, where: str = "text", *, inline: bool = False) -> str:
     r"""Several paragraphs of Markdown with `$...$` math; `inline`: one line, not set as a
     paragraph.
 
     Raises TypesetError with every fault of the text, each naming `where`.
 
-    >>> prose_html("The **crank** $OA$ & more", inline=True)
+    >>> write_prose_html("The **crank** $OA$ & more", inline=True)
     'The <strong>crank</strong> \\(OA\\) &amp; more'
     """
-    leaves = leaves_of((read_line if inline else read_prose)(markdown, where))
-    return "".join(_written(leaves, index, where) for index in range(len(leaves)))
+    leaves = find_leaves((read_line if inline else read_prose)(markdown, where))
+    return "".join(_write_written(leaves, index, where) for index in range(len(leaves)))
 
 
-def plain_html(text: str) -> str:
+def write_plain_html(text: str) -> str:
     """A text as it is; control characters, which XML cannot hold, become blanks.
 
-    >>> plain_html("a < b")
+    >>> write_plain_html("a < b")
     'a &lt; b'
     """
     return escape(_CONTROL.sub(" ", text))
 
 
 @lru_cache(maxsize=4096)
-def math_html(latex: str, where: str = "text", *, display: bool = False) -> str:
+def write_math_html(latex: str, where: str = "text", *, display: bool = False) -> str:
     r"""A formula between MathJax's delimiters, in the LaTeX that MathJax knows.
 
     Raises TypesetError where it holds anything but the math that every press prints.
 
-    >>> math_html(r"v_B = 2\,\unit{m/s^2}")
+    >>> write_math_html(r"v_B = 2\,\unit{m/s^2}")
     '\\(v_B = 2\\,\\mathrm{m/s^{2}}\\)'
     """
-    known = _BOLD.sub(r"\\boldsymbol", checked(latex.strip(), where))
-    written = TEXT.sub(lambda found: "{,}" if found[2] else _upright(found), known)
-    return rf"\[{plain_html(written)}\]" if display else rf"\({plain_html(written)}\)"
+    known = _BOLD.sub(r"\\boldsymbol", require_known_math(latex.strip(), where))
+    written = TEXT.sub(lambda found: "{,}" if found[2] else _write_upright(found), known)
+    return rf"\[{write_plain_html(written)}\]" if display else rf"\({write_plain_html(written)}\)"
 
 
-def unit_html(unit: str) -> str:
+def write_unit_html(unit: str) -> str:
     """A unit with raised exponents; "" for a pure number.
 
-    >>> unit_html("rad/s^2"), unit_html("deg"), unit_html("1")
+    >>> write_unit_html("rad/s^2"), write_unit_html("deg"), write_unit_html("1")
     ('rad/s<sup>2</sup>', '°', '')
     """
-    raised = RAISED.sub(lambda power: f"<sup>{power[1].replace('-', '−')}</sup>", plain_html(unit))
+    raised = RAISED.sub(
+        lambda power: f"<sup>{power[1].replace('-', '−')}</sup>", write_plain_html(unit)
+    )
     return {"deg": "°", "1": ""}.get(unit, raised.replace("*", "·"))
 
 
-def _upright(found: re.Match[str]) -> str:
+def _write_upright(found: re.Match[str]) -> str:
     r"""`\unit{...}` as upright math, `\text{...}` with raised exponents as it is."""
     if not found[0].startswith(r"\unit"):
-        return rf"\text{{{unit_text(found[1])}}}"
+        return rf"\text{{{write_unit(found[1])}}}"
     if found[1] == "deg":
         return r"{}^{\circ}"
     raised = RAISED.sub(r"^{\1}", found[1]).replace("*", r"{\cdot}")
     return rf"\mathrm{{{raised}}}"
 
 
-def _written(leaves: Sequence[Token], index: int, where: str) -> str:
+def _write_written(leaves: Sequence[Token], index: int, where: str) -> str:
     token = leaves[index]
     match token.type:
         case "text" | "text_special":
-            return plain_html(token.content)
+            return write_plain_html(token.content)
         case "softbreak":
-            return "" if between_wide(leaves, index) else " "
+            return "" if is_between_wide(leaves, index) else " "
         case "math_inline":
-            return math_html(token.content, where)
+            return write_math_html(token.content, where)
         case "math_inline_double" | "math_block":
-            return math_html(token.content, where, display=True)
+            return write_math_html(token.content, where, display=True)
         case "ordered_list_open":
             return f'<ol start="{int(token.attrs.get("start", 1))}">\n'
         case "paragraph_open" | "paragraph_close" if token.hidden:
             return ""
-    return WRITTEN[token.type]
+    return _WRITTEN[token.type]

@@ -10,10 +10,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import assert_never
 
-from kinegrade.exam.equation_line import equation_line
-from kinegrade.exam.quiz_prose import math_html, plain_html, prose_html, unit_html
+from kinegrade.exam.equation_line import split_equation_line
+from kinegrade.exam.quiz_prose import (
+    write_math_html,
+    write_plain_html,
+    write_prose_html,
+    write_unit_html,
+)
 from kinegrade.exam.solution_blocks import has_exact_decimal
-from kinegrade.exam.solution_words import SolutionWords, solution_words_of
+from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.language import Language
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Method
@@ -28,43 +33,43 @@ from kinegrade.worked.document import (
     Term,
     TermTable,
 )
-from kinegrade.worked.solution import worked_solution
+from kinegrade.worked.solution import write_worked_solution
 
-WHERE = "worked solution"
+_WHERE = "worked solution"
 
 
-def solution_html(
+def write_solution_html(
     solution: Solution, asks: Sequence[str], language: Language, method: Method | None = None
 ) -> str:
     """The worked solution of an instance for the asks named, by the method where several serve.
 
     Raises TypesetError for texts that cannot be shown.
     """
-    worked = worked_solution(solution, asks, language, method)
-    return blocks_html(worked.blocks, language)
+    worked = write_worked_solution(solution, asks, language, method)
+    return write_blocks_html(worked.blocks, language)
 
 
-def blocks_html(blocks: Sequence[Block], language: Language) -> str:
+def write_blocks_html(blocks: Sequence[Block], language: Language) -> str:
     """The blocks of a worked solution one after the other; pictures are left out. Raises
     TypesetError.
     """
-    words = solution_words_of(language)
-    return "".join(_block(block, words) for block in blocks)
+    words = choose_solution_words(language)
+    return "".join(_write_block(block, words) for block in blocks)
 
 
-def _block(block: Block, words: SolutionWords) -> str:
+def _write_block(block: Block, words: SolutionWords) -> str:
     match block:
         case Heading():
             tag = "h4" if block.level == 1 else "h5"
-            return f"<{tag}>{prose_html(block.text, WHERE, inline=True)}</{tag}>\n"
+            return f"<{tag}>{write_prose_html(block.text, _WHERE, inline=True)}</{tag}>\n"
         case Prose():
-            return prose_html(block.text, WHERE)
+            return write_prose_html(block.text, _WHERE)
         case Display():
-            return f"<p>{_aligned(block.lines)}</p>\n"
+            return f"<p>{_write_aligned(block.lines)}</p>\n"
         case TermTable():
-            return _terms(block.terms, words)
+            return _write_terms(block.terms, words)
         case Results():
-            items = "".join(f"<li>{_result(result)}</li>\n" for result in block.results)
+            items = "".join(f"<li>{_write_result(result)}</li>\n" for result in block.results)
             return f"<ul>\n{items}</ul>\n"
         case Pictures():
             return ""
@@ -72,50 +77,55 @@ def _block(block: Block, words: SolutionWords) -> str:
             assert_never(block)
 
 
-def _aligned(lines: Sequence[str]) -> str:
+def _write_aligned(lines: Sequence[str]) -> str:
     """Equations one below another; a long one continues on a new line before a relation sign."""
     rows = []
     for latex in lines:
-        parts = equation_line(latex)
+        parts = split_equation_line(latex)
         rows += [
             f"{parts.left} &{parts.pieces[0] if parts.pieces else ''} "
             f"{' '.join(parts.pieces[1:])}".strip()
         ]
     body = r" \\ ".join(rows)
-    return math_html(rf"\begin{{aligned}} {body} \end{{aligned}}", WHERE, display=True)
+    return write_math_html(rf"\begin{{aligned}} {body} \end{{aligned}}", _WHERE, display=True)
 
 
-def _terms(terms: Sequence[Term], words: SolutionWords) -> str:
+def _write_terms(terms: Sequence[Term], words: SolutionWords) -> str:
     """The vector equation over the magnitudes and directions of its terms."""
     symbols = [
-        math_html(f"{term.sign}{{}} {term.symbol}".strip() if term.sign else term.symbol, WHERE)
+        write_math_html(
+            f"{term.sign}{{}} {term.symbol}".strip() if term.sign else term.symbol, _WHERE
+        )
         for term in terms
     ]
     rows = [
         ("", symbols),
-        (words.magnitude, [_cell(term.magnitude) for term in terms]),
-        (words.direction, [_cell(term.direction) for term in terms]),
+        (words.magnitude, [_write_cell(term.magnitude) for term in terms]),
+        (words.direction, [_write_cell(term.direction) for term in terms]),
     ]
     written = "".join(
-        f'<tr><th scope="row">{plain_html(head)}</th>{"".join(map(_entry, cells))}</tr>\n'
+        (
+            f'<tr><th scope="row">{write_plain_html(head)}</th>'
+            f"{''.join(map(_write_entry, cells))}</tr>\n"
+        )
         for head, cells in rows
     )
     return f"<table><tbody>\n{written}</tbody></table>\n"
 
 
-def _cell(text: str) -> str:
-    return prose_html(text, WHERE, inline=True)
+def _write_cell(text: str) -> str:
+    return write_prose_html(text, _WHERE, inline=True)
 
 
-def _entry(cell: str) -> str:
+def _write_entry(cell: str) -> str:
     return f'<td style="padding:0 .5em;text-align:center">{cell}</td>'
 
 
-def _result(result: Result) -> str:
+def _write_result(result: Result) -> str:
     exact = f"= {result.exact} " if result.exact not in (None, result.decimal) else ""
     relation = "=" if has_exact_decimal(result) else r"\approx"
-    value = math_html(rf"{result.symbol} {exact}{relation} {result.decimal}", WHERE)
-    unit = unit_html(result.unit)
+    value = write_math_html(rf"{result.symbol} {exact}{relation} {result.decimal}", _WHERE)
+    unit = write_unit_html(result.unit)
     spaced = unit if unit in ("", "°") else f" {unit}"
-    sense = f" ({prose_html(result.sense, WHERE, inline=True)})" if result.sense else ""
+    sense = f" ({write_prose_html(result.sense, _WHERE, inline=True)})" if result.sense else ""
     return f"{value}{spaced}{sense}"

@@ -15,10 +15,10 @@ from itertools import islice
 import msgspec
 
 from kinegrade.errors import FieldError, TomlError
-from kinegrade.exact.written import NumberError, written_number
-from kinegrade.exam.folder.exact_keys import rule_of
+from kinegrade.exact.written import NumberError, read_number
+from kinegrade.exam.folder.exact_keys import read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import broken, damaged
+from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import KeyLine, StatedTolerance
 from kinegrade.exam.kept_exam import KeptExam
 from kinegrade.fields.toml_text import read_toml
@@ -26,8 +26,8 @@ from kinegrade.language import Language
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
 
-DIGITS = 8  # hexadecimal, of the identifier
-LOOKED_AT = 64  # papers searched for the bank's tolerances, which answers of zero widen
+_DIGITS = 8  # hexadecimal, of the identifier
+_LOOKED_AT = 64  # papers searched for the bank's tolerances, which answers of zero widen
 
 
 @dataclass(frozen=True)
@@ -64,37 +64,37 @@ def read_quiz_source(exam: ExamFolder, language: Language | None = None) -> Quiz
     """
     title, course = exam.head.title, exam.head.course
     if language and language != exam.language:
-        title, course = _translated(exam.bank, language, title, course)
+        title, course = _translate(exam.bank, language, title, course)
     return QuizSource(
         exam,
-        _identifier(exam),
+        _make_identifier(exam),
         language or exam.language,
         title,
         course,
         exam.templates.all(),
-        _tolerances(exam),
-        _credits(exam),
+        _read_tolerances(exam),
+        _read_credits(exam),
     )
 
 
 def tolerance_of(stated: StatedTolerance) -> Tolerance:
     """The tolerance that an ask's key states. Raises FieldError."""
-    rule = rule_of(stated)
+    rule = read_rule(stated)
     return Tolerance(rule.relative, rule.absolute, rule.figures)
 
 
-def _identifier(exam: ExamFolder) -> str:
+def _make_identifier(exam: ExamFolder) -> str:
     """The exam's identifier; if the secret was taken out of the folder, derived from the first
     paper's code.
     """
     secret = exam.head.drawn_from
     if secret is None:
         first = exam.head.students[0].paper
-        return sha256(f"{first}\n{exam.bank}".encode()).hexdigest()[:DIGITS]
-    return digest(secret.coding.encode(), f"quiz\n{exam.bank}".encode(), "sha256").hex()[:DIGITS]
+        return sha256(f"{first}\n{exam.bank}".encode()).hexdigest()[:_DIGITS]
+    return digest(secret.coding.encode(), f"quiz\n{exam.bank}".encode(), "sha256").hex()[:_DIGITS]
 
 
-def _translated(bank: str, language: Language, *texts: str) -> tuple[str, ...]:
+def _translate(bank: str, language: Language, *texts: str) -> tuple[str, ...]:
     """Title and course in another language, where the bank has them in it."""
     try:
         table = read_toml(bank)
@@ -107,30 +107,32 @@ def _translated(bank: str, language: Language, *texts: str) -> tuple[str, ...]:
     )
 
 
-def _credits(exam: ExamFolder) -> dict[str, Fraction]:
+def _read_credits(exam: ExamFolder) -> dict[str, Fraction]:
     """The shares of the points that the bank gives for known mistakes. Raises ExamError."""
     stated = (exam.head.credit or {}).get("mistakes", {})
     try:
         shares = msgspec.convert(stated, dict[str, object])
-        return {name: written_number(share) for name, share in shares.items()}
+        return {name: read_number(share) for name, share in shares.items()}
     except (msgspec.ValidationError, NumberError) as fault:
-        raise broken(exam.path, [f"credit: {damaged(fault)}"]) from fault
+        raise explain_broken(exam.path, [f"credit: {describe_damage(fault)}"]) from fault
 
 
-def _tolerances(exam: ExamFolder) -> dict[tuple[str, str], Tolerance]:
+def _read_tolerances(exam: ExamFolder) -> dict[tuple[str, str], Tolerance]:
     """The smallest tolerance by question and ask: the bank's, where the answer is not zero."""
     found: dict[tuple[str, str], Tolerance] = {}
-    for line in islice(exam.lines(), LOOKED_AT):
+    for line in islice(exam.lines(), _LOOKED_AT):
         try:
-            for place, tolerance in _stated_tolerances(line):
+            for place, tolerance in _list_stated_tolerances(line):
                 if place not in found or tolerance.absolute < found[place].absolute:
                     found[place] = tolerance
         except FieldError as fault:
-            raise broken(exam.key, [f'the line of student "{line.student}": {fault}']) from fault
+            raise explain_broken(
+                exam.key, [f'the line of student "{line.student}": {fault}']
+            ) from fault
     return found
 
 
-def _stated_tolerances(line: KeyLine) -> Iterator[tuple[tuple[str, str], Tolerance]]:
+def _list_stated_tolerances(line: KeyLine) -> Iterator[tuple[tuple[str, str], Tolerance]]:
     """The tolerances of one paper by question and ask. Raises FieldError."""
     for question in line.questions:
         for name, ask in question.asks.items():

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kinegrade.exam.rules import EXCEPTION, FEWEST_DIGITS, marking_rule
+from kinegrade.exam.rules import EXCEPTION, FEWEST_DIGITS, write_marking_rule
 from kinegrade.language import Language
 from kinegrade.problem.tolerance import Tolerance
 
@@ -14,7 +14,7 @@ FIGURE = {"en": "Figure to scale: {}", "zh": "附图（按比例绘制）：{}"}
 BETWEEN = {"en": " ", "zh": ""}
 
 
-def digits_to_type(tolerances: Iterable[Tolerance]) -> int:
+def count_digits_to_type(tolerances: Iterable[Tolerance]) -> int:
     """The fewest significant digits with which every answer can be judged right or wrong."""
     return max(FEWEST_DIGITS, *(tolerance.carried(Fraction(0)) for tolerance in tolerances))
 
@@ -30,10 +30,10 @@ class AskRule:
 
     def text(self, language: Language) -> str:
         """When the answer is right."""
-        return marking_rule(self.tolerance, language, self.unit)
+        return write_marking_rule(self.tolerance, language, self.unit)
 
 
-def marking_rules(asks: Mapping[str, AskRule], language: Language) -> str:
+def write_marking_rules(asks: Mapping[str, AskRule], language: Language) -> str:
     """When the answers of a question are right; `asks` holds the rules by symbol (math)."""
     texts = {symbol: rule.text(language) for symbol, rule in asks.items()}
     distinct = set(texts.values())

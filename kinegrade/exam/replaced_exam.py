@@ -16,18 +16,18 @@ from pathlib import Path
 
 from msgspec import json, structs
 
-from kinegrade.errors import ExamError, OutputError, one_line
+from kinegrade.errors import ExamError, OutputError, show_in_one_line
 from kinegrade.exam.exam_secret import ExamSecret
 from kinegrade.exam.folder.contents import ANSWERS, HEAD, POOL, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedAnswer
-from kinegrade.exam.hand_work import answered, edited_since, require_nothing_edited
+from kinegrade.exam.hand_work import is_answered, refuse_edited, require_nothing_edited
 
-UNKNOWN = "the exam that stood there could not be read, so nothing is known of its papers"
-RESTORING = "expected it as kinegrade generate wrote it - restore the exam folder"
-OTHERWISE = "choose another one, or add --new-numbers to replace its papers anyway"
-NAMED = 5  # students that a message names
-MOST_PLACES = 100  # for each student; beyond the class are only those of students who left
+_UNKNOWN = "the exam that stood there could not be read, so nothing is known of its papers"
+_RESTORING = "expected it as kinegrade generate wrote it - restore the exam folder"
+_OTHERWISE = "choose another one, or add --new-numbers to replace its papers anyway"
+_NAMED = 5  # students that a message names
+_MOST_PLACES = 100  # for each student; beyond the class are only those of students who left
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ class ReplacedExam:
 
     def changes(self, new: Path) -> PaperChanges:
         """How the papers differ from those of the folder `new`. Raises ExamError."""
-        papers = paper_digests(open_exam(new))
+        papers = _paper_digests(open_exam(new))
         common = [student for student in self.papers if student in papers]
         return PaperChanges(
             tuple(student for student in common if self.papers[student] == papers[student]),
@@ -83,7 +83,7 @@ class ReplacedExam:
         if changes.harmless:
             return
         whose = [*changes.changed, *changes.gone]
-        names = ", ".join(whose[:NAMED]) + (", ..." if len(whose) > NAMED else "")
+        names = ", ".join(whose[:_NAMED]) + (", ..." if len(whose) > _NAMED else "")
         removed = "and every student in the roster, " if changes.gone else ""
         raise OutputError(
             f"{self.folder}: {len(changes.changed)} of {len(self.papers)} papers would change and "
@@ -101,21 +101,21 @@ def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
     """
     if not (folder / HEAD).exists():
         return None
-    if answered(folder / ANSWERS):
-        raise edited_since(folder, [ANSWERS])
+    if is_answered(folder / ANSWERS):
+        raise refuse_edited(folder, [ANSWERS])
     try:
         return read_replaced(open_exam(folder))
     except ExamError as error:
         if new_numbers:
             return ReplacedExam(folder, None, None, {}, {})
-        raise ExamError(*(f"{problem}, {OTHERWISE}" for problem in error.problems)) from error
+        raise ExamError(*(f"{problem}, {_OTHERWISE}" for problem in error.problems)) from error
 
 
 def read_replaced(exam: ExamFolder) -> ReplacedExam:
     """The exam of which everything is known that a replacement may change. Raises ExamError."""
     secret = required_secret(exam)
     exam.require_sound_key()
-    papers = paper_digests(exam)
+    papers = _paper_digests(exam)
     kept = {line.student: line for line in exam.lines()}
     _require_places(exam, kept)
     return ReplacedExam(exam.path, exam.head, secret, papers, kept)
@@ -129,7 +129,7 @@ def required_secret(exam: ExamFolder) -> ExamSecret:
     if secret is None:
         raise ExamError(
             f"{exam.path / HEAD}: does not hold the secret that its numbers are drawn from - "
-            f"{RESTORING}"
+            f"{_RESTORING}"
         )
     return secret
 
@@ -141,10 +141,11 @@ def _require_places(exam: ExamFolder, kept: Mapping[str, KeyLine]) -> None:
         if line.place is None:
             continue
         first = whose.setdefault(line.place, student)
-        if first != student or not 0 <= line.place < MOST_PLACES * len(kept):
+        if first != student or not 0 <= line.place < _MOST_PLACES * len(kept):
             raise ExamError(
-                f'{exam.key}: student "{one_line(student)}" has the place {line.place} - expected '
-                f"one of the class, and no other student's - {RESTORING}"
+                f'{exam.key}: student "{show_in_one_line(student)}" '
+                f"has the place {line.place} - expected "
+                f"one of the class, and no other student's - {_RESTORING}"
             )
 
 
@@ -162,40 +163,42 @@ def settle(
     require_nothing_edited(old.folder, old.head, folder)
     names = (POOL,) if solutions else (SOLUTIONS, f"{SOLUTIONS}.pdf", POOL)
     if old.secret is None:
-        return None, (UNKNOWN, *dropped(names, old.folder))
+        return None, (_UNKNOWN, *_dropped(names, old.folder))
     changes = old.changes(folder)
     if not new_numbers:
         old.require_papers_kept(changes)
-    remarks = keep(names, old.folder, folder) if changes.harmless else dropped(names, old.folder)
+    remarks = _keep(names, old.folder, folder) if changes.harmless else _dropped(names, old.folder)
     return changes, tuple(remarks)
 
 
-def paper_digests(exam: ExamFolder) -> dict[str, bytes]:
+def _paper_digests(exam: ExamFolder) -> dict[str, bytes]:
     """For each student of the key a digest of what the paper asks and what is right on it. Raises
     ExamError.
     """
-    return {line.student: paper_digest(line) for line in exam.lines()}
+    return {line.student: _paper_digest(line) for line in exam.lines()}
 
 
-def paper_digest(line: KeyLine) -> bytes:
+def _paper_digest(line: KeyLine) -> bytes:
     """A digest of a paper and of what its marks depend on: without the known mistakes, which are
     not on the paper, and without what folders of format 1 do not keep.
     """
     questions = tuple(
-        structs.replace(question, drawn={}, asks=dict(map(without_mistakes, question.asks.items())))
+        structs.replace(
+            question, drawn={}, asks=dict(map(_without_mistakes, question.asks.items()))
+        )
         for question in line.questions
     )
     paper = structs.replace(line, place=None, questions=questions)
     return sha256(json.encode(paper, order="sorted")).digest()
 
 
-def without_mistakes(named: tuple[str, StatedAnswer]) -> tuple[str, StatedAnswer]:
+def _without_mistakes(named: tuple[str, StatedAnswer]) -> tuple[str, StatedAnswer]:
     """An ask by its name, without what known mistakes lead to."""
     name, answer = named
     return name, structs.replace(answer, mistakes={})
 
 
-def keep(names: Iterable[str], old: Path, new: Path) -> Iterator[str]:
+def _keep(names: Iterable[str], old: Path, new: Path) -> Iterator[str]:
     """Copy into the folder `new` what belongs to papers that stay, and say so."""
     for name in names:
         source = old / name
@@ -209,7 +212,7 @@ def keep(names: Iterable[str], old: Path, new: Path) -> Iterator[str]:
         yield f"{name} stays as it was{lacking}"
 
 
-def dropped(names: Iterable[str], old: Path) -> Iterator[str]:
+def _dropped(names: Iterable[str], old: Path) -> Iterator[str]:
     """What belonged to papers that are replaced and goes with them, said."""
     for name in names:
         if (old / name).exists():

@@ -14,15 +14,15 @@ from typing import TypeVar
 
 import msgspec
 
-from kinegrade.errors import ExamError, did_you_mean, message
+from kinegrade.errors import ExamError, did_you_mean, write_message
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import broken, damaged
+from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.kept_exam import KeptExam
-from kinegrade.exam.pages import paper_pages
+from kinegrade.exam.pages import lay_out_paper
 from kinegrade.exam.press import Press, Printout
 from kinegrade.exam.printing import Extras, PressOrder, PrintRun
-from kinegrade.exam.roster import Roster, student_key
+from kinegrade.exam.roster import Roster, make_student_key
 from kinegrade.exam.roster_complaints import roster_complaints
 from kinegrade.exam.setting import SetPaper
 
@@ -39,16 +39,16 @@ class Reprint:
 
     def pages(self) -> bytes:
         """The paper as PDF. Raises TypesetError."""
-        pages = paper_pages(self.run.bank, self.paper, self.run.language)
+        pages = lay_out_paper(self.run.bank, self.paper, self.run.language)
         return self._only(self._press.papers({self._name: pages}))
 
     def solution(self) -> bytes:
         """Its worked solutions as PDF. Raises TypesetError."""
         # Loads the whole of worked solutions
-        from kinegrade.exam.solution_pages import solution_sheet  # noqa: PLC0415
+        from kinegrade.exam.solution_pages import write_solution_sheet  # noqa: PLC0415
 
         method = self.run.extras.method
-        sheet = solution_sheet(self.run.bank, self.paper, self.run.language, method)
+        sheet = write_solution_sheet(self.run.bank, self.paper, self.run.language, method)
         return self._only(self._press.solutions({self._name: sheet}))
 
     def complaints(self) -> tuple[str, ...]:
@@ -96,11 +96,11 @@ def kept_run(exam: ExamFolder, kept: KeptExam, **extras: object) -> PrintRun:
 
 
 def _candidate(exam: ExamFolder, student: str) -> Candidate:
-    known = {student_key(each.student): each for each in exam.head.students}
-    found = known.get(student_key(student))
+    known = {make_student_key(each.student): each for each in exam.head.students}
+    found = known.get(make_student_key(student))
     if found is None:
         raise ExamError(
-            message(
+            write_message(
                 str(exam.head_file),
                 f'no student "{student}"',
                 "the id of a student who has a paper",
@@ -114,4 +114,4 @@ def _converted(exam: ExamFolder, stated: Mapping[str, object], kind: type[_Kind]
     try:
         return msgspec.convert(stated, kind)
     except msgspec.ValidationError as fault:
-        raise broken(exam.head_file, [damaged(fault)]) from fault
+        raise explain_broken(exam.head_file, [describe_damage(fault)]) from fault

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinegrade.exam.press import Press
-from kinegrade.exam.roster import Roster, unprintable_id
+from kinegrade.exam.roster import Roster, complain_of_unprintable_id
 
 
 def roster_complaints(roster: Roster, press: Press) -> tuple[str, ...]:
@@ -19,5 +19,5 @@ def roster_complaints(roster: Roster, press: Press) -> tuple[str, ...]:
             )
         odd = {each for each in student.student if each in missing or not each.isprintable()}
         if odd:
-            said.append(str(unprintable_id(roster.file, student, odd)))
+            said.append(str(complain_of_unprintable_id(roster.file, student, odd)))
     return tuple(said)

@@ -13,11 +13,11 @@ from functools import cached_property
 from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.roster import Student
 from kinegrade.mechanics.doubles import MotionInDoubles
-from kinegrade.problem.deck import Combination, template_deck
+from kinegrade.problem.deck import Combination, make_deck
 from kinegrade.problem.draw_filter import DrawFilter
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution
-from kinegrade.problem.tolerance import Tolerance, effective
+from kinegrade.problem.tolerance import Tolerance, find_effective_tolerance
 
 
 @dataclass(frozen=True)
@@ -34,9 +34,7 @@ class Exam:
             question.identifier: DrawFilter(
                 question.template,
                 tuple(ask.name for ask in question.asks),
-                template_deck(
-                    question.template, self.secret, question.identifier, question.domains
-                ),
+                make_deck(question.template, self.secret, question.identifier, question.domains),
                 {ask.name: ask.tolerance for ask in question.asks},
                 self.bank.four_decimals,
             )
@@ -122,17 +120,17 @@ def set_paper(exam: Exam, dealt: DealtPaper) -> SetPaper:
 def set_drawn(question: BankQuestion, drawn: Drawn) -> SetQuestion:
     """A question whose instance has been drawn."""
     asks = tuple(
-        set_ask(question, ask, drawn.solution[ask.name], drawn.solution.doubles)
+        _set_ask(question, ask, drawn.solution[ask.name], drawn.solution.doubles)
         for ask in question.asks
     )
     return SetQuestion(question, drawn, asks)
 
 
-def set_ask(
+def _set_ask(
     question: BankQuestion, ask: BankAsk, answer: Quantity, motion: MotionInDoubles
 ) -> SetAsk:
     """An ask with its answer; `motion` gives the mechanism's scale, which sets the tolerance if the
     answer is close to zero.
     """
-    tolerance = effective(ask.tolerance, answer.value, answer.measure, motion)
+    tolerance = find_effective_tolerance(ask.tolerance, answer.value, answer.measure, motion)
     return SetAsk(ask, answer, tolerance, question.template.asks[ask.name].cyclic)

@@ -9,7 +9,7 @@ from pathlib import Path
 from kinegrade.errors import BankError, KinegradeError
 from kinegrade.problem.library import load_template
 from kinegrade.problem.statement import check_statements
-from kinegrade.problem.tags import tags
+from kinegrade.problem.tags import list_tags
 from kinegrade.problem.template import Template
 
 
@@ -53,5 +53,8 @@ def read_shelf(folder: Path, *, kept: bool = False) -> Shelf:
     families = {name: frozenset({template.about.family}) for name, template in templates.items()}
     return Shelf(
         templates,
-        {"family": families, "tag": {name: tags(template) for name, template in templates.items()}},
+        {
+            "family": families,
+            "tag": {name: list_tags(template) for name, template in templates.items()},
+        },
     )

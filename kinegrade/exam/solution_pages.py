@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.document import SolutionSheet, WorkedQuestion
-from kinegrade.exam.pages import paper_title
+from kinegrade.exam.pages import write_title
 from kinegrade.exam.setting import SetPaper, SetQuestion
 from kinegrade.language import Language
-from kinegrade.problem.statement import statement
+from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template import Method
-from kinegrade.worked.solution import worked_solution
+from kinegrade.worked.solution import write_worked_solution
 
 
-def solution_sheet(
+def write_solution_sheet(
     bank: Bank, paper: SetPaper, language: Language, method: Method | None = None
 ) -> SolutionSheet:
     """The worked solutions of one student's paper, in the order of the paper.
@@ -20,13 +20,13 @@ def solution_sheet(
     By `method` where several serve; None leaves it to each template.
     """
     questions = tuple(
-        worked_question(number, question, language, method)
+        _work_question(number, question, language, method)
         for number, question in enumerate(paper.printed, start=1)
     )
     return SolutionSheet(
         language,
         bank.course.in_language(language),
-        paper_title(bank, paper, language),
+        write_title(bank, paper, language),
         bank.date,
         paper.student.student,
         paper.student.name,
@@ -35,19 +35,19 @@ def solution_sheet(
     )
 
 
-def worked_question(
+def _work_question(
     number: int, question: SetQuestion, language: Language, method: Method | None
 ) -> WorkedQuestion:
     """A question with its worked solution, for the quantities that are asked."""
     template, solution = question.question.template, question.drawn.solution
-    worked = worked_solution(
+    worked = write_worked_solution(
         solution, (entry.ask.name for entry in question.asks), language, method
     )
     return WorkedQuestion(
         number,
         question.question.identifier,
         template.about.title.in_language(language),
-        statement(template, solution.parameters, language),
+        write_statement(template, solution.parameters, language),
         worked.blocks,
         template.name,
     )

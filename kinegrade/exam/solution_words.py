@@ -24,7 +24,7 @@ class SolutionWords:
     results: str
 
 
-ENGLISH = SolutionWords(
+_ENGLISH = SolutionWords(
     worked="Worked solutions",
     name="Name",
     student="Student",
@@ -38,7 +38,7 @@ ENGLISH = SolutionWords(
     results="Results",
 )
 
-CHINESE = SolutionWords(
+_CHINESE = SolutionWords(
     worked="题解",
     name="姓名",
     student="学号",
@@ -53,10 +53,10 @@ CHINESE = SolutionWords(
 )
 
 
-def solution_words_of(language: str) -> SolutionWords:
+def choose_solution_words(language: str) -> SolutionWords:
     """The words of worked solutions in "en" or "zh".
 
-    >>> solution_words_of("zh").magnitude
+    >>> choose_solution_words("zh").magnitude
     '大小'
     """
-    return {"en": ENGLISH, "zh": CHINESE}[language]
+    return {"en": _ENGLISH, "zh": _CHINESE}[language]

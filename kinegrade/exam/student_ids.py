@@ -12,23 +12,23 @@ import re
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping
 
-from kinegrade.exam.roster import student_key
-from kinegrade.tables import shortened, trimmed
+from kinegrade.exam.roster import make_student_key
+from kinegrade.tables import shorten, trim
 
 # As programs write a column of numbers with gaps
 _WRITTEN_AS_FRACTION = re.compile(r"([0-9]+)\.0+")
 _WRAPPED = re.compile(r"""=\s*"(.*)"|['#](.*)""", re.DOTALL)
 
 
-def unwrapped(identifier: str) -> str:
+def _unwrap(identifier: str) -> str:
     r"""An id without what keeps spreadsheets from dropping its zeros: ="007", '007 and #007 are
     007.
 
-    >>> unwrapped('="0012345"'), unwrapped("#0012345")
+    >>> _unwrap('="0012345"'), _unwrap("#0012345")
     ('0012345', '0012345')
     """
-    found = _WRAPPED.fullmatch(student_key(identifier))
-    return student_key(found[1] or found[2] or "") if found else student_key(identifier)
+    found = _WRAPPED.fullmatch(make_student_key(identifier))
+    return make_student_key(found[1] or found[2] or "") if found else make_student_key(identifier)
 
 
 class StudentIds:
@@ -43,18 +43,18 @@ class StudentIds:
         self._exact: dict[str, str] = {}
         near: dict[str, list[str]] = defaultdict(list)
         for student in students:
-            self._exact.setdefault(student_key(student), student)
-            near[_bare(student_key(student))].append(student)
+            self._exact.setdefault(make_student_key(student), student)
+            near[_strip(make_student_key(student))].append(student)
         self._near = {stripped: tuple(found) for stripped, found in near.items()}
 
     def exact(self, cell: str) -> str | None:
         """The student with that id, wrapped or not, in full-width digits or not."""
         known = self._exact
-        return known.get(cell) or known.get(student_key(cell)) or known.get(unwrapped(cell))
+        return known.get(cell) or known.get(make_student_key(cell)) or known.get(_unwrap(cell))
 
     def near(self, cell: str) -> tuple[str, ...]:
         """The students whose ids differ from a cell by leading zeros, case or a final .0 alone."""
-        stripped = _bare(unwrapped(cell))
+        stripped = _strip(_unwrap(cell))
         return self._near.get(stripped, ()) if stripped else ()
 
     def restored(self, cells: Iterable[str], taken: Collection[str]) -> Mapping[str, str]:
@@ -70,19 +70,19 @@ class StudentIds:
                 meant[near[0]].add(cell)
         found: dict[str, str] = {}
         for student, spellings in meant.items():
-            if len({student_key(spelling) for spelling in spellings}) == 1:
+            if len({make_student_key(spelling) for spelling in spellings}) == 1:
                 found |= dict.fromkeys(sorted(spellings), student)
         return found
 
 
-def restoration(restored: Mapping[str, str]) -> tuple[str, str]:
+def describe_restoration(restored: Mapping[str, str]) -> tuple[str, str]:
     """The one message about a file whose ids were restored: what was found, and what was done.
 
-    >>> restoration({"12345": "0012345"})[0]
+    >>> describe_restoration({"12345": "0012345"})[0]
     '1 student id is not as in the exam: "12345" for "0012345"'
     """
     cell, student = next(iter(restored.items()))
-    example = f'"{shortened(trimmed(cell))}" for "{student}"'
+    example = f'"{shorten(trim(cell))}" for "{student}"'
     if len(restored) == 1:
         found = f"1 student id is not as in the exam: {example}"
         taken = "taken for this student, as it can mean no one else"
@@ -92,6 +92,6 @@ def restoration(restored: Mapping[str, str]) -> tuple[str, str]:
     return found, f"{taken}; keep ids as text, as in answers.xlsx"
 
 
-def _bare(key: str) -> str:
+def _strip(key: str) -> str:
     number = _WRITTEN_AS_FRACTION.fullmatch(key)
     return (number[1] if number else key.casefold()).lstrip("0")

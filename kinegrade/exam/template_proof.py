@@ -7,11 +7,11 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
 
-from kinegrade.exam.printable import printing_faults
+from kinegrade.exam.printable import find_printing_faults
 from kinegrade.problem.checking import check
 from kinegrade.problem.library import load_template
-from kinegrade.problem.reporting import report_lines
-from kinegrade.processes import mapped
+from kinegrade.problem.reporting import write_report
+from kinegrade.processes import map_in_order
 
 
 @dataclass(frozen=True)
@@ -29,10 +29,10 @@ def prove_templates(
 
     Raises TemplateError for one that cannot be read, when its turn comes.
     """
-    return mapped(workers, partial(_prove, sample), names)
+    return map_in_order(workers, partial(_prove, sample), names)
 
 
 def _prove(sample: int, name: str) -> TemplateProof:
     report = check(load_template(name), sample)
-    report.faults += printing_faults(report.template)
-    return TemplateProof(tuple(report_lines(report)), not report.faults)
+    report.faults += find_printing_faults(report.template)
+    return TemplateProof(tuple(write_report(report)), not report.faults)

@@ -18,23 +18,23 @@ from typing import Literal, TypeVar
 
 import typst
 
-from kinegrade.errors import TypesetError, message
+from kinegrade.errors import TypesetError, write_message
 from kinegrade.exam.document import Gallery, KeyBook, KeyPaper, Paper, PaperSize, SolutionSheet
-from kinegrade.exam.fonts import installed_fonts
-from kinegrade.exam.formula import literal
-from kinegrade.exam.join import joined, page_count
-from kinegrade.exam.layout_call import each
+from kinegrade.exam.fonts import find_installed_fonts
+from kinegrade.exam.formula import write_literal
+from kinegrade.exam.join import count_pages, join_pages
+from kinegrade.exam.layout_call import convert_each
 from kinegrade.exam.press import Press, Printout, unprintable_character
-from kinegrade.exam.typst_source import gallery_source, key_source, paper_source
+from kinegrade.exam.typst_source import write_gallery_source, write_key_source, write_paper_source
 
 # Papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
 KEY_CHUNK = 10
-FIXED_TIME = (
+_FIXED_TIME = (
     946684800  # 2000-01-01 00:00 UTC, in seconds, so that the bytes do not depend on the day
 )
 
-Sheet = TypeVar("Sheet", Paper, SolutionSheet)
-Owned = TypeVar("Owned", Paper, SolutionSheet, KeyPaper)
+_Sheet = TypeVar("_Sheet", Paper, SolutionSheet)
+_Owned = TypeVar("_Owned", Paper, SolutionSheet, KeyPaper)
 
 _BOX = re.compile(r'the text `"(.*?)"` could not be displayed')
 _ESCAPE = re.compile(r"\\u\{([0-9a-f]+)\}")
@@ -51,17 +51,17 @@ class TypstPress:
         self._size: PaperSize = paper_size
         layouts = str(files("kinegrade.exam") / "layouts")  # as root: Typst reads no other folder
         self._compiler = typst.Compiler(
-            root=layouts, font_paths=installed_fonts(), ignore_system_fonts=True
+            root=layouts, font_paths=find_installed_fonts(), ignore_system_fonts=True
         )
         self._looked_at: dict[str, bool] = {}  # whether a font prints a character
 
     def papers(self, papers: Mapping[str, Paper]) -> dict[str, Printout]:
         """Every paper, by its name. Raises TypesetError with all faults of all of them."""
-        return _printed(papers, self.paper)
+        return _print_each(papers, self.paper)
 
     def solutions(self, sheets: Mapping[str, SolutionSheet]) -> dict[str, Printout]:
         """Every student's worked solutions, by name. Raises TypesetError as `papers` does."""
-        return _printed(sheets, self.solution)
+        return _print_each(sheets, self.solution)
 
     def paper(self, paper: Paper) -> bytes:
         """One student's paper as PDF.
@@ -72,9 +72,9 @@ class TypstPress:
         """
         named = self._legible(paper)
         try:
-            return self._compile(paper_source(named, self._size))
+            return self._compile(write_paper_source(named, self._size))
         except typst.TypstError as error:
-            problems = self._faults(named) or _explained(error, f"paper {paper.code}")
+            problems = self._faults(named) or _explain(error, f"paper {paper.code}")
             raise TypesetError(*problems) from error
 
     def page_images(self, paper: Paper, ppi: int = 100) -> list[bytes]:
@@ -83,8 +83,8 @@ class TypstPress:
         """
         self.paper(paper)
         named = self._legible(paper)
-        source = paper_source(named, self._size).encode()
-        images = self._compiler.compile(source, format="png", ppi=ppi, timestamp=FIXED_TIME)
+        source = write_paper_source(named, self._size).encode()
+        images = self._compiler.compile(source, format="png", ppi=ppi, timestamp=_FIXED_TIME)
         pages = images if isinstance(images, list) else [images]
         return [page for page in pages if page is not None]
 
@@ -92,20 +92,20 @@ class TypstPress:
         """One student's worked solutions as PDF; names are printed and errors raised as by
         `paper`.
         """
-        from kinegrade.exam.solution_source import solution_source  # noqa: PLC0415  # few exams need it
+        from kinegrade.exam.solution_source import write_solution_source  # noqa: PLC0415  # few exams need it
 
         named = self._legible(sheet)
-        return self._explaining(solution_source(named, self._size), f"solutions {sheet.code}")
+        return self._explaining(write_solution_source(named, self._size), f"solutions {sheet.code}")
 
     def key(self, book: KeyBook) -> Printout:
         """The instructor's key; names are printed and errors raised as by `paper`."""
-        return Printout(joined(self._key_parts(book)))
+        return Printout(join_pages(self._key_parts(book)))
 
     def gallery(self, gallery: Gallery, where: str = "gallery") -> bytes:
         """A contact sheet of templates as PDF. Raises TypesetError; a character that no font has is
         reported at `where`.
         """
-        return self._explaining(gallery_source(gallery, self._size), where)
+        return self._explaining(write_gallery_source(gallery, self._size), where)
 
     def require_printable(self, source: str, where: str) -> None:
         """Raises TypesetError, naming `where`, for Typst code that cannot be typeset."""
@@ -129,16 +129,16 @@ class TypstPress:
         first_page = 1
         for part in book.chunks(KEY_CHUNK):
             pdf = self._explaining(
-                key_source(self._legible_book(part), first_page, self._size), "key"
+                write_key_source(self._legible_book(part), first_page, self._size), "key"
             )
-            first_page += page_count(pdf)
+            first_page += count_pages(pdf)
             yield pdf
 
-    def _legible(self, sheet: Sheet) -> Sheet:
-        return legible_owner(sheet, self.unprintable([sheet.name, sheet.student]))
+    def _legible(self, sheet: _Sheet) -> _Sheet:
+        return make_owner_legible(sheet, self.unprintable([sheet.name, sheet.student]))
 
     def _legible_book(self, book: KeyBook) -> KeyBook:
-        return legible_owners(book, self)
+        return make_owners_legible(book, self)
 
     def _boxes(self, characters: Sequence[str]) -> set[str]:
         """Those of `characters` that the compiler complains about; it may take several runs to find
@@ -149,10 +149,11 @@ class TypstPress:
         date = "#set document(date: datetime(year: 2000, month: 1, day: 1))\n"
         try:
             self._pdf(
-                date + "".join(f"#box({literal(character)})\n" for character in characters), "a-2b"
+                date + "".join(f"#box({write_literal(character)})\n" for character in characters),
+                "a-2b",
             )
         except typst.TypstError as error:
-            return set("".join(_boxed(error)))
+            return set("".join(_find_boxed(error)))
         return set()
 
     def _faults(self, paper: Paper) -> tuple[str, ...]:
@@ -172,16 +173,16 @@ class TypstPress:
 
     def _fault(self, paper: Paper, where: str) -> tuple[str, ...]:
         try:
-            self._compile(paper_source(paper, self._size))
+            self._compile(write_paper_source(paper, self._size))
         except typst.TypstError as error:
-            return _explained(error, where)
+            return _explain(error, where)
         return ()
 
     def _explaining(self, source: str, where: str) -> bytes:
         try:
             return self._compile(source)
         except typst.TypstError as error:
-            raise TypesetError(*_explained(error, where)) from error
+            raise TypesetError(*_explain(error, where)) from error
 
     def _compile(self, source: str) -> bytes:
         """The PDF of a source. Raises TypstError, also for a character that no font prints."""
@@ -189,41 +190,43 @@ class TypstPress:
 
     def _pdf(self, source: str, standard: Literal["a-2b"] | None) -> bytes:
         pdf = self._compiler.compile(
-            source.encode(), format="pdf", pdf_standards=standard, timestamp=FIXED_TIME
+            source.encode(), format="pdf", pdf_standards=standard, timestamp=_FIXED_TIME
         )
         return pdf if isinstance(pdf, bytes) else b"".join(pdf or ())
 
 
-def _printed(sheets: Mapping[str, Sheet], pdf: Callable[[Sheet], bytes]) -> dict[str, Printout]:
+def _print_each(
+    sheets: Mapping[str, _Sheet], pdf: Callable[[_Sheet], bytes]
+) -> dict[str, Printout]:
     """Every sheet by its name, one at a time; one error with the faults of all, each reported
     once.
     """
     try:
-        pages = each(pdf, sheets.values())
+        pages = convert_each(pdf, sheets.values())
     except TypesetError as error:
         raise TypesetError(*dict.fromkeys(error.problems)) from error
     return dict(zip(sheets, map(Printout, pages), strict=True))
 
 
-def legible_owners(book: KeyBook, press: Press) -> KeyBook:
+def make_owners_legible(book: KeyBook, press: Press) -> KeyBook:
     """A key with the name and id on each paper as `press` can print them."""
     papers = tuple(book.papers)
     missing = press.unprintable(text for paper in papers for text in (paper.name, paper.student))
-    return replace(book, papers=tuple(legible_owner(paper, missing) for paper in papers))
+    return replace(book, papers=tuple(make_owner_legible(paper, missing) for paper in papers))
 
 
-def legible_owner(sheet: Owned, missing: frozenset[str]) -> Owned:
+def make_owner_legible(sheet: _Owned, missing: frozenset[str]) -> _Owned:
     """A sheet with each character in `missing` written as its code point in its owner's name and
     id.
     """
-    name, student = legible(sheet.name, missing), legible(sheet.student, missing)
+    name, student = make_legible(sheet.name, missing), make_legible(sheet.student, missing)
     return replace(sheet, name=name, student=student)
 
 
-def legible(name: str, missing: frozenset[str]) -> str:
+def make_legible(name: str, missing: frozenset[str]) -> str:
     """`name` with each character in `missing` written as its code point.
 
-    >>> legible("Zoë 😀", frozenset("😀"))
+    >>> make_legible("Zoë 😀", frozenset("😀"))
     'Zoë [U+1F600]'
     """
     return "".join(
@@ -231,14 +234,16 @@ def legible(name: str, missing: frozenset[str]) -> str:
     )
 
 
-def _boxed(error: typst.TypstError) -> list[str]:
+def _find_boxed(error: typst.TypstError) -> list[str]:
     """The texts that would print as boxes, as the compiler quotes them."""
     quoted = _BOX.findall(error.diagnostic)
     return [_ESCAPE.sub(lambda match: chr(int(match[1], 16)), text) for text in quoted]
 
 
-def _explained(error: typst.TypstError, where: str) -> tuple[str, ...]:
-    boxed = dict.fromkeys("".join(_boxed(error)))
+def _explain(error: typst.TypstError, where: str) -> tuple[str, ...]:
+    boxed = dict.fromkeys("".join(_find_boxed(error)))
     if not boxed:
-        return (message(where, error.message, "math that can be typeset", "fix the formulas"),)
+        return (
+            write_message(where, error.message, "math that can be typeset", "fix the formulas"),
+        )
     return tuple(unprintable_character(where, character) for character in boxed)

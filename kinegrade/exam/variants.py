@@ -19,16 +19,16 @@ import msgspec
 
 from kinegrade.errors import ExamError, FieldError
 from kinegrade.exam.folder.contents import KEY
-from kinegrade.exam.folder.exact_keys import exact_value
+from kinegrade.exam.folder.exact_keys import find_exact_value
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import broken, damaged
+from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import KeyLine, KeyQuestion
 from kinegrade.exam.quiz import different
-from kinegrade.exam.quiz_paper import shown
-from kinegrade.exam.quiz_prose import prose_html
+from kinegrade.exam.quiz_paper import show_instance
+from kinegrade.exam.quiz_prose import write_prose_html
 from kinegrade.files import write_file
 from kinegrade.language import LANGUAGES
-from kinegrade.problem.statement import statement
+from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template import Template
 
 _NUMBER = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
@@ -72,25 +72,25 @@ def _write(exam: ExamFolder, lines: Sequence[bytes]) -> None:
     exam.pool.chmod(exam.key.stat().st_mode & 0o777)
 
 
-def numbers_in(text: str) -> Numbers:
+def _numbers_in(text: str) -> Numbers:
     """The numbers of a text as they are written, by which a question's text is recognised in any
     layout.
 
-    >>> numbers_in(r"a crank of \\(r = 0.25\\,\\mathrm{m/s^{2}}\\)")
+    >>> _numbers_in(r"a crank of \\(r = 0.25\\,\\mathrm{m/s^{2}}\\)")
     ('0.25', '2')
     """
     return tuple(_NUMBER.findall(text))
 
 
-def plain_text(shown: str) -> str:
+def _plain_text(shown: str) -> str:
     """A text as a download has it, without what a system may have left of its HTML."""
     return unescape(_TAG.sub(" ", shown))
 
 
-def letters_in(text: str) -> str:
+def _letters_in(text: str) -> str:
     r"""The letters and numbers of a text, which no layout changes; numbers stand between blanks.
 
-    >>> letters_in(r"The **crank** of \\(x = -0.25\\,m\\)")
+    >>> _letters_in(r"The **crank** of \\(x = -0.25\\,m\\)")
     'thecrankofx -0.25 m'
     """
     return "".join(
@@ -113,21 +113,21 @@ class Variant:
     @cached_property
     def texts(self) -> frozenset[str]:
         """Its statement in each language as a quiz shows it, without mark-up."""
-        parameters, _ = shown(self.template, self.entry.values)
+        parameters, _ = show_instance(self.template, self.entry.values)
         return frozenset(
-            plain_text(prose_html(statement(self.template, parameters, language)))
+            _plain_text(write_prose_html(write_statement(self.template, parameters, language)))
             for language in LANGUAGES
         )
 
     @cached_property
     def letters(self) -> frozenset[str]:
         """The letters and numbers of its statement in each language."""
-        return frozenset(map(letters_in, self.texts))
+        return frozenset(map(_letters_in, self.texts))
 
     @cached_property
     def numbers(self) -> frozenset[Numbers]:
         """The numbers of its statement in each language."""
-        return frozenset(map(numbers_in, self.texts))
+        return frozenset(map(_numbers_in, self.texts))
 
 
 def of_text(variants: Sequence[Variant], shown: str) -> list[Variant]:
@@ -137,8 +137,8 @@ def of_text(variants: Sequence[Variant], shown: str) -> list[Variant]:
     If one statement is the beginning of another, the longer one is meant. Numbers alone identify a
     text that was corrected in the system, but not whether its crank speeds up or slows down.
     """
-    text = plain_text(shown)
-    letters, numbers = letters_in(text), numbers_in(text)
+    text = _plain_text(shown)
+    letters, numbers = _letters_in(text), _numbers_in(text)
     lengths = {
         place: max((len(each) for each in variant.letters if each in letters), default=0)
         for place, variant in enumerate(variants)
@@ -169,20 +169,20 @@ def read_variants(exam: ExamFolder) -> Variants | None:
     for line in lines:
         for entry in line.questions:
             same = msgspec.json.encode(entry, order="sorted")
-            variant = _variant(exam, line, entry, templates)
+            variant = _make_variant(exam, line, entry, templates)
             found.setdefault(entry.question, {}).setdefault(same, variant)
     return Variants(len(lines), {name: tuple(each.values()) for name, each in found.items()})
 
 
-def _variant(
+def _make_variant(
     exam: ExamFolder, line: KeyLine, entry: KeyQuestion, templates: Mapping[str, Template]
 ) -> Variant:
     try:
-        right = {name: float(exact_value(ask)) for name, ask in entry.asks.items()}
+        right = {name: float(find_exact_value(ask)) for name, ask in entry.asks.items()}
         return Variant(line.student, right, entry, templates[entry.question])
     except (KeyError, FieldError) as fault:
-        raise broken(
-            exam.pool, [f'the line of student "{line.student}" {damaged(fault)}']
+        raise explain_broken(
+            exam.pool, [f'the line of student "{line.student}" {describe_damage(fault)}']
         ) from fault
 
 

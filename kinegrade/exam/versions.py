@@ -7,12 +7,12 @@ from kinegrade.problem.keyed_order import address
 LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 
 
-def version_letters(count: int) -> tuple[str, ...]:
+def list_version_letters(count: int) -> tuple[str, ...]:
     """The letters of `count` versions; none if every student gets a different paper."""
     return tuple(LETTERS[:count])
 
 
-def version_of(secret: str, place: int, letters: tuple[str, ...]) -> str:
+def choose_version(secret: str, place: int, letters: tuple[str, ...]) -> str:
     """The version of the student at a place, counted from zero.
 
     The places are dealt in rounds, each a shuffle of the versions: they are used equally often,

@@ -21,28 +21,28 @@ from typing import Literal, get_args
 
 import typst
 
-from kinegrade.errors import TypesetError, did_you_mean, message
+from kinegrade.errors import TypesetError, did_you_mean, write_message
 from kinegrade.exam.document import Paper, PaperSize
-from kinegrade.exam.fonts import installed_fonts
+from kinegrade.exam.fonts import find_installed_fonts
 from kinegrade.exam.formula import formula_place
-from kinegrade.exam.paper_tree import paper_tree
+from kinegrade.exam.paper_tree import write_paper_tree
 from kinegrade.exam.program_run import run_program
-from kinegrade.exam.word_reference import layout, word_reference
-from kinegrade.exam.words import words_of
+from kinegrade.exam.word_reference import fill_layout, make_word_reference
+from kinegrade.exam.words import choose_words
 from kinegrade.figure.scene import Scene
-from kinegrade.figure.typst import to_typst
+from kinegrade.figure.typst import write_typst
 from kinegrade.language import Language
 from kinegrade.temporary import temporary_folder
 
-Kind = Literal["docx", "html"]
-KINDS: tuple[Kind, ...] = get_args(Kind)
-Picture = Literal["png", "svg"]
-MEDIA_TYPES: Mapping[Picture, str] = {"png": "image/png", "svg": "image/svg+xml"}
+_Kind = Literal["docx", "html"]
+_KINDS: tuple[_Kind, ...] = get_args(_Kind)
+_Picture = Literal["png", "svg"]
+_MEDIA_TYPES: Mapping[_Picture, str] = {"png": "image/png", "svg": "image/svg+xml"}
 MISSING = "pandoc not found - expected the optional extra - pip install 'kinegrade[word]'"
-PIXELS = 300  # to the inch, of a figure in Word
-SECONDS = 60  # a paper takes a fraction of one
-TAGS: Mapping[Language, str] = {"en": "en", "zh": "zh-CN"}
-CSS_SIZES = {"a4": "A4", "letter": "letter"}
+_PIXELS = 300  # to the inch, of a figure in Word
+_SECONDS = 60  # a paper takes a fraction of one
+_TAGS: Mapping[Language, str] = {"en": "en", "zh": "zh-CN"}
+_CSS_SIZES = {"a4": "A4", "letter": "letter"}
 _UNREAD = re.compile(r"Could not convert TeX math (.*?), rendering as TeX")
 
 
@@ -55,7 +55,7 @@ class PandocPress:
         self._size: PaperSize = paper_size
         layouts = str(files("kinegrade.exam") / "layouts")
         self._compiler = typst.Compiler(
-            root=layouts, font_paths=installed_fonts(), ignore_system_fonts=True
+            root=layouts, font_paths=find_installed_fonts(), ignore_system_fonts=True
         )
 
     def also(self, paper: Paper, kind: str) -> bytes:
@@ -69,10 +69,10 @@ class PandocPress:
                 return self.html(paper)
             case _:
                 raise TypesetError(
-                    message(
+                    write_message(
                         kind,
                         "not a kind of file that papers are written in",
-                        do=did_you_mean(kind, KINDS),
+                        do=did_you_mean(kind, _KINDS),
                     )
                 )
 
@@ -80,25 +80,25 @@ class PandocPress:
         """The paper for Word. Raises TypesetError with all faults of its texts, and where there is
         no pandoc.
         """
-        reference = word_reference(self._default_reference, paper, self._size)
-        tree = paper_tree(paper, self._figures(paper, "png"))
+        reference = make_word_reference(self._default_reference, paper, self._size)
+        tree = write_paper_tree(paper, self._figures(paper, "png"))
         with temporary_folder() as folder:
             file = folder / "reference.docx"
             file.write_bytes(reference)
-            return _pandoc("docx", ["--reference-doc", str(file)], tree)
+            return _run_pandoc("docx", ["--reference-doc", str(file)], tree)
 
     def html(self, paper: Paper) -> bytes:
         """The paper as one HTML file, in UTF-8. Raises TypesetError as `docx` does."""
-        body = _pandoc(
-            "html", ["--mathml"], paper_tree(paper, self._figures(paper, "svg"))
+        body = _run_pandoc(
+            "html", ["--mathml"], write_paper_tree(paper, self._figures(paper, "svg"))
         ).decode()
         page = Template(
             (files("kinegrade.exam") / "layouts" / "paper.html").read_text(encoding="utf-8")
         )
-        owner = f"{words_of(paper.language).paper} {paper.code} · {paper.student}"
-        style = layout("paper.css", size=CSS_SIZES[self._size])
+        owner = f"{choose_words(paper.language).paper} {paper.code} · {paper.student}"
+        style = fill_layout("paper.css", size=_CSS_SIZES[self._size])
         return page.substitute(
-            language=TAGS[paper.language],
+            language=_TAGS[paper.language],
             title=escape(f"{paper.title} {paper.code}"),
             style=style,
             body=body,
@@ -107,9 +107,9 @@ class PandocPress:
 
     @cached_property
     def _default_reference(self) -> bytes:
-        return _run("docx", ["--print-default-data-file", "reference.docx"], b"")
+        return _run_program("docx", ["--print-default-data-file", "reference.docx"], b"")
 
-    def _figures(self, paper: Paper, kind: Picture) -> dict[int, str]:
+    def _figures(self, paper: Paper, kind: _Picture) -> dict[int, str]:
         """The figure of each question as a data URI."""
         return {
             question.number: self._picture(question.figure, kind)
@@ -117,53 +117,53 @@ class PandocPress:
             if question.figure
         }
 
-    def _picture(self, scene: Scene, kind: Picture) -> str:
-        source = f'#import "/figure.typ": figure-alone\n#show: figure-alone\n{to_typst(scene)}\n'
-        image = self._compiler.compile(source.encode(), format=kind, ppi=PIXELS)
+    def _picture(self, scene: Scene, kind: _Picture) -> str:
+        source = f'#import "/figure.typ": figure-alone\n#show: figure-alone\n{write_typst(scene)}\n'
+        image = self._compiler.compile(source.encode(), format=kind, ppi=_PIXELS)
         data = b64encode(image if isinstance(image, bytes) else b"").decode()
-        return f"data:{MEDIA_TYPES[kind]};base64,{data}"
+        return f"data:{_MEDIA_TYPES[kind]};base64,{data}"
 
 
 def require_pandoc(kinds: Iterable[str]) -> None:
     """Raises TypesetError where there is no pandoc to write these kinds of files."""
     wanted = ", ".join(kinds)
-    if which(_pandoc_path(wanted)) is None:
+    if which(_find_pandoc(wanted)) is None:
         raise TypesetError(f"{wanted}: {MISSING}")
 
 
-def _pandoc(kind: Kind, options: Sequence[str], tree: bytes) -> bytes:
+def _run_pandoc(kind: _Kind, options: Sequence[str], tree: bytes) -> bytes:
     """What pandoc makes of a document."""
     form = ["--from", "json", "--to", kind, "--wrap", "none", "--fail-if-warnings", "--output", "-"]
-    return _run(kind, [*form, *options], tree)
+    return _run_program(kind, [*form, *options], tree)
 
 
-def _run(kind: Kind, options: Sequence[str], given: bytes) -> bytes:
+def _run_program(kind: _Kind, options: Sequence[str], given: bytes) -> bytes:
     """The output of pandoc. Raises TypesetError if there is no pandoc, and with its message if it
     fails or warns.
     """
-    command = [_pandoc_path(kind), "--sandbox", *options]
+    command = [_find_pandoc(kind), "--sandbox", *options]
     try:
-        result = run_program(command, SECONDS, given=given)
+        result = run_program(command, _SECONDS, given=given)
     except TimeoutError as error:
         raise TypesetError(
-            message(
-                kind, f"pandoc has not ended after {SECONDS} s", "a fraction of one", "try again"
+            write_message(
+                kind, f"pandoc has not ended after {_SECONDS} s", "a fraction of one", "try again"
             )
         ) from error
     except OSError as error:
         raise TypesetError(f"{kind}: {MISSING}") from error
     if result.status:
-        raise TypesetError(*_explained(result.complaint.decode(errors="replace"), kind))
+        raise TypesetError(*_explain(result.complaint.decode(errors="replace"), kind))
     return result.output
 
 
-def _explained(complaint: str, kind: Kind) -> tuple[str, ...]:
+def _explain(complaint: str, kind: _Kind) -> tuple[str, ...]:
     """What pandoc complains about, usually formulas."""
     said = " ".join(complaint.split())
     formulas = tuple(dict.fromkeys(_UNREAD.findall(said)))
     if not formulas:
         return (
-            message(
+            write_message(
                 kind,
                 f"pandoc: {said}",
                 "a document that it can write",
@@ -171,12 +171,12 @@ def _explained(complaint: str, kind: Kind) -> tuple[str, ...]:
             ),
         )
     return tuple(
-        message(formula_place(latex, kind), "cannot be read", "whole LaTeX math", "fix it")
+        write_message(formula_place(latex, kind), "cannot be read", "whole LaTeX math", "fix it")
         for latex in formulas
     )
 
 
-def _pandoc_path(kind: str) -> str:
+def _find_pandoc(kind: str) -> str:
     """The path of pandoc: that of the optional extra, or the one installed on the system."""
     try:
         return str(import_module("pypandoc").get_pandoc_path())

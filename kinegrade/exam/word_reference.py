@@ -15,40 +15,40 @@ from xml.sax.saxutils import escape
 from zipfile import ZipFile, ZipInfo
 
 from kinegrade.exam.document import Paper, PaperSize
-from kinegrade.exam.words import words_of
+from kinegrade.exam.words import choose_words
 
-PAGES = {"a4": (11906, 16838), "letter": (12240, 15840)}  # twentieths of a point, as Word counts
-MARGINS = 2 * 1134
-LATIN = {"en": "en-GB", "zh": "en-US"}
-FOOTER = "footer1.xml"
-RELATION = (
-    f'<Relationship Id="rIdFooter" Target="{FOOTER}" '
+_PAGES = {"a4": (11906, 16838), "letter": (12240, 15840)}  # twentieths of a point, as Word counts
+_MARGINS = 2 * 1134
+_LATIN = {"en": "en-GB", "zh": "en-US"}
+_FOOTER = "footer1.xml"
+_RELATION = (
+    f'<Relationship Id="rIdFooter" Target="{_FOOTER}" '
     'Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/footer"/>'
 )
-KIND = (
-    f'<Override PartName="/word/{FOOTER}" '
+_KIND = (
+    f'<Override PartName="/word/{_FOOTER}" '
     'ContentType="application/vnd.openxmlformats-officedocument.wordprocessingml.footer+xml"/>'
 )
 
 
-def word_reference(default: bytes, paper: Paper, size: PaperSize) -> bytes:
+def make_word_reference(default: bytes, paper: Paper, size: PaperSize) -> bytes:
     """The reference document of a paper, made of pandoc's `default` one."""
-    width, height = PAGES[size]
-    before, between, after = words_of(paper.language).page.split("{}")
-    owner = f"{words_of(paper.language).paper} {paper.code}    {paper.student}"
+    width, height = _PAGES[size]
+    before, between, after = choose_words(paper.language).page.split("{}")
+    owner = f"{choose_words(paper.language).paper} {paper.code}    {paper.student}"
     parts = {
-        "word/styles.xml": layout(
-            "word-styles.xml", latin=LATIN[paper.language], measure=str(width - MARGINS)
+        "word/styles.xml": fill_layout(
+            "word-styles.xml", latin=_LATIN[paper.language], measure=str(width - _MARGINS)
         ),
-        "word/document.xml": layout("word-page.xml", width=str(width), height=str(height)),
-        f"word/{FOOTER}": layout(
+        "word/document.xml": fill_layout("word-page.xml", width=str(width), height=str(height)),
+        f"word/{_FOOTER}": fill_layout(
             "word-footer.xml", owner=owner, before=before, between=between, after=after
         ),
     }
-    return _with_parts(default, parts)
+    return _replace_parts(default, parts)
 
 
-def layout(name: str, **texts: str) -> str:
+def fill_layout(name: str, **texts: str) -> str:
     """A file of `layouts/` with texts in place of its `$name`s, escaped for XML; control characters
     become spaces.
     """
@@ -60,23 +60,23 @@ def layout(name: str, **texts: str) -> str:
     return Template(template).substitute({key: escape(text) for key, text in clean.items()})
 
 
-def _with_parts(default: bytes, parts: Mapping[str, str]) -> bytes:
+def _replace_parts(default: bytes, parts: Mapping[str, str]) -> bytes:
     """A copy of the archive with these parts in place of its own, and the footer registered."""
     target = BytesIO()
     with ZipFile(BytesIO(default)) as source, ZipFile(target, "w") as archive:
         for name in source.namelist():
             if name not in parts:
-                archive.writestr(ZipInfo(name), _with_footer(name, source.read(name)))
+                archive.writestr(ZipInfo(name), _add_footer(name, source.read(name)))
         for name, text in parts.items():
             archive.writestr(ZipInfo(name), text)
     return target.getvalue()
 
 
-def _with_footer(name: str, part: bytes) -> bytes:
+def _add_footer(name: str, part: bytes) -> bytes:
     match name:
         case "word/_rels/document.xml.rels":
-            return part.replace(b"</Relationships>", f"{RELATION}</Relationships>".encode())
+            return part.replace(b"</Relationships>", f"{_RELATION}</Relationships>".encode())
         case "[Content_Types].xml":
-            return part.replace(b"</Types>", f"{KIND}</Types>".encode())
+            return part.replace(b"</Types>", f"{_KIND}</Types>".encode())
         case _:
             return part

@@ -132,19 +132,19 @@ CHINESE_GALLERY = GalleryWords(
 )
 
 
-def words_of(language: str) -> Words:
+def choose_words(language: str) -> Words:
     """The words of "en" or "zh".
 
-    >>> words_of("zh").student
+    >>> choose_words("zh").student
     '学号'
     """
     return {"en": ENGLISH, "zh": CHINESE}[language]
 
 
-def gallery_words_of(language: str) -> GalleryWords:
+def choose_gallery_words(language: str) -> GalleryWords:
     """The words of a gallery in "en" or "zh".
 
-    >>> gallery_words_of("zh").asks
+    >>> choose_gallery_words("zh").asks
     '所求：'
     """
     return {"en": ENGLISH_GALLERY, "zh": CHINESE_GALLERY}[language]

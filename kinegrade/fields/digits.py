@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-MOST_DIGITS = 60  # of a whole number
-DEEPEST = 30  # our deepest file has eight levels
+_MOST_DIGITS = 60  # of a whole number
+_DEEPEST = 30  # our deepest file has eight levels
 TOO_DEEP = "nested too deeply: write it more simply"
-TOO_LARGE = f"a whole number of more than {MOST_DIGITS} digits: round it"
+TOO_LARGE = f"a whole number of more than {_MOST_DIGITS} digits: round it"
 
 
 class Digits(str):
@@ -29,9 +29,9 @@ def require_bounded(content: object) -> None:
     more than MOST_DIGITS digits.
     """
     level = [content]
-    for _ in range(DEEPEST):
+    for _ in range(_DEEPEST):
         parts = [part for outer in level for part in _parts(outer)]
-        if any(isinstance(part, int) and abs(part) >= 10**MOST_DIGITS for part in parts):
+        if any(isinstance(part, int) and abs(part) >= 10**_MOST_DIGITS for part in parts):
             raise Unbounded(TOO_LARGE)
         level = [part for part in parts if isinstance(part, dict | list)]
     if level:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from kinegrade.errors import KinegradeError, SyntaxFault, message
+from kinegrade.errors import KinegradeError, SyntaxFault, write_message
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.json_text import read_json
 from kinegrade.fields.lines import lines_of_json, lines_of_toml
@@ -63,10 +63,10 @@ def read_text(path: Path, kind: FileKind) -> str:
             return data.decode("utf-8-sig")
     except OSError as error:
         reason = f"cannot be read ({error.strerror})"
-        problem = message(str(path), reason, kind.noun, "check the name")
+        problem = write_message(str(path), reason, kind.noun, "check the name")
         raise kind.error(problem) from error
     except UnicodeDecodeError as error:
-        problem = message(
+        problem = write_message(
             str(path),
             f"not UTF-8 at byte {error.start}",
             f"{kind.noun} in UTF-8",
@@ -74,7 +74,7 @@ def read_text(path: Path, kind: FileKind) -> str:
         )
         raise kind.error(problem) from error
     expected = f"{kind.noun} of at most {kind.most_bytes} bytes"
-    raise kind.error(message(str(path), "too large", expected, "check the name"))
+    raise kind.error(write_message(str(path), "too large", expected, "check the name"))
 
 
 def toml_table(name: str, text: str, kind: FileKind) -> Table:
@@ -84,7 +84,7 @@ def toml_table(name: str, text: str, kind: FileKind) -> Table:
     try:
         content = read_toml(text)
     except SyntaxFault as fault:
-        raise _not_readable(name, "TOML", fault, kind) from fault
+        raise _explain_not_readable(name, "TOML", fault, kind) from fault
     return Table(Faults(Document(name, text, lines_of_toml), kind.error, kind.do), (), content)
 
 
@@ -93,9 +93,11 @@ def json_table(name: str, text: str, kind: FileKind) -> Table:
     try:
         content = read_json(text)
     except SyntaxFault as fault:
-        raise _not_readable(name, "JSON", fault, kind) from fault
+        raise _explain_not_readable(name, "JSON", fault, kind) from fault
     if not isinstance(content, dict):
-        raise kind.error(message(name, found(content), "one JSON object", kind.do or "fix it"))
+        raise kind.error(
+            write_message(name, found(content), "one JSON object", kind.do or "fix it")
+        )
     return Table(Faults(Document(name, text, lines_of_json), kind.error, kind.do), (), content)
 
 
@@ -108,6 +110,10 @@ def _no_lines(text: str) -> Mapping[Place, int]:
     return {}
 
 
-def _not_readable(name: str, language: str, fault: SyntaxFault, kind: FileKind) -> KinegradeError:
+def _explain_not_readable(
+    name: str, language: str, fault: SyntaxFault, kind: FileKind
+) -> KinegradeError:
     where = str(Where(name, (), fault.line))
-    return kind.error(message(where, str(fault), f"{kind.noun} in {language}", kind.do or "fix it"))
+    return kind.error(
+        write_message(where, str(fault), f"{kind.noun} in {language}", kind.do or "fix it")
+    )

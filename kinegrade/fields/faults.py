@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinegrade.errors import FieldError, KinegradeError, message
+from kinegrade.errors import FieldError, KinegradeError, write_message
 from kinegrade.fields.place import Place, Source, Where
 
 
@@ -16,7 +16,7 @@ class _Fault:
     do: str
 
     def __str__(self) -> str:
-        return message(str(self.where), self.what, self.expected, self.do)
+        return write_message(str(self.where), self.what, self.expected, self.do)
 
 
 class Faults:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
-from kinegrade.errors import short_line
+from kinegrade.errors import shorten
 
 Place = tuple[str | int, ...]  # keys, and list positions from 0; () is the whole file
 _LONGEST_KEY = 80
@@ -45,7 +45,7 @@ def key_path(place: Place) -> str:
     'questions[2].asks.v_B'
     """
     steps = (
-        f"[{step + 1}]" if isinstance(step, int) else f".{short_line(step, _LONGEST_KEY)}"
+        f"[{step + 1}]" if isinstance(step, int) else f".{shorten(step, _LONGEST_KEY)}"
         for step in place
     )
     return "".join(steps).removeprefix(".")

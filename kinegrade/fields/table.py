@@ -16,12 +16,12 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
-from kinegrade.errors import FieldError, KinegradeError, did_you_mean, misspelt
+from kinegrade.errors import FieldError, KinegradeError, did_you_mean, find_misspelt
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.place import Place
 from kinegrade.fields.values import Read, found
 
-Value = TypeVar("Value")
+_Value = TypeVar("_Value")
 _NOTHING: Mapping[str, object] = {}
 
 
@@ -57,39 +57,39 @@ class Table:
             self.faults,
             self.place,
             {key: value for key, value in self.content.items() if key in known},
-            misspelt(unknown, [key for key in known if key not in self.content]),
+            find_misspelt(unknown, [key for key in known if key not in self.content]),
             self.whole,
         )
 
-    def required(self, key: str, read: Read[Value]) -> Value | None:
+    def required(self, key: str, read: Read[_Value]) -> _Value | None:
         """The value of a key, as `read` gives it; None after a fault. A missing key is a fault."""
         if key in self.content:
             return self._read(key, self.content[key], read)
         self.missing(key, _expected(read))
         return None
 
-    def optional(self, key: str, read: Read[Value]) -> Value | None:
+    def optional(self, key: str, read: Read[_Value]) -> _Value | None:
         """The value of a key, as `read` gives it; None where there is none, and after a fault."""
         return self._read(key, self.content[key], read) if key in self.content else None
 
-    def with_default(self, key: str, read: Read[Value], default: Value) -> Value:
+    def with_default(self, key: str, read: Read[_Value], default: _Value) -> _Value:
         """Like `optional`, with a default in place of None."""
         value = self.optional(key, read)
         return default if value is None else value
 
-    def entries(self, read: Read[Value]) -> dict[str, Value]:
+    def entries(self, read: Read[_Value]) -> dict[str, _Value]:
         """Every value of the table, as `read` gives it; faulty ones are left out."""
         values = {key: self._read(key, value, read) for key, value in self.content.items()}
         return {key: value for key, value in values.items() if value is not None}
 
-    def listing(self, key: str, read: Read[Value], like: str = "") -> tuple[Value, ...]:
+    def listing(self, key: str, read: Read[_Value], like: str = "") -> tuple[_Value, ...]:
         """Every entry of a list, as `read` gives it; faulty ones are left out.
 
         A missing list is empty. `like` is an example for messages.
         """
         return tuple(self.numbered(key, read, like).values())
 
-    def numbered(self, key: str, read: Read[Value], like: str = "") -> dict[int, Value]:
+    def numbered(self, key: str, read: Read[_Value], like: str = "") -> dict[int, _Value]:
         """Like `listing`, with the position of each entry in the list, counted from 0."""
         expected = f"a list like {like}" if like else "a list"
         values = {
@@ -156,10 +156,10 @@ class Table:
         self.faults.note(place, found(value), f"a table like {like}" if like else "a table")
         return Table(self.faults, place, _NOTHING, whole=False)
 
-    def _read(self, key: str, value: object, read: Read[Value]) -> Value | None:
+    def _read(self, key: str, value: object, read: Read[_Value]) -> _Value | None:
         return self._read_at((*self.place, key), value, read)
 
-    def _read_at(self, place: Place, value: object, read: Read[Value]) -> Value | None:
+    def _read_at(self, place: Place, value: object, read: Read[_Value]) -> _Value | None:
         try:
             return read(value)
         except KinegradeError as error:
@@ -167,7 +167,7 @@ class Table:
         return None
 
 
-def _expected(read: Read[Value]) -> str:
+def _expected(read: Read[_Value]) -> str:
     """What a reader expects, found from its refusal of None; "" where it does not say."""
     try:
         read(None)

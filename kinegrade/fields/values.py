@@ -11,12 +11,12 @@ from datetime import date, time
 from fractions import Fraction
 from typing import TypeVar
 
-from kinegrade.errors import FieldError, short_line
+from kinegrade.errors import FieldError, shorten
 from kinegrade.fields.digits import Digits
 
-Value = TypeVar("Value")
-Word = TypeVar("Word", bound=str)
-Read = Callable[[object], Value]
+_Value = TypeVar("_Value")
+_Word = TypeVar("_Word", bound=str)
+Read = Callable[[object], _Value]
 
 _LONGEST_SHOWN = 80
 _DECIMAL = r"[0-9]{1,9}(?:\.[0-9]{1,12})?"
@@ -77,11 +77,11 @@ def share(value: object) -> Fraction:
     raise FieldError(found(value), 'a share from 0 to 1, like 0.5, "50 %" or "1/2"')
 
 
-def choice(words: Sequence[Word], otherwise: str = "") -> Read[Word]:
+def choice(words: Sequence[_Word], otherwise: str = "") -> Read[_Word]:
     """A reader of one word out of several; `otherwise` says what else is allowed there."""
     expected = " or ".join([*words, otherwise] if otherwise else words)
 
-    def read(value: object) -> Word:
+    def read(value: object) -> _Word:
         for word in words:
             if value == word:
                 return word
@@ -110,9 +110,9 @@ def found(value: object) -> str:
         case bool():
             return str(value).lower()
         case Digits() | int() | date() | time():
-            return short_line(str(value), _LONGEST_SHOWN)
+            return shorten(str(value), _LONGEST_SHOWN)
         case str():
-            return f'"{short_line(value, _LONGEST_SHOWN)}"'
+            return f'"{shorten(value, _LONGEST_SHOWN)}"'
         case dict():
             return "a table"
         case list():

@@ -12,16 +12,16 @@ from kinegrade.figure.bars import Bar
 from kinegrade.figure.layers import Drawing
 from kinegrade.figure.mark import Mark, chords, direction
 from kinegrade.figure.obstacles import Segment
-from kinegrade.figure.place import Wish, along_bow
+from kinegrade.figure.place import Wish, list_spots_along_arc
 from kinegrade.figure.plane import NEAR, angle_of, length, on_line, polar, shorter_way, unit
 from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
-from kinegrade.figure.symbols import HEAD_LENGTH, PIN, arrowhead
+from kinegrade.figure.symbols import HEAD_LENGTH, PIN, draw_arrowhead
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import TURN, Angle
 
-SMALLEST_ANGLE = pi / 180  # an angle below one degree shows no arc
-RADII = (
+_SMALLEST_ANGLE = pi / 180  # an angle below one degree shows no arc
+_RADII = (
     7.0,
     6.2,
     5.5,
@@ -32,50 +32,57 @@ RADII = (
     14.0,
     3.2,
 )  # millimetres, the preferred radius first
-SHARE = 0.45  # largest radius of an arc over the distance to the next point on a side
-BEYOND = 2.5  # millimetres that a thin line along a side continues beyond the arc
+_SHARE = 0.45  # largest radius of an arc over the distance to the next point on a side
+_BEYOND = 2.5  # millimetres that a thin line along a side continues beyond the arc
 
-EXTENDED = 2.5  # demerit of an arc beyond the end of a bar, which needs a thin line to reach it
-TRIM = 1.5  # millimetres at either end of an arc where it meets its sides, as it should
+_EXTENDED = 2.5  # demerit of an arc beyond the end of a bar, which needs a thin line to reach it
+_TRIM = 1.5  # millimetres at either end of an arc where it meets its sides, as it should
 
 
-def angle_marks(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> Iterator[list[Mark]]:
+def mark_angles(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> Iterator[list[Mark]]:
     """Arcs of several radii; none when the angle is too small to be visible."""
     vertex = at[hint.at]
-    legs = _legs(at, hint, drawing)
+    legs = _draw_legs(at, hint, drawing)
     start, end = (leg.angle for leg in legs)
     sweep = shorter_way(end - start)
-    if hint.sense is not None and abs(sweep) > SMALLEST_ANGLE:
+    if hint.sense is not None and abs(sweep) > _SMALLEST_ANGLE:
         turn = TURN[hint.sense]
         sweep = turn * ((turn * sweep) % (2 * pi))
-    nicest = min(RADII[0], max(RADII[3], SHARE * _room(vertex, (start, end), at.values())))
-    if abs(sweep) > SMALLEST_ANGLE:
+    nicest = min(
+        _RADII[0], max(_RADII[3], _SHARE * _measure_room(vertex, (start, end), at.values()))
+    )
+    if abs(sweep) > _SMALLEST_ANGLE:
         yield [
-            AngleArc(
-                Bow(vertex, radius, start, sweep, THIN), legs, hint, _demerit(radius, nicest, legs)
+            _AngleArc(
+                Bow(vertex, radius, start, sweep, THIN),
+                legs,
+                hint,
+                _rate_demerit(radius, nicest, legs),
             )
-            for radius in RADII
+            for radius in _RADII
         ]
 
 
-def least_legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Primitive, ...]:
+def draw_least_legs(
+    at: Mapping[str, Vector], hint: Angle, drawing: Drawing
+) -> tuple[Primitive, ...]:
     """The thin lines that the sides of an angle need in any case; labels written before the angle
     keep clear of them.
     """
     lines = tuple(
-        line for leg in _legs(at, hint, drawing) if (line := leg.line(at[hint.at], RADII[3]))
+        line for leg in _draw_legs(at, hint, drawing) if (line := leg.line(at[hint.at], _RADII[3]))
     )
     return (Strokes(lines, THIN),) if lines else ()
 
 
-def _legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Leg, ...]:
+def _draw_legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[_Leg, ...]:
     vertex, legs = at[hint.at], []
     for name in (hint.start, hint.end):
         side = angle_of(direction(at, vertex, name))
         legs.append(
-            Leg(
+            _Leg(
                 side,
-                _drawn(vertex, polar(side), drawing),
+                _measure_drawn(vertex, polar(side), drawing),
                 length(at[name] - vertex) if name in at else 0.0,
             )
         )
@@ -83,7 +90,7 @@ def _legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Leg,
 
 
 @dataclass(frozen=True)
-class Leg:
+class _Leg:
     """A side of an angle: its direction, how far a bar is drawn along it, and how far away the
     point on it is (0 for none).
     """
@@ -97,27 +104,27 @@ class Leg:
         if radius < self.drawn + PIN:
             return None
         toward = polar(self.angle)
-        needed = radius + (1.0 if self.reach else BEYOND)
+        needed = radius + (1.0 if self.reach else _BEYOND)
         far = needed if self.drawn else max(needed, self.reach)
         return vertex + toward * max(self.drawn, PIN + 0.15), vertex + toward * far
 
 
-def _demerit(radius: float, nicest: float, legs: Iterable[Leg]) -> float:
+def _rate_demerit(radius: float, nicest: float, legs: Iterable[_Leg]) -> float:
     """The demerit grows with the distance from the preferred radius, and more where a bar has to be
     prolonged.
     """
     prolonged = sum(0 < leg.drawn < radius for leg in legs)
-    return 0.6 * abs(radius - nicest) + EXTENDED * prolonged
+    return 0.6 * abs(radius - nicest) + _EXTENDED * prolonged
 
 
-def _room(vertex: Vector, sides: tuple[float, float], points: Iterable[Vector]) -> float:
+def _measure_room(vertex: Vector, sides: tuple[float, float], points: Iterable[Vector]) -> float:
     """The distance along the sides of an angle to the next point, which may have marks too."""
     steps = [(point - vertex, polar(side)) for point in points for side in sides]
     reaches = [step.dot(toward) for step, toward in steps if abs(step.cross(toward)) < NEAR]
     return min((reach for reach in reaches if reach > NEAR), default=inf)
 
 
-def _drawn(vertex: Vector, toward: Vector, drawing: Drawing) -> float:
+def _measure_drawn(vertex: Vector, toward: Vector, drawing: Drawing) -> float:
     """How far a bar is drawn from a point on it in a direction; 0 when none is."""
     reaches = [0.0]
     for part in drawing.parts:
@@ -132,11 +139,11 @@ def _drawn(vertex: Vector, toward: Vector, drawing: Drawing) -> float:
 
 
 @dataclass(frozen=True)
-class AngleArc:
+class _AngleArc:
     """An arc, with an arrowhead when the sense matters, and the thin lines its sides need."""
 
     bow: Bow
-    legs: tuple[Leg, ...]
+    legs: tuple[_Leg, ...]
     hint: Angle
     demerit: float
     shared: bool = False
@@ -144,13 +151,13 @@ class AngleArc:
     def path(self) -> tuple[Segment, ...]:
         """The arc between its sides."""
         bow = self.bow
-        inset = min(TRIM / bow.radius, abs(bow.sweep) / 3)
+        inset = min(_TRIM / bow.radius, abs(bow.sweep) / 3)
         inset = inset if bow.sweep > 0 else -inset
         return chords(replace(bow, start=bow.start + inset, sweep=bow.sweep - 2 * inset))
 
     def wish(self) -> Wish:
         """Along the arc."""
-        return along_bow(self.hint.symbol, self.bow)
+        return list_spots_along_arc(self.hint.symbol, self.bow)
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The sides, the arrowhead, the arc."""
@@ -160,5 +167,5 @@ class AngleArc:
         if self.hint.sense is not None and abs(bow.sweep) * bow.radius > 2 * HEAD_LENGTH:
             toward = polar(bow.start + bow.sweep)
             tangent = toward.turned() * (1.0 if bow.sweep > 0 else -1.0)
-            parts += (arrowhead(bow.centre + toward * bow.radius, tangent),)
+            parts += (draw_arrowhead(bow.centre + toward * bow.radius, tangent),)
         return (*parts, bow)

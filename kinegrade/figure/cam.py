@@ -14,13 +14,13 @@ from math import asin, cos, inf, pi, sin
 from kinegrade.figure.plane import angle_of, polar, unit
 from kinegrade.mechanics.vector import Vector
 
-BASE = 0.5  # base radius over the height of the contact's tangent; below 1 keeps the arc outermost
-STEPS = 120  # directions, three degrees apart: a chord leaves its arc by 0.0004 of the radius
+_BASE = 0.5  # base radius over the height of the contact's tangent; below 1 keeps the arc outermost
+_STEPS = 120  # directions, three degrees apart: a chord leaves its arc by 0.0004 of the radius
 
-Circle = tuple[Vector, float]
+_Circle = tuple[Vector, float]
 
 
-def cam_profile(
+def trace_cam_profile(
     pivot: Vector, contact: Vector, curvature_centre: Vector, radius: float
 ) -> tuple[Vector, ...]:
     """The contour, counter-clockwise: through `contact`, with the radius of curvature `radius`
@@ -29,19 +29,19 @@ def cam_profile(
     normal = unit(contact - curvature_centre)
     height = (contact - pivot).dot(normal)
     nose = min(radius, 0.35 * max(height, radius * 0.1))
-    facing, spread = angle_of(normal), _spread(radius, height)
+    facing, spread = angle_of(normal), _choose_spread(radius, height)
     corners = [
         (curvature_centre + polar(facing + side, radius - nose), nose) for side in (-spread, spread)
     ]
-    outer = [*corners, (pivot, BASE * max(height, 0.0))]
+    outer = [*corners, (pivot, _BASE * max(height, 0.0))]
     within = [(curvature_centre, radius), *outer]
-    turns = (2 * pi * step / STEPS for step in range(-STEPS // 2, STEPS // 2))
+    turns = (2 * pi * step / _STEPS for step in range(-_STEPS // 2, _STEPS // 2))
     return tuple(
-        _farthest(within if abs(turn) <= spread else outer, facing + turn) for turn in turns
+        _find_farthest(within if abs(turn) <= spread else outer, facing + turn) for turn in turns
     )
 
 
-def _farthest(circles: list[Circle], angle: float) -> Vector:
+def _find_farthest(circles: list[_Circle], angle: float) -> Vector:
     """The point of the circles that reaches farthest in a direction."""
     along, upward = cos(angle), sin(angle)
     far_x, far_y, farthest = 0.0, 0.0, -inf
@@ -52,7 +52,7 @@ def _farthest(circles: list[Circle], angle: float) -> Vector:
     return Vector(far_x, far_y)
 
 
-def _spread(radius: float, height: float) -> float:
+def _choose_spread(radius: float, height: float) -> float:
     """Half the angle of the osculating arc that is kept: the nose, but no more than the width of
     the cam.
     """

@@ -11,14 +11,14 @@ from typing import assert_never
 
 from kinegrade.figure.mark import Mark
 from kinegrade.figure.obstacles import Obstacles, Segment
-from kinegrade.figure.place import Wish, around, beside
+from kinegrade.figure.place import Wish, list_spots_around, list_spots_beside
 from kinegrade.figure.plane import NEAR, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes
-from kinegrade.figure.symbols import HEAD_LENGTH, arrowhead
+from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import Length, Projection
 
-OFFSETS = (
+_OFFSETS = (
     5.5,
     -5.5,
     8.0,
@@ -30,16 +30,16 @@ OFFSETS = (
     16.0,
     -16.0,
 )  # millimetres, of dimension lines
-LEAVING = 2.2  # millimetres by which an extension line may overlap what is drawn at its point
-LEADERS = (
+_LEAVING = 2.2  # millimetres by which an extension line may overlap what is drawn at its point
+_LEADERS = (
     6.0,
     9.0,
 )  # millimetres, of the leader from a symbol to a bar with no room next to it
-TURNS = tuple(turn * pi / 6 for turn in range(12))
-DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
+_TURNS = tuple(turn * pi / 6 for turn in range(12))
+_DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
 
-def _measured(along: Projection | None, start: Vector, end: Vector) -> Vector:
+def _measure(along: Projection | None, start: Vector, end: Vector) -> Vector:
     """The direction in which a distance is measured."""
     match along:
         case "horizontal":
@@ -52,34 +52,34 @@ def _measured(along: Projection | None, start: Vector, end: Vector) -> Vector:
             assert_never(along)
 
 
-def length_marks(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> list[Mark]:
+def mark_lengths(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> list[Mark]:
     """Dimension lines, and the symbol alone where a line is drawn exactly between the two
     points.
     """
     start, end = at[hint.start], at[hint.end]
-    measured = _measured(hint.along, start, end)
+    measured = _measure(hint.along, start, end)
     found: list[Mark] = [
-        _dimension((start, end), measured, offset, hint.symbol) for offset in OFFSETS
+        _draw_dimension((start, end), measured, offset, hint.symbol) for offset in _OFFSETS
     ]
     others = [point for name, point in at.items() if name not in (hint.start, hint.end)]
     whole = hint.along is None and not _between(start, end, others)
-    if whole and drawn.joins(start, end, DRAWN_GAP):
-        found.append(Lettered(start, end, hint.symbol))
+    if whole and drawn.joins(start, end, _DRAWN_GAP):
+        found.append(_Lettered(start, end, hint.symbol))
         found += [
-            Leader((start + end) / 2, angle, reach, hint.symbol)
-            for reach in LEADERS
-            for angle in TURNS
+            _Leader((start + end) / 2, angle, reach, hint.symbol)
+            for reach in _LEADERS
+            for angle in _TURNS
         ]
     return found
 
 
-def _dimension(points: Segment, measured: Vector, offset: float, symbol: str) -> Dimension:
+def _draw_dimension(points: Segment, measured: Vector, offset: float, symbol: str) -> _Dimension:
     """The dimension line at an offset from the outer one of the two points."""
     across = measured.turned()
     outer = max if offset > 0 else min
     level = outer(across.dot(point) for point in points) + offset
     feet = [point + across * (level - across.dot(point)) for point in points]
-    return Dimension(points, (feet[0], feet[1]), symbol, 0.3 * abs(offset))
+    return _Dimension(points, (feet[0], feet[1]), symbol, 0.3 * abs(offset))
 
 
 def _between(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
@@ -94,7 +94,7 @@ def _between(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
 
 
 @dataclass(frozen=True)
-class Dimension:
+class _Dimension:
     """Extension lines from two points to their feet, and the dimension line between the feet."""
 
     points: Segment
@@ -105,16 +105,16 @@ class Dimension:
 
     def path(self) -> tuple[Segment, ...]:
         """The dimension line, and the extension lines from where they leave their points."""
-        return (self._line(), *self._extensions(LEAVING))
+        return (self._line(), *self._extensions(_LEAVING))
 
     def wish(self) -> Wish:
         """Beside the dimension line."""
-        return Wish(self.symbol, beside(self.symbol, *self._line()))
+        return Wish(self.symbol, list_spots_beside(self.symbol, *self._line()))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """Thin lines and two arrowheads, from outside where there is no room between the feet."""
         along = unit(self.feet[1] - self.feet[0]) * (1.0 if self._outside() else -1.0)
-        heads = (arrowhead(self.feet[0], along), arrowhead(self.feet[1], -along))
+        heads = (draw_arrowhead(self.feet[0], along), draw_arrowhead(self.feet[1], -along))
         return (Strokes((*self._extensions(1.6), self._line()), THIN), *heads)
 
     def _outside(self) -> bool:
@@ -135,7 +135,7 @@ class Dimension:
 
 
 @dataclass(frozen=True)
-class Lettered:
+class _Lettered:
     """The symbol alone, close to a line that is drawn between the two points, where the most room
     is.
     """
@@ -153,7 +153,8 @@ class Lettered:
     def wish(self) -> Wish:
         """Close beside the line."""
         return Wish(
-            self.symbol, beside(self.symbol, self.start, self.end, gaps=(0.8, 1.3), stations=3)
+            self.symbol,
+            list_spots_beside(self.symbol, self.start, self.end, gaps=(0.8, 1.3), stations=3),
         )
 
     def primitives(self) -> tuple[Primitive, ...]:
@@ -162,7 +163,7 @@ class Lettered:
 
 
 @dataclass(frozen=True)
-class Leader:
+class _Leader:
     """The symbol at the end of a leader to the middle of a bar, for bars that are short and
     crowded.
     """
@@ -184,7 +185,9 @@ class Leader:
 
     def wish(self) -> Wish:
         """Around the far end."""
-        return Wish(self.symbol, around(self.symbol, self._end(), away=polar(self.angle))[:6])
+        return Wish(
+            self.symbol, list_spots_around(self.symbol, self._end(), away=polar(self.angle))[:6]
+        )
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The leader."""

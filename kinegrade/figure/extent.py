@@ -40,7 +40,7 @@ _SCRIPT = 0.72
 
 
 @lru_cache(maxsize=1024)
-def symbol_size(symbol: str) -> tuple[float, float]:
+def measure_symbol(symbol: str) -> tuple[float, float]:
     """Width and height in millimetres of a LaTeX symbol at the figure's font size."""
     width, scripts, depth, depth_of_script = 0.0, 0, 0, -1
     place, stack = "", {"_": 0.0, "^": 0.0}  # the scripts of one base stand one above the other
@@ -50,10 +50,10 @@ def symbol_size(symbol: str) -> tuple[float, float]:
             continue
         depth += {"{": 1, "}": -1}.get(brace, 0)
         if not brace and not blank and place:
-            stack[place] += _SCRIPT * _advance(command or character)
+            stack[place] += _SCRIPT * _measure_advance(command or character)
         elif not brace and not blank:
             width, stack = (
-                width + max(stack.values()) + _advance(command or character),
+                width + max(stack.values()) + _measure_advance(command or character),
                 {"_": 0.0, "^": 0.0},
             )
         if depth <= depth_of_script and not blank:
@@ -62,7 +62,7 @@ def symbol_size(symbol: str) -> tuple[float, float]:
     return (width + max(stack.values()) + 0.12) * EM, (0.8 * tall + 0.28 * min(scripts, 2)) * EM
 
 
-def _advance(name: str) -> float:
+def _measure_advance(name: str) -> float:
     if name in _NO_WIDTH:
         return {"prime": 0.3, "boldsymbol": 0.1}.get(name, 0.0)
     return _WIDE.get(name, _NARROW.get(name, 0.78 if name.isupper() else 0.62))

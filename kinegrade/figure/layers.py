@@ -13,15 +13,15 @@ from kinegrade.figure.bars import (
     Bar,
     Rod,
     SlottedDisc,
-    bar_and_carrier,
-    bodies_of,
-    sleeve_centre,
-    translating,
+    find_sleeve_centre,
+    find_straight_bodies,
+    find_translating,
+    tell_bar_from_carrier,
 )
-from kinegrade.figure.cam import cam_profile
+from kinegrade.figure.cam import trace_cam_profile
 from kinegrade.figure.plane import length, mean, unit
 from kinegrade.figure.plates import Plate
-from kinegrade.figure.rims import Rim, grown, rims, without_hidden
+from kinegrade.figure.rims import Rim, enlarge, find_rims, order_rims
 from kinegrade.figure.scene import (
     BOLD,
     FIRM,
@@ -33,13 +33,13 @@ from kinegrade.figure.scene import (
     Strokes,
 )
 from kinegrade.figure.stands import knife_edges, stands
-from kinegrade.figure.tracks import tracks
+from kinegrade.figure.tracks import draw_tracks
 from kinegrade.mechanics.joints import GROUND, Pin, Sleeve, Slide
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints
 
-PENCILS = {"wheel": FIRM, "slot": FIRM, "gear": PITCH, "cam": FIRM}
+_PENCILS = {"wheel": FIRM, "slot": FIRM, "gear": PITCH, "cam": FIRM}
 
 
 @dataclass(frozen=True)
@@ -54,76 +54,76 @@ class Drawing:
 def draw(mechanism: Mechanism, hints: FigureHints) -> Drawing:
     """The mechanism (lengths in millimetres) drawn with the symbols of ISO 3952."""
     shapes = hints.shapes
-    found = without_hidden(rims(mechanism, shapes, hints.circles))
-    parts = bodies_of(mechanism, shapes, found)
+    found = order_rims(find_rims(mechanism, shapes, hints.circles))
+    parts = find_straight_bodies(mechanism, shapes, found)
     knives = knife_edges(mechanism, parts)
-    sleeves = _sleeves(mechanism, shapes, knives)
+    sleeves = _find_sleeves(mechanism, shapes, knives)
     layers = (
-        *(piece for rim in found for piece in _rim(mechanism, rim)),
-        *tracks(mechanism, shapes),
+        *(piece for rim in found for piece in _draw_rim(mechanism, rim)),
+        *draw_tracks(mechanism, shapes),
         *(
             piece
             for part in parts
             if isinstance(part, Plate | SlottedDisc)
-            for piece in _part(mechanism, part)
+            for piece in _draw_part(mechanism, part)
         ),
         *(
             piece
             for name, side in knives.items()
-            for piece in symbols.knife_edge(mechanism.points[name], side)
+            for piece in symbols.draw_knife_edge(mechanism.points[name], side)
         ),
         *stands(mechanism, found, parts, {*knives}, sleeves),
-        *(piece for at, along in sleeves for piece in symbols.sleeve(at, along)),
+        *(piece for at, along in sleeves for piece in symbols.draw_sleeve(at, along)),
         *(
             piece
             for part in parts
             if isinstance(part, Bar | Rod)
-            for piece in _part(mechanism, part)
+            for piece in _draw_part(mechanism, part)
         ),
-        *_reference_lines(mechanism, hints),
-        *_blocks(mechanism, shapes),
-        *_pins(mechanism, found, hints, {*knives}),
+        *_draw_reference_lines(mechanism, hints),
+        *_draw_blocks(mechanism, shapes),
+        *_draw_pins(mechanism, found, hints, {*knives}),
     )
     return Drawing(layers, found, parts)
 
 
-def _rim(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
+def _draw_rim(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
     if rim.body == GROUND:
-        return _fixed_rim(rim)
+        return _draw_fixed_rim(rim)
     match rim.kind:
         case "edge":
             return (Disc(rim.at, rim.radius, FIRM),)
         case "cam":
-            return _cam(mechanism, rim)
+            return _draw_cam(mechanism, rim)
         case "wheel" | "gear" | "slot":
-            return _ring(rim) if rim.ring else _round(rim)
+            return _draw_ring(rim) if rim.ring else _draw_round(rim)
         case _:
             assert_never(rim.kind)
 
 
-def _fixed_rim(rim: Rim) -> tuple[Primitive, ...]:
+def _draw_fixed_rim(rim: Rim) -> tuple[Primitive, ...]:
     """A rim of the ground: hatched, the pitch circle of a gear dash-dotted."""
     match rim.kind:
         case "edge":
             return (Disc(rim.at, rim.radius, FIRM),)
         case "gear":
-            edge = symbols.round_ground(rim.at, rim.radius, rim.ring)
+            edge = symbols.draw_round_ground(rim.at, rim.radius, rim.ring)
             return (*edge[:-1], Disc(rim.at, rim.radius, PITCH))
         case "wheel" | "slot" | "cam":
-            return symbols.round_ground(rim.at, rim.radius, rim.ring)
+            return symbols.draw_round_ground(rim.at, rim.radius, rim.ring)
         case _:
             assert_never(rim.kind)
 
 
-def _ring(rim: Rim) -> tuple[Primitive, ...]:
+def _draw_ring(rim: Rim) -> tuple[Primitive, ...]:
     """A rim around others: the body lies outside."""
-    outer = Disc(rim.at, grown(rim, 2.0).radius, FIRM, "grey")
-    return (outer, Disc(rim.at, rim.radius, PENCILS[rim.kind], "white"))
+    outer = Disc(rim.at, enlarge(rim, 2.0).radius, FIRM, "grey")
+    return (outer, Disc(rim.at, rim.radius, _PENCILS[rim.kind], "white"))
 
 
-def _round(rim: Rim) -> tuple[Primitive, ...]:
+def _draw_round(rim: Rim) -> tuple[Primitive, ...]:
     """A wheel, a gear, or a ring-shaped slot."""
-    pen = PENCILS[rim.kind]
+    pen = _PENCILS[rim.kind]
     match rim.kind:
         case "slot":
             half = symbols.SLOT_WIDTH / 2
@@ -134,56 +134,58 @@ def _round(rim: Rim) -> tuple[Primitive, ...]:
             assert_never(rim.kind)
 
 
-def _cam(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
+def _draw_cam(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
     """The profile, with a thin line from the centre of curvature to the contact."""
     return (
-        Outline(cam_outline(mechanism, rim), FIRM, "grey"),
+        Outline(trace_cam_outline(mechanism, rim), FIRM, "grey"),
         Strokes(((rim.at, rim.touch),), THIN),
     )
 
 
-def cam_outline(mechanism: Mechanism, rim: Rim) -> tuple[Vector, ...]:
+def trace_cam_outline(mechanism: Mechanism, rim: Rim) -> tuple[Vector, ...]:
     """The profile of a cam about its fixed pin, in the unit of the mechanism."""
     pivots = [
         mechanism.points[joint.point]
         for joint in mechanism.joints
         if isinstance(joint, Pin) and GROUND in joint.bodies and rim.body in joint.bodies
     ]
-    return cam_profile(pivots[0] if pivots else rim.at, rim.touch, rim.at, rim.radius)
+    return trace_cam_profile(pivots[0] if pivots else rim.at, rim.touch, rim.at, rim.radius)
 
 
-def _part(mechanism: Mechanism, part: Bar | Plate | SlottedDisc | Rod) -> tuple[Primitive, ...]:
+def _draw_part(
+    mechanism: Mechanism, part: Bar | Plate | SlottedDisc | Rod
+) -> tuple[Primitive, ...]:
     match part:
         case Plate():
             return (Outline(part.corners, BOLD, "grey"),)
         case SlottedDisc():
-            slot = Outline(symbols.stadium(*part.slot, symbols.SLOT_WIDTH), FIRM, "white")
+            slot = Outline(symbols.trace_stadium(*part.slot, symbols.SLOT_WIDTH), FIRM, "white")
             return (Disc(part.centre, part.radius, FIRM, "grey"), slot)
         case Rod():
             along = unit(part.end - part.start)
             return (
-                *symbols.guide(part.end - along * 5.0, along),
+                *symbols.draw_guide(part.end - along * 5.0, along),
                 Strokes(((part.start, part.end),), BOLD),
             )
         case Bar():
-            return _bar(mechanism, part)
+            return _draw_bar(mechanism, part)
         case _:
             assert_never(part)
 
 
-def _bar(mechanism: Mechanism, bar: Bar) -> tuple[Primitive, ...]:
+def _draw_bar(mechanism: Mechanism, bar: Bar) -> tuple[Primitive, ...]:
     match bar.use:
         case "rack":
-            return symbols.rack(bar.start, bar.end, bar.back)
+            return symbols.draw_rack(bar.start, bar.end, bar.back)
         case "slot":
-            return symbols.slotted_bar(bar.start, bar.end, _slot(mechanism, bar))
+            return symbols.draw_slotted_bar(bar.start, bar.end, _find_slot(mechanism, bar))
         case "link" | "bar" | "face":
             return (Strokes(((bar.start, bar.end),), BOLD),)
         case _:
             assert_never(bar.use)
 
 
-def _slot(mechanism: Mechanism, part: Bar) -> tuple[Vector, Vector]:
+def _find_slot(mechanism: Mechanism, part: Bar) -> tuple[Vector, Vector]:
     """The slot leaves the ends of a bar solid, and more of an end where the bar is pinned."""
     along = unit(part.end - part.start)
     margins = [
@@ -198,20 +200,20 @@ def _slot(mechanism: Mechanism, part: Bar) -> tuple[Vector, Vector]:
     return low, high
 
 
-def _sleeves(
+def _find_sleeves(
     mechanism: Mechanism, shapes: Mapping[str, str], knives: Mapping[str, Vector]
 ) -> list[tuple[Vector, Vector]]:
     """Where sleeves are, each with the direction of the bar in it."""
     places = []
     for joint in mechanism.joints:
-        if isinstance(joint, Sleeve) and bar_and_carrier(mechanism, joint)[1] != GROUND:
-            places.append((sleeve_centre(mechanism, joint), unit(joint.line.direction)))
+        if isinstance(joint, Sleeve) and tell_bar_from_carrier(mechanism, joint)[1] != GROUND:
+            places.append((find_sleeve_centre(mechanism, joint), unit(joint.line.direction)))
         if isinstance(joint, Slide) and _in_sleeve(joint, shapes) and joint.point not in knives:
             places.append((mechanism.points[joint.point], unit(joint.line.direction)))
     return places
 
 
-def _reference_lines(mechanism: Mechanism, hints: FigureHints) -> tuple[Primitive, ...]:
+def _draw_reference_lines(mechanism: Mechanism, hints: FigureHints) -> tuple[Primitive, ...]:
     lines = tuple((mechanism.points[start], mechanism.points[end]) for start, end in hints.lines)
     return (Strokes(lines, THIN),) if lines else ()
 
@@ -220,9 +222,9 @@ def _in_sleeve(joint: Slide, shapes: Mapping[str, str]) -> bool:
     return joint.of != GROUND and (joint.body == GROUND or shapes.get(joint.of) == "bar")
 
 
-def _blocks(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Primitive, ...]:
+def _draw_blocks(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Primitive, ...]:
     """Sliders: on ground guides, and in the slots of moving bodies."""
-    guided = translating(mechanism)
+    guided = find_translating(mechanism)
     pieces: tuple[Primitive, ...] = ()
     for joint in mechanism.joints:
         if (
@@ -233,13 +235,17 @@ def _blocks(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Primitive,
             continue
         at, along = mechanism.points[joint.point], unit(joint.line.direction)
         if joint.of == GROUND:
-            pieces += symbols.ground_slider(at, along, _guide_side(mechanism, joint.point, along))
+            pieces += symbols.draw_ground_slider(
+                at, along, _choose_guide_side(mechanism, joint.point, along)
+            )
         else:
-            pieces += (symbols.block(at, along, symbols.BLOCK_LENGTH - 1.0, symbols.SLOT_WIDTH),)
+            pieces += (
+                symbols.draw_block(at, along, symbols.BLOCK_LENGTH - 1.0, symbols.SLOT_WIDTH),
+            )
     return pieces
 
 
-def _guide_side(mechanism: Mechanism, name: str, along: Vector) -> Vector:
+def _choose_guide_side(mechanism: Mechanism, name: str, along: Vector) -> Vector:
     """The side of a guide away from the mechanism; below, or to the right, when bars leave to both
     sides.
     """
@@ -259,14 +265,14 @@ def _guide_side(mechanism: Mechanism, name: str, along: Vector) -> Vector:
     return -below if rest > 1e-6 else below
 
 
-def _pins(
+def _draw_pins(
     mechanism: Mechanism, found: tuple[Rim, ...], hints: FigureHints, knives: set[str]
 ) -> tuple[Primitive, ...]:
     """Open circles at pins, crosses at centres and at labelled construction points, dots at other
     marked points.
     """
     pinned = {joint.point for joint in mechanism.joints if isinstance(joint, Pin)}
-    translated = translating(mechanism)
+    translated = find_translating(mechanism)
     sliding = [joint for joint in mechanism.joints if isinstance(joint, Slide)]
     pinned |= {
         joint.point for joint in sliding if joint.body not in translated or joint.of != GROUND
@@ -279,8 +285,12 @@ def _pins(
     centres = ({rim.centre for rim in found} | (labelled - owned - knives)) - pinned
     marked = owned - pinned - centres - knives
     crosses = [
-        piece for name in sorted(centres) for piece in symbols.centre_mark(mechanism.points[name])
+        piece
+        for name in sorted(centres)
+        for piece in symbols.draw_centre_mark(mechanism.points[name])
     ]
-    dots = [piece for name in sorted(marked) for piece in symbols.dot(mechanism.points[name])]
-    circles = [piece for name in sorted(pinned) for piece in symbols.pin(mechanism.points[name])]
+    dots = [piece for name in sorted(marked) for piece in symbols.draw_dot(mechanism.points[name])]
+    circles = [
+        piece for name in sorted(pinned) for piece in symbols.draw_pin(mechanism.points[name])
+    ]
     return (*crosses, *dots, *circles)

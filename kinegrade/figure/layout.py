@@ -12,10 +12,10 @@ from math import inf
 
 from kinegrade.figure.mark import Mark
 from kinegrade.figure.obstacles import Obstacles
-from kinegrade.figure.place import Wish, crowding, label
+from kinegrade.figure.place import Wish, measure_crowding, place_label
 from kinegrade.figure.scene import Label, Primitive
 
-BATCHES = (
+_BATCHES = (
     4,
     12,
     36,
@@ -51,7 +51,7 @@ class Layout:
         """The layout with a label for each wish, in order."""
         layout = self
         for wish in wishes:
-            layout = layout._labelled(label(wish, layout.obstacles))
+            layout = layout._labelled(place_label(wish, layout.obstacles))
         return layout
 
     def marked(self, alternatives: Sequence[Mark], sparing: Sequence[Primitive] = ()) -> Layout:
@@ -59,26 +59,26 @@ class Layout:
         later items may be kept clear.
         """
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
-        mark, wish = least_covering(alternatives, crowded)
+        mark, wish = _choose_least_covering(alternatives, crowded)
         layout = self.drawn(mark.primitives())
         crowded = layout.obstacles.with_drawn(sparing) if sparing else layout.obstacles
-        return layout._labelled(label(wish, crowded))
+        return layout._labelled(place_label(wish, crowded))
 
     def _labelled(self, placed: Label) -> Layout:
         return Layout(self.lines, (*self.labels, placed), self.obstacles.with_drawn((placed,)))
 
 
-def _batches(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
+def _batch(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
     """All of them in order, a few first and then more at a time."""
     first = 0
-    for size in chain(BATCHES, repeat(BATCHES[-1])):
+    for size in chain(_BATCHES, repeat(_BATCHES[-1])):
         if first >= len(ranked):
             return
         yield ranked[first : first + size]
         first += size
 
 
-def least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> tuple[Mark, Wish]:
+def _choose_least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> tuple[Mark, Wish]:
     """The cheapest alternative, and its wish: the cost is what its line covers, what its label
     covers, and its demerit; among equals the preferred one.
 
@@ -88,7 +88,7 @@ def least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> tuple[
     ranked = sorted(alternatives, key=lambda mark: round(mark.demerit, 6))
     best: tuple[Mark, Wish] | None = None
     least = inf
-    for marks in _batches(ranked):
+    for marks in _batch(ranked):
         if marks[0].demerit >= least:
             break
         waiting = [(round(mark.demerit, 6), number, False) for number, mark in enumerate(marks)]
@@ -100,7 +100,7 @@ def least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> tuple[
                 heappush(waiting, (round(covered + mark.demerit, 6), number, True))
                 continue
             wish = mark.wish()
-            total = round(cost + crowding(wish, obstacles), 6)
+            total = round(cost + measure_crowding(wish, obstacles), 6)
             if total < least:
                 best, least = (mark, wish), total
     return best or (ranked[0], ranked[0].wish())

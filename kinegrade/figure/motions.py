@@ -11,36 +11,36 @@ from kinegrade.figure.bars import Bar
 from kinegrade.figure.layers import Drawing
 from kinegrade.figure.mark import Mark, chords, direction
 from kinegrade.figure.obstacles import Segment
-from kinegrade.figure.place import Wish, along_bow, beside
+from kinegrade.figure.place import Wish, list_spots_along_arc, list_spots_beside
 from kinegrade.figure.plane import angle_of, length, mean, shorter_way, unit
 from kinegrade.figure.rims import Rim
 from kinegrade.figure.scene import THIN, Bow, Primitive
-from kinegrade.figure.symbols import PIN, arrow, curved_arrow
+from kinegrade.figure.symbols import PIN, draw_arrow, draw_curved_arrow
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import TURN, Moving, Sense, Turning
 
-ARROW = 9.0  # millimetres, length of the arrow of a straight motion
-TURNING_RADII = (5.0, 6.5, 8.0, 10.0)  # millimetres, of the arrow of a rotation about its pivot
+_ARROW = 9.0  # millimetres, length of the arrow of a straight motion
+_TURNING_RADII = (5.0, 6.5, 8.0, 10.0)  # millimetres, of the arrow of a rotation about its pivot
 TURNING_ARC = 6.5  # millimetres, length of that arrow
 TWELFTHS = tuple(index * pi / 6 for index in range(12))
 
 
-def turning_marks(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> list[Mark]:
+def mark_rotations(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> list[Mark]:
     """Arrows about the pivot of a body, the preferred one close to it, where the body leaves it."""
-    centre = pivot_of(mechanism, hint.body, drawing.rims)
-    sense = TURN[hint.sense or _imposed_sense(mechanism, hint.body)]
-    crank = _crank(mechanism, hint.body, centre, drawing)
+    centre = find_pivot(mechanism, hint.body, drawing.rims)
+    sense = TURN[hint.sense or _find_imposed_sense(mechanism, hint.body)]
+    crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
     found: list[Mark] = []
     for radius in (
-        *TURNING_RADII,
+        *_TURNING_RADII,
         *(rim.radius + 2.0 for rim in drawing.rims if rim.body == hint.body),
     ):
         span = TURNING_ARC / radius * sense
         for angle in TWELFTHS:
-            demerit = 1.5 * abs(radius - TURNING_RADII[0]) + 2.5 * abs(shorter_way(angle - crank))
+            demerit = 1.5 * abs(radius - _TURNING_RADII[0]) + 2.5 * abs(shorter_way(angle - crank))
             found.append(
                 TurningArrow(
                     Bow(centre, radius, angle - span / 2, span, THIN), hint.symbol, demerit
@@ -64,14 +64,16 @@ class TurningArrow:
 
     def wish(self) -> Wish:
         """Along the arc."""
-        return along_bow(self.symbol, self.bow)
+        return list_spots_along_arc(self.symbol, self.bow)
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The arc and its arrowhead."""
-        return curved_arrow(self.bow.centre, self.bow.radius, self.bow.start, self.bow.sweep)
+        return draw_curved_arrow(self.bow.centre, self.bow.radius, self.bow.start, self.bow.sweep)
 
 
-def _crank(mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing) -> float:
+def _find_crank_direction(
+    mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing
+) -> float:
     """The direction in which a body extends from its pivot; up when it extends in none."""
     points = [mechanism.points[name] for name in mechanism.body(body).points]
     points += [
@@ -84,7 +86,7 @@ def _crank(mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing) ->
     return angle_of(far - centre) if length(far - centre) > 1.0 else pi / 2
 
 
-def pivot_of(mechanism: Mechanism, body: str, found: tuple[Rim, ...]) -> Vector:
+def find_pivot(mechanism: Mechanism, body: str, found: tuple[Rim, ...]) -> Vector:
     """Where a body's rotation is marked: its fixed pin, else its circle's centre, else the mean of
     its points.
     """
@@ -99,14 +101,14 @@ def pivot_of(mechanism: Mechanism, body: str, found: tuple[Rim, ...]) -> Vector:
     )
 
 
-def _imposed_sense(mechanism: Mechanism, body: str) -> Sense:
+def _find_imposed_sense(mechanism: Mechanism, body: str) -> Sense:
     for driver in mechanism.drivers:
         if isinstance(driver, Rotation) and driver.body == body:
             return "cw" if driver.velocity < 0 else "ccw"
     return "ccw"
 
 
-def moving_marks(mechanism: Mechanism, hint: Moving) -> list[Mark]:
+def mark_motions(mechanism: Mechanism, hint: Moving) -> list[Mark]:
     """Arrows in the direction of the motion: from the point, then beside it, first those clear of
     the mechanism.
     """
@@ -114,7 +116,7 @@ def moving_marks(mechanism: Mechanism, hint: Moving) -> list[Mark]:
     toward = (
         unit(direction(mechanism.points, point, hint.along))
         if hint.along
-        else _imposed(mechanism, hint.point)
+        else _find_imposed_direction(mechanism, hint.point)
     )
     across = toward.turned()
     across = across if across.dot(mean(mechanism.points.values()) - point) <= 1e-6 else -across
@@ -122,16 +124,16 @@ def moving_marks(mechanism: Mechanism, hint: Moving) -> list[Mark]:
     starts += [
         point + across * (side * offset) + toward * shift
         for offset in (3.6, 5.0, 6.5)
-        for shift in (0.0, -ARROW / 2, 3.0)
+        for shift in (0.0, -_ARROW / 2, 3.0)
         for side in (1.0, -1.0)
     ]
     return [
-        MovingArrow(start, toward, hint.symbol, 0.5 * rank) for rank, start in enumerate(starts)
+        _MovingArrow(start, toward, hint.symbol, 0.5 * rank) for rank, start in enumerate(starts)
     ]
 
 
 @dataclass(frozen=True)
-class MovingArrow:
+class _MovingArrow:
     """A straight arrow from `start` in the direction `toward`."""
 
     start: Vector
@@ -146,18 +148,18 @@ class MovingArrow:
 
     def wish(self) -> Wish:
         """Beside the arrow, else around its tip."""
-        shaft = beside(self.symbol, self.start + self.toward * 3, self._end())
+        shaft = list_spots_beside(self.symbol, self.start + self.toward * 3, self._end())
         return Wish(self.symbol, shaft, self._end())
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead."""
-        return arrow(self.start, self._end())
+        return draw_arrow(self.start, self._end())
 
     def _end(self) -> Vector:
-        return self.start + self.toward * ARROW
+        return self.start + self.toward * _ARROW
 
 
-def _imposed(mechanism: Mechanism, point: str) -> Vector:
+def _find_imposed_direction(mechanism: Mechanism, point: str) -> Vector:
     """The direction of the velocity that a driver gives the point; to the right when none does."""
     for driver in mechanism.drivers:
         if isinstance(driver, Component) and driver.point == point:

@@ -11,7 +11,7 @@ import numpy as np
 from kinegrade.errors import TemplateError
 from kinegrade.figure.bars import Bar, Rod
 from kinegrade.figure.layers import Drawing
-from kinegrade.figure.place import Wish, around, nearer_to_others
+from kinegrade.figure.place import Wish, list_spots_around, rate_nearness
 from kinegrade.figure.plane import NEAR, length, on_line, polar, unit
 from kinegrade.figure.rims import Rim
 from kinegrade.mechanics.joints import Line
@@ -20,14 +20,14 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints
 
 # Cost of a letter that may be read as that of another point: between a thin and a firm line
-MISTAKEN = 20.0
+_MISTAKEN = 20.0
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
 
 
-def point_symbol(name: str) -> str:
+def write_point_symbol(name: str) -> str:
     """A point's name as LaTeX math: digits as subscript, a trailing p as prime.
 
-    >>> point_symbol("O1"), point_symbol("Op")
+    >>> write_point_symbol("O1"), write_point_symbol("Op")
     ('O_{1}', "O'")
     """
     match = _POINT.fullmatch(name)
@@ -37,38 +37,38 @@ def point_symbol(name: str) -> str:
     return letter + (f"_{{{digits}}}" if digits else "") + "'" * len(primes)
 
 
-def letters(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
+def label_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
     """The labels of points, then of free ends: each has to stand close to its point."""
-    ends = list(_free_ends(mechanism, drawing))
+    ends = list(_find_free_ends(mechanism, drawing))
     places = [*mechanism.points.values(), *(end for _, end in ends)]
-    for name in _named_points(mechanism, hints, drawing):
-        symbol = hints.labels.get(name, point_symbol(name))
+    for name in _find_named_points(mechanism, hints, drawing):
+        symbol = hints.labels.get(name, write_point_symbol(name))
         if symbol:
-            yield _letter(symbol, mechanism.points[name], drawing, places)
+            yield _label_point(symbol, mechanism.points[name], drawing, places)
     for name, end in ends:
-        yield _letter(point_symbol(name), end, drawing, places)
+        yield _label_point(write_point_symbol(name), end, drawing, places)
 
 
-def _letter(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]) -> Wish:
+def _label_point(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]) -> Wish:
     """A letter at its point; covering a thin line is preferred to standing nearer to another
     point.
     """
-    spots = around(symbol, at, away=_away(at, drawing))
+    spots = list_spots_around(symbol, at, away=_find_free_direction(at, drawing))
     others = [place for place in places if length(place - at) > NEAR]
-    return Wish(symbol, spots, demerits=MISTAKEN * nearer_to_others(symbol, spots, at, others))
+    return Wish(symbol, spots, demerits=_MISTAKEN * rate_nearness(symbol, spots, at, others))
 
 
-def body_names(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
+def label_bodies(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
     """The labels of bodies, which may stand anywhere in or next to them.
 
     Raises TemplateError for the label of a body of which nothing is drawn.
     """
     for body, symbol in hints.labels.items():
         if symbol and body not in mechanism.points:
-            yield _body(body, symbol, drawing)
+            yield _label_body(body, symbol, drawing)
 
 
-def _away(at: Vector, drawing: Drawing) -> Vector | None:
+def _find_free_direction(at: Vector, drawing: Drawing) -> Vector | None:
     """The direction away from a point's bars and its circle; None when no direction is better."""
     toward = Vector(0.0, 0.0)
     for part in drawing.parts:
@@ -81,7 +81,7 @@ def _away(at: Vector, drawing: Drawing) -> Vector | None:
     return -toward if length(toward) > 0.2 else None
 
 
-def _named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> list[str]:
+def _find_named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> list[str]:
     """Points that belong to a body, to a circle or to the ground, or are labelled; all others serve
     only for construction.
     """
@@ -92,12 +92,12 @@ def _named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) ->
     return [name for name in mechanism.points if name in used or hints.labels.get(name)]
 
 
-def _free_ends(mechanism: Mechanism, drawing: Drawing) -> Iterator[tuple[str, Vector]]:
+def _find_free_ends(mechanism: Mechanism, drawing: Drawing) -> Iterator[tuple[str, Vector]]:
     """The letters of free ends: a bar called AB on which only A is marked ends in B; of two free
     letters the rod takes the later.
     """
     for body in mechanism.bodies:
-        letters = [letter for letter in _letters(body.name) if letter not in mechanism.points]
+        letters = [letter for letter in _split_letters(body.name) if letter not in mechanism.points]
         straight = [
             part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body.name
         ]
@@ -109,14 +109,14 @@ def _free_ends(mechanism: Mechanism, drawing: Drawing) -> Iterator[tuple[str, Ve
         yield from zip(reversed(letters), ends, strict=False)
 
 
-def _letters(name: str) -> list[str]:
+def _split_letters(name: str) -> list[str]:
     """The point names that a body's name is made of; none when it is a word or a numeral."""
     if not re.fullmatch(r"(?:[A-Z]\d*p?){2,}", name) or set(name) <= set("IVX"):
         return []
     return re.findall(r"[A-Z]\d*p?", name)
 
 
-def _body(body: str, symbol: str, drawing: Drawing) -> Wish:
+def _label_body(body: str, symbol: str, drawing: Drawing) -> Wish:
     circles: list[Rim] = [rim for rim in drawing.rims if rim.body == body]
     if circles:
         shares = (0.7, 0.55, 0.4)
@@ -127,7 +127,9 @@ def _body(body: str, symbol: str, drawing: Drawing) -> Wish:
         ]
         return Wish(
             symbol,
-            np.concatenate((np.array(inner), around(symbol, circles[0].at, circles[0].radius))),
+            np.concatenate(
+                (np.array(inner), list_spots_around(symbol, circles[0].at, circles[0].radius))
+            ),
         )
     parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
     if not parts:
@@ -135,4 +137,4 @@ def _body(body: str, symbol: str, drawing: Drawing) -> Wish:
             f"figure.labels.{body}: no circle and no bar of {body!r} is drawn; label one of its "
             "points"
         )
-    return Wish(symbol, around(symbol, (parts[0].start + parts[0].end) / 2))
+    return Wish(symbol, list_spots_around(symbol, (parts[0].start + parts[0].end) / 2))

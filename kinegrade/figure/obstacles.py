@@ -29,19 +29,19 @@ from kinegrade.figure.scene import (
 from kinegrade.mechanics.vector import Vector
 
 Segment = tuple[Vector, Vector]
-Numbers = tuple[float, ...]
+_Numbers = tuple[float, ...]
 Bounds = tuple[float, float, float, float]  # left, bottom, right, top
-Boxed = tuple[float, float, float, float, Numbers]  # its bounds, then its numbers
+Boxed = tuple[float, float, float, float, _Numbers]  # its bounds, then its numbers
 
 COST_LABEL, COST_BOLD, COST_FIRM, COST_THIN = 1000.0, 100.0, 10.0, 4.0
-TOUCH = 1e-6  # millimetres by which two things may overlap and still only touch
-ROOM, SHARED_ROOM = (
+_TOUCH = 1e-6  # millimetres by which two things may overlap and still only touch
+_ROOM, _SHARED_ROOM = (
     0.8,
     0.6,
 )  # millimetres to be kept free on either side of a mark; less for thin lines
-LEAST = 1e-9  # millimetres: a shorter step counts as this one
-SAME_AXIS = 0.05  # millimetres within which two lines count as one
-CORNER = 1.5  # times half its width: how far a pen's corners reach at any angle, and a little more
+_LEAST = 1e-9  # millimetres: a shorter step counts as this one
+_SAME_AXIS = 0.05  # millimetres within which two lines count as one
+_CORNER = 1.5  # times half its width: how far a pen's corners reach at any angle, and a little more
 
 
 @dataclass(frozen=True)
@@ -70,27 +70,27 @@ class Obstacles:
                 case Label():
                     lines.extend(_label(primitive))
                 case Disc():
-                    rings.append(_ring(primitive))
+                    rings.append(_make_ring(primitive))
                 case Strokes() | Outline() | Bow():
-                    lines.extend(_segments(primitive))
+                    lines.extend(_make_segments(primitive))
                 case _:
                     assert_never(primitive)
         return Obstacles((*self.lines, *lines), (*self.rings, *rings))
 
     def near(self, box: Bounds) -> Obstacles:
         """The obstacles that may reach into a box."""
-        return Obstacles(_near(self.lines, box), _near(self.rings, box))
+        return Obstacles(_find_near(self.lines, box), _find_near(self.rings, box))
 
     def under_box(self, x: float, y: float, width: float, height: float) -> float:
         """The sum of the costs that an upright box about a centre covers; zero when it is free."""
         wide, high, total = width / 2, height / 2, 0.0
         box = (x - wide, y - high, x + wide, y + high)
-        for _, _, _, _, (start_x, start_y, _, _, pace_x, pace_y, pen, cost) in _near(
+        for _, _, _, _, (start_x, start_y, _, _, pace_x, pace_y, pen, cost) in _find_near(
             self.lines, box
         ):
             if _crosses((start_x - x, pace_x, wide + pen), (start_y - y, pace_y, high + pen)):
                 total += cost
-        for _, _, _, _, (centre_x, centre_y, inner, outer, cost) in _near(self.rings, box):
+        for _, _, _, _, (centre_x, centre_y, inner, outer, cost) in _find_near(self.rings, box):
             if _encircles(centre_x - x, centre_y - y, (wide, high), inner, outer):
                 total += cost
         return total
@@ -103,12 +103,12 @@ class Obstacles:
         """
         if not path:
             return 0.0
-        half = SHARED_ROOM if shared else ROOM
+        half = _SHARED_ROOM if shared else _ROOM
         across, upward = zip(*(point for piece in path for point in piece), strict=True)
         box = (min(across) - half, min(upward) - half, max(across) + half, max(upward) + half)
         strips = [_strip(start, end, half) for start, end in path]
         lines, rings = (
-            [thing[-1] for thing in _near(things, box)] for things in (self.lines, self.rings)
+            [thing[-1] for thing in _find_near(things, box)] for things in (self.lines, self.rings)
         )
         return sum(
             line[-1]
@@ -125,15 +125,15 @@ class Obstacles:
             return False
         toward = (end - start) / size
         for _, _, _, _, (x, y, dx, dy, _, _, _, _) in self.lines:
-            near, near_off = _turned(x - start.x, y - start.y, *toward)
-            far, far_off = _turned(x + dx - start.x, y + dy - start.y, *toward)
-            on_axis = abs(near_off) < SAME_AXIS and abs(far_off) < SAME_AXIS
+            near, near_off = _turn(x - start.x, y - start.y, *toward)
+            far, far_off = _turn(x + dx - start.x, y + dy - start.y, *toward)
+            on_axis = abs(near_off) < _SAME_AXIS and abs(far_off) < _SAME_AXIS
             if on_axis and abs(min(near, far)) <= gap and abs(max(near, far) - size) <= gap:
                 return True
         return False
 
 
-def _near(things: Sequence[Boxed], box: Bounds) -> list[Boxed]:
+def _find_near(things: Sequence[Boxed], box: Bounds) -> list[Boxed]:
     """The lines or rings whose boxes meet a box."""
     left, bottom, right, top = box
     return [
@@ -143,55 +143,61 @@ def _near(things: Sequence[Boxed], box: Bounds) -> list[Boxed]:
     ]
 
 
-def _strip(start: Vector, end: Vector, half: float) -> Numbers:
+def _strip(start: Vector, end: Vector, half: float) -> _Numbers:
     """A strip about a straight piece: its centre x, y, its direction x, y, half its length and half
     its width.
     """
     (x, y), (to_x, to_y) = start, end
-    size = max(hypot(to_x - x, to_y - y), TOUCH)
+    size = max(hypot(to_x - x, to_y - y), _TOUCH)
     return ((x + to_x) / 2, (y + to_y) / 2, (to_x - x) / size, (to_y - y) / size, size / 2, half)
 
 
-def _strip_crosses(strip: Numbers, line: Numbers, shared: bool) -> bool:
+def _strip_crosses(strip: _Numbers, line: _Numbers, shared: bool) -> bool:
     """Whether a strip meets a line; one that may be shared does not meet a thin line on its
     axis.
     """
     centre_x, centre_y, along, across, half_length, half_width = strip
     x, y, dx, dy, _, _, pen, cost = line
-    start, off = _turned(x - centre_x, y - centre_y, along, across)
-    further, sideways = _turned(dx, dy, along, across)
-    if shared and cost <= COST_THIN and abs(off) <= SAME_AXIS and abs(off + sideways) <= SAME_AXIS:
+    start, off = _turn(x - centre_x, y - centre_y, along, across)
+    further, sideways = _turn(dx, dy, along, across)
+    if (
+        shared
+        and cost <= COST_THIN
+        and abs(off) <= _SAME_AXIS
+        and abs(off + sideways) <= _SAME_AXIS
+    ):
         return False
     return _crosses(
-        (off, _pace(sideways), half_width + pen), (start, _pace(further), half_length + pen)
+        (off, _invert_step(sideways), half_width + pen),
+        (start, _invert_step(further), half_length + pen),
     )
 
 
-def _strip_encircles(strip: Numbers, ring: Numbers) -> bool:
+def _strip_encircles(strip: _Numbers, ring: _Numbers) -> bool:
     """Whether a strip meets a ring."""
     centre_x, centre_y, along, across, half_length, half_width = strip
     x, y, inner, outer, _ = ring
-    turned = _turned(x - centre_x, y - centre_y, along, across)
+    turned = _turn(x - centre_x, y - centre_y, along, across)
     return _encircles(*turned, (half_length, half_width), inner, outer)
 
 
-def _pace(step: float) -> float:
+def _invert_step(step: float) -> float:
     """The negative inverse of a step; a step shorter than LEAST counts as LEAST."""
-    return -1.0 / (step if abs(step) >= LEAST else LEAST)
+    return -1.0 / (step if abs(step) >= _LEAST else _LEAST)
 
 
-def _crosses(across: Numbers, upward: Numbers) -> bool:
+def _crosses(across: _Numbers, upward: _Numbers) -> bool:
     """Whether a line meets a box about the origin: it lies within both bands at the same time
     (Liang and Barsky).
 
     For either coordinate the start of the line, its pace, and half of the box.
     """
     x, pace_x, wide = across
-    middle, reach = x * pace_x, (wide - TOUCH) * abs(pace_x)
+    middle, reach = x * pace_x, (wide - _TOUCH) * abs(pace_x)
     if middle - reach > 1.0 or middle + reach < 0.0:
         return False
     y, pace_y, high = upward
-    level, rise = y * pace_y, (high - TOUCH) * abs(pace_y)
+    level, rise = y * pace_y, (high - _TOUCH) * abs(pace_y)
     return max(middle - reach, level - rise, 0.0) <= min(middle + reach, level + rise, 1.0)
 
 
@@ -199,13 +205,13 @@ def _encircles(x: float, y: float, half: tuple[float, float], inner: float, oute
     """Whether a ring meets a box about the origin, by the nearest point of the box and the
     farthest.
     """
-    away_x, away_y, wide, high = abs(x), abs(y), half[0] - TOUCH, half[1] - TOUCH
+    away_x, away_y, wide, high = abs(x), abs(y), half[0] - _TOUCH, half[1] - _TOUCH
     if max(away_x - wide, 0.0) ** 2 + max(away_y - high, 0.0) ** 2 > outer**2:
         return False
     return (away_x + wide) ** 2 + (away_y + high) ** 2 >= inner**2
 
 
-def _turned(x: float, y: float, along: float, across: float) -> tuple[float, float]:
+def _turn(x: float, y: float, along: float, across: float) -> tuple[float, float]:
     """The components of a vector along and across a direction."""
     return x * along + y * across, y * along - x * across
 
@@ -225,26 +231,27 @@ def _label(label: Label) -> list[Boxed]:
     middle = Vector(along.x - half, along.y - half)
     reaches = ((middle, half), (along, 0.0), (rise, 0.0))
     return [
-        _line(label.centre - reach, label.centre + reach, pen, COST_LABEL) for reach, pen in reaches
+        _make_line(label.centre - reach, label.centre + reach, pen, COST_LABEL)
+        for reach, pen in reaches
     ]
 
 
-def _line(start: Vector, end: Vector, pen: float, cost: float) -> Boxed:
+def _make_line(start: Vector, end: Vector, pen: float, cost: float) -> Boxed:
     (x, y), (to_x, to_y) = start, end
     left, right = (x, to_x) if x < to_x else (to_x, x)
     bottom, top = (y, to_y) if y < to_y else (to_y, y)
     dx, dy = to_x - x, to_y - y
-    reach = CORNER * pen
+    reach = _CORNER * pen
     return (
         left - reach,
         bottom - reach,
         right + reach,
         top + reach,
-        (x, y, dx, dy, _pace(dx), _pace(dy), pen, cost),
+        (x, y, dx, dy, _invert_step(dx), _invert_step(dy), pen, cost),
     )
 
 
-def _ring(disc: Disc) -> Boxed:
+def _make_ring(disc: Disc) -> Boxed:
     """A small filled disc counts as a whole, a larger one only by its line."""
     pen = disc.pen.width / 2 if disc.pen else 0.0
     solid = disc.fill in ("black", "white") and disc.radius < 3
@@ -254,13 +261,13 @@ def _ring(disc: Disc) -> Boxed:
     return (x - outer, y - outer, x + outer, y + outer, (x, y, inner, outer, cost))
 
 
-def _segments(primitive: Strokes | Outline | Bow) -> list[Boxed]:
+def _make_segments(primitive: Strokes | Outline | Bow) -> list[Boxed]:
     width = primitive.pen.width if primitive.pen else 0.0
     cost = COST_BOLD if width >= BOLD.width else COST_FIRM if width > THIN.width else COST_THIN
-    return [_line(start, end, width / 2, cost) for start, end in _pieces(primitive)]
+    return [_make_line(start, end, width / 2, cost) for start, end in _split(primitive)]
 
 
-def _pieces(primitive: Strokes | Outline | Bow) -> Iterable[Segment]:
+def _split(primitive: Strokes | Outline | Bow) -> Iterable[Segment]:
     match primitive:
         case Strokes():
             return primitive.lines

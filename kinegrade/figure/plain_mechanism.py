@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from kinegrade.figure.fitting import HEIGHT, WIDTH, span_of
+from kinegrade.figure.fitting import HEIGHT, WIDTH, measure_span
 from kinegrade.figure.layers import Drawing, draw
 from kinegrade.figure.obstacles import Segment
-from kinegrade.figure.paper import to_paper
-from kinegrade.figure.scene import BOLD, Disc, Primitive, Strokes, box_around
+from kinegrade.figure.paper import scale_to_paper
+from kinegrade.figure.scene import BOLD, Disc, Primitive, Strokes, find_common_box
 from kinegrade.figure.symbols import PIN
-from kinegrade.figure.view import in_view
+from kinegrade.figure.view import crop_to_view
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints
 
-LARGEST_PIN = PIN + 0.1  # millimetres, radius of the symbol at a point
-SURROUND = 12.0  # millimetres that symbols take beside the mechanism, as a first estimate
+_LARGEST_PIN = PIN + 0.1  # millimetres, radius of the symbol at a point
+_SURROUND = 12.0  # millimetres that symbols take beside the mechanism, as a first estimate
 
 
-def without_givens(hints: FigureHints) -> FigureHints:
+def _drop_givens(hints: FigureHints) -> FigureHints:
     """The hints about the mechanism itself: without dimensions, angles, radii, given motions and
     axes.
     """
@@ -42,39 +42,39 @@ class BareMechanism:
         mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()
     ) -> BareMechanism:
         """The mechanism of a figure without its givens."""
-        kept = without_givens(hints)
-        return BareMechanism(in_view(mechanism, kept), kept, tuple(beside))
+        kept = _drop_givens(hints)
+        return BareMechanism(crop_to_view(mechanism, kept), kept, tuple(beside))
 
     @property
     def span(self) -> tuple[float, float]:
         """Width and height of the scaled part, m."""
-        return span_of(self.mechanism, self.hints, self.beside)
+        return measure_span(self.mechanism, self.hints, self.beside)
 
     def first_scale(self, height: float = HEIGHT) -> float:
         """The largest scale, in millimetres per metre, at which the mechanism's symbols fit within
         that height.
         """
         across, upward = (max(size, 1e-9) for size in self.span)
-        guess = min((WIDTH - SURROUND) / across, (height - SURROUND) / upward)
-        drawn = box_around(self.at(guess)[1].primitives)
+        guess = min((WIDTH - _SURROUND) / across, (height - _SURROUND) / upward)
+        drawn = find_common_box(self.at(guess)[1].primitives)
         return guess * min(1.0, WIDTH / drawn.width, height / drawn.height)
 
     def at(self, scale: float) -> tuple[Mechanism, Drawing]:
         """The mechanism in millimetres on paper, and its drawing."""
-        paper = to_paper(self.mechanism, scale)
+        paper = scale_to_paper(self.mechanism, scale)
         return paper, draw(paper, self.hints)
 
 
-def bold_lines(primitives: Iterable[Primitive]) -> Iterator[Segment]:
+def find_bold_lines(primitives: Iterable[Primitive]) -> Iterator[Segment]:
     """The straight bold lines, on which no arrow would be visible."""
     for primitive in primitives:
         if isinstance(primitive, Strokes) and primitive.pen.width >= BOLD.width:
             yield from primitive.lines
 
 
-def pins(primitives: Iterable[Primitive]) -> tuple[Primitive, ...]:
+def find_pins(primitives: Iterable[Primitive]) -> tuple[Primitive, ...]:
     """The small circles of pins and marked points, to be drawn again on top of arrows that start
     there.
     """
     discs = (part for part in primitives if isinstance(part, Disc) and part.fill != "none")
-    return tuple(disc for disc in discs if disc.radius <= LARGEST_PIN)
+    return tuple(disc for disc in discs if disc.radius <= _LARGEST_PIN)

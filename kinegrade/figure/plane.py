@@ -87,10 +87,10 @@ def mean(points: Iterable[Vector]) -> Vector:
 def hull(points: Iterable[Vector]) -> tuple[Vector, ...]:
     """The convex hull, counter-clockwise (Andrew's monotone chain)."""
     ordered = sorted(set(points))
-    return tuple(_chain(ordered)[:-1] + _chain(ordered[::-1])[:-1])
+    return tuple(_make_chain(ordered)[:-1] + _make_chain(ordered[::-1])[:-1])
 
 
-def _chain(ordered: list[Vector]) -> list[Vector]:
+def _make_chain(ordered: list[Vector]) -> list[Vector]:
     chain: list[Vector] = []
     for point in ordered:
         while len(chain) > 1 and (chain[-1] - chain[-2]).cross(point - chain[-1]) <= 0:

@@ -20,7 +20,7 @@ class Plate:
     corners: tuple[Vector, ...]
 
 
-def plate_of(body: Body, points: Sequence[Vector], shapes: Mapping[str, str]) -> Plate | None:
+def find_plate(body: Body, points: Sequence[Vector], shapes: Mapping[str, str]) -> Plate | None:
     """The plate that a body with these points forms; None for rods and for bodies of fewer
     points.
     """
@@ -29,7 +29,7 @@ def plate_of(body: Body, points: Sequence[Vector], shapes: Mapping[str, str]) ->
     return Plate(body.name, hull(points))
 
 
-def outward(plate: Plate, line: Line) -> Vector | None:
+def find_outward_direction(plate: Plate, line: Line) -> Vector | None:
     """The direction (of any length) that leaves a plate across its edge on the line; None when no
     edge lies there.
     """

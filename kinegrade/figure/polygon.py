@@ -8,15 +8,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import floor, log10
 
-from kinegrade.figure.fitting import HEIGHT, WIDTH, scene_of
+from kinegrade.figure.fitting import HEIGHT, WIDTH, make_scene
 from kinegrade.figure.layout import Layout
-from kinegrade.figure.place import Wish, around
+from kinegrade.figure.place import Wish, list_spots_around
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Disc, Primitive, Scene
-from kinegrade.figure.vector_arrows import VectorArrow, side_by_side
+from kinegrade.figure.vector_arrows import VectorArrow, put_side_by_side
 from kinegrade.mechanics.vector import Vector
 
-WIDE, HIGH = (
+_WIDE, _HIGH = (
     52.0,
     38.0,
 )  # millimetres that the polygon alone takes at most: the rest of a figure is for symbols
@@ -32,12 +32,12 @@ ROUND = (
     6.0,
     8.0,
 )  # leading figures of a scale that is easy to state
-NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
-OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
-LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
-TINY = 1e-12
-ORIGIN = "o"
-ZERO = Vector(0.0, 0.0)
+_NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
+_OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
+_LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
+_TINY = 1e-12
+_ORIGIN = "o"
+_ZERO = Vector(0.0, 0.0)
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Arrow:
     known: bool = True
 
 
-def polygon(left: Sequence[Arrow], right: Sequence[Arrow]) -> Scene:
+def draw_polygon(left: Sequence[Arrow], right: Sequence[Arrow]) -> Scene:
     """The polygon of "sum of `left` = sum of `right`" from the common origin o.
 
     Known vectors are solid with a filled head, unknown ones dashed with an open head. Vectors
@@ -59,21 +59,24 @@ def polygon(left: Sequence[Arrow], right: Sequence[Arrow]) -> Scene:
     side, with thin lines to their true positions. The scale of the scene is millimetres per m/s (or
     m/s^2), a round number. The figure is within WIDTH x HEIGHT of `fitting`.
     """
-    across, upward = (_span(axis) for axis in zip(*_corners(left), *_corners(right), strict=True))
+    across, upward = (
+        _measure_span(axis)
+        for axis in zip(*_find_corners(left), *_find_corners(right), strict=True)
+    )
     if across + upward == 0.0:
-        return scene_of(_compose(left, right, 1.0), 1.0)
-    scale = round_below(min(WIDE / max(across, TINY), HIGH / max(upward, TINY)))
-    scene = scene_of(_compose(left, right, scale), scale)
-    while (scene.width > WIDTH or scene.height > HEIGHT) and max(across, upward) * scale > LEAST:
-        scale = round_below(scale * 0.99)
-        scene = scene_of(_compose(left, right, scale), scale)
+        return make_scene(_compose(left, right, 1.0), 1.0)
+    scale = _round_down(min(_WIDE / max(across, _TINY), _HIGH / max(upward, _TINY)))
+    scene = make_scene(_compose(left, right, scale), scale)
+    while (scene.width > WIDTH or scene.height > HEIGHT) and max(across, upward) * scale > _LEAST:
+        scale = _round_down(scale * 0.99)
+        scene = make_scene(_compose(left, right, scale), scale)
     return scene
 
 
-def round_below(number: float) -> float:
+def _round_down(number: float) -> float:
     """The largest round number that is not above a positive number.
 
-    >>> round_below(13.7), round_below(0.0299)
+    >>> _round_down(13.7), _round_down(0.0299)
     (12.0, 0.025)
     """
     power = 10.0 ** floor(log10(number) + 1e-9)
@@ -81,16 +84,16 @@ def round_below(number: float) -> float:
     return float(f"{leading * power:.6g}")
 
 
-def _corners(chain: Sequence[Arrow]) -> Iterator[Vector]:
+def _find_corners(chain: Sequence[Arrow]) -> Iterator[Vector]:
     """The origin and the tips of a chain."""
-    at = ZERO
+    at = _ZERO
     yield at
     for arrow in chain:
         at = at + arrow.value
         yield at
 
 
-def _span(numbers: Sequence[float]) -> float:
+def _measure_span(numbers: Sequence[float]) -> float:
     return max(numbers) - min(numbers)
 
 
@@ -98,22 +101,24 @@ def _compose(left: Sequence[Arrow], right: Sequence[Arrow], scale: float) -> tup
     """The arrows, then the symbols, starting with the shortest arrow: it has the fewest places to
     choose from.
     """
-    least = NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
-    laid = [arrow for side in (left, right) for arrow in _laid(side, scale, least)]
-    arrows = side_by_side(laid, (), OFFSETS)
-    origin = Disc(ZERO, 0.5, None, "black")
+    least = _NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
+    laid = [arrow for side in (left, right) for arrow in _lay_arrows(side, scale, least)]
+    arrows = put_side_by_side(laid, (), _OFFSETS)
+    origin = Disc(_ZERO, 0.5, None, "black")
     ties = (tie for arrow in arrows for tie in arrow.ties())
     layout = Layout.of((*ties, *(part for arrow in arrows for part in arrow.primitives()), origin))
     for arrow in sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start)):
         layout = layout.written((arrow.wish_beside(arrows),))
-    leaving = sum((arrow.end for arrow in arrows), ZERO)
-    return layout.written((Wish(ORIGIN, around(ORIGIN, ZERO, away=-leaving)),)).primitives
+    leaving = sum((arrow.end for arrow in arrows), _ZERO)
+    return layout.written(
+        (Wish(_ORIGIN, list_spots_around(_ORIGIN, _ZERO, away=-leaving)),)
+    ).primitives
 
 
-def _laid(chain: Sequence[Arrow], scale: float, least: float) -> Iterator[VectorArrow]:
+def _lay_arrows(chain: Sequence[Arrow], scale: float, least: float) -> Iterator[VectorArrow]:
     """The arrows of one side tip to tail on paper, without negligible ones."""
     for arrow, start, end in zip(
-        chain, list(_corners(chain))[:-1], list(_corners(chain))[1:], strict=True
+        chain, list(_find_corners(chain))[:-1], list(_find_corners(chain))[1:], strict=True
     ):
         if length(arrow.value) > least:
             yield VectorArrow(arrow.symbol, start * scale, end * scale, arrow.known)

@@ -9,33 +9,33 @@ from math import pi
 from kinegrade.errors import TemplateError, did_you_mean
 from kinegrade.figure.mark import Mark
 from kinegrade.figure.obstacles import Segment
-from kinegrade.figure.place import Wish, around, beside
+from kinegrade.figure.place import Wish, list_spots_around, list_spots_beside
 from kinegrade.figure.plane import NEAR, angle_of, length, polar
 from kinegrade.figure.rims import Rim
 from kinegrade.figure.scene import THIN, Primitive, Strokes
-from kinegrade.figure.symbols import HEAD_LENGTH, arrowhead
+from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import Radius
 
-SMALL_RADIUS = 8.0  # millimetres: a smaller circle has its radius marked from outside
-PREFERRED = tuple(turn * pi for turn in (0.75, 0.25, -0.75, -0.25, 0.5, 1.0, 0.0, -0.5))
-SHIFTS = tuple(shift * pi / 24 for shift in (0, 2, -2))
+_SMALL_RADIUS = 8.0  # millimetres: a smaller circle has its radius marked from outside
+_PREFERRED = tuple(turn * pi for turn in (0.75, 0.25, -0.75, -0.25, 0.5, 1.0, 0.0, -0.5))
+_SHIFTS = tuple(shift * pi / 24 for shift in (0, 2, -2))
 
 
-def radius_marks(at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius) -> list[Mark]:
+def mark_radii(at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius) -> list[Mark]:
     """The radius of a circle: for a cam to the contact, for other circles wherever there is room.
 
     Raises TemplateError when no circle of the mechanism has that centre.
     """
-    rim = _rim_about(found, hint, at[hint.through] if hint.through else None)
-    angles = [turn + shift for shift in SHIFTS for turn in PREFERRED]
+    rim = _find_rim(found, hint, at[hint.through] if hint.through else None)
+    angles = [turn + shift for shift in _SHIFTS for turn in _PREFERRED]
     if rim.kind == "cam":
         angles = [angle_of(rim.touch - rim.at)]
-    way = FromOutside if rim.radius < SMALL_RADIUS else FromCentre
+    way = _FromOutside if rim.radius < _SMALL_RADIUS else _FromCentre
     return [way(rim.at, rim.radius, polar(angle), hint.symbol) for angle in angles]
 
 
-def _rim_about(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> Rim:
+def _find_rim(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> Rim:
     """The circle that a hint means; circles that joints have come first."""
     for rim in sorted(found, key=lambda rim: rim.kind == "edge"):
         on_it = through is None or abs(length(through - rim.at) - rim.radius) < NEAR * (
@@ -54,7 +54,7 @@ def _rim_about(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> 
 
 
 @dataclass(frozen=True)
-class FromCentre:
+class _FromCentre:
     """An arrow from the centre to the rim."""
 
     centre: Vector
@@ -73,19 +73,19 @@ class FromCentre:
 
     def wish(self) -> Wish:
         """Beside the arrow."""
-        return Wish(self.symbol, beside(self.symbol, self.centre, self._end()))
+        return Wish(self.symbol, list_spots_beside(self.symbol, self.centre, self._end()))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """A thin line and its arrowhead."""
         shaft = (self.centre + self.toward * 1.3, self._end() - self.toward * HEAD_LENGTH * 0.8)
-        return (Strokes((shaft,), THIN), arrowhead(self._end(), self.toward))
+        return (Strokes((shaft,), THIN), draw_arrowhead(self._end(), self.toward))
 
     def _end(self) -> Vector:
         return self.centre + self.toward * self.radius
 
 
 @dataclass(frozen=True)
-class FromOutside:
+class _FromOutside:
     """An arrow that points at the rim from outside, where there is no room inside."""
 
     centre: Vector
@@ -101,12 +101,12 @@ class FromOutside:
 
     def wish(self) -> Wish:
         """Around the tail."""
-        return Wish(self.symbol, around(self.symbol, self._out(7.0), away=self.toward))
+        return Wish(self.symbol, list_spots_around(self.symbol, self._out(7.0), away=self.toward))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """A thin line and its arrowhead."""
         shaft = (self._out(HEAD_LENGTH * 0.8), self._out(7.0))
-        return (Strokes((shaft,), THIN), arrowhead(self._out(0.0), -self.toward))
+        return (Strokes((shaft,), THIN), draw_arrowhead(self._out(0.0), -self.toward))
 
     def _out(self, gap: float) -> Vector:
         return self.centre + self.toward * (self.radius + gap)

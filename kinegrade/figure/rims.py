@@ -32,7 +32,8 @@ Kind = Literal["wheel", "gear", "slot", "cam", "edge"]
 
 @dataclass(frozen=True)
 class Rim:
-    """A circle of a body; `ring` when the material lies outside; `touch` is the contact point.
+    """A circle of a body; `ring` when the material lies outside; `find_touching_point` is the
+    contact point.
 
     The kind "edge" is drawn as a line only: a circle that belongs to no joint.
     """
@@ -46,7 +47,7 @@ class Rim:
     touch: Vector
 
 
-def rims(
+def find_rims(
     mechanism: Mechanism, shapes: Mapping[str, str], circles: Iterable[Rimmed] = ()
 ) -> tuple[Rim, ...]:
     """Every circle once; a shape "gear" or "cam" of its body or partner decides the kind; circles
@@ -54,7 +55,7 @@ def rims(
     """
     found: dict[tuple[str, str, float], Rim] = {}
     for joint in mechanism.joints:
-        for rim in _of_joint(mechanism, joint, shapes):
+        for rim in _find_joint_rims(mechanism, joint, shapes):
             found.setdefault((rim.body, rim.centre, round(rim.radius, 6)), rim)
     for circle in circles:
         at, touched = mechanism.points[circle.centre], mechanism.points[circle.through]
@@ -63,19 +64,21 @@ def rims(
     return tuple(found.values())
 
 
-def _of_joint(mechanism: Mechanism, joint: Joint, shapes: Mapping[str, str]) -> Iterator[Rim]:
+def _find_joint_rims(
+    mechanism: Mechanism, joint: Joint, shapes: Mapping[str, str]
+) -> Iterator[Rim]:
     match joint:
         case Contact() | Roll() | Mesh():
-            yield from _of_pair(mechanism, joint, shapes)
+            yield from _find_pair_rims(mechanism, joint, shapes)
         case Arc():
-            yield _of_arc(mechanism, joint)
+            yield _find_arc_rim(mechanism, joint)
         case Pin() | Slide() | Sleeve() | Parallel():
             pass  # nothing round
         case _:
             assert_never(joint)
 
 
-def touch(mechanism: Mechanism, joint: Contact | Roll | Mesh) -> Vector:
+def find_touching_point(mechanism: Mechanism, joint: Contact | Roll | Mesh) -> Vector:
     """Where the two profiles of a joint touch."""
     centre, radius = mechanism.points[joint.circle.centre], float(joint.circle.radius)
     match joint.on:
@@ -92,16 +95,16 @@ def touch(mechanism: Mechanism, joint: Contact | Roll | Mesh) -> Vector:
             assert_never(joint.on)
 
 
-def toothed(joint: Contact | Roll | Mesh, shapes: Mapping[str, str]) -> bool:
+def is_toothed(joint: Contact | Roll | Mesh, shapes: Mapping[str, str]) -> bool:
     """Whether the joint connects two gears, or a gear and a rack."""
     return isinstance(joint, Mesh) or "gear" in (shapes.get(joint.body), shapes.get(joint.of))
 
 
-def _of_pair(
+def _find_pair_rims(
     mechanism: Mechanism, joint: Contact | Roll | Mesh, shapes: Mapping[str, str]
 ) -> Iterator[Rim]:
-    at = touch(mechanism, joint)
-    geared = toothed(joint, shapes)
+    at = find_touching_point(mechanism, joint)
+    geared = is_toothed(joint, shapes)
     circles = [(joint.body, joint.circle)]
     if isinstance(joint.on, Circle):
         circles.append((joint.of, joint.on))
@@ -114,7 +117,7 @@ def _of_pair(
         )
 
 
-def _of_arc(mechanism: Mechanism, joint: Arc) -> Rim:
+def _find_arc_rim(mechanism: Mechanism, joint: Arc) -> Rim:
     """A particle runs in a ring-shaped slot; the point of any other body runs on a disc."""
     particle = any(body.name == joint.body and body.particle for body in mechanism.bodies)
     kind: Kind = "slot" if particle else "wheel"
@@ -130,13 +133,13 @@ def _of_arc(mechanism: Mechanism, joint: Arc) -> Rim:
     )
 
 
-def without_hidden(found: tuple[Rim, ...]) -> tuple[Rim, ...]:
+def order_rims(found: tuple[Rim, ...]) -> tuple[Rim, ...]:
     """Rims from the largest to the smallest, so that none hides another; those of the ground
     first.
     """
     return tuple(sorted(found, key=lambda rim: (rim.body != GROUND, -rim.radius)))
 
 
-def grown(rim: Rim, by: float) -> Rim:
+def enlarge(rim: Rim, by: float) -> Rim:
     """The concentric rim whose radius is larger by that much."""
     return replace(rim, radius=rim.radius + by)

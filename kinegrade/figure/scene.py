@@ -113,11 +113,6 @@ class Box:
         """From bottom to top."""
         return self.top - self.bottom
 
-    def meets(self, other: Box) -> bool:
-        """Whether the two share any area."""
-        across = self.left < other.right and other.left < self.right
-        return across and self.bottom < other.top and other.bottom < self.top
-
 
 @dataclass(frozen=True)
 class Scene:
@@ -134,7 +129,7 @@ class Scene:
         return tuple(primitive for primitive in self.primitives if isinstance(primitive, Label))
 
 
-def fill_of(primitive: Strokes | Outline | Disc | Bow) -> Fill:
+def find_fill(primitive: Strokes | Outline | Disc | Bow) -> Fill:
     """The fill of a primitive; strokes and arcs have none."""
     match primitive:
         case Outline() | Disc():
@@ -145,24 +140,24 @@ def fill_of(primitive: Strokes | Outline | Disc | Bow) -> Fill:
             assert_never(primitive)
 
 
-def box_about(centre: Vector, width: float, height: float) -> Box:
+def _make_box(centre: Vector, width: float, height: float) -> Box:
     """The box of that size about a centre."""
     return Box(
         centre.x - width / 2, centre.y - height / 2, centre.x + width / 2, centre.y + height / 2
     )
 
 
-def box_of(primitive: Primitive) -> Box:
+def find_box(primitive: Primitive) -> Box:
     """The smallest box around one primitive, its pen included."""
     match primitive:
         case Label():
-            return box_about(primitive.centre, primitive.width, primitive.height)
+            return _make_box(primitive.centre, primitive.width, primitive.height)
         case Disc():
-            width = 2 * (primitive.radius + _half_width(primitive.pen))
-            return box_about(primitive.centre, width, width)
+            width = 2 * (primitive.radius + _find_half_width(primitive.pen))
+            return _make_box(primitive.centre, width, width)
         case Strokes() | Outline() | Bow():
-            half = _half_width(primitive.pen)
-            across, upward = zip(*corners(primitive), strict=True)
+            half = _find_half_width(primitive.pen)
+            across, upward = zip(*_find_corners(primitive), strict=True)
             return Box(
                 min(across) - half, min(upward) - half, max(across) + half, max(upward) + half
             )
@@ -170,18 +165,18 @@ def box_of(primitive: Primitive) -> Box:
             assert_never(primitive)
 
 
-def _half_width(pen: Pen | None) -> float:
+def _find_half_width(pen: Pen | None) -> float:
     return pen.width / 2 if pen else 0.0
 
 
-def box_around(primitives: Iterable[Primitive]) -> Box:
+def find_common_box(primitives: Iterable[Primitive]) -> Box:
     """The smallest box around all primitives."""
-    boxes = [box_of(primitive) for primitive in primitives]
+    boxes = [find_box(primitive) for primitive in primitives]
     lower = min(box.left for box in boxes), min(box.bottom for box in boxes)
     return Box(*lower, max(box.right for box in boxes), max(box.top for box in boxes))
 
 
-def corners(primitive: Strokes | Outline | Bow) -> tuple[Vector, ...]:
+def _find_corners(primitive: Strokes | Outline | Bow) -> tuple[Vector, ...]:
     """The points that a pen visits."""
     match primitive:
         case Strokes():
@@ -194,11 +189,11 @@ def corners(primitive: Strokes | Outline | Bow) -> tuple[Vector, ...]:
             assert_never(primitive)
 
 
-def moved(primitive: Primitive, by: Vector) -> Primitive:
+def move(primitive: Primitive, by: Vector) -> Primitive:
     """The primitive translated by a vector."""
     match primitive:
         case Strokes():
-            return Strokes(_moved_lines(primitive.lines, by), primitive.pen)
+            return Strokes(_move_lines(primitive.lines, by), primitive.pen)
         case Outline():
             return replace(primitive, corners=tuple(corner + by for corner in primitive.corners))
         case Disc() | Bow() | Label():
@@ -207,7 +202,7 @@ def moved(primitive: Primitive, by: Vector) -> Primitive:
             assert_never(primitive)
 
 
-def _moved_lines(
+def _move_lines(
     lines: Sequence[tuple[Vector, Vector]], by: Vector
 ) -> tuple[tuple[Vector, Vector], ...]:
     x, y = by  # components at once: a scene has thousands of strokes

@@ -11,16 +11,16 @@ from __future__ import annotations
 from dataclasses import dataclass, field, is_dataclass, replace
 from typing import Any, assert_never
 
-from kinegrade.figure.paper import to_paper
+from kinegrade.figure.paper import scale_to_paper
 from kinegrade.figure.plane import unit
-from kinegrade.mechanics.configuration import circles
+from kinegrade.mechanics.configuration import list_circles
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints, Moving, Turning
 
-DECIMALS = (
+_DECIMALS = (
     10  # of a mechanism of unit size: far above rounding of floats, far below what a printer shows
 )
 
@@ -36,37 +36,39 @@ class Subject:
     hints: FigureHints = field(compare=False)
 
 
-def subject(mechanism: Mechanism, hints: FigureHints) -> tuple[Subject, float]:
+def normalise_subject(mechanism: Mechanism, hints: FigureHints) -> tuple[Subject, float]:
     """The subject of a mechanism's figure, and the mechanism's size in metres."""
-    size = max((abs(number) for number in _lengths(mechanism)), default=0.0) or 1.0
-    scaled = to_paper(mechanism, 1 / size)
+    size = max((abs(number) for number in _list_lengths(mechanism)), default=0.0) or 1.0
+    scaled = scale_to_paper(mechanism, 1 / size)
     shown = Mechanism(
-        {name: _settled(point) for name, point in scaled.points.items()},
+        {name: _drop_last_bits(point) for name, point in scaled.points.items()},
         scaled.bodies,
-        tuple(map(_settled, scaled.joints)),
-        tuple(map(_sense, scaled.drivers)) if any(map(_follows_driver, hints.arrows)) else (),
+        tuple(map(_drop_last_bits, scaled.joints)),
+        tuple(map(_reduce_to_sense, scaled.drivers))
+        if any(map(_follows_driver, hints.arrows))
+        else (),
     )
     return Subject(repr((shown, hints)), shown, hints), size
 
 
-def _lengths(mechanism: Mechanism) -> list[float]:
+def _list_lengths(mechanism: Mechanism) -> list[float]:
     """All coordinates, and the radii of all circles."""
-    radii = [circle.radius for joint in mechanism.joints for circle in circles(joint)]
+    radii = [circle.radius for joint in mechanism.joints for circle in list_circles(joint)]
     return radii + [number for point in mechanism.points.values() for number in point]
 
 
-def _settled(part: Any) -> Any:
+def _drop_last_bits(part: Any) -> Any:
     """A vector, line, circle or joint without the last bits of its numbers; directions of unit
     length.
     """
     if isinstance(part, float):
-        return round(part, DECIMALS)
+        return round(part, _DECIMALS)
     if isinstance(part, Vector):
-        return Vector(round(part.x, DECIMALS) + 0.0, round(part.y, DECIMALS) + 0.0)
+        return Vector(round(part.x, _DECIMALS) + 0.0, round(part.y, _DECIMALS) + 0.0)
     if isinstance(part, Line):
-        return Line(_settled(part.point), _settled(unit(part.direction)))
+        return Line(_drop_last_bits(part.point), _drop_last_bits(unit(part.direction)))
     if is_dataclass(part) and not isinstance(part, type):
-        return type(part)(**{name: _settled(value) for name, value in vars(part).items()})
+        return type(part)(**{name: _drop_last_bits(value) for name, value in vars(part).items()})
     if isinstance(part, str | bool | tuple):
         return part  # names and marks
     raise TypeError(f"a figure cannot be compared with another by {part!r}")
@@ -83,12 +85,12 @@ def _follows_driver(arrow: Turning | Moving) -> bool:
             assert_never(arrow)
 
 
-def _sense(driver: Driver) -> Driver:
+def _reduce_to_sense(driver: Driver) -> Driver:
     """A driver, reduced to the sense of its velocity."""
     velocity = -1.0 if driver.velocity < 0 else 1.0
     match driver:
         case Component():
-            along = _settled(unit(driver.direction))
+            along = _drop_last_bits(unit(driver.direction))
             return replace(driver, velocity=velocity, acceleration=0.0, direction=along)
         case Rotation() | Circulation():
             return replace(driver, velocity=velocity, acceleration=0.0)

@@ -8,37 +8,37 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 
-from kinegrade.figure.angles import angle_marks, least_legs
-from kinegrade.figure.dimensions import length_marks
-from kinegrade.figure.fitting import HEIGHT, WIDTH, fitted, span_of
+from kinegrade.figure.angles import draw_least_legs, mark_angles
+from kinegrade.figure.dimensions import mark_lengths
+from kinegrade.figure.fitting import HEIGHT, WIDTH, fit_scene, measure_span
 from kinegrade.figure.layers import Drawing, draw
 from kinegrade.figure.layout import Layout
-from kinegrade.figure.motions import moving_marks, pivot_of, turning_marks
-from kinegrade.figure.names import body_names, letters
-from kinegrade.figure.paper import to_paper
-from kinegrade.figure.place import Wish, around
+from kinegrade.figure.motions import find_pivot, mark_motions, mark_rotations
+from kinegrade.figure.names import label_bodies, label_points
+from kinegrade.figure.paper import scale_to_paper
+from kinegrade.figure.place import Wish, list_spots_around
 from kinegrade.figure.plane import length
-from kinegrade.figure.radii import radius_marks
-from kinegrade.figure.scene import THIN, Primitive, Scene, Strokes, box_around
-from kinegrade.figure.similar_mechanisms import Subject, subject
-from kinegrade.figure.symbols import arrowhead
-from kinegrade.figure.view import in_view
+from kinegrade.figure.radii import mark_radii
+from kinegrade.figure.scene import THIN, Primitive, Scene, Strokes, find_common_box
+from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
+from kinegrade.figure.symbols import draw_arrowhead
+from kinegrade.figure.view import crop_to_view
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints, Moving, Turning
 
-SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a first estimate
-WRITING = (
+_SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a first estimate
+_WRITING = (
     4.0,
     5.6,
 )  # millimetres, across and upward, that marks and labels usually take beside the symbols
-ARROWS = 6.6, 2.2  # millimetres that straight arrows usually take beside the symbols
-AXES = 0.0, 4.4  # millimetres that a frame of axes usually takes at the side
-USUAL, FURTHER = (
+_ARROWS = 6.6, 2.2  # millimetres that straight arrows usually take beside the symbols
+_AXES = 0.0, 4.4  # millimetres that a frame of axes usually takes at the side
+_USUAL, _FURTHER = (
     4,
     1.2,
 )  # marks that fit within WRITING, and the millimetres that each further one takes
-LETTERED = (
+_LETTERED = (
     8.0  # millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 )
 PLAIN = FigureHints()
@@ -50,25 +50,25 @@ def sketch(mechanism: Mechanism, hints: FigureHints = PLAIN) -> Scene:
 
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
-    return sized(drawn, mechanism, hints)
+    return size_figure(draw_unit_figure, mechanism, hints)
 
 
-def sized(
+def size_figure(
     draw_subject: Callable[[Subject], Scene], mechanism: Mechanism, hints: FigureHints
 ) -> Scene:
     """The figure of a mechanism from the figure that `draw_subject` gives of it in unit size."""
-    shown, size = subject(in_view(mechanism, hints), hints)
+    shown, size = normalise_subject(crop_to_view(mechanism, hints), hints)
     scene = draw_subject(shown)
     return replace(scene, scale=scene.scale / size)
 
 
 @lru_cache(maxsize=1024)
-def drawn(shown: Subject) -> Scene:
+def draw_unit_figure(shown: Subject) -> Scene:
     """The figure of a mechanism of unit size. Raises TemplateError as `sketch` does."""
     mechanism, hints = shown.mechanism, shown.hints
-    span = span_of(mechanism, hints)
-    scale = _first_scale(mechanism, hints, span)
-    return fitted(lambda scale: _compose(mechanism, hints, scale), scale, span)
+    span = measure_span(mechanism, hints)
+    scale = _choose_first_scale(mechanism, hints, span)
+    return fit_scene(lambda scale: _compose(mechanism, hints, scale), scale, span)
 
 
 def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Primitive, ...]:
@@ -78,69 +78,74 @@ def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Pr
     Letters must stand near their points, after the marks that are bound to points but before the
     radii, which may go anywhere; the name of a body may stand anywhere in it.
     """
-    paper = to_paper(mechanism, scale)
+    paper = scale_to_paper(mechanism, scale)
     drawing = draw(paper, hints)
-    named = tuple(letters(paper, hints, drawing))
-    layout = _with_bound_marks(Layout.of(drawing.primitives), paper, hints, drawing, named).written(
-        named
-    )
+    named = tuple(label_points(paper, hints, drawing))
+    layout = _place_bound_marks(
+        Layout.of(drawing.primitives), paper, hints, drawing, named
+    ).written(named)
     for radius in hints.radii:
-        layout = layout.marked(radius_marks(paper.points, drawing.rims, radius))
+        layout = layout.marked(mark_radii(paper.points, drawing.rims, radius))
     if hints.axes:
-        layout = _with_axes(layout)
-    return layout.written(body_names(paper, hints, drawing)).primitives
+        layout = _add_axes(layout)
+    return layout.written(label_bodies(paper, hints, drawing)).primitives
 
 
-def _with_bound_marks(
+def _place_bound_marks(
     layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing, named: tuple[Wish, ...]
 ) -> Layout:
     """Marks bound to points: angles, rotations (which keep clear of the letters at their pivots),
     distances, motions.
     """
-    legs = [least_legs(paper.points, angle, drawing) for angle in hints.angles]
+    legs = [draw_least_legs(paper.points, angle, drawing) for angle in hints.angles]
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [line for lines in legs[number:] for line in lines]
-        for arcs in angle_marks(paper.points, angle, drawing):
+        for arcs in mark_angles(paper.points, angle, drawing):
             layout = layout.marked(arcs, to_come)
     for given in hints.arrows:
         if isinstance(given, Turning):
-            pivot = pivot_of(paper, given.body, drawing.rims)
-            close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < LETTERED]
+            pivot = find_pivot(paper, given.body, drawing.rims)
+            close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < _LETTERED]
             layout = layout.marked(
-                turning_marks(paper, given, drawing), layout.written(close).labels
+                mark_rotations(paper, given, drawing), layout.written(close).labels
             )
     for distance in hints.lengths:
-        layout = layout.marked(length_marks(paper.points, distance, layout.obstacles))
+        layout = layout.marked(mark_lengths(paper.points, distance, layout.obstacles))
     for straight in hints.arrows:
         if isinstance(straight, Moving):
-            layout = layout.marked(moving_marks(paper, straight))
+            layout = layout.marked(mark_motions(paper, straight))
     return layout
 
 
-def _with_axes(layout: Layout) -> Layout:
+def _add_axes(layout: Layout) -> Layout:
     """A small frame x, y at the lower left, outside everything else."""
-    box = box_around(layout.lines)
+    box = find_common_box(layout.lines)
     corner, reach = Vector(box.left - 4.0, box.bottom - 1.0), 7.0
     ends = {"x": corner + Vector(reach, 0.0), "y": corner + Vector(0.0, reach)}
     lines = Strokes(tuple((corner, end) for end in ends.values()), THIN)
-    heads = (arrowhead(ends["x"], Vector(1.0, 0.0)), arrowhead(ends["y"], Vector(0.0, 1.0)))
-    names = (Wish(name, around(name, end)) for name, end in ends.items())
+    heads = (
+        draw_arrowhead(ends["x"], Vector(1.0, 0.0)),
+        draw_arrowhead(ends["y"], Vector(0.0, 1.0)),
+    )
+    names = (Wish(name, list_spots_around(name, end)) for name, end in ends.items())
     return layout.drawn((lines, *heads)).written(names)
 
 
-def _first_scale(mechanism: Mechanism, hints: FigureHints, span: tuple[float, float]) -> float:
+def _choose_first_scale(
+    mechanism: Mechanism, hints: FigureHints, span: tuple[float, float]
+) -> float:
     """The scale that leaves room for the symbols, which do not scale, and for the labels around
     them.
     """
-    guess = min((WIDTH - SURROUND) / max(span[0], 1e-9), (HEIGHT - SURROUND) / max(span[1], 1e-9))
-    box = box_around(draw(to_paper(mechanism, guess), hints).primitives)
+    guess = min((WIDTH - _SURROUND) / max(span[0], 1e-9), (HEIGHT - _SURROUND) / max(span[1], 1e-9))
+    box = find_common_box(draw(scale_to_paper(mechanism, guess), hints).primitives)
     straight = any(isinstance(given, Moving) for given in hints.arrows)
     turning = sum(isinstance(given, Turning) for given in hints.arrows)
     marks = len(hints.lengths) + len(hints.angles) + len(hints.radii) + turning
-    further = FURTHER * max(0, marks - USUAL)
+    further = _FURTHER * max(0, marks - _USUAL)
     factors = []
     for axis, (limit, drawn) in enumerate(((WIDTH, box.width), (HEIGHT, box.height))):
-        beside = drawn - span[axis] * guess + WRITING[axis] + further
-        beside += straight * ARROWS[axis] + hints.axes * AXES[axis]
+        beside = drawn - span[axis] * guess + _WRITING[axis] + further
+        beside += straight * _ARROWS[axis] + hints.axes * _AXES[axis]
         factors.append(max(limit - beside, limit / 4) / max(span[axis], 1e-9))
     return min(factors)

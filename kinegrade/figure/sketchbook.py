@@ -14,12 +14,12 @@ from typing import Any
 
 from kinegrade.figure.scene import Bow, Disc, Label, Outline, Pen, Scene, Strokes
 from kinegrade.figure.similar_mechanisms import Subject
-from kinegrade.figure.sketch import PLAIN, drawn, sized
+from kinegrade.figure.sketch import PLAIN, draw_unit_figure, size_figure
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints
 
-KINDS = {kind.__name__: kind for kind in (Bow, Disc, Label, Outline, Pen, Scene, Strokes, Vector)}
+_KINDS = {kind.__name__: kind for kind in (Bow, Disc, Label, Outline, Pen, Scene, Strokes, Vector)}
 
 
 def sketch_once(book: Path, mechanism: Mechanism, hints: FigureHints = PLAIN) -> Scene:
@@ -27,41 +27,41 @@ def sketch_once(book: Path, mechanism: Mechanism, hints: FigureHints = PLAIN) ->
 
     Raises TemplateError as `sketch` does.
     """
-    return sized(lambda shown: _kept(book, shown), mechanism, hints)
+    return size_figure(lambda shown: _read_kept(book, shown), mechanism, hints)
 
 
 @lru_cache(maxsize=1024)
-def _kept(book: Path, shown: Subject) -> Scene:
+def _read_kept(book: Path, shown: Subject) -> Scene:
     """The figure of a mechanism of unit size, read from the book or added to it. A page is written
     atomically.
     """
     page = book / sha256(shown.text.encode()).hexdigest()
     try:
-        scene: Scene = _scene_part(json.loads(page.read_text(encoding="utf-8")))
+        scene: Scene = _read_scene_part(json.loads(page.read_text(encoding="utf-8")))
     except FileNotFoundError:
-        scene = drawn(shown)
+        scene = draw_unit_figure(shown)
         draft = page.with_suffix(f".{os.getpid()}")
-        draft.write_text(json.dumps(_record(scene)), encoding="utf-8")
+        draft.write_text(json.dumps(_make_record(scene)), encoding="utf-8")
         draft.replace(page)
     return scene
 
 
-def _record(part: Any) -> Any:
+def _make_record(part: Any) -> Any:
     """A part of a scene as lists and dictionaries; each number keeps all its digits."""
     if is_dataclass(part) and not isinstance(part, type):
-        named = {entry.name: _record(getattr(part, entry.name)) for entry in fields(part)}
+        named = {entry.name: _make_record(getattr(part, entry.name)) for entry in fields(part)}
         return {"kind": type(part).__name__, **named}
     if isinstance(part, Vector):
         return {"kind": "Vector", "x": part.x, "y": part.y}
-    return list(map(_record, part)) if isinstance(part, tuple) else part
+    return list(map(_make_record, part)) if isinstance(part, tuple) else part
 
 
-def _scene_part(record: Any) -> Any:
+def _read_scene_part(record: Any) -> Any:
     """The part of a scene that a record describes."""
     if isinstance(record, list):
-        return tuple(map(_scene_part, record))
+        return tuple(map(_read_scene_part, record))
     if isinstance(record, dict):
-        return KINDS[record.pop("kind")](
-            **{name: _scene_part(value) for name, value in record.items()}
+        return _KINDS[record.pop("kind")](
+            **{name: _read_scene_part(value) for name, value in record.items()}
         )
     return record

@@ -10,15 +10,15 @@ from math import pi
 from kinegrade.figure import symbols
 from kinegrade.figure.bars import Bar, Rod, SlottedDisc
 from kinegrade.figure.plane import SIDE_VECTORS, angle_of, foot, length, shorter_way, unit
-from kinegrade.figure.plates import Plate, outward
+from kinegrade.figure.plates import Plate, find_outward_direction
 from kinegrade.figure.rims import Rim
 from kinegrade.figure.scene import Primitive
-from kinegrade.figure.tracks import fixed_pins
+from kinegrade.figure.tracks import find_fixed_pins
 from kinegrade.mechanics.joints import GROUND, Line, Slide
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
-STAND_ROOM = (
+_STAND_ROOM = (
     0.85  # radians between a stand's axis and a bar at which the bar is clear of its hatching
 )
 
@@ -33,7 +33,7 @@ def knife_edges(
     found = {}
     for joint in mechanism.joints:
         if isinstance(joint, Slide) and joint.body == GROUND and joint.of in plates:
-            side = outward(plates[joint.of], joint.line)
+            side = find_outward_direction(plates[joint.of], joint.line)
             if side is not None:
                 found[joint.point] = unit(side)
     return found
@@ -48,20 +48,20 @@ def stands(
 ) -> Iterator[Primitive]:
     """The stands of fixed pins; a pin at the centre of a fixed wheel needs none."""
     standing = {rim.centre for rim in found if rim.body == GROUND and not rim.ring}
-    for name in fixed_pins(mechanism):
+    for name in find_fixed_pins(mechanism):
         if name not in standing | knives:
             at = mechanism.points[name]
             turning = any(length(place - at) < 1.0 for place, _ in sleeves)
             height = symbols.TALL_STAND if turning else symbols.STAND
-            yield from symbols.pivot(at, _free_side(at, parts), height)
+            yield from symbols.draw_pivot(at, _find_free_side(at, parts), height)
 
 
-def _free_side(at: Vector, parts: tuple[Bar | Plate | SlottedDisc | Rod, ...]) -> Vector:
+def _find_free_side(at: Vector, parts: tuple[Bar | Plate | SlottedDisc | Rod, ...]) -> Vector:
     """Down, unless a bar goes there; then the side with the widest room."""
     leaving = []
     for part in parts:
         if isinstance(part, Bar | Rod):
-            near = foot(at, _axis(part))
+            near = foot(at, _find_axis(part))
             if length(near - at) < 1.0:
                 leaving += [
                     angle_of(end - at) for end in (part.start, part.end) if length(end - at) > 1.0
@@ -73,10 +73,10 @@ def _free_side(at: Vector, parts: tuple[Bar | Plate | SlottedDisc | Rod, ...]) -
     sides = [SIDE_VECTORS[name] for name in ("down", "left", "right", "up")]
     return (
         sides[0]
-        if room(sides[0]) > STAND_ROOM
+        if room(sides[0]) > _STAND_ROOM
         else max(sides, key=lambda side: round(room(side), 6))
     )
 
 
-def _axis(part: Bar | Rod) -> Line:
+def _find_axis(part: Bar | Rod) -> Line:
     return Line(part.start, part.end - part.start)

@@ -10,10 +10,10 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from kinegrade.figure.extent import EM, symbol_size
+from kinegrade.figure.extent import EM, measure_symbol
 
-SCRIPT = 0.72  # relative to the size of the script's base
-RAISED, LOWERED = 0.38, -0.2  # the baseline of a script, in em of its base
+_SCRIPT = 0.72  # relative to the size of the script's base
+_RAISED, _LOWERED = 0.38, -0.2  # the baseline of a script, in em of its base
 _GREEK = {
     "alpha": "α",
     "beta": "β",
@@ -94,13 +94,13 @@ class Run:
         return self.shift - self.size * (0.21 if deep else 0.0)
 
 
-def symbol_runs(symbol: str) -> tuple[Run, ...]:
-    """The runs of a symbol that `kinegrade.problem.symbols.symbol_fault` finds no fault with.
+def split_symbol(symbol: str) -> tuple[Run, ...]:
+    """The runs of a symbol that `kinegrade.problem.symbols.find_symbol_fault` finds no fault with.
 
-    >>> [run.text for run in symbol_runs("O_1'")]
+    >>> [run.text for run in split_symbol("O_1'")]
     ['O', '1', '′']
     """
-    return tuple(_merged(_Reader(symbol).row(Run(""))))
+    return tuple(_merge(_Reader(symbol).row(Run(""))))
 
 
 class _Reader:
@@ -118,18 +118,18 @@ class _Reader:
         while token := self._next():
             if token == "}":
                 break
-            runs += self.scripts(token, style) if token in "_^" else self.atom(token, style)
+            runs += self._scripts(token, style) if token in "_^" else self.atom(token, style)
         return runs
 
-    def scripts(self, token: str, style: Run) -> list[Run]:
+    def _scripts(self, token: str, style: Run) -> list[Run]:
         """One script, or two, the second of which stands above or below the first."""
         first_place = self._place
         runs = self.script(token, style)
-        width = symbol_size("".join(self._tokens[first_place : self._place]))[0] / EM - 0.12
+        width = measure_symbol("".join(self._tokens[first_place : self._place]))[0] / EM - 0.12
         if self._peek() in ("_", "^"):
             second = self.script(self._next(), style)
             runs += (
-                [replace(second[0], back=width * SCRIPT * style.size), *second[1:]]
+                [replace(second[0], back=width * _SCRIPT * style.size), *second[1:]]
                 if second
                 else []
             )
@@ -137,8 +137,8 @@ class _Reader:
 
     def script(self, token: str, style: Run) -> list[Run]:
         """A small atom, raised or lowered; a prime or a degree sign is already raised."""
-        raised = style.shift + style.size * (RAISED if token == "^" else LOWERED)
-        inner = self.atom(self._next(), replace(style, size=style.size * SCRIPT, shift=raised))
+        raised = style.shift + style.size * (_RAISED if token == "^" else _LOWERED)
+        inner = self.atom(self._next(), replace(style, size=style.size * _SCRIPT, shift=raised))
         plain = token == "^" and all(run.text in "′°" for run in inner)
         return (
             [replace(run, size=style.size, shift=style.shift) for run in inner] if plain else inner
@@ -200,7 +200,7 @@ class _Reader:
         return self._tokens[self._place] if self._place < len(self._tokens) else ""
 
 
-def _merged(runs: Iterable[Run]) -> list[Run]:
+def _merge(runs: Iterable[Run]) -> list[Run]:
     """Adjacent runs of one style as one run."""
     merged: list[Run] = []
     for run in runs:

@@ -20,57 +20,57 @@ from kinegrade.figure.scene import (
 from kinegrade.mechanics.vector import Vector
 
 PIN = 0.85  # radius of a pin's circle
-HATCH = 1.5  # depth of ground hatching
-BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
-SLOT_WIDTH, BAR_WIDTH = 1.9, 3.5
-GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
+_HATCH = 1.5  # depth of ground hatching
+BLOCK_LENGTH, _BLOCK_WIDTH = 5.0, 3.0
+SLOT_WIDTH, _BAR_WIDTH = 1.9, 3.5
+_GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 RACK_DEPTH = 1.8  # from the pitch line of a rack to its back
 STAND, TALL_STAND = (
     3.6,
     5.2,
 )  # height of a fixed pin's stand; taller where a sleeve turns about the pin
-HEAD_LENGTH, HEAD_WIDTH = 2.0, 1.1
+HEAD_LENGTH, _HEAD_WIDTH = 2.0, 1.1
 
 
-def pin(at: Vector) -> tuple[Primitive, ...]:
+def draw_pin(at: Vector) -> tuple[Primitive, ...]:
     """A revolute joint: a small open circle."""
     return (Disc(at, PIN, FIRM, "white"),)
 
 
-def pivot(at: Vector, toward: Vector, height: float = STAND) -> tuple[Primitive, ...]:
+def draw_pivot(at: Vector, toward: Vector, height: float = STAND) -> tuple[Primitive, ...]:
     """The stand of a pin fixed to the ground: a triangle on hatching, in the direction `toward`."""
     base, across = at + toward * height, toward.turned()
     triangle = Outline((at, base + across * 2.1, base - across * 2.1), FIRM, "white")
-    return (triangle, *ground(base - across * 3.4, base + across * 3.4, toward))
+    return (triangle, *draw_ground(base - across * 3.4, base + across * 3.4, toward))
 
 
-def knife_edge(at: Vector, toward: Vector) -> tuple[Primitive, ...]:
+def draw_knife_edge(at: Vector, toward: Vector) -> tuple[Primitive, ...]:
     """A fixed wedge whose tip is at a side of a body, standing in the direction `toward`."""
     base, across = at + toward * 3.2, toward.turned()
     wedge = Outline((at, base + across * 1.3, base - across * 1.3), FIRM, "grey")
-    return (wedge, *ground(base - across * 2.6, base + across * 2.6, toward))
+    return (wedge, *draw_ground(base - across * 2.6, base + across * 2.6, toward))
 
 
-def rack(start: Vector, end: Vector, back: Vector) -> tuple[Primitive, ...]:
+def draw_rack(start: Vector, end: Vector, back: Vector) -> tuple[Primitive, ...]:
     """A toothed bar by its pitch line, with its material in the direction `back`."""
     depth = back * RACK_DEPTH
     strip = Outline((start, end, end + depth, start + depth), FIRM, "grey")
     return (strip, Strokes(((start, end),), BOLD))
 
 
-def ground(start: Vector, end: Vector, side: Vector) -> tuple[Primitive, ...]:
+def draw_ground(start: Vector, end: Vector, side: Vector) -> tuple[Primitive, ...]:
     """A fixed straight surface with hatching on the given side."""
     along, size = unit(end - start), length(end - start)
     count = max(3, ceil(size / 1.25))
     steps = [start + along * (size * (index + 0.5) / count) for index in range(count)]
-    hatching = tuple((step, step + (side - along) * HATCH * 0.75) for step in steps)
+    hatching = tuple((step, step + (side - along) * _HATCH * 0.75) for step in steps)
     return (Strokes(hatching, THIN), Strokes(((start, end),), FIRM))
 
 
-def round_ground(centre: Vector, radius: float, outward: bool) -> tuple[Primitive, ...]:
+def draw_round_ground(centre: Vector, radius: float, outward: bool) -> tuple[Primitive, ...]:
     """A fixed circular surface with hatching inside or outside."""
     count = max(12, ceil(2 * pi * radius / 1.5))
-    depth = HATCH if outward else -min(HATCH, radius / 3)
+    depth = _HATCH if outward else -min(_HATCH, radius / 3)
     lines = []
     for index in range(count):
         (x, y), angle = centre, 2 * pi * index / count
@@ -85,8 +85,8 @@ def round_ground(centre: Vector, radius: float, outward: bool) -> tuple[Primitiv
     return (Strokes(tuple(lines), THIN), Disc(centre, radius, FIRM))
 
 
-def block(
-    at: Vector, along: Vector, size: float = BLOCK_LENGTH, width: float = BLOCK_WIDTH
+def draw_block(
+    at: Vector, along: Vector, size: float = BLOCK_LENGTH, width: float = _BLOCK_WIDTH
 ) -> Outline:
     """A slider: a rectangle with its long side along the guide."""
     half, across = along * (size / 2), along.turned() * (width / 2)
@@ -97,28 +97,28 @@ def block(
     )
 
 
-def ground_slider(
+def draw_ground_slider(
     at: Vector, along: Vector, side: Vector, reach: float = 7.5
 ) -> tuple[Primitive, ...]:
     """A block on a hatched ground guide, which lies on the given side of it."""
-    base = at + side * (BLOCK_WIDTH / 2 + FIRM.width / 2)
-    return (*ground(base - along * reach, base + along * reach, side), block(at, along))
+    base = at + side * (_BLOCK_WIDTH / 2 + FIRM.width / 2)
+    return (*draw_ground(base - along * reach, base + along * reach, side), draw_block(at, along))
 
 
-def guide(at: Vector, along: Vector, reach: float = 2.8) -> tuple[Primitive, ...]:
+def draw_guide(at: Vector, along: Vector, reach: float = 2.8) -> tuple[Primitive, ...]:
     """A straight ground guide on both sides of a rod."""
     across = along.turned()
     sides = (across, -across)
     return tuple(
         part
         for side in sides
-        for part in ground(
-            at + side * GUIDE_GAP - along * reach, at + side * GUIDE_GAP + along * reach, side
+        for part in draw_ground(
+            at + side * _GUIDE_GAP - along * reach, at + side * _GUIDE_GAP + along * reach, side
         )
     )
 
 
-def stadium(start: Vector, end: Vector, width: float) -> tuple[Vector, ...]:
+def trace_stadium(start: Vector, end: Vector, width: float) -> tuple[Vector, ...]:
     """The outline of a strip with round ends about the two points."""
     facing = angle_of(end - start)
     caps = ((end, facing - pi / 2), (start, facing + pi / 2))
@@ -127,46 +127,51 @@ def stadium(start: Vector, end: Vector, width: float) -> tuple[Vector, ...]:
     )
 
 
-def slotted_bar(start: Vector, end: Vector, slot: tuple[Vector, Vector]) -> tuple[Primitive, ...]:
+def draw_slotted_bar(
+    start: Vector, end: Vector, slot: tuple[Vector, Vector]
+) -> tuple[Primitive, ...]:
     """A rounded bar with a straight slot in it."""
-    body = Outline(stadium(start, end, BAR_WIDTH), FIRM, "grey")
-    return (body, Outline(stadium(*slot, SLOT_WIDTH), THIN, "white"))
+    body = Outline(trace_stadium(start, end, _BAR_WIDTH), FIRM, "grey")
+    return (body, Outline(trace_stadium(*slot, SLOT_WIDTH), THIN, "white"))
 
 
-def sleeve(at: Vector, along: Vector) -> tuple[Primitive, ...]:
+def draw_sleeve(at: Vector, along: Vector) -> tuple[Primitive, ...]:
     """A sleeve around a bar."""
-    return (block(at, along, 6.4, 3.2),)
+    return (draw_block(at, along, 6.4, 3.2),)
 
 
-def centre_mark(at: Vector) -> tuple[Primitive, ...]:
+def draw_centre_mark(at: Vector) -> tuple[Primitive, ...]:
     """A small upright cross."""
     arms = (Vector(1.1, 0.0), Vector(0.0, 1.1))
     return (Strokes(tuple((at - arm, at + arm) for arm in arms), THIN),)
 
 
-def dot(at: Vector) -> tuple[Primitive, ...]:
+def draw_dot(at: Vector) -> tuple[Primitive, ...]:
     """A marked point that is not a joint, with a white edge to stand out from a bar."""
     return (Disc(at, 0.95, None, "white"), Disc(at, 0.65, None, "black"))
 
 
-def arrowhead(tip: Vector, toward: Vector) -> Outline:
+def draw_arrowhead(tip: Vector, toward: Vector) -> Outline:
     """A slender filled arrowhead."""
-    back, across = tip - toward * HEAD_LENGTH, toward.turned() * (HEAD_WIDTH / 2)
+    back, across = tip - toward * HEAD_LENGTH, toward.turned() * (_HEAD_WIDTH / 2)
     return Outline((tip, back + across, back - across), None, "black")
 
 
-def arrow(start: Vector, end: Vector) -> tuple[Primitive, ...]:
+def draw_arrow(start: Vector, end: Vector) -> tuple[Primitive, ...]:
     """A straight arrow for a given motion."""
     toward = unit(end - start)
     shaft = Strokes(((start, end - toward * HEAD_LENGTH * 0.8),), FIRM)
-    return (shaft, arrowhead(end, toward))
+    return (shaft, draw_arrowhead(end, toward))
 
 
-def curved_arrow(
+def draw_curved_arrow(
     centre: Vector, radius: float, start: float, sweep: float
 ) -> tuple[Primitive, ...]:
     """An arrow along a circular arc for a given rotation."""
     back = HEAD_LENGTH / radius * (1 if sweep > 0 else -1)
     tip = centre + polar(start + sweep, radius)
     base = centre + polar(start + sweep - back, radius)
-    return (Bow(centre, radius, start, sweep - back * 0.7, FIRM), arrowhead(tip, unit(tip - base)))
+    return (
+        Bow(centre, radius, start, sweep - back * 0.7, FIRM),
+        draw_arrowhead(tip, unit(tip - base)),
+    )

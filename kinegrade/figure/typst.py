@@ -26,7 +26,7 @@ from kinegrade.figure.scene import (
 )
 from kinegrade.figure.svg import to_svg
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.symbols import symbol_fault
+from kinegrade.problem.symbols import find_symbol_fault
 
 _DASHES: dict[Dash, str] = {
     "solid": "",
@@ -36,36 +36,36 @@ _DASHES: dict[Dash, str] = {
 _FILLS: dict[Fill, str] = {"none": "none", "white": "white", "grey": "luma(91%)", "black": "black"}
 
 
-def to_typst(scene: Scene) -> str:
+def write_typst(scene: Scene) -> str:
     """Typst markup for the scene: a box of its width and height.
 
     Raises TypesetError for a label that is not a LaTeX symbol.
     """
-    return _box(scene.width, scene.height, scene.primitives)
+    return _write_box(scene.width, scene.height, scene.primitives)
 
 
 @lru_cache(maxsize=256)
-def _box(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
+def _write_box(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
     """The box of a figure, cached; the papers of a class hold many equal figures."""
     lines = [_write(primitive, height) for primitive in primitives]
     body = "\n".join(f"  {line}" for line in lines)
-    size = f"width: {_mm(width)}, height: {_mm(height)}"
+    size = f"width: {_write_millimetres(width)}, height: {_write_millimetres(height)}"
     return (
         f"#box({size}, {{\n  set text(size: {FONT_SIZE:g}pt)\n  set par(leading: 0pt)\n{body}\n}})"
     )
 
 
-def to_typst_picture(scene: Scene) -> str:
+def write_typst_picture(scene: Scene) -> str:
     """The same box with the lines as one SVG picture and the symbols over it: Typst sets it three
     times as fast.
 
     Raises TypesetError for a label that is not a LaTeX symbol.
     """
-    return _picture(scene.width, scene.height, scene.primitives)
+    return _write_picture(scene.width, scene.height, scene.primitives)
 
 
 @lru_cache(maxsize=256)
-def _picture(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
+def _write_picture(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
     """The picture in its box, hidden from screen readers, as lines are; labels are topmost in every
     scene.
     """
@@ -74,7 +74,7 @@ def _picture(width: float, height: float, primitives: tuple[Primitive, ...]) -> 
     symbols = "\n".join(
         f"  {_write_label(label, height)}" for label in primitives if isinstance(label, Label)
     )
-    size = f"width: {_mm(width)}, height: {_mm(height)}"
+    size = f"width: {_write_millimetres(width)}, height: {_write_millimetres(height)}"
     return (
         f"#box({size}, {{\n  set text(size: {FONT_SIZE:g}pt)\n  set par(leading: 0pt)\n"
         f'  place(pdf.artifact(image(bytes("{drawing}"), format: "svg", {size})))\n{symbols}\n}})'
@@ -82,15 +82,15 @@ def _picture(width: float, height: float, primitives: tuple[Primitive, ...]) -> 
 
 
 @lru_cache(maxsize=1024)
-def math_to_typst(symbol: str) -> str:
+def translate_symbol(symbol: str) -> str:
     """A LaTeX symbol as Typst math with its dollar signs.
 
     Raises TypesetError for anything else (only symbols may reach the typesetter).
 
-    >>> math_to_typst("O_1")
+    >>> translate_symbol("O_1")
     '$O_(1)$'
     """
-    fault = symbol_fault(symbol)
+    fault = find_symbol_fault(symbol)
     if fault:
         raise TypesetError(f"figure: label: {fault}")
     primes = re.sub(r"'+", lambda found: "^{" + r"\prime " * len(found.group()) + "}", symbol)
@@ -103,15 +103,18 @@ def _write(primitive: Primitive, height: float) -> str:
         case Label():
             return _write_label(primitive, height)
         case Disc(centre=centre, radius=radius):
-            corner = _at(centre.x - radius, height - centre.y - radius)
-            style = _style(primitive.pen, primitive.fill)
-            return f"{corner}, circle(radius: {_mm(radius)}, {style}))"
+            corner = _write_position(centre.x - radius, height - centre.y - radius)
+            style = _write_style(primitive.pen, primitive.fill)
+            return f"{corner}, circle(radius: {_write_millimetres(radius)}, {style}))"
         case Strokes():
             steps = [
-                f"curve.move({_point(start, height)}), curve.line({_point(end, height)})"
+                (
+                    f"curve.move({_write_point(start, height)}), "
+                    f"curve.line({_write_point(end, height)})"
+                )
                 for start, end in primitive.lines
             ]
-            return f"place(curve({_style(primitive.pen, 'none')}, {', '.join(steps)}))"
+            return f"place(curve({_write_style(primitive.pen, 'none')}, {', '.join(steps)}))"
         case Bow():
             return _write_outline(Outline(primitive.path(), primitive.pen, closed=False), height)
         case Outline():
@@ -121,39 +124,41 @@ def _write(primitive: Primitive, height: float) -> str:
 
 
 def _write_outline(outline: Outline, height: float) -> str:
-    first, *rest = (_point(corner, height) for corner in outline.corners)
+    first, *rest = (_write_point(corner, height) for corner in outline.corners)
     steps = [f"curve.move({first})", *(f"curve.line({corner})" for corner in rest)]
     closing = ['curve.close(mode: "straight")'] if outline.closed else []
-    return f"place(curve({_style(outline.pen, outline.fill)}, {', '.join(steps + closing)}))"
+    return f"place(curve({_write_style(outline.pen, outline.fill)}, {', '.join(steps + closing)}))"
 
 
 def _write_label(label: Label, height: float) -> str:
-    corner = _at(label.centre.x - label.width / 2, height - label.centre.y - label.height / 2)
-    size = f"width: {_mm(label.width)}, height: {_mm(label.height)}"
-    return f"{corner}, box({size}, align(center + horizon, box({math_to_typst(label.symbol)}))))"
+    corner = _write_position(
+        label.centre.x - label.width / 2, height - label.centre.y - label.height / 2
+    )
+    size = f"width: {_write_millimetres(label.width)}, height: {_write_millimetres(label.height)}"
+    return f"{corner}, box({size}, align(center + horizon, box({translate_symbol(label.symbol)}))))"
 
 
 @lru_cache(maxsize=64)
-def _style(pen: Pen | None, fill: Fill) -> str:
-    return f"stroke: {_stroke(pen)}, fill: {_FILLS[fill]}"
+def _write_style(pen: Pen | None, fill: Fill) -> str:
+    return f"stroke: {_write_stroke(pen)}, fill: {_FILLS[fill]}"
 
 
-def _stroke(pen: Pen | None) -> str:
+def _write_stroke(pen: Pen | None) -> str:
     if pen is None:
         return "none"
     dash = _DASHES[pen.dash]
-    return f'(thickness: {_mm(pen.width)}, cap: "round", join: "round"{dash})'
+    return f'(thickness: {_write_millimetres(pen.width)}, cap: "round", join: "round"{dash})'
 
 
-def _at(across: float, downward: float) -> str:
-    return f"place(dx: {_mm(across)}, dy: {_mm(downward)}"
+def _write_position(across: float, downward: float) -> str:
+    return f"place(dx: {_write_millimetres(across)}, dy: {_write_millimetres(downward)}"
 
 
-def _point(point: Vector, height: float) -> str:
-    return f"({_mm(point.x)}, {_mm(height - point.y)})"
+def _write_point(point: Vector, height: float) -> str:
+    return f"({_write_millimetres(point.x)}, {_write_millimetres(height - point.y)})"
 
 
-def _mm(value: float) -> str:
+def _write_millimetres(value: float) -> str:
     """Rounded twice, so that the last bits of a sine, which differ between machines, never
     appear.
     """

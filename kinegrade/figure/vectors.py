@@ -8,15 +8,15 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kinegrade.figure.fitting import fitted
+from kinegrade.figure.fitting import fit_scene
 from kinegrade.figure.layers import Drawing
 from kinegrade.figure.layout import Layout
-from kinegrade.figure.motions import pivot_of, turning_marks
-from kinegrade.figure.names import body_names, letters
-from kinegrade.figure.plain_mechanism import BareMechanism, bold_lines, pins
+from kinegrade.figure.motions import find_pivot, mark_rotations
+from kinegrade.figure.names import label_bodies, label_points
+from kinegrade.figure.plain_mechanism import BareMechanism, find_bold_lines, find_pins
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Primitive, Scene
-from kinegrade.figure.vector_arrows import VectorArrow, side_by_side
+from kinegrade.figure.vector_arrows import VectorArrow, put_side_by_side
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints, Turning
@@ -25,16 +25,16 @@ LONGEST, CROWDED = (
     16.0,
     21.0,
 )  # millimetres, of the longest arrow; of one that starts at a point with more than FEW
-FEW = 3
-SHORTEST = 1.2  # millimetres: a shorter arrow would not be visible and is left out
-OFFSETS = (
+_FEW = 3
+_SHORTEST = 1.2  # millimetres: a shorter arrow would not be visible and is left out
+_OFFSETS = (
     1.5,
     -1.5,
     3.0,
     -3.0,
     4.5,
 )  # millimetres between arrows, or an arrow and a bar, on one line
-LETTERED = (
+_LETTERED = (
     8.0  # millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 )
 
@@ -51,7 +51,7 @@ class PointArrow:
     known: bool = True
 
 
-def with_vectors(
+def draw_with_vectors(
     mechanism: Mechanism,
     hints: FigureHints,
     arrows: Sequence[PointArrow],
@@ -67,20 +67,22 @@ def with_vectors(
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
     plain = BareMechanism.of(mechanism, hints, (arrow.at for arrow in arrows))
-    return fitted(
+    return fit_scene(
         lambda scale: _compose(plain, arrows, turnings, scale), plain.first_scale(), plain.span
     )
 
 
-def placed_arrows(
-    arrows: Sequence[PointArrow], scale: float, drawing: Drawing, shortest: float = SHORTEST
+def place_arrows(
+    arrows: Sequence[PointArrow], scale: float, drawing: Drawing, shortest: float = _SHORTEST
 ) -> tuple[VectorArrow, ...]:
     """The arrows on paper to one common scale, next to bold lines and to each other, the longest
     first.
     """
     longest = max((length(arrow.value) for arrow in arrows), default=0.0)
     reach = (
-        CROWDED if max(Counter(arrow.at for arrow in arrows).values(), default=0) > FEW else LONGEST
+        CROWDED
+        if max(Counter(arrow.at for arrow in arrows).values(), default=0) > _FEW
+        else LONGEST
     )
     visible = [arrow for arrow in arrows if length(arrow.value) * reach > shortest * longest]
     ordered = sorted(visible, key=lambda arrow: -round(length(arrow.value) / longest, 6))
@@ -93,16 +95,16 @@ def placed_arrows(
         )
         for arrow in ordered
     ]
-    return side_by_side(on_paper, bold_lines(drawing.primitives), OFFSETS)
+    return put_side_by_side(on_paper, find_bold_lines(drawing.primitives), _OFFSETS)
 
 
-def with_arrows(layout: Layout, arrows: Sequence[VectorArrow], drawing: Drawing) -> Layout:
+def add_arrows(layout: Layout, arrows: Sequence[VectorArrow], drawing: Drawing) -> Layout:
     """The arrows without their symbols, drawn below the pins at which they start."""
     parts = tuple(part for arrow in arrows for part in arrow.primitives())
-    return layout.drawn((*parts, *pins(drawing.primitives)))
+    return layout.drawn((*parts, *find_pins(drawing.primitives)))
 
 
-def with_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
+def add_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
     """The symbols of the arrows, starting with the shortest: it has the fewest places to choose
     from.
     """
@@ -111,7 +113,7 @@ def with_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
     return layout
 
 
-def with_turnings(
+def _add_rotations(
     layout: Layout,
     paper: Mechanism,
     turnings: Sequence[Turning],
@@ -119,11 +121,13 @@ def with_turnings(
     hints: FigureHints,
 ) -> Layout:
     """The curved arrows, which keep clear of the letters still to be written at their pivots."""
-    named = tuple(letters(paper, hints, drawing))
+    named = tuple(label_points(paper, hints, drawing))
     for turning in turnings:
-        pivot = pivot_of(paper, turning.body, drawing.rims)
-        close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < LETTERED]
-        layout = layout.marked(turning_marks(paper, turning, drawing), layout.written(close).labels)
+        pivot = find_pivot(paper, turning.body, drawing.rims)
+        close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < _LETTERED]
+        layout = layout.marked(
+            mark_rotations(paper, turning, drawing), layout.written(close).labels
+        )
     return layout
 
 
@@ -134,9 +138,9 @@ def _compose(
     symbols, names of bodies.
     """
     paper, drawing = plain.at(scale)
-    placed = placed_arrows(arrows, scale, drawing)
-    layout = with_arrows(Layout.of(drawing.primitives), placed, drawing)
-    layout = layout.written(letters(paper, plain.hints, drawing))
-    layout = with_symbols(layout, placed)
-    layout = with_turnings(layout, paper, turnings, drawing, plain.hints)
-    return layout.written(body_names(paper, plain.hints, drawing)).primitives
+    placed = place_arrows(arrows, scale, drawing)
+    layout = add_arrows(Layout.of(drawing.primitives), placed, drawing)
+    layout = layout.written(label_points(paper, plain.hints, drawing))
+    layout = add_symbols(layout, placed)
+    layout = _add_rotations(layout, paper, turnings, drawing, plain.hints)
+    return layout.written(label_bodies(paper, plain.hints, drawing)).primitives

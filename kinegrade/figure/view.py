@@ -10,7 +10,7 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.hints import FigureHints
 
 
-def in_view(mechanism: Mechanism, hints: FigureHints) -> Mechanism:
+def crop_to_view(mechanism: Mechanism, hints: FigureHints) -> Mechanism:
     """The mechanism without points that serve only for construction, which may lie far away."""
     labelled = tuple(name for name, symbol in hints.labels.items() if symbol)
     marks = (
@@ -22,19 +22,19 @@ def in_view(mechanism: Mechanism, hints: FigureHints) -> Mechanism:
         hints.arrows,
         labelled,
     )
-    used = set(_texts((mechanism.bodies, mechanism.joints, mechanism.drivers, marks)))
+    used = set(_list_texts((mechanism.bodies, mechanism.joints, mechanism.drivers, marks)))
     return replace(
         mechanism, points={name: at for name, at in mechanism.points.items() if name in used}
     )
 
 
-def _texts(value: Any) -> Iterator[str]:
+def _list_texts(value: Any) -> Iterator[str]:
     """Every text in a value made of dataclasses and tuples."""
     if isinstance(value, str):
         yield value
     elif isinstance(value, tuple):
         for part in value:
-            yield from _texts(part)
+            yield from _list_texts(part)
     elif is_dataclass(value):
         for part in vars(value).values():
-            yield from _texts(part)
+            yield from _list_texts(part)

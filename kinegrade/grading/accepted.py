@@ -20,11 +20,11 @@ from kinegrade.exact.balls import Balls
 from kinegrade.exact.field import Field
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting
-from kinegrade.expression import elementary, evaluate, names, read
+from kinegrade.expression import evaluate, find_names, make_elementary_functions, read_expression
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import Accepted, Policy
-from kinegrade.grading.typed_value import PRECISION, Amount, converted, rational_amount
-from kinegrade.grading.unit_spelling import WrittenUnit, written_unit
+from kinegrade.grading.typed_value import PRECISION, Amount, convert, make_rational_amount
+from kinegrade.grading.unit_spelling import WrittenUnit, read_unit
 
 _PURE = WrittenUnit(Fraction(1), 0, 0, 0, 0)
 
@@ -40,7 +40,7 @@ class Alternative:
     error: Fraction
 
 
-Number = tuple[str | Fraction, str]  # the text of a given or a right answer, and its unit
+_Number = tuple[str | Fraction, str]  # the text of a given or a right answer, and its unit
 # Student, the student whose line of the key holds the ask, answer column
 Which = tuple[str, str, str]
 Alternatives = Mapping[Which, tuple[Alternative, ...]]
@@ -69,18 +69,18 @@ def alternatives(
     failing: dict[tuple[str, int], list[tuple[str, Exception]]] = {}
     constant: dict[tuple[str, int], Alternative] = {}
     papers = chain(exam.papers(), pooled) if wanted else ()
-    for ask, accepted, whole, place in _places(exam, wanted, papers, sources):
+    for ask, accepted, whole, place in _find_places(exam, wanted, papers, sources):
         which = ask.column, accepted.number
         try:
-            alternative = constant.get(which) or _on_paper(exam, ask, accepted, whole, folder)
+            alternative = constant.get(which) or _work_out(exam, ask, accepted, whole, folder)
         except (ExpressionError, Unreadable, ArithmeticError) as fault:
             failing.setdefault(which, []).append((place[0], fault))
             continue
         found[place] = (*found.get(place, ()), alternative)
-        if not _used(accepted):
+        if not _find_used(accepted):
             constant[which] = alternative
     faults = [
-        _fault(ask, accepted, failing[ask.column, accepted.number])
+        _explain(ask, accepted, failing[ask.column, accepted.number])
         for ask, accepted in wanted
         if (ask.column, accepted.number) in failing
     ]
@@ -89,7 +89,7 @@ def alternatives(
     return found
 
 
-def _places(
+def _find_places(
     exam: Sitting,
     wanted: Sequence[tuple[Ask, Accepted]],
     papers: Iterable[Paper],
@@ -109,14 +109,14 @@ def _places(
                 yield ask, accepted, sources.get(source, paper), place
 
 
-def _used(accepted: Accepted) -> set[str]:
+def _find_used(accepted: Accepted) -> set[str]:
     """The names of the paper's numbers that it uses; without any, it has one value for the whole
     class.
     """
-    return set(names(accepted.tree)) - {"pi"}
+    return set(find_names(accepted.tree)) - {"pi"}
 
 
-def _fault(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]]) -> str:
+def _explain(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]]) -> str:
     """One line however many papers are affected: a fault in an expression shows on most of them."""
     student, fault = failing[0]
     others = f" and {len(failing) - 1} more" if len(failing) > 1 else ""
@@ -128,17 +128,19 @@ def _fault(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]
     )
 
 
-def _on_paper(
+def _work_out(
     exam: Sitting, ask: Ask, accepted: Accepted, paper: Paper, folder: ExamFolder
 ) -> Alternative:
-    return _alternative(accepted, _numbers(exam, ask, paper, folder, _used(accepted)))
+    return _find_alternative(
+        accepted, _find_numbers(exam, ask, paper, folder, _find_used(accepted))
+    )
 
 
-def _numbers(
+def _find_numbers(
     exam: Sitting, ask: Ask, paper: Paper, folder: ExamFolder, used: set[str]
-) -> Mapping[str, Number]:
+) -> Mapping[str, _Number]:
     """What the names stand for, with units: a text for a parameter, a number for a right answer."""
-    found: dict[str, Number] = {}
+    found: dict[str, _Number] = {}
     for number, other in enumerate(exam.asks):
         if other.question == ask.question and other.ask in used:
             found[other.ask] = paper.key(number, ()).value, other.unit
@@ -148,20 +150,20 @@ def _numbers(
     return found
 
 
-def _alternative(accepted: Accepted, numbers: Mapping[str, Number]) -> Alternative:
+def _find_alternative(accepted: Accepted, numbers: Mapping[str, _Number]) -> Alternative:
     try:
-        amount = _amount(accepted, numbers, Field())
+        amount = _work_out_amount(accepted, numbers, Field())
     except Inexact:
         balls = Balls(PRECISION)
         with balls.context():
-            amount = _amount(accepted, numbers, balls)
-    value, error = converted(amount, accepted.scale.factor, accepted.scale.pi)
+            amount = _work_out_amount(accepted, numbers, balls)
+    value, error = convert(amount, accepted.scale.factor, accepted.scale.pi)
     return Alternative(accepted, value, error)
 
 
-def _amount(accepted: Accepted, numbers: Mapping[str, Number], arithmetic: Any) -> Amount:
-    functions = elementary(arithmetic)
-    values = {name: _in_si(number, arithmetic) for name, number in numbers.items()}
+def _work_out_amount(accepted: Accepted, numbers: Mapping[str, _Number], arithmetic: Any) -> Amount:
+    functions = make_elementary_functions(arithmetic)
+    values = {name: _convert_to_si(number, arithmetic) for name, number in numbers.items()}
     value = evaluate(accepted.tree, {**values, "pi": arithmetic.turns(1)}, functions, arithmetic)
     if not isinstance(value, Angle):
         return Amount(value)
@@ -170,26 +172,31 @@ def _amount(accepted: Accepted, numbers: Mapping[str, Number], arithmetic: Any) 
     return Amount(value.half_turns, 1)
 
 
-def _in_si(number: Number, arithmetic: Any) -> Any:
+def _convert_to_si(number: _Number, arithmetic: Any) -> Any:
     """A number with its unit, in SI; an exact field holds angles only as fractions of a turn."""
     amount, unit = number
-    written = written_unit(unit) if unit != "1" else _PURE
+    written = read_unit(unit) if unit != "1" else _PURE
     if written is None:
         raise ExpressionError(f'the unit "{unit}" is not known')
     size = (
-        arithmetic.number(rational_amount(amount).size)
+        arithmetic.number(make_rational_amount(amount).size)
         if isinstance(amount, Fraction)
-        else evaluate(read(amount), {"pi": arithmetic.turns(1)}, elementary(arithmetic), arithmetic)
+        else evaluate(
+            read_expression(amount),
+            {"pi": arithmetic.turns(1)},
+            make_elementary_functions(arithmetic),
+            arithmetic,
+        )
     )
-    size = size * arithmetic.number(rational_amount(written.factor).size)
+    size = size * arithmetic.number(make_rational_amount(written.factor).size)
     if (written.length, written.time, written.angle) == (0, 0, 1) and not isinstance(size, Angle):
-        return _angle(size, written.pi, arithmetic)
+        return _make_angle(size, written.pi, arithmetic)
     if written.pi and arithmetic.exact:
         raise Inexact("a rate in turns")
     return size * arithmetic.turns(1) ** written.pi if written.pi else size
 
 
-def _angle(size: Any, pi: int, arithmetic: Any) -> Any:
+def _make_angle(size: Any, pi: int, arithmetic: Any) -> Any:
     if pi == 1:
         return arithmetic.turns(size)
     if arithmetic.exact:

@@ -10,16 +10,16 @@ from dataclasses import dataclass
 from functools import partial
 
 from kinegrade.angular import is_angle
-from kinegrade.errors import FieldError, did_you_mean, either, nearest, short_line
+from kinegrade.errors import FieldError, did_you_mean, find_nearest, join_alternatives, shorten
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.expression import Expression, names, read
+from kinegrade.expression import Expression, find_names, read_expression
 from kinegrade.fields.digits import Digits
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import found, share
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import FULL_CREDIT, Accepted
-from kinegrade.grading.unit_spelling import Conversion, WrongUnit, conversion, written_unit
+from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion, read_unit
 
 _EXAMPLE = '{ value = "2*sqrt(3)" }'
 _LONGEST_SHOWN = 80
@@ -38,9 +38,9 @@ class AcceptedReader:
             known = entry.only("value", "unit", "credit", "student")
             credit = known.with_default("credit", share, FULL_CREDIT)
             students = self._students(known)
-            tree = known.required("value", _tree)
+            tree = known.required("value", _read_tree)
             if tree is not None:
-                written = short_line(str(known.value("value")).strip(), _LONGEST_SHOWN)
+                written = shorten(str(known.value("value")).strip(), _LONGEST_SHOWN)
                 scale = self._scale(known, ask, tree)
                 yield Accepted(number, written, tree, scale, credit, students)
 
@@ -58,7 +58,7 @@ class AcceptedReader:
         if not isinstance(value, str) or isinstance(value, Digits):
             raise FieldError(found(value), "a student's id in quotation marks")
         if value not in self.students:
-            raise FieldError(f"no student {found(value)}", do=_likely(value, self.students))
+            raise FieldError(f"no student {found(value)}", do=_read_likely(value, self.students))
         return value
 
     def _scale(self, entry: Table, ask: Ask, tree: Expression) -> Conversion:
@@ -66,14 +66,14 @@ class AcceptedReader:
 
         A value made of givens, or of angles, is in SI units.
         """
-        used = [name for name in names(tree) if name != "pi"]
+        used = [name for name in find_names(tree) if name != "pi"]
         units = self._units(ask, used)
         for name in sorted(set(used) - units.keys()):
             entry.fault("value", f'unknown name "{name}"', do=did_you_mean(name, units))
         if "unit" in entry:
-            return entry.with_default("unit", partial(_conversion, ask), Conversion())
+            return entry.with_default("unit", partial(_read_conversion, ask), Conversion())
         angles = frozenset(name for name in used if units.get(name) in ("deg", "rad"))
-        printed = written_unit(ask.unit)
+        printed = read_unit(ask.unit)
         if printed and (used or is_angle(tree, angles)):
             return Conversion(1 / printed.factor, -printed.pi)
         return Conversion()
@@ -89,24 +89,24 @@ class AcceptedReader:
         return units | {name: each.unit for name, each in drawn.items()}
 
 
-def _tree(value: object) -> Expression:
+def _read_tree(value: object) -> Expression:
     """The number or expression of a value."""
     if isinstance(value, bool) or not isinstance(value, str | int):
         raise FieldError(found(value), 'a number or an expression like "2*sqrt(3)"')
-    return read(str(value))
+    return read_expression(str(value))
 
 
-def _conversion(ask: Ask, unit: object) -> Conversion:
+def _read_conversion(ask: Ask, unit: object) -> Conversion:
     """The conversion from a stated unit to the ask's."""
     if not isinstance(unit, str) or isinstance(unit, Digits):
         raise FieldError(found(unit), f'a unit like "{ask.unit}"')
     try:
-        return conversion(unit, ask.unit)
+        return find_conversion(unit, ask.unit)
     except (WrongUnit, Unreadable) as fault:
         raise FieldError(str(fault)) from fault
 
 
-def _likely(student: str, students: frozenset[str]) -> str:
+def _read_likely(student: str, students: frozenset[str]) -> str:
     """A hint that does not list the whole class."""
-    near = nearest(student, students)
-    return f"did you mean {either(near)}?" if near else "check the id against the roster"
+    near = find_nearest(student, students)
+    return f"did you mean {join_alternatives(near)}?" if near else "check the id against the roster"

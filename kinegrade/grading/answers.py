@@ -22,22 +22,22 @@ from kinegrade.grading.number_text import (
     DecimalStyle,
     TypedNumber,
     Unreadable,
-    folded,
-    shown,
+    fold,
+    show,
 )
-from kinegrade.grading.sense import direction, without_sense
+from kinegrade.grading.sense import find_direction, split_sense
 from kinegrade.grading.typed_value import (
     Amount,
     Formula,
-    converted,
-    rational_amount,
+    convert,
+    make_rational_amount,
     scan_value,
-    worked_out,
+    work_out,
 )
-from kinegrade.grading.unit_spelling import Conversion, WrongUnit, conversion
+from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion
 
-LONGEST_ANSWER = 200
-SHOWN_DIGITS = 12
+_LONGEST_ANSWER = 200
+_SHOWN_DIGITS = 12
 PAPERS_RULE = DecimalStyle()
 
 # What most people type
@@ -97,61 +97,61 @@ def read(typed: str, unit: str, style: DecimalStyle = PAPERS_RULE, convention: s
         value = Fraction(int(f"{sign}{whole}{decimals}"), 10 ** len(decimals))
         return Reading("number", typed, value, typed.removeprefix("+"))
     text = typed.strip(BLANKS)
-    if len(text) > LONGEST_ANSWER:
-        return Reading("unreadable", typed, reason=f"longer than {LONGEST_ANSWER} characters")
-    text = folded(text)
+    if len(text) > _LONGEST_ANSWER:
+        return Reading("unreadable", typed, reason=f"longer than {_LONGEST_ANSWER} characters")
+    text = fold(text)
     if not text.strip("- "):
         return Reading("blank", typed)
     try:
-        return _reading(typed, text, unit, style, convention)
+        return _read(typed, text, unit, style, convention)
     except Unreadable as fault:
         return Reading("unreadable", typed, reason=str(fault))
     except WrongUnit as fault:
         return Reading("wrong unit", typed, reason=str(fault))
 
 
-def _reading(typed: str, text: str, unit: str, style: DecimalStyle, convention: str) -> Reading:
-    answer, sense = without_sense(_TAIL.sub("", _undressed(text)))
-    answer = _TAIL.sub("", _undressed(answer))
+def _read(typed: str, text: str, unit: str, style: DecimalStyle, convention: str) -> Reading:
+    answer, sense = split_sense(_TAIL.sub("", _undress(text)))
+    answer = _TAIL.sub("", _undress(answer))
     sign = _SIGN.match(answer)
     place = sign.end() if sign else 0
     found = scan_value(answer, place, style)
     if found is None:
-        raise Unreadable(f'"{shown(typed.strip(BLANKS))}" is not a number')
+        raise Unreadable(f'"{show(typed.strip(BLANKS))}" is not a number')
     rest = answer[found.end :]
-    factor = _conversion(rest, unit, typed)
+    factor = _find_conversion(rest, unit, typed)
     if isinstance(found, Formula) and found.pi and unit == "deg" and not rest.strip():
         raise Unreadable(
             "\u03c0 without a unit where degrees are asked for; write rad or \u00b0 after it"
         )
     written = sign[1] if sign else ""
-    turn, remark = direction(sense, written, convention) if sense else (1, "")
+    turn, remark = find_direction(sense, written, convention) if sense else (1, "")
     minus = (written == "-") != (turn < 0)
-    remarks = "; ".join(filter(None, (_doubt(found, minus), remark)))
+    remarks = "; ".join(filter(None, (_describe_doubt(found, minus), remark)))
     if isinstance(found, TypedNumber) and factor == Conversion():
-        return _as_typed(typed, found, minus, remarks)
-    return _worked(typed, found, minus, factor, remarks)
+        return _read_as_typed(typed, found, minus, remarks)
+    return _work_out(typed, found, minus, factor, remarks)
 
 
-def _doubt(found: TypedNumber | Formula, minus: bool) -> str:
+def _describe_doubt(found: TypedNumber | Formula, minus: bool) -> str:
     """What the instructor should know about how a number was read, with the sign that was typed or
     given in words.
     """
     match found:
         case TypedNumber():
-            return found.reason and f"read as {_signed(found, minus)}: {found.reason}"
+            return found.reason and f"read as {_apply_sign(found, minus)}: {found.reason}"
         case Formula():
             return found.remark
         case _:
             assert_never(found)
 
 
-def _signed(found: TypedNumber, minus: bool) -> str:
+def _apply_sign(found: TypedNumber, minus: bool) -> str:
     """A typed number in plain digits with its sign."""
     return f"-{found.digits}" if minus else found.digits
 
 
-def _undressed(text: str) -> str:
+def _undress(text: str) -> str:
     """The text without a label before the number (v_B =) and without a word for "about"."""
     label = _LABEL.match(text)
     unlabelled = text[label.end() :] if label else text
@@ -159,34 +159,34 @@ def _undressed(text: str) -> str:
     return (unlabelled[about.end() :] if about else unlabelled).strip()
 
 
-def _conversion(rest: str, unit: str, typed: str) -> Conversion:
+def _find_conversion(rest: str, unit: str, typed: str) -> Conversion:
     """The conversion that the text after the number calls for. Raises Unreadable or WrongUnit."""
     if _NEXT_NUMBER.match(rest) and not _SHARE_OF_TIME.match(rest):
         raise Unreadable(
-            f'"{shown(typed.strip(BLANKS))}" is more than one number; one number was expected'
+            f'"{show(typed.strip(BLANKS))}" is more than one number; one number was expected'
         )
-    return conversion(rest, unit)
+    return find_conversion(rest, unit)
 
 
-def _as_typed(typed: str, found: TypedNumber, minus: bool, remark: str) -> Reading:
+def _read_as_typed(typed: str, found: TypedNumber, minus: bool, remark: str) -> Reading:
     value = -found.value if minus else found.value
-    return Reading("number", typed, value, _signed(found, minus), remark=remark)
+    return Reading("number", typed, value, _apply_sign(found, minus), remark=remark)
 
 
-def _worked(
+def _work_out(
     typed: str, found: TypedNumber | Formula, minus: bool, factor: Conversion, remark: str
 ) -> Reading:
-    amount = _amount(found)
-    value, error = converted(amount, -factor.factor if minus else factor.factor, factor.pi)
+    amount = _make_amount(found)
+    value, error = convert(amount, -factor.factor if minus else factor.factor, factor.pi)
     return Reading("number", typed, value, decimal_text(value), remark=remark, error=error)
 
 
-def _amount(found: TypedNumber | Formula) -> Amount:
+def _make_amount(found: TypedNumber | Formula) -> Amount:
     match found:
         case TypedNumber(value=value):
-            return rational_amount(value)
+            return make_rational_amount(value)
         case Formula():
-            return worked_out(found)
+            return work_out(found)
         case _:
             assert_never(found)
 
@@ -197,7 +197,7 @@ def decimal_text(value: Fraction) -> str:
     >>> decimal_text(Fraction(3, 4)), decimal_text(Fraction(2, 3))
     ('0.75', '0.666666666667')
     """
-    rounded = Context(prec=SHOWN_DIGITS).divide(
+    rounded = Context(prec=_SHOWN_DIGITS).divide(
         Decimal(value.numerator), Decimal(value.denominator)
     )
     short = rounded.normalize()

@@ -20,25 +20,25 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.keys import Ask, Key, Paper, Rule, rule
-from kinegrade.exam.folder.stated_keys import StatedKeys, stated_mistakes
+from kinegrade.exam.folder.keys import Ask, Key, Paper, Rule, make_rule
+from kinegrade.exam.folder.stated_keys import StatedKeys, read_stated_mistakes
 from kinegrade.grading.accepted import Alternative, Alternatives
 from kinegrade.grading.bulk_comparison import Comparison, Flags, Rules, compare, may_agree, rules_of
 from kinegrade.grading.decimal_style import FileStyle
-from kinegrade.grading.decision import BY_POLICY, Decision, besides, decide, voided
-from kinegrade.grading.follow import Decided, Follows, follow_through
+from kinegrade.grading.decision import BY_POLICY, Decision, decide, void, write_other_mistakes
+from kinegrade.grading.follow import Decided, Follows, follow_answers
 from kinegrade.grading.judge import Kind, judge
 from kinegrade.grading.judged_block import FULL_SHARE, NO_SHARE, JudgedBlock, Row
 from kinegrade.grading.policy import NO_ROOM, Policy, Ruling
 from kinegrade.grading.typed_cells import CellReader
 
-Places = NDArray[np.intp]
+_Places = NDArray[np.intp]
 # Places to be decided one by one: the mistakes to consider there, or all
-Open = dict[int, Collection[str] | None]
+_Open = dict[int, Collection[str] | None]
 # Numbers that a later answer may build on
 _LED_ON: tuple[Kind, ...] = ("wrong", "mistake", "accepted")
 _TOO_NEAR = 1e-9  # relative: of two mistakes this near to each other, either may be the nearer one
-_NO_RULE = rule(Fraction(0), Fraction(0))
+_NO_RULE = make_rule(Fraction(0), Fraction(0))
 _NO_KEY = Key(Fraction(0), Fraction(0))
 _OWNER = itemgetter(0)
 
@@ -91,12 +91,12 @@ class BlockJudge:
     def _ruling(self, place: int) -> Ruling:
         return self.policy.ruling(self.asks[place % len(self.asks)].column)
 
-    def _compared(self, block: JudgedBlock) -> Open:
+    def _compared(self, block: JudgedBlock) -> _Open:
         """Records every certain verdict, and gives the places still open."""
         papers = [paper for paper, _ in block.rows]
         rules, centres = (
             self._rules_now(papers),
-            np.array([_centres(paper) for paper in papers], dtype=np.float64),
+            np.array([_list_centres(paper) for paper in papers], dtype=np.float64),
         )
         comparison = compare(block.cells.values, centres.reshape(-1), rules)
         self._put_numbers(block, comparison)
@@ -106,11 +106,13 @@ class BlockJudge:
     def _rules_now(self, papers: Sequence[Paper]) -> Rules:
         """The rule for each answer under the policy."""
         rulings = [self.policy.ruling(ask.column) for ask in self.asks]
-        stated = [_rules(paper) for paper in papers]
+        stated = [_list_rules(paper) for paper in papers]
         if all(ruling.room == NO_ROOM for ruling in rulings):
             return rules_of(stated)
         different = {id(rules): rules for rules in stated}
-        now = {name: tuple(map(_by_policy, rulings, rules)) for name, rules in different.items()}
+        now = {
+            name: tuple(map(_judge_by_policy, rulings, rules)) for name, rules in different.items()
+        }
         return rules_of([now[id(rules)] for rules in stated])
 
     def _put_numbers(self, block: JudgedBlock, comparison: Comparison) -> None:
@@ -134,9 +136,9 @@ class BlockJudge:
         rulings = (self.policy.ruling(ask.column) for ask in self.asks)
         return ["" if ruling.room == NO_ROOM else BY_POLICY for ruling in rulings]
 
-    def _uncertain(self, block: JudgedBlock, certain: Flags) -> Open:
+    def _uncertain(self, block: JudgedBlock, certain: Flags) -> _Open:
         """What was typed but could not be compared; records whatever is not a number at all."""
-        found: Open = {}
+        found: _Open = {}
         for place in np.flatnonzero(~certain).tolist():
             reading = block.cells.readings.get(place)
             if (
@@ -149,24 +151,24 @@ class BlockJudge:
                 found[place] = None
         return found
 
-    def _mistaken(self, block: JudgedBlock, wrong: Places, rules: Rules) -> Open:
+    def _mistaken(self, block: JudgedBlock, wrong: _Places, rules: Rules) -> _Open:
         """Records the wrong answers that exactly one mistake leads to; gives those with several, or
         with other ways to credit.
         """
         listed, none = wrong.tolist(), block.credits[NO_SHARE]
         credit = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
-        found: Open = (
+        found: _Open = (
             {place: None for place in listed if self._others(block, place)}
             if self.alternatives
             else {}
         )
         for place, group in groupby(self._ways(block, listed, rules), _OWNER):
             leading, shares = list(group), credit[place % len(credit)]
-            best = _best(leading, shares)
+            best = _find_best(leading, shares)
             if best is None:
                 found.setdefault(place, {way.name for way in leading})
             elif place not in found:
-                others = besides([way.name for way in leading if way is not best])
+                others = write_other_mistakes([way.name for way in leading if way is not best])
                 block.set(
                     place,
                     "mistake",
@@ -179,7 +181,7 @@ class BlockJudge:
         """The mistakes that may lead to the wrong answers at these places, in the order of the
         places.
         """
-        mistakes = _mistakes(
+        mistakes = _list_mistakes(
             [(block.rows[place // len(self.asks)][0], place % len(self.asks)) for place in wrong]
         )
         names = list(chain.from_iterable(mistakes))
@@ -243,7 +245,7 @@ class BlockJudge:
             )
             for number in question
         ]
-        better = follow_through(sources.pop(), answers, follows)
+        better = follow_answers(sources.pop(), answers, follows)
         for number in question:
             if self.asks[number].ask in better:
                 block.put(first + number, better[self.asks[number].ask])
@@ -254,11 +256,11 @@ class BlockJudge:
             for row, (_, entry) in enumerate(block.rows):
                 place = row * len(self.asks) + number
                 block.put(
-                    place, voided(block.decision(place), ruling, handed_in=entry.line is not None)
+                    place, void(block.decision(place), ruling, handed_in=entry.line is not None)
                 )
 
 
-def _best(ways: Sequence[_Way], shares: Mapping[str, Fraction]) -> _Way | None:
+def _find_best(ways: Sequence[_Way], shares: Mapping[str, Fraction]) -> _Way | None:
     """The mistake with the best credit among those that lead to an answer; of equals the nearest,
     then the first by name.
 
@@ -276,7 +278,7 @@ def _best(ways: Sequence[_Way], shares: Mapping[str, Fraction]) -> _Way | None:
     return best
 
 
-def _centres(paper: Paper) -> Sequence[float]:
+def _list_centres(paper: Paper) -> Sequence[float]:
     """The right answers in double precision; NaN where there is more to compare with than that."""
     if isinstance(paper.keys, StatedKeys):
         return paper.keys.centres
@@ -284,21 +286,21 @@ def _centres(paper: Paper) -> Sequence[float]:
     return [nan if key.period or key.rule is None else float(key.value) for key in keys]
 
 
-def _rules(paper: Paper) -> tuple[Rule, ...]:
+def _list_rules(paper: Paper) -> tuple[Rule, ...]:
     if isinstance(paper.keys, StatedKeys):
         return paper.keys.terms.rules
     return tuple(key.rule or _NO_RULE for key in paper.keys)
 
 
-def _by_policy(ruling: Ruling, stated: Rule) -> Rule:
+def _judge_by_policy(ruling: Ruling, stated: Rule) -> Rule:
     return ruling.key(stated.key(Fraction(1))).rule or stated
 
 
-def _mistakes(wrong: Sequence[tuple[Paper, int]]) -> Sequence[Mapping[str, float | Fraction]]:
+def _list_mistakes(wrong: Sequence[tuple[Paper, int]]) -> Sequence[Mapping[str, float | Fraction]]:
     """The wrong values that mistakes lead to in these asks."""
     stated = [(paper.keys, ask) for paper, ask in wrong if isinstance(paper.keys, StatedKeys)]
     return (
-        stated_mistakes(stated)
+        read_stated_mistakes(stated)
         if len(stated) == len(wrong)
         else [paper.keys[ask].mistakes for paper, ask in wrong]
     )

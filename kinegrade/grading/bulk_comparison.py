@@ -19,7 +19,7 @@ from kinegrade.exam.folder.keys import Rule
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-DIGITS = 6  # significant digits in a reason
+_DIGITS = 6  # significant digits in a reason
 _ROUNDING = 1e-15  # relative error of a few operations in double precision, or of reading a number
 _GUARD = 1e-9  # of the numbers compared: a bound nearer than this decides nothing
 _ALIKE = 1e-5  # a difference and a tolerance this close may be written with the same digits
@@ -158,7 +158,7 @@ def _written_alike(numbers: Numbers, error: Numbers) -> Flags:
     """Whether everything within the error of a number is written with the same six digits; for
     zero, only if it is exact.
     """
-    power = DIGITS - 1 - np.floor(np.log10(numbers))
+    power = _DIGITS - 1 - np.floor(np.log10(numbers))
     last = numbers * 10.0**power
     from_half = np.abs(last - np.floor(last) - 0.5)
     certain: Flags = (from_half > error * 10.0**power + _HALF) & (error * 10.0**power < 1)

@@ -19,32 +19,37 @@ from kinegrade.grading.equal_hardness import (
     ENOUGH,
     ParameterTrend,
     Third,
-    kruskal_wallis,
-    parameter_trends,
+    compare_groups,
+    find_parameter_trends,
 )
-from kinegrade.grading.html_layout import layout
+from kinegrade.grading.html_layout import load_layout
 from kinegrade.grading.item_statistics import (
     Summary,
-    discriminations,
-    facilities,
-    histogram,
-    reliability,
-    summary,
+    find_discriminations,
+    find_facilities,
+    find_reliability,
+    make_histogram,
+    summarise,
 )
-from kinegrade.grading.math_html import symbol_html
-from kinegrade.grading.plots import bar, box_plot, histogram_plot, stacked_bar
-from kinegrade.grading.report_words import ReportWords, report_words_of
+from kinegrade.grading.math_html import write_symbol_html
+from kinegrade.grading.plots import (
+    write_bar,
+    write_box_plot,
+    write_histogram_plot,
+    write_stacked_bar,
+)
+from kinegrade.grading.report_words import ReportWords, choose_report_words
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import COMPLAINTS
-from kinegrade.question_numbers import bank_number
+from kinegrade.question_numbers import find_bank_number
 
-Page = dict[str, Any]  # the values a layout reads
-HARD, EASY, FLAT = 0.3, 0.9, 0.1
-SIGNIFICANT = 0.05
-MOST_COMPLAINTS, MOST_TRENDS = 200, 8
-VERDICTS = (
+_Page = dict[str, Any]  # the values a layout reads
+_HARD, _EASY, _FLAT = 0.3, 0.9, 0.1
+_SIGNIFICANT = 0.05
+_MOST_COMPLAINTS, _MOST_TRENDS = 200, 8
+_VERDICTS = (
     "right",
     "accepted",
     "follow-through",
@@ -55,53 +60,57 @@ VERDICTS = (
     "unreadable",
     "blank",
 )  # in the order of the segments of a bar
-LAST = ("unexplained", "wrong unit", "unreadable", "blank")  # the least informative reasons
-SHADES = {verdict: f"shade{place}" for place, verdict in enumerate(VERDICTS)}
+_LAST = ("unexplained", "wrong unit", "unreadable", "blank")  # the least informative reasons
+_SHADES = {verdict: f"shade{place}" for place, verdict in enumerate(_VERDICTS)}
 
 
 def class_report(marks: MarksFolder, exam: ExamFolder, wording: Wording, language: Language) -> str:
     """The page for a marks folder, with the exam folder it was made from. Raises TableError,
     ExamError.
     """
-    counts, words = tally(marks, exam), report_words_of(language)
-    page: Page = {
+    counts, words = tally(marks, exam), choose_report_words(language)
+    page: _Page = {
         "words": words,
         "exam": exam.head,
-        "heads": [words.numbered.format(bank_number(name)) for name in exam.questions],
+        "heads": [words.numbered.format(find_bank_number(name)) for name in exam.questions],
         "answered": len(counts.answered),
         "silent": [f"{each.name} ({each.student})" for each in counts.silent],
         "roster": len(counts.answered) + len(counts.silent),
         "enough": ENOUGH,
         "complaints": marks.complaints(),
         "complaints_file": COMPLAINTS.name,
-        "most_complaints": MOST_COMPLAINTS,
+        "most_complaints": _MOST_COMPLAINTS,
     }
-    figures = summary(counts.percents)
+    figures = summarise(counts.percents)
     if figures is not None:
         page |= {
-            **totals_part(counts, figures, words),
-            "asks": list(ask_rows(counts, wording, words)),
-            "legend": legend(counts, words),
-            "losses": list(loss_rows(counts, wording, words)),
-            **hardness_part(counts, exam, wording, words),
+            **_totals_part(counts, figures, words),
+            "asks": list(_ask_rows(counts, wording, words)),
+            "legend": _legend(counts, words),
+            "losses": list(_loss_rows(counts, wording, words)),
+            **_hardness_part(counts, exam, wording, words),
         }
-    return layout("class_report.html").render(page)
+    return load_layout("class_report.html").render(page)
 
 
-def totals_part(counts: ClassTally, figures: Summary, words: ReportWords) -> Page:
+def _totals_part(counts: ClassTally, figures: Summary, words: ReportWords) -> _Page:
     """The distribution of the totals: figures and a plot."""
     out_of = max(each.out_of for each in counts.answered)
-    alpha = reliability(counts.points)
+    alpha = find_reliability(counts.points)
     cards = [
-        (percent(figures.mean), words.mean),
-        (percent(figures.median), words.median),
-        ("–" if figures.sd is None else percent(figures.sd), words.sd),
-        (f"{percent(figures.lower)} – {percent(figures.upper)}", words.quartiles),
-        (f"{percent(figures.minimum)} – {percent(figures.maximum)}", words.span),
-        (decimal(alpha), words.reliability),
+        (_percent(figures.mean), words.mean),
+        (_percent(figures.median), words.median),
+        ("–" if figures.sd is None else _percent(figures.sd), words.sd),
+        (f"{_percent(figures.lower)} – {_percent(figures.upper)}", words.quartiles),
+        (f"{_percent(figures.minimum)} – {_percent(figures.maximum)}", words.span),
+        (_decimal(alpha), words.reliability),
     ]
-    plot = histogram_plot(
-        histogram(counts.percents), figures, words.percent_axis, words.students, words.marks_on_axis
+    plot = write_histogram_plot(
+        make_histogram(counts.percents),
+        figures,
+        words.percent_axis,
+        words.students,
+        words.marks_on_axis,
     )
     return {
         "cards": cards,
@@ -110,9 +119,12 @@ def totals_part(counts: ClassTally, figures: Summary, words: ReportWords) -> Pag
     }
 
 
-def ask_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterator[Page]:
+def _ask_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterator[_Page]:
     """One table line for each ask."""
-    shares, correlations = facilities(counts.points, counts.out_of), discriminations(counts.points)
+    shares, correlations = (
+        find_facilities(counts.points, counts.out_of),
+        find_discriminations(counts.points),
+    )
     for place, column in enumerate(counts.columns):
         facility, discrimination, verdicts = (
             shares[place],
@@ -121,94 +133,97 @@ def ask_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterat
         )
         question = column.split(".")[0]
         yield {
-            "question": words.numbered.format(bank_number(question)),
+            "question": words.numbered.format(find_bank_number(question)),
             "title": wording.titles.get(question, ""),
             "first": place == 0 or counts.columns[place - 1].split(".")[0] != question,
-            "symbol": symbol_of(column, wording),
+            "symbol": _symbol_of(column, wording),
             "meaning": wording.meanings.get(column, ""),
             "points": f"{counts.out_of[place]:g}",
-            "facility": share_text(facility),
-            "bar": bar(facility or 0.0, "column", share_text(facility), 70.0, track=True),
-            "discrimination": decimal(discrimination),
-            "answers": verdict_bar(verdicts, words),
-            "verdicts": verdict_text(verdicts, words),
-            "note": note(facility, discrimination, len(counts.answered), words),
+            "facility": _share_text(facility),
+            "bar": write_bar(facility or 0.0, "column", _share_text(facility), 70.0, track=True),
+            "discrimination": _decimal(discrimination),
+            "answers": _verdict_bar(verdicts, words),
+            "verdicts": _verdict_text(verdicts, words),
+            "note": _note(facility, discrimination, len(counts.answered), words),
         }
 
 
-def symbol_of(column: str, wording: Wording) -> Markup:
+def _symbol_of(column: str, wording: Wording) -> Markup:
     """The symbol of an ask, or its name where no symbol is known."""
     known = wording.symbols.get(column)
-    return Markup.escape(column.split(".", 1)[1]) if known is None else symbol_html(known)
+    return Markup.escape(column.split(".", 1)[1]) if known is None else write_symbol_html(known)
 
 
-def verdict_bar(verdicts: Counter[str], words: ReportWords) -> Markup:
+def _verdict_bar(verdicts: Counter[str], words: ReportWords) -> Markup:
     """All answers to an ask as a single bar."""
     whole = verdicts.total()
     parts = [
-        (SHADES.get(verdict, "shade5"), count / whole) for verdict, count in in_order(verdicts)
+        (_SHADES.get(verdict, "shade5"), count / whole) for verdict, count in _in_order(verdicts)
     ]
-    return stacked_bar(parts, verdict_text(verdicts, words))
+    return write_stacked_bar(parts, _verdict_text(verdicts, words))
 
 
-def verdict_text(verdicts: Counter[str], words: ReportWords) -> str:
+def _verdict_text(verdicts: Counter[str], words: ReportWords) -> str:
     """How often each verdict was given."""
     return ", ".join(
         f"{words.verdicts.get(verdict, verdict)}\u00a0{count}"
-        for verdict, count in in_order(verdicts)
+        for verdict, count in _in_order(verdicts)
     )
 
 
-def in_order(verdicts: Counter[str]) -> list[tuple[str, int]]:
+def _in_order(verdicts: Counter[str]) -> list[tuple[str, int]]:
     """Verdicts with their counts, right answers first, unknown verdicts last."""
-    known = [verdict for verdict in VERDICTS if verdicts[verdict]]
+    known = [verdict for verdict in _VERDICTS if verdicts[verdict]]
     return [
-        (verdict, verdicts[verdict]) for verdict in (*known, *sorted(set(verdicts) - set(VERDICTS)))
+        (verdict, verdicts[verdict])
+        for verdict in (*known, *sorted(set(verdicts) - set(_VERDICTS)))
     ]
 
 
-def legend(counts: ClassTally, words: ReportWords) -> list[tuple[str, str]]:
+def _legend(counts: ClassTally, words: ReportWords) -> list[tuple[str, str]]:
     """The shades of the verdicts that occur."""
     occurring = sum(counts.verdicts.values(), Counter[str]())
     return [
-        (SHADES.get(verdict, "shade5"), words.verdicts.get(verdict, verdict))
-        for verdict, _ in in_order(occurring)
+        (_SHADES.get(verdict, "shade5"), words.verdicts.get(verdict, verdict))
+        for verdict, _ in _in_order(occurring)
     ]
 
 
-def note(
+def _note(
     facility: float | None, discrimination: float | None, students: int, words: ReportWords
 ) -> str:
     """What is worth a look, in words; a correlation within two standard errors of zero counts as
     none.
     """
     notes = []
-    if facility is not None and facility < HARD:
+    if facility is not None and facility < _HARD:
         notes.append(words.hard)
-    if facility is not None and facility > EASY:
+    if facility is not None and facility > _EASY:
         notes.append(words.easy)
-    if discrimination is not None and discrimination < FLAT:
+    if discrimination is not None and discrimination < _FLAT:
         notes.append(words.negative if discrimination < -2 / students**0.5 else words.flat)
     return "; ".join(notes)
 
 
-def loss_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterator[Page]:
+def _loss_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterator[_Page]:
     """For each question the reasons why points were lost, the most frequent first."""
     most = max(
-        (reasons.most_common(1)[0][1] for reasons in by_question(counts).values() if reasons),
+        (reasons.most_common(1)[0][1] for reasons in _by_question(counts).values() if reasons),
         default=1,
     )
-    for question, reasons in by_question(counts).items():
+    for question, reasons in _by_question(counts).items():
         ordered = sorted(
-            reasons.items(), key=lambda reason: (reason[0] in LAST, -reason[1], reason[0])
+            reasons.items(), key=lambda reason: (reason[0] in _LAST, -reason[1], reason[0])
         )
         rows = [
             {
-                "reason": reason_text(reason, wording, words),
+                "reason": _reason_text(reason, wording, words),
                 "count": count,
-                "bar": bar(count / most, "faint" if reason in LAST else "column", str(count)),
+                "bar": write_bar(
+                    count / most, "faint" if reason in _LAST else "column", str(count)
+                ),
                 "asks": [
-                    (symbol_of(column, wording), counts.losses[column][reason])
+                    (_symbol_of(column, wording), counts.losses[column][reason])
                     for column in counts.columns
                     if column.startswith(f"{question}.") and counts.losses[column][reason]
                 ],
@@ -217,13 +232,13 @@ def loss_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Itera
         ]
         if rows:
             yield {
-                "question": words.numbered.format(bank_number(question)),
+                "question": words.numbered.format(find_bank_number(question)),
                 "title": wording.titles.get(question, ""),
                 "rows": rows,
             }
 
 
-def by_question(counts: ClassTally) -> Mapping[str, Counter[str]]:
+def _by_question(counts: ClassTally) -> Mapping[str, Counter[str]]:
     """The reasons of all asks of a question together."""
     found: dict[str, Counter[str]] = {}
     for column in counts.columns:
@@ -231,39 +246,39 @@ def by_question(counts: ClassTally) -> Mapping[str, Counter[str]]:
     return found
 
 
-def reason_text(reason: str, wording: Wording, words: ReportWords) -> str:
+def _reason_text(reason: str, wording: Wording, words: ReportWords) -> str:
     """A reason in words: the sentence for a known mistake, or the words for a hint or a verdict."""
     return wording.mistakes.get(reason) or words.reasons.get(reason) or reason
 
 
-def hardness_part(
+def _hardness_part(
     counts: ClassTally, exam: ExamFolder, wording: Wording, words: ReportWords
-) -> Page:
+) -> _Page:
     """Whether papers were equally hard: versions compared with each other, or drawn numbers
     compared with points.
     """
     enough = len(counts.answered) >= ENOUGH
-    part: Page = {"enough_students": enough, "versions": (), "trends": (), "verdict_on_papers": ""}
+    part: _Page = {"enough_students": enough, "versions": (), "trends": (), "verdict_on_papers": ""}
     if any(counts.versions):
-        return part | versions_part(counts, exam, wording, words, enough)
+        return part | _versions_part(counts, exam, wording, words, enough)
     shares = {question: counts.share(question) for question in exam.questions}
-    trends = parameter_trends(counts.parameters, shares) if enough else ()
+    trends = find_parameter_trends(counts.parameters, shares) if enough else ()
     if not enough:
         verdict = words.too_few.format(ENOUGH)
     elif not trends:
         verdict = words.same_papers
     else:
-        clear = trends[0].adjusted < SIGNIFICANT
+        clear = trends[0].adjusted < _SIGNIFICANT
         verdict = (
             f"{words.trends.format(len(trends))} {words.trend_found if clear else words.no_trend}"
         )
-    rows = [trend_row(trend, wording, words) for trend in trends[:MOST_TRENDS]]
+    rows = [_trend_row(trend, wording, words) for trend in trends[:_MOST_TRENDS]]
     return part | {"trends": rows, "verdict_on_papers": verdict}
 
 
-def versions_part(
+def _versions_part(
     counts: ClassTally, exam: ExamFolder, wording: Wording, words: ReportWords, enough: bool
-) -> Page:
+) -> _Page:
     """The versions of an exam compared with each other."""
     letters = sorted(set(counts.versions))
     percents = {
@@ -274,77 +289,77 @@ def versions_part(
         ]
         for letter in letters
     }
-    groups = [(letter, figures) for letter in letters if (figures := summary(percents[letter]))]
-    test = kruskal_wallis(counts.points.sum(axis=1), counts.versions) if enough else None
+    groups = [(letter, figures) for letter in letters if (figures := summarise(percents[letter]))]
+    test = compare_groups(counts.points.sum(axis=1), counts.versions) if enough else None
     verdict = words.too_few.format(ENOUGH) if not enough else ""
     if test is not None:
         measured = words.test_of_versions.format(
-            decimal(test.statistic), p_text(test.p), f"{test.permutations:,}"
+            _decimal(test.statistic), _p_text(test.p), f"{test.permutations:,}"
         )
         verdict = (
-            f"{measured} {words.versions_differ if test.p < SIGNIFICANT else words.versions_alike}"
+            f"{measured} {words.versions_differ if test.p < _SIGNIFICANT else words.versions_alike}"
         )
     rows = [
         {
             "letter": letter,
             "figures": figures,
-            "mean": percent(figures.mean),
-            "sd": "–" if figures.sd is None else percent(figures.sd),
-            "questions": [version_share(counts, letter, question) for question in exam.questions],
+            "mean": _percent(figures.mean),
+            "sd": "–" if figures.sd is None else _percent(figures.sd),
+            "questions": [_version_share(counts, letter, question) for question in exam.questions],
         }
         for letter, figures in groups
     ]
     names = [(f"{words.version} {letter} ({figures.count})", figures) for letter, figures in groups]
     return {
         "versions": rows,
-        "version_plot": box_plot(names, words.percent_axis, words.hardness),
+        "version_plot": write_box_plot(names, words.percent_axis, words.hardness),
         "verdict_on_papers": verdict,
     }
 
 
-def version_share(counts: ClassTally, letter: str, question: str) -> str:
+def _version_share(counts: ClassTally, letter: str, question: str) -> str:
     """The facility of a question in one version."""
     members = [place for place, version in enumerate(counts.versions) if version == letter]
     share = float(counts.share(question)[members].mean())
-    return share_text(None if isnan(share) else share)
+    return _share_text(None if isnan(share) else share)
 
 
-def trend_row(trend: ParameterTrend, wording: Wording, words: ReportWords) -> Page:
+def _trend_row(trend: ParameterTrend, wording: Wording, words: ReportWords) -> _Page:
     """One drawn number, and how points vary with it."""
     known = wording.parameters.get((trend.question, trend.parameter))
-    thirds = [(share_text(third.share), span_text(third), third.count) for third in trend.thirds]
+    thirds = [(_share_text(third.share), _span_text(third), third.count) for third in trend.thirds]
     return {
-        "question": words.numbered.format(bank_number(trend.question)),
-        "symbol": symbol_html(known) if known else trend.parameter,
+        "question": words.numbered.format(find_bank_number(trend.question)),
+        "symbol": write_symbol_html(known) if known else trend.parameter,
         "thirds": thirds,
-        "correlation": decimal(trend.correlation),
-        "p": p_text(trend.test.p),
-        "adjusted": p_text(trend.adjusted),
+        "correlation": _decimal(trend.correlation),
+        "p": _p_text(trend.test.p),
+        "adjusted": _p_text(trend.adjusted),
     }
 
 
-def span_text(third: Third) -> str:
+def _span_text(third: Third) -> str:
     """The range of a third, from its lowest to its highest number."""
     return " … ".join(
         dict.fromkeys(f"{bound:g}".replace("-", "−") for bound in (third.lowest, third.highest))
     )
 
 
-def percent(value: float) -> str:
+def _percent(value: float) -> str:
     """A percentage with one decimal."""
     return f"{value:.1f} %"
 
 
-def share_text(share: float | None) -> str:
+def _share_text(share: float | None) -> str:
     """A share as a whole percentage; a dash for None."""
     return "–" if share is None else f"{100 * share:.0f} %"
 
 
-def decimal(value: float | None) -> str:
+def _decimal(value: float | None) -> str:
     """Two decimals with a minus sign; a dash for None."""
     return "–" if value is None else f"{value:.2f}".replace("-0.00", "0.00").replace("-", "−")
 
 
-def p_text(p: float) -> str:
+def _p_text(p: float) -> str:
     """A p-value as it is printed."""
     return "< 0.001" if p < 0.001 else f"{p:.3f}"

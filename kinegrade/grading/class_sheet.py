@@ -14,10 +14,10 @@ from functools import reduce
 from kinegrade.answer_file import AnswerFile, LeftOut
 from kinegrade.exam.folder.keys import Sitting
 from kinegrade.grading.sheet import Entry, Part, Place, Sheet, read_part
-from kinegrade.tables import Complaint, Table, shortened, trimmed
+from kinegrade.tables import Complaint, Table, shorten, trim
 
 _DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d "
-Entries = Mapping[str, tuple[Entry, ...]]
+_Entries = Mapping[str, tuple[Entry, ...]]
 
 
 def read_sheet(table: Table, exam: Sitting) -> Sheet:
@@ -37,14 +37,14 @@ def class_sheet(files: Sequence[AnswerFile], exam: Sitting) -> Sheet:
         next((part.columns[number] for part in parts if part.columns[number]), "")
         for number in range(len(exam.asks))
     )
-    entries, conflicts = _together(parts)
+    entries, conflicts = _join(parts)
     left_out = [each for answers in files for each in answers.left_out]
     complaints = [
         *(complaint for part in parts for complaint in part.complaints),
-        *_missing_columns(names, columns, exam),
+        *_find_missing_columns(names, columns, exam),
         *conflicts,
-        *_left_out(left_out, entries),
-        *_missing_students(names, exam, entries, {each.student for each in left_out}),
+        *_find_left_out(left_out, entries),
+        *_find_missing_students(names, exam, entries, {each.student for each in left_out}),
     ]
     nothing = (Entry(None, ("",) * len(exam.asks), file=names),)
     return Sheet(
@@ -60,10 +60,10 @@ def is_answered(cell: str) -> bool:
     >>> is_answered("0"), is_answered(" - ")
     (True, False)
     """
-    return bool(cell) and bool(trimmed(cell).strip(_DASHES))
+    return bool(cell) and bool(trim(cell).strip(_DASHES))
 
 
-def _together(parts: Sequence[Part]) -> tuple[Entries, list[Complaint]]:
+def _join(parts: Sequence[Part]) -> tuple[_Entries, list[Complaint]]:
     if len(parts) == 1:
         return parts[0].entries, []
     found: dict[str, list[tuple[Entry, ...]]] = defaultdict(list)
@@ -74,17 +74,17 @@ def _together(parts: Sequence[Part]) -> tuple[Entries, list[Complaint]]:
     conflicts: list[Complaint] = []
     for student, several in found.items():
         if any(len(entries) > 1 for entries in several):  # several attempts: the policy chooses
-            together[student] = _attempts(several)
+            together[student] = _list_attempts(several)
             continue
         first, *others = (entries[0] for entries in several)
         for other in others:
-            conflicts += _conflicts(student, first, other, parts)
-            first = _united(first, other)
+            conflicts += _find_conflicts(student, first, other, parts)
+            first = _unite(first, other)
         together[student] = (first,)
     return together, conflicts
 
 
-def _attempts(several: Sequence[tuple[Entry, ...]]) -> tuple[Entry, ...]:
+def _list_attempts(several: Sequence[tuple[Entry, ...]]) -> tuple[Entry, ...]:
     """A student's attempts from all files, in order.
 
     Where one file has the attempts for some answers and the other files hold other answers, each
@@ -95,7 +95,7 @@ def _attempts(several: Sequence[tuple[Entry, ...]]) -> tuple[Entry, ...]:
         return tuple(entry for entries in several for entry in entries)
     (attempts,) = repeated_in
     others = [entries[0] for entries in several if len(entries) == 1]
-    return tuple(reduce(_united, others, attempt) for attempt in attempts)
+    return tuple(reduce(_unite, others, attempt) for attempt in attempts)
 
 
 def _answers_differ(several: Sequence[tuple[Entry, ...]]) -> bool:
@@ -114,7 +114,7 @@ def _answers_differ(several: Sequence[tuple[Entry, ...]]) -> bool:
     return True
 
 
-def _united(first: Entry, other: Entry) -> Entry:
+def _unite(first: Entry, other: Entry) -> Entry:
     """The cells of both entries; where both have something, the first counts."""
     chosen = [
         first if is_answered(mine) or not is_answered(others) else other
@@ -132,28 +132,28 @@ def _united(first: Entry, other: Entry) -> Entry:
     )
 
 
-def _conflicts(
+def _find_conflicts(
     student: str, first: Entry, other: Entry, parts: Sequence[Part]
 ) -> Iterator[Complaint]:
     columns = {part.file: part.columns for part in parts}
     for number, (mine, others) in enumerate(zip(first.responses, other.responses, strict=True)):
-        if not is_answered(mine) or not is_answered(others) or trimmed(mine) == trimmed(others):
+        if not is_answered(mine) or not is_answered(others) or trim(mine) == trim(others):
             continue
         place, there = first.place(number), other.place(number)
         problem = (
-            f'student "{student}" has "{shortened(trimmed(others))}" here and '
-            f'"{shortened(trimmed(mine))}" in {_shown(place)}'
+            f'student "{student}" has "{shorten(trim(others))}" here and '
+            f'"{shorten(trim(mine))}" in {_show(place)}'
         )
         done = f"that of {place.file} counts; correct one of the files and grade again"
         column = columns[there.file][number]
-        yield Complaint(there.file, there.line, column, shortened(others), problem, done)
+        yield Complaint(there.file, there.line, column, shorten(others), problem, done)
 
 
-def _shown(place: Place) -> str:
+def _show(place: Place) -> str:
     return place.file if place.line is None else f"{place.file}:{place.line}"
 
 
-def _missing_columns(names: str, columns: Sequence[str], exam: Sitting) -> Iterator[Complaint]:
+def _find_missing_columns(names: str, columns: Sequence[str], exam: Sitting) -> Iterator[Complaint]:
     for ask, name in zip(exam.asks, columns, strict=True):
         if not name:
             yield Complaint(
@@ -161,7 +161,7 @@ def _missing_columns(names: str, columns: Sequence[str], exam: Sitting) -> Itera
             )
 
 
-def _left_out(left_out: Sequence[LeftOut], entries: Entries) -> Iterator[Complaint]:
+def _find_left_out(left_out: Sequence[LeftOut], entries: _Entries) -> Iterator[Complaint]:
     """Why rows are not marked; for a student without an attempt only once, and only if no other
     file has one.
     """
@@ -174,8 +174,8 @@ def _left_out(left_out: Sequence[LeftOut], entries: Entries) -> Iterator[Complai
             yield each.complaint
 
 
-def _missing_students(
-    names: str, exam: Sitting, entries: Entries, said: set[str]
+def _find_missing_students(
+    names: str, exam: Sitting, entries: _Entries, said: set[str]
 ) -> Iterator[Complaint]:
     for student in exam.students:
         if student not in entries and student not in said:

@@ -17,17 +17,17 @@ from math import nan
 import numpy as np
 
 from kinegrade.errors import TableError
-from kinegrade.exact.written import written_number
+from kinegrade.exact.written import read_number
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.grading.hints import Hint, hint
+from kinegrade.grading.hints import Hint, find_hint
 from kinegrade.grading.item_statistics import Points
 from kinegrade.grading.paper_record import PaperRecord, PaperRecords
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import ANSWERS, GRADES
 from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 
-RIGHT, BLANK = "right", "blank"
-UNEXPLAINED = "unexplained"
+_RIGHT, _BLANK = "right", "blank"
+_UNEXPLAINED = "unexplained"
 _NAME = r"[a-z][a-z0-9]*(?:-[a-z0-9]+)*"
 _MISTAKE = re.compile(rf"{_NAME}(?=:|$)")
 _BESIDES = re.compile(rf"; so do(?:es)? ({_NAME}(?:, {_NAME})*)$")
@@ -40,7 +40,7 @@ class ClassTally:
 
     `answered` are these students, `silent` those who answered nothing. `verdicts` counts verdicts
     by ask. `losses` counts by ask why points were lost: the identifier of a mistake, a kind of
-    hint, a verdict, or `UNEXPLAINED`.
+    hint, a verdict, or `_UNEXPLAINED`.
     """
 
     columns: tuple[str, ...]
@@ -97,7 +97,7 @@ class _Count:
         for answer in answers:
             self.verdicts[answer.column][answer.verdict] += 1
             if answer.points < answer.out_of:
-                self.losses[answer.column][loss(answer, paper)] += 1
+                self.losses[answer.column][_loss(answer, paper)] += 1
 
 
 def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
@@ -113,7 +113,7 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
                 f'{marks.path / ANSWERS.name}: the lines of student "{student}" do not fit '
                 f"{GRADES.name} or the others - expected the same asks throughout - grade again"
             )
-        if any(answer.verdict != BLANK and answer.typed.strip() for answer in answers):
+        if any(answer.verdict != _BLANK and answer.typed.strip() for answer in answers):
             candidate = exam.head.candidates.get(student)
             count.include(
                 totals[student],
@@ -123,7 +123,7 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
             )
         else:
             count.silent.append(totals[student])
-    return _closed(count)
+    return _close(count)
 
 
 def _open(count: _Count, columns: tuple[str, ...], out_of: list[float]) -> None:
@@ -134,7 +134,7 @@ def _open(count: _Count, columns: tuple[str, ...], out_of: list[float]) -> None:
         count.losses = {column: Counter() for column in columns}
 
 
-def _closed(count: _Count) -> ClassTally:
+def _close(count: _Count) -> ClassTally:
     points = np.array(count.points, dtype=np.float64).reshape(len(count.points), len(count.columns))
     numbers = np.full((len(count.parameters), len(count.names)), nan)
     for row, known in zip(numbers, count.parameters, strict=True):
@@ -153,7 +153,7 @@ def _closed(count: _Count) -> ClassTally:
     )
 
 
-def loss(answer: MarkedAnswer, paper: PaperRecord) -> str:
+def _loss(answer: MarkedAnswer, paper: PaperRecord) -> str:
     """Why an answer did not get all its points, in one term: a mistake, a kind of hint, or else the
     verdict.
     """
@@ -163,7 +163,7 @@ def loss(answer: MarkedAnswer, paper: PaperRecord) -> str:
     if answer.verdict != "wrong":
         return answer.verdict
     found = hint_of(answer, paper)
-    return found.kind if found else UNEXPLAINED
+    return found.kind if found else _UNEXPLAINED
 
 
 def mistakes_of(answer: MarkedAnswer) -> tuple[str, ...]:
@@ -188,11 +188,11 @@ def hint_of(answer: MarkedAnswer, paper: PaperRecord) -> Hint | None:
     right = paper.answers.get(answer.column)
     if right is None or not answer.read_as:
         return None
-    others = dict(_others(answer, paper))
-    return hint(written_number(answer.read_as), right.value, right.allowed, right.unit, others)
+    others = dict(_find_others(answer, paper))
+    return find_hint(read_number(answer.read_as), right.value, right.allowed, right.unit, others)
 
 
-def _others(answer: MarkedAnswer, paper: PaperRecord) -> Iterator[tuple[str, Fraction]]:
+def _find_others(answer: MarkedAnswer, paper: PaperRecord) -> Iterator[tuple[str, Fraction]]:
     for column, right in paper.answers.items():
         if column != answer.column and column.startswith(f"{answer.question}."):
             yield column, right.value

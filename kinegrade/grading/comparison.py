@@ -1,8 +1,8 @@
 """Two marks folders compared: which students change, by how much, and why.
 
-`compare` is called by `kinegrade diff`. `comparison_csv` gives its file, `comparison_text` its
-output for people. A student goes up or down by share of the points, which means by points where
-both markings have the same maximum.
+`compare` is called by `kinegrade diff`. `write_comparison_csv` gives its file,
+`write_comparison_text` its output for people. A student goes up or down by share of the points,
+which means by points where both markings have the same maximum.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kinegrade.amounts import amount_text, change_text
-from kinegrade.csv_writing import csv_text, for_people, neutralised
-from kinegrade.errors import one_line
-from kinegrade.grading.text_table import aligned, cut
+from kinegrade.amounts import write_amount, write_change
+from kinegrade.csv_writing import encode_for_people, neutralise, write_csv_text
+from kinegrade.errors import show_in_one_line
+from kinegrade.grading.text_table import align, cut
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 
@@ -30,7 +30,7 @@ _Worth = tuple[Fraction, Fraction]  # points, and the maximum
 
 
 @dataclass(frozen=True, slots=True)
-class AskChange:
+class _AskChange:
     """One answer that is judged differently; a side is None where that marking does not have the
     ask.
     """
@@ -57,18 +57,18 @@ class AskChange:
             else f"{before.verdict} -> {after.verdict}"
         )
         if before.out_of != after.out_of:
-            parts.append(f"worth {amount_text(before.out_of)} -> {amount_text(after.out_of)}")
+            parts.append(f"worth {write_amount(before.out_of)} -> {write_amount(after.out_of)}")
         return ": ".join(filter(None, (", ".join(parts), after.reason)))
 
 
 @dataclass(frozen=True, slots=True)
-class StudentChange:
+class _StudentChange:
     """One student with any change; a side is None where that marking does not have the student."""
 
     student: str
     before: StudentTotal | None
     after: StudentTotal | None
-    asks: tuple[AskChange, ...]
+    asks: tuple[_AskChange, ...]
 
     @property
     def name(self) -> str:
@@ -86,7 +86,7 @@ class Comparison:
     in points and in percentage points.
     """
 
-    changes: tuple[StudentChange, ...]
+    changes: tuple[_StudentChange, ...]
     students: int
     up: int
     down: int
@@ -99,7 +99,7 @@ def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
     before, after = first.totals.by_student, second.totals.by_student
     asks = _ask_changes(_answers(first), _answers(second))
     found = (
-        StudentChange(
+        _StudentChange(
             student, before.get(student), after.get(student), tuple(asks.get(student, ()))
         )
         for student in {**before, **after}
@@ -119,63 +119,63 @@ def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
     )
 
 
-def comparison_csv(comparison: Comparison) -> bytes:
+def write_comparison_csv(comparison: Comparison) -> bytes:
     """A CSV file: for each student the total, followed by the answers that are judged
     differently.
     """
-    return for_people(csv_text(HEADER, _rows(comparison)))
+    return encode_for_people(write_csv_text(HEADER, _write_rows(comparison)))
 
 
-def _rows(comparison: Comparison) -> Iterator[tuple[str, ...]]:
+def _write_rows(comparison: Comparison) -> Iterator[tuple[str, ...]]:
     for each in comparison.changes:
-        person = each.student, neutralised(each.name)
+        person = each.student, neutralise(each.name)
         old, new = each.before, each.after
         reasons = (
             ("" if old else "only in the second"),
-            (_kept(new) if new else "only in the first"),
+            (_describe_kept(new) if new else "only in the first"),
         )
         yield (
             *person,
             "total",
-            *_amounts(_worth(old), _worth(new)),
+            *_write_amounts(_worth(old), _worth(new)),
             "",
             "",
             "",
             "",
-            *map(neutralised, reasons),
+            *map(neutralise, reasons),
         )
         for ask in each.asks:
             sides = ask.before or _NOTHING, ask.after or _NOTHING
             texts = (
                 getattr(side, part) for part in ("verdict", "typed", "reason") for side in sides
             )
-            amounts = _amounts(_worth(ask.before), _worth(ask.after))
-            yield (*person, ask.column, *amounts, *map(neutralised, texts))
+            amounts = _write_amounts(_worth(ask.before), _worth(ask.after))
+            yield (*person, ask.column, *amounts, *map(neutralise, texts))
 
 
-def comparison_text(comparison: Comparison) -> str:
+def write_comparison_text(comparison: Comparison) -> str:
     """The same for a person: an aligned table, and a summary line."""
     rows: list[tuple[str, ...]] = []
     for each in comparison.changes:
-        person = one_line(each.student), cut(one_line(each.name), _WIDEST_NAME)
-        points = _amounts(_worth(each.before), _worth(each.after))[:3]
-        rows.append((*person, "total", *points, _presence(each)))
+        person = show_in_one_line(each.student), cut(show_in_one_line(each.name), _WIDEST_NAME)
+        points = _write_amounts(_worth(each.before), _worth(each.after))[:3]
+        rows.append((*person, "total", *points, _write_presence(each)))
         for ask in each.asks:
-            points = _amounts(_worth(ask.before), _worth(ask.after))[:3]
-            rows.append(("", "", ask.column, *points, one_line(ask.why)))
-    table = aligned((*HEADER[:6], "why"), rows, numbers=(3, 4, 5)) if rows else ""
-    return f"{table}{_summary(comparison)}"
+            points = _write_amounts(_worth(ask.before), _worth(ask.after))[:3]
+            rows.append(("", "", ask.column, *points, show_in_one_line(ask.why)))
+    table = align((*HEADER[:6], "why"), rows, numbers=(3, 4, 5)) if rows else ""
+    return f"{table}{_write_summary(comparison)}"
 
 
 def _answers(marks: MarksFolder) -> _Answers:
     return {(answer.student, answer.column): answer for answer in marks.answers()}
 
 
-def _ask_changes(before: _Answers, after: _Answers) -> Mapping[str, list[AskChange]]:
-    found: dict[str, list[AskChange]] = {}
+def _ask_changes(before: _Answers, after: _Answers) -> Mapping[str, list[_AskChange]]:
+    found: dict[str, list[_AskChange]] = {}
     for place in {**before, **after}:
         student, column = place
-        change = AskChange(column, before.get(place), after.get(place))
+        change = _AskChange(column, before.get(place), after.get(place))
         if _said(change.before) != _said(change.after):
             found.setdefault(student, []).append(change)
     return found
@@ -190,7 +190,7 @@ def _worth(side: MarkedAnswer | StudentTotal | None) -> _Worth | None:
     return side.worth if side else None
 
 
-def _kept(total: StudentTotal) -> str:
+def _describe_kept(total: StudentTotal) -> str:
     """Why the total is an earlier one; empty where it is not."""
     return total.kept.reason if total.kept else ""
 
@@ -199,17 +199,17 @@ def _mean(amounts: Sequence[Fraction]) -> Fraction:
     return sum(amounts, Fraction(0)) / len(amounts) if amounts else Fraction(0)
 
 
-def _amounts(before: _Worth | None, after: _Worth | None) -> tuple[str, ...]:
+def _write_amounts(before: _Worth | None, after: _Worth | None) -> tuple[str, ...]:
     """Points before, after and their change, then the maximum before and after; blank for a side
     that is missing.
     """
-    points = [amount_text(side[0]) if side else "" for side in (before, after)]
-    out_of = [amount_text(side[1]) if side else "" for side in (before, after)]
-    change = change_text(after[0] - before[0]) if before and after else ""
+    points = [write_amount(side[0]) if side else "" for side in (before, after)]
+    out_of = [write_amount(side[1]) if side else "" for side in (before, after)]
+    change = write_change(after[0] - before[0]) if before and after else ""
     return (*points, change, *out_of)
 
 
-def _presence(change: StudentChange) -> str:
+def _write_presence(change: _StudentChange) -> str:
     if change.before is None:
         return "only in the second"
     if change.after is None:
@@ -218,19 +218,21 @@ def _presence(change: StudentChange) -> str:
         return change.after.kept.reason
     worth = change.before.out_of, change.after.out_of
     return (
-        "" if worth[0] == worth[1] else f"out of {amount_text(worth[0])} -> {amount_text(worth[1])}"
+        ""
+        if worth[0] == worth[1]
+        else f"out of {write_amount(worth[0])} -> {write_amount(worth[1])}"
     )
 
 
-def _summary(comparison: Comparison) -> str:
+def _write_summary(comparison: Comparison) -> str:
     unchanged = comparison.students - comparison.up - comparison.down
     alone = [
         change for change in comparison.changes if change.before is None or change.after is None
     ]
     lone = f"; {len(alone)} in one of the two only" if alone else ""
     points, percent = (
-        change_text(comparison.mean_points),
-        change_text(comparison.mean_percent, places=2),
+        write_change(comparison.mean_points),
+        write_change(comparison.mean_percent, places=2),
     )
     return (
         f"{comparison.up} up, {comparison.down} down, {unchanged} unchanged{lone}; "

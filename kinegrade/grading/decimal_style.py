@@ -16,11 +16,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal, assert_never
 
-from kinegrade.counting import counted
-from kinegrade.grading.number_text import DecimalStyle, MarkUse, folded, mantissa
+from kinegrade.counting import count_in_words
+from kinegrade.grading.number_text import DecimalStyle, MarkUse, fold, read_mantissa
 
 Mark = Literal["comma", "point"]
-LONGEST_EVIDENCE = 200
+_LONGEST_EVIDENCE = 200
 _NUMBER = re.compile(r"[.,]?[0-9]")
 _USUAL = re.compile(
     r"[+-]?(?:(?P<decimal>0\.[0-9]+|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,}))|[0-9]{1,3}(?:\.[0-9]{3})?|)"
@@ -73,7 +73,7 @@ class FileStyle:
         """The style of one student's answers: as declared, else as they show, else the file's."""
         if self.declared:
             return self.style
-        row = evidence(cells)
+        row = gather_evidence(cells)
         if not row.decimal and not row.groups:
             return self.style
         comma, comma_reason = self._comma(row)
@@ -100,10 +100,10 @@ class FileStyle:
         return self.style.comma, self.style.comma_reason
 
 
-def evidence(cells: Sequence[str]) -> Evidence:
+def gather_evidence(cells: Sequence[str]) -> Evidence:
     """What the unambiguous numbers show; `1,234` and `1.234` show nothing.
 
-    >>> evidence(["1,234", "0.5"]).decimal
+    >>> gather_evidence(["1,234", "0.5"]).decimal
     frozenset({'.'})
     """
     lines = "\n".join([*cells, ""])
@@ -111,38 +111,38 @@ def evidence(cells: Sequence[str]) -> Evidence:
         return _POINT if _DECIMAL_LINE.search(lines) else _NOTHING
     decimal, groups = set(), set()
     for cell in cells:
-        before_decimals, between_groups = _marks(cell)
+        before_decimals, between_groups = _find_marks(cell)
         decimal.add(before_decimals)
         groups.add(between_groups)
     return Evidence(frozenset(filter(None, decimal)), frozenset(filter(None, groups)))
 
 
-def _marks(cell: str) -> tuple[str | None, str | None]:
+def _find_marks(cell: str) -> tuple[str | None, str | None]:
     """The decimal and the grouping mark of the first number in a cell, where they are certain."""
-    if len(cell) > LONGEST_EVIDENCE:
+    if len(cell) > _LONGEST_EVIDENCE:
         return None, None
     usual = _USUAL.fullmatch(cell)  # most cells of most files
     if usual:
         return ("." if usual["decimal"] else None), None
-    text = folded(cell)
+    text = fold(cell)
     if "," not in text and "." not in text:
         return None, None
     found = _NUMBER.search(text, text.rfind("=") + 1)
-    number = mantissa(text, found.start()) if found else None
+    number = read_mantissa(text, found.start()) if found else None
     return number.marks if number and number.well_formed else (None, None)
 
 
-def file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None) -> FileStyle:
+def find_file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None) -> FileStyle:
     """The style of a file from all its rows of answers, or as declared by the name of its decimal
     mark.
     """
     if declared is not None:
         reason = f"the decimal mark was declared to be the {declared}"
-        return FileStyle(_declared_style(declared, reason), declared=True)
-    found = [evidence(row) for row in rows if any(row)]
+        return FileStyle(_read_declared_style(declared, reason), declared=True)
+    found = [gather_evidence(row) for row in rows if any(row)]
     commas = sum("," in each.decimal for each in found)
     points = sum("." in each.decimal for each in found)
-    comma, reason = _file_comma(commas, points, len(found))
+    comma, reason = _judge_comma(commas, points, len(found))
     doubt = (
         "a point is a decimal point, as the papers say; all other unambiguous answers "
         "have a decimal comma"
@@ -153,7 +153,7 @@ def file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None) -> F
     )
 
 
-def _declared_style(mark: Mark, reason: str) -> DecimalStyle:
+def _read_declared_style(mark: Mark, reason: str) -> DecimalStyle:
     match mark:
         case "comma":
             return DecimalStyle("decimal", "groups", reason, reason)
@@ -163,19 +163,21 @@ def _declared_style(mark: Mark, reason: str) -> DecimalStyle:
             assert_never(mark)
 
 
-def _file_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, str]:
+def _judge_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, str]:
     """What a comma means where a row does not show it: it groups if most rows show a decimal point
     and none shows a decimal comma.
     """
     if not commas and 2 * points > rows:
         return (
             "groups",
-            f"the point is the decimal mark in the answers of {counted(points, 'student')}, and "
+            "the point is the decimal mark in the answers of "
+            f"{count_in_words(points, 'student')}, and "
             "the comma in no student's",
         )
     if not commas and not points:
         return "decimal", _PAPERS.comma_reason
     return "decimal", (
         "a comma is the decimal mark, as the papers say; so it is in the answers of "
-        f"{counted(commas, 'student')}, the point in those of {counted(points, 'student')}"
+        f"{count_in_words(commas, 'student')}, the point in "
+        f"those of {count_in_words(points, 'student')}"
     )

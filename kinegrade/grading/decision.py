@@ -38,20 +38,25 @@ def decide(
     now = ruling.key(key)
     verdict = judge(reading, now)
     if verdict.kind == "right":
-        return _said(verdict, ruling), _FULL
+        return _mention_rule(verdict, ruling), _FULL
     match reading.kind:
         case "number":
-            found = [*_accepted(reading, now, ruling, others), *_mistaken(reading, now, ruling)]
+            found = [
+                *_find_accepted(reading, now, ruling, others),
+                *_find_mistaken(reading, now, ruling),
+            ]
         case "wrong unit":
-            found = list(_bare_number(reading, now, ruling, reread))
+            found = list(_judge_bare_number(reading, now, ruling, reread))
         case "blank" | "unreadable":
             found = []
         case _:
             assert_never(reading.kind)
-    return max(found, key=lambda decision: decision[1], default=(_said(verdict, ruling), _NONE))
+    return max(
+        found, key=lambda decision: decision[1], default=(_mention_rule(verdict, ruling), _NONE)
+    )
 
 
-def voided(decision: Decision, ruling: Ruling, *, handed_in: bool) -> Decision:
+def void(decision: Decision, ruling: Ruling, *, handed_in: bool) -> Decision:
     """The decision once the ask is void: full points for every student who handed in, or no points
     out of none.
     """
@@ -69,14 +74,14 @@ def voided(decision: Decision, ruling: Ruling, *, handed_in: bool) -> Decision:
             assert_never(ruling.void)
 
 
-def _said(verdict: Verdict, ruling: Ruling) -> Verdict:
+def _mention_rule(verdict: Verdict, ruling: Ruling) -> Verdict:
     """Adds a note on the rule where it is not the one printed on the paper."""
     if ruling.room == NO_ROOM or verdict.kind not in ("right", "wrong"):
         return verdict
     return replace(verdict, reason=f"{verdict.reason}{BY_POLICY}")
 
 
-def _accepted(
+def _find_accepted(
     reading: Reading, key: Key, ruling: Ruling, others: Sequence[Alternative]
 ) -> Iterable[Decision]:
     for other in others:
@@ -91,7 +96,7 @@ def _accepted(
             yield Verdict("accepted", reason), other.accepted.credit
 
 
-def _mistaken(reading: Reading, key: Key, ruling: Ruling) -> Iterable[Decision]:
+def _find_mistaken(reading: Reading, key: Key, ruling: Ruling) -> Iterable[Decision]:
     """The mistakes that lead to this answer, the nearest first; each one names the others."""
     value = reading.value or Fraction(0)
     likely = [
@@ -107,15 +112,16 @@ def _mistaken(reading: Reading, key: Key, ruling: Ruling) -> Iterable[Decision]:
     }
     for name, compared in leading.items():
         reason = (
-            f"{name}: leads to {compared.removeprefix('key ')}{besides(leading.keys() - {name})}"
+            f"{name}: leads to {compared.removeprefix('key ')}"
+            f"{write_other_mistakes(leading.keys() - {name})}"
         )
         yield Verdict("mistake", reason), ruling.mistakes.get(name, _NONE)
 
 
-def besides(others: Collection[str]) -> str:
+def write_other_mistakes(others: Collection[str]) -> str:
     """The end of a reason that names a mistake: the other mistakes that lead to the same value.
 
-    >>> besides(["sense-reversed"])
+    >>> write_other_mistakes(["sense-reversed"])
     '; so does sense-reversed'
     """
     return (
@@ -135,7 +141,7 @@ def _may_agree(value: Fraction, wrong: Fraction, key: Key) -> bool:
     )
 
 
-def _bare_number(
+def _judge_bare_number(
     reading: Reading, key: Key, ruling: Ruling, reread: Callable[[str], Reading]
 ) -> Iterable[Decision]:
     """The number alone, where its unit is wrong and a policy gives credit for it: the longest

@@ -15,16 +15,16 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from kinegrade.grading.item_statistics import Points, correlation
+from kinegrade.grading.item_statistics import Points, correlate
 
-MOST_PERMUTATIONS, FEWEST_PERMUTATIONS = 9999, 199
+_MOST_PERMUTATIONS, _FEWEST_PERMUTATIONS = 9999, 199
 # Most numbers to shuffle: a class of 60 gets 9,999 permutations, one of 100,000 only 199
-WORK = 10_000_000
+_WORK = 10_000_000
 ENOUGH = 30  # students: with fewer, nothing can be said
-AT_ONCE = 1_000_000  # numbers in memory
-SEED = 20_260_501
+_AT_ONCE = 1_000_000  # numbers in memory
+_SEED = 20_260_501
 
-Orders = npt.NDArray[np.intp]  # one permutation per row
+_Orders = npt.NDArray[np.intp]  # one permutation per row
 
 
 @dataclass(frozen=True)
@@ -64,10 +64,10 @@ class ParameterTrend:
     thirds: tuple[Third, ...]
 
 
-def ranks(values: Points) -> Points:
+def rank_values(values: Points) -> Points:
     """Ranks from 1; equal values share the mean of their ranks.
 
-    >>> ranks(np.array([7.0, 5.0, 7.0])).tolist()
+    >>> rank_values(np.array([7.0, 5.0, 7.0])).tolist()
     [2.5, 1.0, 2.5]
     """
     _, place, counts = np.unique(values, return_inverse=True, return_counts=True)
@@ -76,7 +76,7 @@ def ranks(values: Points) -> Points:
     return means[place]
 
 
-def kruskal_wallis(values: Points, groups: Sequence[str]) -> Test | None:
+def compare_groups(values: Points, groups: Sequence[str]) -> Test | None:
     """Whether groups differ in location: H with its correction for ties. None for a single group,
     or if all values are equal.
     """
@@ -84,7 +84,10 @@ def kruskal_wallis(values: Points, groups: Sequence[str]) -> Test | None:
     count = len(values)
     if len(names) < 2 or count < 3 or np.ptp(values) == 0:
         return None
-    ranked, members = ranks(values), np.equal.outer(place, np.arange(len(names))).astype(np.float64)
+    ranked, members = (
+        rank_values(values),
+        np.equal.outer(place, np.arange(len(names))).astype(np.float64),
+    )
     _, ties = np.unique(values, return_counts=True)
     tied = 1 - float((ties.astype(float) ** 3 - ties).sum()) / (count**3 - count)
     scale, shift = 12 / (count * (count + 1)) / tied, 3 * (count + 1) / tied
@@ -97,21 +100,21 @@ def kruskal_wallis(values: Points, groups: Sequence[str]) -> Test | None:
         return heights
 
     observed = float(statistic(ranked))
-    return _tested(observed, count, lambda orders: statistic(ranked[orders]) >= observed - 1e-9)
+    return _test(observed, count, lambda orders: statistic(ranked[orders]) >= observed - 1e-9)
 
 
-def spearman(first: Points, second: Points) -> Test | None:
+def correlate_ranks(first: Points, second: Points) -> Test | None:
     """Rank correlation, tested two-sided; None if either of the two does not vary."""
-    one, other = ranks(first), ranks(second)
-    observed = correlation(one, other)
+    one, other = rank_values(first), rank_values(second)
+    observed = correlate(one, other)
     if observed is None:
         return None
     one, other = one - one.mean(), other - other.mean()
     reached = abs(float(one @ other)) - 1e-9
-    return _tested(observed, len(one), lambda orders: np.abs(one[orders] @ other) >= reached)
+    return _test(observed, len(one), lambda orders: np.abs(one[orders] @ other) >= reached)
 
 
-def parameter_trends(
+def find_parameter_trends(
     parameters: Mapping[tuple[str, str], Points], shares: Mapping[str, Points]
 ) -> tuple[ParameterTrend, ...]:
     """The trend of each drawn number that varies, the clearest first; NaN stands for a student
@@ -120,18 +123,22 @@ def parameter_trends(
     found = []
     for (question, name), numbers in parameters.items():
         known = np.isfinite(numbers) & np.isfinite(shares[question])
-        test = spearman(numbers[known], shares[question][known]) if known.sum() >= 3 else None
+        test = (
+            correlate_ranks(numbers[known], shares[question][known]) if known.sum() >= 3 else None
+        )
         if test is not None:
-            found.append((question, name, test, thirds(numbers[known], shares[question][known])))
+            found.append(
+                (question, name, test, split_in_thirds(numbers[known], shares[question][known]))
+            )
     found.sort(key=lambda trend: (trend[2].p, -abs(trend[2].statistic)))
-    adjusted = holm([test.p for _, _, test, _ in found])
+    adjusted = adjust_p_values([test.p for _, _, test, _ in found])
     return tuple(
         ParameterTrend(question, name, test.statistic, test, p, groups)
         for (question, name, test, groups), p in zip(found, adjusted, strict=True)
     )
 
 
-def thirds(numbers: Points, shares: Points) -> tuple[Third, ...]:
+def split_in_thirds(numbers: Points, shares: Points) -> tuple[Third, ...]:
     """Students in up to three groups by a drawn number, equal numbers in one group; shares are
     means.
     """
@@ -149,10 +156,10 @@ def thirds(numbers: Points, shares: Points) -> tuple[Third, ...]:
     )
 
 
-def holm(ascending: Sequence[float]) -> tuple[float, ...]:
+def adjust_p_values(ascending: Sequence[float]) -> tuple[float, ...]:
     """p-values, given in ascending order, adjusted for their number.
 
-    >>> holm([0.01, 0.02, 0.5])
+    >>> adjust_p_values([0.01, 0.02, 0.5])
     (0.03, 0.04, 0.5)
     """
     adjusted, highest = [], 0.0
@@ -162,13 +169,13 @@ def holm(ascending: Sequence[float]) -> tuple[float, ...]:
     return tuple(adjusted)
 
 
-def _tested(observed: float, count: int, reaches: Callable[[Orders], Any]) -> Test:
+def _test(observed: float, count: int, reaches: Callable[[_Orders], Any]) -> Test:
     """The test of a statistic for `count` students; `reaches` says for each order whether it gives
     at least as much.
     """
-    permutations = min(MOST_PERMUTATIONS, max(FEWEST_PERMUTATIONS, WORK // count))
-    generator = np.random.PCG64(SEED)
-    at_once = max(1, AT_ONCE // count)
+    permutations = min(_MOST_PERMUTATIONS, max(_FEWEST_PERMUTATIONS, _WORK // count))
+    generator = np.random.PCG64(_SEED)
+    at_once = max(1, _AT_ONCE // count)
     as_much = 0
     for start in range(0, permutations, at_once):
         rows = min(at_once, permutations - start)

@@ -1,9 +1,9 @@
 """What one student gets to read: their answers, the right answers, what probably went wrong, and
 the points.
 
-`feedback_sheets` makes the sheets of a class one by one; `feedback_html`, `feedback_markdown` and
-`kinegrade.exam.feedback_pages` (PDF) print them. Three kinds of text, as in an exam: plain, prose
-(Markdown with `$...$` LaTeX math), math (LaTeX).
+`make_feedback_sheets` makes the sheets of a class one by one; `feedback_html`, `feedback_markdown`
+and `kinegrade.exam.feedback_pages` (PDF) print them. Three kinds of text, as in an exam: plain,
+prose (Markdown with `$...$` LaTeX math), math (LaTeX).
 """
 
 from __future__ import annotations
@@ -16,27 +16,27 @@ from fractions import Fraction
 from itertools import groupby
 from typing import assert_never
 
-from kinegrade.amounts import PLACES, amount_text
+from kinegrade.amounts import PLACES, write_amount
 from kinegrade.errors import ExamError
-from kinegrade.exact.written import written_number
+from kinegrade.exact.written import read_number
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.grading.class_tally import hint_of, mistakes_of
-from kinegrade.grading.feedback_words import FULL, FeedbackWords, feedback_words_of
+from kinegrade.grading.feedback_words import FULL, FeedbackWords, choose_feedback_words
 from kinegrade.grading.hints import Hint
-from kinegrade.grading.math_html import unit_text
+from kinegrade.grading.math_html import write_unit_text
 from kinegrade.grading.paper_record import PaperRecord, PaperRecords, RightAnswer
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import MarkedAnswer
-from kinegrade.question_numbers import other_number
+from kinegrade.question_numbers import find_other_number
 
-LONGEST_TYPED = 80  # characters: the rest of a longer cell adds nothing
-LONGEST_EXACT = 32
-POLICY = "policy"  # in the reason of a verdict by a tolerance other than the paper's
+_LONGEST_TYPED = 80  # characters: the rest of a longer cell adds nothing
+_LONGEST_EXACT = 32
+_POLICY = "policy"  # in the reason of a verdict by a tolerance other than the paper's
 _CLOSED_FORM = re.compile(r"(?:[-+*/() 0-9]|sqrt|pi)+")
 
 
@@ -92,7 +92,7 @@ class FeedbackSheet:
         return any(row.guess for question in self.questions for row in question.rows)
 
 
-def feedback_sheets(
+def make_feedback_sheets(
     marks: MarksFolder, exam: ExamFolder, wording: Wording, language: Language
 ) -> Iterator[tuple[Candidate, FeedbackSheet]]:
     """The sheets in the order of the roster, each with its student. Raises TableError,
@@ -100,7 +100,7 @@ def feedback_sheets(
     """
     head, totals = exam.head, marks.totals.by_student
     papers = PaperRecords(exam, marks.put)
-    words = feedback_words_of(language)
+    words = choose_feedback_words(language)
     for student, answers in marks.answers_by_student():
         if student not in head.candidates or student not in totals:
             raise ExamError(
@@ -123,14 +123,14 @@ def feedback_sheets(
                 student,
                 candidate.name,
                 candidate.paper,
-                share_of(total.total, total.out_of),
+                _write_share(total.total, total.out_of),
                 kept,
-                tuple(_questions(answers, paper, wording, words)),
+                tuple(_make_questions(answers, paper, wording, words)),
             ),
         )
 
 
-def _questions(
+def _make_questions(
     answers: Sequence[MarkedAnswer], paper: PaperRecord, wording: Wording, words: FeedbackWords
 ) -> Iterator[FeedbackQuestion]:
     """The questions in the order of the paper."""
@@ -140,7 +140,7 @@ def _questions(
     }
     for number, question in enumerate(paper.printed, start=1):
         asked = by_question.get(question, ())
-        other = other_number(question, number)
+        other = find_other_number(question, number)
         heading = (
             words.question.format(number)
             if other is None
@@ -148,41 +148,41 @@ def _questions(
         )
         points = sum((answer.points for answer in asked), Fraction(0))
         out_of = sum((answer.out_of for answer in asked), Fraction(0))
-        rows = tuple(feedback_row(answer, paper, wording, words) for answer in asked)
+        rows = tuple(_make_feedback_row(answer, paper, wording, words) for answer in asked)
         yield FeedbackQuestion(
-            heading, wording.titles.get(question, ""), share_of(points, out_of), rows
+            heading, wording.titles.get(question, ""), _write_share(points, out_of), rows
         )
 
 
-def feedback_row(
+def _make_feedback_row(
     answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords
 ) -> FeedbackRow:
     """The row for one answer."""
     right = paper.answers.get(answer.column)
     typed = (
-        answer.typed if len(answer.typed) <= LONGEST_TYPED else f"{answer.typed[:LONGEST_TYPED]}…"
+        answer.typed if len(answer.typed) <= _LONGEST_TYPED else f"{answer.typed[:_LONGEST_TYPED]}…"
     )
     read = (
-        with_unit(answer.read_as, answer.unit)
+        _write_with_unit(answer.read_as, answer.unit)
         if answer.read_as not in ("", answer.typed.strip())
         else ""
     )
-    remark, reason = _remark(answer, paper, wording, words)
+    remark, reason = _write_remark(answer, paper, wording, words)
     return FeedbackRow(
         wording.symbols.get(answer.column, rf"\mathrm{{{answer.ask.replace('_', ' ')}}}"),
         wording.meanings.get(answer.column, ""),
         typed,
         read.replace("-", "−"),
-        right_text(right) if right else "",
+        write_right(right) if right else "",
         words.verdicts.get(answer.verdict, answer.verdict),
-        share_of(answer.points, answer.out_of),
+        _write_share(answer.points, answer.out_of),
         remark,
         bool(remark) and answer.verdict == "wrong",
         reason,
     )
 
 
-def _remark(
+def _write_remark(
     answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords
 ) -> tuple[str, str]:
     """(prose, plain): the explanation of the verdict, and the note made on reading the cell."""
@@ -190,7 +190,7 @@ def _remark(
         return words.or_else.join(filter(None, map(wording.mistakes.get, mistakes_of(answer)))), ""
     if answer.verdict == "wrong":
         found, right = hint_of(answer, paper), paper.answers.get(answer.column)
-        return (hint_text(found, answer, right, wording, words) if found and right else ""), ""
+        return (_write_hint(found, answer, right, wording, words) if found and right else ""), ""
     if answer.verdict in ("right", "blank"):
         return "", ""
     if answer.verdict == "void" and answer.out_of:
@@ -201,7 +201,7 @@ def _remark(
     return "", answer.reason
 
 
-def hint_text(
+def _write_hint(
     found: Hint, answer: MarkedAnswer, right: RightAnswer, wording: Wording, words: FeedbackWords
 ) -> str:
     """A hint in words for a student, as prose."""
@@ -213,13 +213,13 @@ def hint_text(
             symbol = wording.symbols.get(found.column, "")
             text = words.other_ask.format(symbol) if symbol else ""
         case "close":
-            difference = abs(written_number(answer.read_as) - right.value) / abs(right.value)
+            difference = abs(read_number(answer.read_as) - right.value) / abs(right.value)
             allowed = (
                 words.by_policy
-                if POLICY in answer.reason
-                else percent_text(right.allowed / abs(right.value))
+                if _POLICY in answer.reason
+                else _write_percent(right.allowed / abs(right.value))
             )
-            text = words.close.format(percent_text(difference), allowed)
+            text = words.close.format(_write_percent(difference), allowed)
         case (
             "opposite"
             | "degrees for radians"
@@ -235,10 +235,10 @@ def hint_text(
     return f"{text} {words.turned}" if found.reversed_sign and text else text
 
 
-def percent_text(share: Fraction) -> str:
+def _write_percent(share: Fraction) -> str:
     """Two significant figures, or more where two would read 1 %.
 
-    >>> percent_text(Fraction("0.0134")), percent_text(Fraction("0.01004"))
+    >>> _write_percent(Fraction("0.0134")), _write_percent(Fraction("0.01004"))
     ('1.3 %', '1.004 %')
     """
     places = (
@@ -247,11 +247,11 @@ def percent_text(share: Fraction) -> str:
     return f"{float(100 * share):.{places}g} %"
 
 
-def right_text(right: RightAnswer) -> str:
+def write_right(right: RightAnswer) -> str:
     """`exact = decimal unit`: the exact value where it is short, "≈" where the decimal is
     rounded.
 
-    >>> right_text(RightAnswer(Fraction("1.154700538379"), "2*sqrt(3)/3", "m/s", Fraction(0)))
+    >>> write_right(RightAnswer(Fraction("1.154700538379"), "2*sqrt(3)/3", "m/s", Fraction(0)))
     '2√3/3 ≈ 1.1547\u202fm/s'
     """
     value = (
@@ -261,35 +261,35 @@ def right_text(right: RightAnswer) -> str:
     )
     decimal = f"{value:f}" if -6 < value.adjusted() < 9 else str(value)
     same = Fraction(decimal) == right.value
-    exact = exact_text(right.exact or "")
-    whole = with_unit(decimal.replace("-", "−"), right.unit)
+    exact = _write_exact(right.exact or "")
+    whole = _write_with_unit(decimal.replace("-", "−"), right.unit)
     if same or not exact:
         return whole if same else f"≈ {whole}"
     return f"{exact} ≈ {whole}"
 
 
-def exact_text(expression: str) -> str:
+def _write_exact(expression: str) -> str:
     """A closed form as it is written by hand; "" if it is long.
 
-    >>> exact_text("-3*sqrt(2)/40 + 2*pi"), exact_text("sqrt(2 - sqrt(3))")
+    >>> _write_exact("-3*sqrt(2)/40 + 2*pi"), _write_exact("sqrt(2 - sqrt(3))")
     ('−3√2/40 + 2π', '√(2 − √3)')
     """
-    if len(expression) > LONGEST_EXACT or not _CLOSED_FORM.fullmatch(expression):
+    if len(expression) > _LONGEST_EXACT or not _CLOSED_FORM.fullmatch(expression):
         return ""
     rooted = re.sub(r"sqrt\(([0-9]+)\)", r"√\1", expression).replace("sqrt", "√").replace("pi", "π")
     return re.sub(r"\*(?=[√π(])", "", rooted).replace("*", "·").replace("-", "−")
 
 
-def with_unit(number: str, unit: str) -> str:
+def _write_with_unit(number: str, unit: str) -> str:
     """A number and its unit.
 
-    >>> with_unit("30", "deg"), with_unit("2", "m/s^2"), with_unit("2", "1")
+    >>> _write_with_unit("30", "deg"), _write_with_unit("2", "m/s^2"), _write_with_unit("2", "1")
     ('30°', '2\u202fm/s²', '2')
     """
-    shown = unit_text(unit)
+    shown = write_unit_text(unit)
     return f"{number}{shown}" if shown in ("", "°") else f"{number}\u202f{shown}"
 
 
-def share_of(points: Fraction, out_of: Fraction) -> str:
+def _write_share(points: Fraction, out_of: Fraction) -> str:
     """Points out of the maximum."""
-    return f"{amount_text(points)} / {amount_text(out_of)}"
+    return f"{write_amount(points)} / {write_amount(out_of)}"

@@ -14,24 +14,24 @@ from itertools import chain
 from pathlib import Path
 from typing import Literal, assert_never
 
-from kinegrade.csv_writing import neutralised, write_for_people
+from kinegrade.csv_writing import neutralise, write_for_people
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.files import output_folder
-from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
-from kinegrade.grading.feedback_html import feedback_html
-from kinegrade.grading.feedback_markdown import feedback_markdown
+from kinegrade.grading.feedback import FeedbackSheet, make_feedback_sheets
+from kinegrade.grading.feedback_html import write_feedback_html
+from kinegrade.grading.feedback_markdown import write_feedback_markdown
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.processes import THIS_PROCESS, mapped, parts_of
+from kinegrade.processes import THIS_PROCESS, map_in_order, split_in_parts
 
 Text = Literal["html", "md"]
 # The sheet as PDF, a solution behind it where there is one
 Press = Callable[[FeedbackSheet, bytes | None], bytes]
-PART = 20  # sheets in one task
-MARKER, SHEETS = "feedback.csv", "sheets"
+_PART = 20  # sheets in one task
+_MARKER, _SHEETS = "feedback.csv", "sheets"
 
 
 @dataclass(frozen=True)
@@ -78,23 +78,25 @@ def write_feedback(
             "worked solutions of the students' own papers - expected no solutions - "
             "add --no-solutions"
         )
-    contents = MARKER, SHEETS
+    contents = _MARKER, _SHEETS
     make = partial(_make_part, wishes.form)
-    with output_folder(output, marker=MARKER, contents=contents, force=wishes.force) as folder:
-        (folder / SHEETS).mkdir()
+    with output_folder(output, marker=_MARKER, contents=contents, force=wishes.force) as folder:
+        (folder / _SHEETS).mkdir()
         rows = []
-        handouts = _handouts(feedback_sheets(marks, exam, wording, wishes.language), exam, wishes)
-        parts = mapped(workers, make, parts_of(handouts, PART))
+        handouts = _print_handouts(
+            make_feedback_sheets(marks, exam, wording, wishes.language), exam, wishes
+        )
+        parts = map_in_order(workers, make, split_in_parts(handouts, _PART))
         for candidate, files in chain.from_iterable(parts):
             for name, content in files.items():
-                (folder / SHEETS / name).write_bytes(content)
-            whose = candidate.student, neutralised(candidate.name), neutralised(candidate.email)
-            rows.append((*whose, f"{SHEETS}/{next(iter(files))}"))
-        write_for_people(folder / MARKER, ("student", "name", "email", "file"), rows)
+                (folder / _SHEETS / name).write_bytes(content)
+            whose = candidate.student, neutralise(candidate.name), neutralise(candidate.email)
+            rows.append((*whose, f"{_SHEETS}/{next(iter(files))}"))
+        write_for_people(folder / _MARKER, ("student", "name", "email", "file"), rows)
     return len(rows)
 
 
-def _handouts(
+def _print_handouts(
     sheets: Iterable[tuple[Candidate, FeedbackSheet]], exam: ExamFolder, wishes: FeedbackWishes
 ) -> Iterator[_Handout]:
     for candidate, sheet in sheets:
@@ -107,11 +109,12 @@ def _make_part(
 ) -> list[tuple[Candidate, dict[str, bytes]]]:
     """Whose files, and the files by name, for a part of the class."""
     return [
-        (each.candidate, dict(_files(each.stem, each.sheet, each.solution, form))) for each in part
+        (each.candidate, dict(_write_files(each.stem, each.sheet, each.solution, form)))
+        for each in part
     ]
 
 
-def _files(
+def _write_files(
     stem: str, sheet: FeedbackSheet, solution: bytes | None, form: Text | Press
 ) -> Iterator[tuple[str, bytes]]:
     """The names and contents of one student's files, the sheet first."""
@@ -120,17 +123,17 @@ def _files(
         return
     beside = f"{stem}-solution.pdf" if solution is not None else ""
     sheet = replace(sheet, solution=beside)
-    text = _text(sheet, form)
+    text = _write_text(sheet, form)
     yield f"{stem}.{form}", text.encode("utf-8", "backslashreplace")
     if solution is not None:
         yield beside, solution
 
 
-def _text(sheet: FeedbackSheet, form: Text) -> str:
+def _write_text(sheet: FeedbackSheet, form: Text) -> str:
     match form:
         case "md":
-            return feedback_markdown(sheet)
+            return write_feedback_markdown(sheet)
         case "html":
-            return feedback_html(sheet)
+            return write_feedback_html(sheet)
         case _:
             assert_never(form)

@@ -16,23 +16,23 @@ _NUMBERED = re.compile(r"^([0-9]+)([.)])(?=\s|$)")
 _CONTROLS = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
 
 
-def feedback_markdown(sheet: FeedbackSheet) -> str:
+def write_feedback_markdown(sheet: FeedbackSheet) -> str:
     """The sheet as text; nothing a student typed is interpreted as Markdown or HTML."""
     words = sheet.words
     fields = ((words.name, sheet.name), (words.student, sheet.student), (words.paper, sheet.code))
     course = f"{sheet.course} · {sheet.date}" if sheet.date else sheet.course
     lines = [
-        f"# {plain(sheet.title)}: {words.feedback}",
+        f"# {_write_plain(sheet.title)}: {words.feedback}",
         "",
-        plain(course),
+        _write_plain(course),
         "",
-        " · ".join(f"{label}: **{plain(value)}**" for label, value in fields),
+        " · ".join(f"{label}: **{_write_plain(value)}**" for label, value in fields),
         "",
         f"**{words.total}: {sheet.total}**",
         "",
     ]
     for question in sheet.questions:
-        lines += _question(question, words)
+        lines += _write_question(question, words)
     if sheet.kept:
         lines += [words.kept, ""]
     if sheet.guesses:
@@ -42,43 +42,43 @@ def feedback_markdown(sheet: FeedbackSheet) -> str:
     return "\n".join(lines)
 
 
-def plain(text: str) -> str:
+def _write_plain(text: str) -> str:
     r"""Text that Markdown prints as it is, on one line.
 
-    >>> print(plain("<b>|_x_$"))
+    >>> print(_write_plain("<b>|_x_$"))
     \<b\>\|\_x\_\$
     """
     line = _SPECIAL.sub(r"\\\1", _CONTROLS.sub(" ", text).strip())
     return _NUMBERED.sub(r"\1\\\2", line)
 
 
-def _question(question: FeedbackQuestion, words: FeedbackWords) -> Iterator[str]:
+def _write_question(question: FeedbackQuestion, words: FeedbackWords) -> Iterator[str]:
     title = f" · {question.title}" if question.title else ""
-    yield f"## {plain(question.heading)}{title} ({question.points})"
+    yield f"## {_write_plain(question.heading)}{title} ({question.points})"
     yield ""
-    yield _cells((words.asked, words.yours, words.right, words.verdict, words.points))
+    yield _write_cells((words.asked, words.yours, words.right, words.verdict, words.points))
     yield "|---|---|---|---|---:|"
-    yield from (_cells(_row(row, words)) for row in question.rows)
+    yield from (_write_cells(_write_row(row, words)) for row in question.rows)
     yield ""
 
 
-def _row(row: FeedbackRow, words: FeedbackWords) -> Sequence[str]:
-    typed = plain(row.typed) or f"*{words.none}*"
-    read = f" ({words.read_as.format(plain(row.read_as))})" if row.read_as else ""
-    remarks = [row.remark.replace("|", r"\|"), plain(row.reason)]
+def _write_row(row: FeedbackRow, words: FeedbackWords) -> Sequence[str]:
+    typed = _write_plain(row.typed) or f"*{words.none}*"
+    read = f" ({words.read_as.format(_write_plain(row.read_as))})" if row.read_as else ""
+    remarks = [row.remark.replace("|", r"\|"), _write_plain(row.reason)]
     verdict = (
-        ". ".join((f"**{plain(row.verdict)}**", " ".join(filter(None, remarks))))
+        ". ".join((f"**{_write_plain(row.verdict)}**", " ".join(filter(None, remarks))))
         if any(remarks)
-        else (f"**{plain(row.verdict)}**")
+        else (f"**{_write_plain(row.verdict)}**")
     )
     return (
         f"${row.symbol}$ {row.meaning}".rstrip(),
         f"{typed}{read}",
-        plain(row.right),
+        _write_plain(row.right),
         verdict,
         row.points,
     )
 
 
-def _cells(cells: Sequence[str]) -> str:
+def _write_cells(cells: Sequence[str]) -> str:
     return f"| {' | '.join(cells)} |"

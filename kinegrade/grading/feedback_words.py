@@ -47,7 +47,7 @@ class FeedbackWords:
     other_ask: str  # takes the symbol
 
 
-ENGLISH = FeedbackWords(
+_ENGLISH = FeedbackWords(
     language="en",
     feedback="Feedback",
     name="Name",
@@ -120,7 +120,7 @@ ENGLISH = FeedbackWords(
     other_ask="This is the right value of ${}$: perhaps it went into the wrong box.",
 )
 
-CHINESE = FeedbackWords(
+_CHINESE = FeedbackWords(
     language="zh-CN",
     feedback="答卷反馈",
     name="姓名",
@@ -179,10 +179,10 @@ CHINESE = FeedbackWords(
 )
 
 
-def feedback_words_of(language: str) -> FeedbackWords:
+def choose_feedback_words(language: str) -> FeedbackWords:
     """The words in "en" or "zh".
 
-    >>> feedback_words_of("zh").right
+    >>> choose_feedback_words("zh").right
     '正确答案'
     """
-    return {"en": ENGLISH, "zh": CHINESE}[language]
+    return {"en": _ENGLISH, "zh": _CHINESE}[language]

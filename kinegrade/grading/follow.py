@@ -1,7 +1,7 @@
 """Follow-through: the answers of one student that follow from the student's wrong answers to
 earlier asks.
 
-`follow_through` is pure. It takes the answers to one question as decided by the key, the policy and
+`follow_answers` is pure. It takes the answers to one question as decided by the key, the policy and
 the known mistakes. The argument `follows` works out what follows (`kinegrade.exam.follow_through`);
 this module holds the rules. The key is tried first, and an error is charged once. No credit comes
 from an earlier answer that is right, missing, zero, absurd, or so chosen that it makes the rest
@@ -22,10 +22,10 @@ from kinegrade.grading.judge import Verdict, judge
 from kinegrade.grading.policy import Ruling
 from kinegrade.grading.trivial_answers import Later, is_trivial
 
-FARTHEST = (
+_FARTHEST = (
     1000  # times the right answer, or below its thousandth part: no follow-through from there
 )
-SAME = Fraction(1, 10**9)  # relative: closer values differ only by rounding
+_SAME = Fraction(1, 10**9)  # relative: closer values differ only by rounding
 Own = Mapping[str, Fraction]  # a student's answers by ask, each in its unit
 
 
@@ -40,7 +40,7 @@ class Consequence(Protocol):
         """
 
 
-def as_asked(question: str, asks: Sequence[str]) -> Sequence[str]:
+def _order_as_asked(question: str, asks: Sequence[str]) -> Sequence[str]:
     """The asks of a question in the order in which they are put."""
     return asks
 
@@ -52,7 +52,7 @@ class Follows:
     """
 
     consequence: Consequence
-    order: Callable[[str, Sequence[str]], Sequence[str]] = as_asked
+    order: Callable[[str, Sequence[str]], Sequence[str]] = _order_as_asked
 
     def __call__(self, student: str, question: str, answers: Own, later: str) -> Fraction | None:
         """The value that follows."""
@@ -82,7 +82,7 @@ class Decided:
     def own_value(self) -> Fraction | None:
         """The number to follow from, if it is within a factor of a thousand of the right answer."""
         value, right = self.reading.value, self.key.value
-        sensible = value and right and 1 <= FARTHEST * abs(value / right) <= FARTHEST**2
+        sensible = value and right and 1 <= _FARTHEST * abs(value / right) <= _FARTHEST**2
         return value if sensible else None
 
     @property
@@ -98,7 +98,7 @@ class Decided:
         return open_still and self.ruling.follow_through > share
 
 
-def follow_through(
+def follow_answers(
     student: str, answers: Sequence[Decided], follows: Follows
 ) -> dict[str, Decision]:
     """The decisions that follow-through improves, by ask; `answers` are those to one question.
@@ -112,7 +112,7 @@ def follow_through(
     earlier = _Earlier(wrong, right, {answer.ask.ask: answer.key.value for answer in answers})
     for answer in follows.sorted(answers):
         if wrong and answer.may_follow:
-            verdict = next(_verdicts(student, answer, earlier, follows), None)
+            verdict = next(_find_verdicts(student, answer, earlier, follows), None)
             if verdict:
                 found[answer.ask.ask] = verdict, answer.ruling.follow_through
         value = answer.own_value
@@ -130,7 +130,7 @@ class _Earlier:
     keys: Own
 
 
-def _verdicts(
+def _find_verdicts(
     student: str, answer: Decided, earlier: _Earlier, follows: Follows
 ) -> Iterator[Verdict]:
     """Agreements with what follows from the student's answers, at least one of them wrong and none
@@ -144,15 +144,19 @@ def _verdicts(
         return judge(answer.reading, answer.ruling.beside(answer.key, value))
 
     later = Later(what_follows, lambda value: compared(value).kind == "right")
-    for answers, value in _followed(student, answer.ask, earlier.wrong, earlier.right, follows):
+    for answers, value in _find_followed(
+        student, answer.ask, earlier.wrong, earlier.right, follows
+    ):
         if later.agrees(value):
-            used = _used(student, answer.ask, answers, value, follows)
+            used = _select_used(student, answer.ask, answers, value, follows)
             wrong = used.keys() & earlier.wrong.keys()
             if not any(is_trivial(name, used, earlier.keys[name], later) for name in wrong):
-                yield Verdict("follow-through", _reason(answer.ask.question, used, compared(value)))
+                yield Verdict(
+                    "follow-through", _write_reason(answer.ask.question, used, compared(value))
+                )
 
 
-def _followed(
+def _find_followed(
     student: str, later: Ask, wrong: Own, right: Own, follows: Follows
 ) -> Iterator[tuple[Own, Fraction]]:
     """What follows from all wrong answers, from single ones, and from wrong and right ones
@@ -165,26 +169,28 @@ def _followed(
         if value is not None:
             yield answers, value
     value = follows(student, later.question, {**wrong, **right}, later.ask) if right else None
-    if value is not None and not _alike(value, follows(student, later.question, right, later.ask)):
+    if value is not None and not _are_alike(
+        value, follows(student, later.question, right, later.ask)
+    ):
         yield {**wrong, **right}, value
 
 
-def _used(student: str, later: Ask, answers: Own, value: Fraction, follows: Follows) -> Own:
+def _select_used(student: str, later: Ask, answers: Own, value: Fraction, follows: Follows) -> Own:
     """The answers without which a different value would follow."""
     used = dict(answers)
     for name in answers:
         rest = {each: number for each, number in used.items() if each != name}
-        if rest and _alike(value, follows(student, later.question, rest, later.ask)):
+        if rest and _are_alike(value, follows(student, later.question, rest, later.ask)):
             used = rest
     return used
 
 
-def _alike(value: Fraction, other: Fraction | None) -> bool:
+def _are_alike(value: Fraction, other: Fraction | None) -> bool:
     """Whether the two differ only by rounding."""
-    return other is not None and abs(other - value) <= SAME * abs(value)
+    return other is not None and abs(other - value) <= _SAME * abs(value)
 
 
-def _reason(question: str, used: Own, verdict: Verdict) -> str:
+def _write_reason(question: str, used: Own, verdict: Verdict) -> str:
     """In words: the answers used, what follows from them, and how far the answer is from that."""
     answers = " and ".join(
         f"{question}.{name} = {float(value):.6g}" for name, value in used.items()

@@ -19,11 +19,11 @@ from kinegrade.grading.class_sheet import class_sheet
 from kinegrade.grading.decimal_style import Mark as DecimalMark
 from kinegrade.grading.follow import Follows
 from kinegrade.grading.kept_totals import never_lower as with_kept_totals
-from kinegrade.grading.marks import ClassGrades, class_grades, marked_blocks
+from kinegrade.grading.marks import ClassGrades, collect_grades, mark_blocks
 from kinegrade.grading.other_papers import OtherPapers
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.policy_reading import read_policy, stated_policy
-from kinegrade.grading.pool import pool_of
+from kinegrade.grading.pool import read_pool
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import FILES, MARKER
 from kinegrade.marks_folder.writing import MarksWriter
@@ -59,12 +59,12 @@ def grade(
     """
     written = output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force)
     with bulk_work(), written as path:
-        folder, files = MarksWriter(path), _files(answers)
-        sheet, rules = class_sheet(files, exam), _policy_for(exam, policy)
-        pool, others = pool_of(exam, sheet), OtherPapers(exam.asks)
+        folder, files = MarksWriter(path), _read_files(answers)
+        sheet, rules = class_sheet(files, exam), _choose_policy(exam, policy)
+        pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
         accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
-        blocks = marked_blocks(exam, sheet, decimal, rules, accepted, follows=follows, pool=pool)
-        grades = class_grades(exam, sheet, write_marks(folder, others.watched(blocks)))
+        blocks = mark_blocks(exam, sheet, decimal, rules, accepted, follows=follows, pool=pool)
+        grades = collect_grades(exam, sheet, write_marks(folder, others.watched(blocks)))
         if not own_papers:
             others.refuse(exam, ", ".join(each.table.file for each in files))
         grades = _write_totals(folder, grades, never_lower)
@@ -93,7 +93,7 @@ def _write_exports(path: Path, exports: Mapping[str, Export]) -> None:
         (path / name).write_text(export(folder), encoding="utf-8", newline="")
 
 
-def _files(answers: Path | Table | Sequence[AnswerFile]) -> Sequence[AnswerFile]:
+def _read_files(answers: Path | Table | Sequence[AnswerFile]) -> Sequence[AnswerFile]:
     match answers:
         case Path():
             return [AnswerFile(read_table(answers))]
@@ -105,7 +105,7 @@ def _files(answers: Path | Table | Sequence[AnswerFile]) -> Sequence[AnswerFile]
             assert_never(answers)
 
 
-def _policy_for(exam: ExamFolder, policy: Path | None) -> Policy:
+def _choose_policy(exam: ExamFolder, policy: Path | None) -> Policy:
     """The policy in that file, or the one stated in the bank where there is none. Raises
     PolicyError.
     """

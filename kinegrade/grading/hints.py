@@ -26,9 +26,9 @@ Kind = Literal[
     "another ask",
     "close",
 ]
-LARGEST_POWER = 6
-WIDEST = 0.02  # of the right answer: a wider interval would be hit by chance
-CLOSE = 0.05  # of the right answer
+_LARGEST_POWER = 6
+_WIDEST = 0.02  # of the right answer: a wider interval would be hit by chance
+_CLOSE = 0.05  # of the right answer
 _DOUBLED: tuple[tuple[Kind, float], ...] = (("twice", 2.0), ("half", 0.5))
 
 
@@ -44,7 +44,7 @@ class Hint:
     column: str = ""
 
 
-def hint(
+def find_hint(
     value: Fraction, right: Fraction, allowed: Fraction, unit: str, others: Mapping[str, Fraction]
 ) -> Hint | None:
     """What a wrong value suggests, or None; `others` are the right answers of the question's other
@@ -52,39 +52,42 @@ def hint(
 
     A value fits if it lies within the tolerance, and within 2 %, of a multiple of the right answer.
 
-    >>> hint(Fraction("-0.257"), Fraction("0.25725"), Fraction("0.0026"), "m/s", {})
+    >>> find_hint(Fraction("-0.257"), Fraction("0.25725"), Fraction("0.0026"), "m/s", {})
     Hint(kind='opposite', reversed_sign=False, power=0, column='')
     """
     if not right or not value:
         return None
     ratio, room = (
         float(value / right),
-        min(float(allowed / abs(right)), WIDEST),
+        min(float(allowed / abs(right)), _WIDEST),
     )  # for a guess floats will do
-    for candidate, factor in _candidates(unit):
+    for candidate, factor in _list_candidates(unit):
         if abs(ratio - factor) <= room * abs(factor):
             return candidate
     for column, other in others.items():
         if other and abs(float(value / other) - 1) <= room:
             return Hint("another ask", column=column)
-    return Hint("close") if abs(ratio - 1) <= CLOSE else None
+    return Hint("close") if abs(ratio - 1) <= _CLOSE else None
 
 
 @lru_cache(maxsize=256)
-def _candidates(unit: str) -> tuple[tuple[Hint, float], ...]:
+def _list_candidates(unit: str) -> tuple[tuple[Hint, float], ...]:
     """Hints with the ratio of the value to the right answer, the likeliest first."""
-    powers = [power for power in sorted(range(-LARGEST_POWER, LARGEST_POWER + 1), key=abs) if power]
+    powers = [
+        power for power in sorted(range(-_LARGEST_POWER, _LARGEST_POWER + 1), key=abs) if power
+    ]
     found = [(Hint("opposite"), -1.0)]
     for sign in (1.0, -1.0):
         turned = sign < 0
         found += [(Hint("power of ten", turned, power), sign * 10.0**power) for power in powers]
         found += [
-            (Hint(kind, turned), sign * factor) for kind, factor in (*_DOUBLED, *_angular(unit))
+            (Hint(kind, turned), sign * factor)
+            for kind, factor in (*_DOUBLED, *_list_angular_factors(unit))
         ]
     return tuple(found)
 
 
-def _angular(unit: str) -> Sequence[tuple[Kind, float]]:
+def _list_angular_factors(unit: str) -> Sequence[tuple[Kind, float]]:
     """Factors between measures of angle; none for lengths and speeds."""
     forgotten: list[tuple[Kind, float]] = [
         ("degrees for radians", 180 / pi),

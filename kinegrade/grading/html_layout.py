@@ -8,11 +8,11 @@ from importlib.resources import files
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 from markupsafe import Markup
 
-from kinegrade.grading.math_html import prose_html, symbol_html
+from kinegrade.grading.math_html import write_prose_html, write_symbol_html
 
 
 @cache
-def layout(name: str) -> Template:
+def load_layout(name: str) -> Template:
     """A layout from this package; it may call `css(FILE)` and the filters `prose` and `symbol`."""
     folder = files("kinegrade.grading") / "layouts"
     environment = Environment(
@@ -23,6 +23,6 @@ def layout(name: str) -> Template:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    environment.filters |= {"prose": prose_html, "symbol": symbol_html}
+    environment.filters |= {"prose": write_prose_html, "symbol": write_symbol_html}
     environment.globals["css"] = lambda file: Markup((folder / file).read_text(encoding="utf-8"))
     return environment.get_template(name)

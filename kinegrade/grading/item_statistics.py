@@ -14,9 +14,9 @@ import numpy as np
 import numpy.typing as npt
 
 Points = npt.NDArray[np.float64]
-FEWEST = 3  # students: a correlation of two is always 1 or -1
-FINE, COARSE = 10, 20  # per cent: the width of a bin of the histogram
-FEW = 25  # students: smaller classes get coarse bins
+_FEWEST = 3  # students: a correlation of two is always 1 or -1
+_FINE, _COARSE = 10, 20  # per cent: the width of a bin of the histogram
+_FEW = 25  # students: smaller classes get coarse bins
 
 
 @dataclass(frozen=True)
@@ -45,10 +45,10 @@ class Histogram:
     counts: tuple[int, ...]
 
 
-def summary(values: Sequence[float] | Points) -> Summary | None:
+def summarise(values: Sequence[float] | Points) -> Summary | None:
     """The summary of at least one value.
 
-    >>> summary([1, 2, 4]).median
+    >>> summarise([1, 2, 4]).median
     2.0
     """
     if not len(values):
@@ -68,20 +68,20 @@ def summary(values: Sequence[float] | Points) -> Summary | None:
     )
 
 
-def histogram(percents: Sequence[float] | Points) -> Histogram:
+def make_histogram(percents: Sequence[float] | Points) -> Histogram:
     """Percentages from 0 to 100 in bins of ten, or of twenty for few values; anything above 100
     counts as 100.
 
-    >>> histogram([0, 20, 39.9, 100]).counts
+    >>> make_histogram([0, 20, 39.9, 100]).counts
     (1, 2, 0, 0, 1)
     """
-    width = COARSE if len(percents) < FEW else FINE
+    width = _COARSE if len(percents) < _FEW else _FINE
     edges = np.arange(0, 100 + width, width)
     counts, _ = np.histogram(np.clip(np.round(percents, 6), 0, 100), edges)
     return Histogram(tuple(map(float, edges)), tuple(map(int, counts)))
 
 
-def facilities(points: Points, out_of: Points) -> tuple[float | None, ...]:
+def find_facilities(points: Points, out_of: Points) -> tuple[float | None, ...]:
     """For each ask the mean share of its points; None where no student or no point counts."""
     if not len(points):
         return (None,) * len(out_of)
@@ -91,20 +91,20 @@ def facilities(points: Points, out_of: Points) -> tuple[float | None, ...]:
     )
 
 
-def discriminations(points: Points) -> tuple[float | None, ...]:
+def find_discriminations(points: Points) -> tuple[float | None, ...]:
     """For each ask the correlation (Pearson) of its points with the total of all other asks.
 
     None for fewer than three students, or if all have the same points for the ask or for the
     others.
     """
     students, asks = len(points), range(points.shape[1])
-    if students < FEWEST:
+    if students < _FEWEST:
         return tuple(None for _ in asks)
     totals = points.sum(axis=1)
-    return tuple(correlation(points[:, ask], totals - points[:, ask]) for ask in asks)
+    return tuple(correlate(points[:, ask], totals - points[:, ask]) for ask in asks)
 
 
-def correlation(first: Points, second: Points) -> float | None:
+def correlate(first: Points, second: Points) -> float | None:
     """Pearson's coefficient; None if either of the two does not vary."""
     one, other = first - first.mean(), second - second.mean()
     scale = float(np.sqrt((one**2).sum() * (other**2).sum()))
@@ -114,12 +114,12 @@ def correlation(first: Points, second: Points) -> float | None:
     return float((one * other).sum() / scale) if scale > smallest else None
 
 
-def reliability(points: Points) -> float | None:
+def find_reliability(points: Points) -> float | None:
     """Cronbach's alpha: how much of the totals' variance the asks share; None for too few students
     or asks.
     """
     students, asks = points.shape
-    if students < FEWEST or asks < 2:
+    if students < _FEWEST or asks < 2:
         return None
     totals = points.sum(axis=1)
     if np.ptp(totals) <= 1e-9 * float(np.abs(totals).max()):

@@ -51,12 +51,12 @@ def judge(reading: Reading, key: Key) -> Verdict:
         case "wrong unit" | "unreadable":
             return Verdict(reading.kind, reading.reason)
         case "number":
-            return _compared(reading, key)
+            return _compare(reading, key)
         case _:
             assert_never(reading.kind)
 
 
-def _compared(reading: Reading, key: Key) -> Verdict:
+def _compare(reading: Reading, key: Key) -> Verdict:
     """Right or wrong; a number without a value is unreadable, and the reason says why."""
     if reading.value is None:
         return Verdict("unreadable", reading.reason)
@@ -65,29 +65,29 @@ def _compared(reading: Reading, key: Key) -> Verdict:
         difference -= round(difference / key.period) * key.period
     low, high = key.interval
     right = low - reading.error <= key.value + difference <= high + reading.error
-    return Verdict("right" if right else "wrong", _comparison(key, abs(difference)))
+    return Verdict("right" if right else "wrong", _write_comparison(key, abs(difference)))
 
 
-def _comparison(key: Key, difference: Fraction) -> str:
+def _write_comparison(key: Key, difference: Fraction) -> str:
     """With as many digits as it takes to see which of the two is larger."""
     if key.agreeing:
         low, high = key.interval
         return (
-            f"key {_short(key.value)}, difference {_short(difference)}, right from "
-            f"{_short(low)} to {_short(high)}"
+            f"key {_write_short(key.value)}, difference {_write_short(difference)}, right from "
+            f"{_write_short(low)} to {_write_short(high)}"
         )
-    shown, allowed = _short(difference), _short(key.tolerance)
+    shown, allowed = _write_short(difference), _write_short(key.tolerance)
     if shown == allowed and difference != key.tolerance:
-        shown, allowed = _long(difference), _long(key.tolerance)
-    return f"key {_short(key.value)}, difference {shown}, allowed {allowed}"
+        shown, allowed = _write_long(difference), _write_long(key.tolerance)
+    return f"key {_write_short(key.value)}, difference {shown}, allowed {allowed}"
 
 
-def _short(number: Fraction) -> str:
+def _write_short(number: Fraction) -> str:
     """Six significant digits."""
     return f"{float(number):.6g}"
 
 
-def _long(number: Fraction) -> str:
+def _write_long(number: Fraction) -> str:
     context = Context(prec=40)
     return str(
         context.divide(Decimal(number.numerator), Decimal(number.denominator)).normalize(context)

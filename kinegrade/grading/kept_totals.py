@@ -13,36 +13,36 @@ from fractions import Fraction
 from math import ceil
 from typing import TypeVar
 
-from kinegrade.amounts import PLACES, amount_text
+from kinegrade.amounts import PLACES, write_amount
 from kinegrade.grading.marks import ClassGrades
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import Grade, KeptTotal, StudentTotal
 from kinegrade.tables import Complaint
 
-Grades = TypeVar("Grades", bound=ClassGrades)
+_Grades = TypeVar("_Grades", bound=ClassGrades)
 
 
 def never_lower(
-    marks: Grades, before: Mapping[str, StudentTotal]
-) -> tuple[Grades, tuple[KeptTotal, ...]]:
+    marks: _Grades, before: Mapping[str, StudentTotal]
+) -> tuple[_Grades, tuple[KeptTotal, ...]]:
     """The marks in which no student's share of the points is below the earlier one, and the totals
     this changes.
 
     Works on `Marks`, or on `ClassGrades` alone.
     """
-    kept = {each.student: each for each in _kept(marks, before)}
+    kept = {each.student: each for each in _find_kept(marks, before)}
     grades = tuple(
         replace(grade, kept=kept[grade.student].stands) if grade.student in kept else grade
         for grade in marks.grades
     )
     known = {grade.student for grade in marks.grades}
-    strangers = [_stranger(student) for student in before if student not in known]
+    strangers = [_complain_of_stranger(student) for student in before if student not in known]
     return replace(marks, grades=grades, complaints=(*strangers, *marks.complaints)), tuple(
         kept.values()
     )
 
 
-def _kept(marks: ClassGrades, before: Mapping[str, StudentTotal]) -> Iterator[KeptTotal]:
+def _find_kept(marks: ClassGrades, before: Mapping[str, StudentTotal]) -> Iterator[KeptTotal]:
     """Totals are compared as they are written; otherwise rounding a third of a point would look
     like a loss.
     """
@@ -50,14 +50,14 @@ def _kept(marks: ClassGrades, before: Mapping[str, StudentTotal]) -> Iterator[Ke
         earlier = before.get(grade.student)
         if earlier is None or not grade.out_of:
             continue
-        if Fraction(amount_text(grade.total)) < earlier.share * grade.out_of:
-            yield _kept_total(grade, earlier)
+        if Fraction(write_amount(grade.total)) < earlier.share * grade.out_of:
+            yield _keep_total(grade, earlier)
 
 
-def _kept_total(grade: Grade, earlier: StudentTotal) -> KeptTotal:
+def _keep_total(grade: Grade, earlier: StudentTotal) -> KeptTotal:
     """With the reason why the total is not the sum of the questions."""
-    before = f"{amount_text(earlier.total)} of {amount_text(earlier.out_of)}"
-    now = f"{amount_text(grade.total)} of {amount_text(grade.out_of)}"
+    before = f"{write_amount(earlier.total)} of {write_amount(earlier.out_of)}"
+    now = f"{write_amount(grade.total)} of {write_amount(grade.out_of)}"
     return KeptTotal(
         grade.student,
         grade.name,
@@ -66,15 +66,15 @@ def _kept_total(grade: Grade, earlier: StudentTotal) -> KeptTotal:
         earlier.out_of,
         grade.total,
         grade.out_of,
-        _rounded_up(earlier.share * grade.out_of),
+        _round_up(earlier.share * grade.out_of),
     )
 
 
-def _rounded_up(amount: Fraction) -> Fraction:
+def _round_up(amount: Fraction) -> Fraction:
     """Rounded to as many places as are written, upwards, so that the share does not fall either."""
     return Fraction(ceil(amount * 10**PLACES), 10**PLACES)
 
 
-def _stranger(student: str) -> Complaint:
+def _complain_of_stranger(student: str) -> Complaint:
     problem = f'student "{student}" has earlier marks but is not in the exam'
     return Complaint(GRADES.name, None, "student", "", problem, "nothing kept")

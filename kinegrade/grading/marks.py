@@ -1,6 +1,6 @@
 """The marks of a class: a verdict for every student and ask, and the totals.
 
-`marked_blocks` is called by `grade` and gives the class in blocks, so that memory hardly grows with
+`mark_blocks` is called by `grade` and gives the class in blocks, so that memory hardly grows with
 the class; `mark` gives everything at once. `answer_lines` writes the result.
 """
 
@@ -14,24 +14,24 @@ from itertools import chain, islice
 from types import MappingProxyType
 from typing import assert_never
 
-from kinegrade.amounts import added
-from kinegrade.exam.folder.keys import Ask, Paper, Sitting, questions
+from kinegrade.amounts import add_amounts
+from kinegrade.exam.folder.keys import Ask, Paper, Sitting, list_questions
 from kinegrade.grading.accepted import Alternatives
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.block_judge import BlockJudge
 from kinegrade.grading.class_sheet import is_answered
 from kinegrade.grading.decimal_style import Mark as DecimalMark
-from kinegrade.grading.decimal_style import file_style
+from kinegrade.grading.decimal_style import find_file_style
 from kinegrade.grading.follow import Follows
 from kinegrade.grading.judge import Verdict
 from kinegrade.grading.judged_block import USUAL_CREDITS, JudgedBlock, Row
 from kinegrade.grading.policy import AS_PRINTED, Policy
 from kinegrade.grading.pool import Pool
-from kinegrade.grading.sheet import Entry, Sheet, repeated
+from kinegrade.grading.sheet import Entry, Sheet, find_repeated
 from kinegrade.marks_folder.rows import Grade
-from kinegrade.tables import Complaint, shortened, trimmed
+from kinegrade.tables import Complaint, shorten, trim
 
-BLOCK = 250  # papers marked together
+_BLOCK = 250  # papers marked together
 _NO_ALTERNATIVES: Alternatives = MappingProxyType({})
 _NO_POOL = Pool()
 
@@ -111,16 +111,16 @@ def mark(
     what follows from a student's answers; `pool` has the papers whose questions were put to others.
     """
     blocks = list(
-        marked_blocks(exam, sheet, decimal, policy, alternatives, follows=follows, pool=pool)
+        mark_blocks(exam, sheet, decimal, policy, alternatives, follows=follows, pool=pool)
     )
     found, marks = (
-        class_grades(exam, sheet, blocks),
+        collect_grades(exam, sheet, blocks),
         chain.from_iterable(block.marks() for block in blocks),
     )
     return Marks(found.questions, found.grades, found.complaints, tuple(marks))
 
 
-def marked_blocks(
+def mark_blocks(
     exam: Sitting,
     sheet: Sheet,
     decimal: DecimalMark | None = None,
@@ -133,16 +133,16 @@ def marked_blocks(
     """The same in blocks, in the order of the roster. Raises ExamError where the papers cannot be
     read.
     """
-    styles = file_style((entries[-1].responses for entries in sheet.entries.values()), decimal)
+    styles = find_file_style((entries[-1].responses for entries in sheet.entries.values()), decimal)
     judge = BlockJudge(exam.asks, policy, alternatives, styles, follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
-    marker = _Marker(sheet, judge, asks, added(ask.points for ask in asks), pool)
+    marker = _Marker(sheet, judge, asks, add_amounts(ask.points for ask in asks), pool)
     papers = exam.papers()
-    while block := list(islice(papers, BLOCK)):
+    while block := list(islice(papers, _BLOCK)):
         yield marker.block(block)
 
 
-def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> ClassGrades:
+def collect_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> ClassGrades:
     """What remains of the blocks: every student's points, and the complaints together with those
     about the sheet.
     """
@@ -154,23 +154,23 @@ def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> 
         complaints += block.complaints
         for reason, alike in block.general.items():
             general[reason] += alike
-    complaints += map(_said_once, general.values())
-    complaints.sort(key=_place)
-    return ClassGrades(questions(exam.asks), tuple(grades), tuple(complaints))
+    complaints += map(_merge_complaints, general.values())
+    complaints.sort(key=_find_place)
+    return ClassGrades(list_questions(exam.asks), tuple(grades), tuple(complaints))
 
 
-def _place(complaint: Complaint) -> tuple[str, int]:
+def _find_place(complaint: Complaint) -> tuple[str, int]:
     """The sort key of a complaint: first those about no single line, then file by file."""
     return ("", 0) if complaint.line is None else (complaint.file, complaint.line)
 
 
-def _said_once(alike: Sequence[Complaint]) -> Complaint:
+def _merge_complaints(alike: Sequence[Complaint]) -> Complaint:
     """One complaint for all cells that were read for the same reason; the first is the example."""
     first = alike[0]
     if len(alike) == 1:
         return first
     files = ", ".join(dict.fromkeys(each.file for each in alike))
-    problem = f"{len(alike)} answers, such as {trimmed(first.content)} {first.problem}"
+    problem = f"{len(alike)} answers, such as {trim(first.content)} {first.problem}"
     return Complaint(files, None, "", first.content, problem, "judged as they were read")
 
 
@@ -201,7 +201,7 @@ class _Marker:
             complaint
             for paper, entry in rows
             if len(self._entries(paper)) > 1
-            for complaint in repeated(self._entries(paper), entry)
+            for complaint in find_repeated(self._entries(paper), entry)
         ]
         general: dict[str, list[Complaint]] = defaultdict(list)
         doubts = list(self._doubts(judged, general))
@@ -239,7 +239,7 @@ class _Marker:
         ]
         best: dict[str, tuple[Fraction, Row]] = {}
         for row, points in zip(tried, self._points(self.judge.judged(tried)), strict=True):
-            total, student = added(points), row[0].student
+            total, student = add_amounts(points), row[0].student
             if student not in best or total >= best[student][0]:
                 best[student] = total, row
         return [best[row[0].student][1] if row[0].student in best else row for row in rows]
@@ -264,7 +264,7 @@ class _Marker:
         self, judged: JudgedBlock, question: range, way: tuple[int, ...]
     ) -> Fraction:
         shares = [judged.credits[share] for share in way[question.start : question.stop]]
-        return added(
+        return add_amounts(
             share * self.asks[number].points
             for number, share in zip(question, shares, strict=True)
             if share
@@ -281,7 +281,7 @@ class _Marker:
             row, number = divmod(place, len(self.asks))
             file, line = judged.rows[row][1].place(number)
             column = self.sheet.columns[number]
-            content, verdict = shortened(reading.typed), judged.kinds[place]
+            content, verdict = shorten(reading.typed), judged.kinds[place]
             if reading.kind in ("unreadable", "wrong unit"):
                 points = judged.credits[judged.shares[place]] * self.asks[number].points
                 done = f"{verdict}, {'some' if points else 'no'} points"

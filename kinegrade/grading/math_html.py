@@ -72,34 +72,34 @@ _TOKEN = re.compile(r"\\(?:[A-Za-z]+|.)|[A-Za-z]+|.", re.DOTALL)
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def symbol_html(latex: str) -> Markup:
+def write_symbol_html(latex: str) -> Markup:
     r"""A symbol, given as LaTeX math.
 
-    >>> print(symbol_html(r"\omega_{AB}"), symbol_html("B'"))
+    >>> print(write_symbol_html(r"\omega_{AB}"), write_symbol_html("B'"))
     <span class="math"><i>ω</i><sub><i>AB</i></sub></span> <span class="math"><i>B</i>′</span>
     """
     # Made from escaped letters and our own tags
     return Markup(f'<span class="math">{_Reader(latex).whole()}</span>')
 
 
-def prose_html(prose: str) -> Markup:
+def write_prose_html(prose: str) -> Markup:
     """A line of Markdown with `$...$` math: only math and text, no other markup.
 
-    >>> print(prose_html("speed of $B$ < $c$"))
+    >>> print(write_prose_html("speed of $B$ < $c$"))
     speed of <span class="math"><i>B</i></span> &lt; <span class="math"><i>c</i></span>
     """
     parts = prose.split("$")
     whole = len(parts) % 2 == 1
     return Markup("").join(
-        symbol_html(part) if whole and index % 2 else Markup(escape(part))
+        write_symbol_html(part) if whole and index % 2 else Markup(escape(part))
         for index, part in enumerate(parts)
     )
 
 
-def unit_text(unit: str) -> str:
+def write_unit_text(unit: str) -> str:
     """A unit with raised exponents; "" for a pure number.
 
-    >>> unit_text("m/s^2"), unit_text("deg"), unit_text("1")
+    >>> write_unit_text("m/s^2"), write_unit_text("deg"), write_unit_text("1")
     ('m/s²', '°', '')
     """
     raised = re.sub(r"\^\{?(-?[0-9]+)\}?", lambda power: power[1].translate(_SUPERSCRIPTS), unit)
@@ -127,10 +127,10 @@ class _Reader:
             if self._tokens[self._place] == "}":
                 self._place += 1
                 break
-            pieces.append(self.piece(upright))
+            pieces.append(self._piece(upright))
         return "".join(pieces)
 
-    def piece(self, upright: bool) -> str:
+    def _piece(self, upright: bool) -> str:
         """A letter, a sign, a group or an index."""
         if self._place >= len(self._tokens):
             return ""
@@ -140,24 +140,24 @@ class _Reader:
             case "{":
                 return self.row(upright=upright)
             case "_":
-                return f"<sub>{self.piece(upright)}</sub>"
+                return f"<sub>{self._piece(upright)}</sub>"
             case "^":
-                inner = self.piece(upright)
+                inner = self._piece(upright)
                 return inner if inner in ("°", "′") else f"<sup>{inner}</sup>"
             case _ if token.startswith("\\"):
                 return self.command(token[1:], upright)
             case _:
-                return _letters(token, upright)
+                return _write_letters(token, upright)
 
     def command(self, name: str, upright: bool) -> str:
         """A command without its backslash."""
         if name in _UPRIGHT:
-            return self.piece(True)
+            return self._piece(True)
         if name in _SIGNS:
             return _SIGNS[name]
-        return _letters(_GREEK[name], upright) if name in _GREEK else escape(name)
+        return _write_letters(_GREEK[name], upright) if name in _GREEK else escape(name)
 
 
-def _letters(token: str, upright: bool) -> str:
+def _write_letters(token: str, upright: bool) -> str:
     shown = escape({"'": "′", "-": "−"}.get(token, token))
     return f"<i>{shown}</i>" if token.isalpha() and not upright else shown

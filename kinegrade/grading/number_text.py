@@ -1,7 +1,7 @@
 """Decimal numbers as they are typed: normalising keyboard characters, grouping in threes, decimal
 point or comma, powers of ten.
 
-`folded` maps what English and Chinese keyboards produce to one alphabet; `scan` takes one number
+`fold` maps what English and Chinese keyboards produce to one alphabet; `scan` takes one number
 off the front of a folded text. Digits are kept exactly. A `DecimalStyle` decides what a single mark
 before three digits means.
 """
@@ -120,10 +120,10 @@ class Mantissa:
             len(self.separators) == 1
             and self.separators[0] in ".,"
             and not self.exponent
-            and self.grouped(2)
+            and self._grouped(2)
         )
 
-    def grouped(self, count: int) -> bool:
+    def _grouped(self, count: int) -> bool:
         """Whether the first `count` pieces are proper groups: one to three digits, then always
         three.
         """
@@ -140,18 +140,18 @@ class Mantissa:
                 self.separators.count(decimal) == 1
                 and decimal in ".,"
                 and len(kinds) <= 2
-                and (grouping is None or self.grouped(len(self.pieces) - 1))
+                and (grouping is None or self._grouped(len(self.pieces) - 1))
             )
-        return not kinds or (len(kinds) == 1 and self.grouped(len(self.pieces)))
+        return not kinds or (len(kinds) == 1 and self._grouped(len(self.pieces)))
 
 
-def folded(text: str) -> str:
+def fold(text: str) -> str:
     """The text in one alphabet: ASCII digits, signs and brackets; a superscript becomes ^2, a blank
     " ".
 
     Narrow and no-break blanks, which people type only to group digits, become U+2009.
 
-    >>> folded("−８．６６×１０⁻¹")
+    >>> fold("−８．６６×１０⁻¹")
     '-8.66*10^-1'
     """
     if text.isascii():
@@ -163,13 +163,13 @@ def folded(text: str) -> str:
     )
 
 
-def mantissa(text: str, place: int = 0) -> Mantissa | None:
+def read_mantissa(text: str, place: int = 0) -> Mantissa | None:
     """The run of digits that begins at `place` of a folded text; None where none begins there."""
     found = _RUN.match(text, place)
-    return _mantissa(found) if found else None
+    return _make_mantissa(found) if found else None
 
 
-def _mantissa(found: re.Match[str]) -> Mantissa:
+def _make_mantissa(found: re.Match[str]) -> Mantissa:
     exponent = found["power"] is not None or found["ten"] is not None
     if found["decimals"]:
         return Mantissa(("", found["decimals"][1:]), (found["decimals"][0],), exponent)
@@ -188,13 +188,13 @@ def scan(
     found = (_RUN if power_of_ten else _DIGITS).match(text, place)
     if found is None:
         return None
-    parts = _mantissa(found)
+    parts = _make_mantissa(found)
     if not parts.well_formed:
         raise Unreadable(
-            f'"{shown(found[0])}" is more than one number, or wrongly grouped; one number was '
+            f'"{show(found[0])}" is more than one number, or wrongly grouped; one number was '
             "expected"
         )
-    decimal, reason = _decimal_mark(parts, style)
+    decimal, reason = _find_decimal_mark(parts, style)
     whole = "".join(parts.pieces[:-1] if decimal else parts.pieces)
     decimals = parts.pieces[-1] if decimal else ""
     power = found["power"] or found["ten"] or "0"
@@ -202,11 +202,11 @@ def scan(
     digits = (
         f"{whole or '0'}{'.' if decimals else ''}{decimals}{f'e{int(power)}' if int(power) else ''}"
     )
-    value = scaled(int(whole + decimals), int(power) - len(decimals))
+    value = _scale(int(whole + decimals), int(power) - len(decimals))
     return TypedNumber(value, digits, found.end(), reason)
 
 
-def scaled(digits: int, power_of_ten: int) -> Fraction:
+def _scale(digits: int, power_of_ten: int) -> Fraction:
     """digits * 10**power_of_ten, exactly."""
     return (
         Fraction(digits * 10**power_of_ten)
@@ -215,7 +215,7 @@ def scaled(digits: int, power_of_ten: int) -> Fraction:
     )
 
 
-def _decimal_mark(parts: Mantissa, style: DecimalStyle) -> tuple[str | None, str]:
+def _find_decimal_mark(parts: Mantissa, style: DecimalStyle) -> tuple[str | None, str]:
     """The decimal mark of this number, None where it has none, and the reason where that is
     ambiguous.
     """
@@ -240,7 +240,7 @@ def _require_bounded(digits: str, power: str) -> None:
         raise Unreadable(f"a power of ten beyond {LARGEST_EXPONENT}")
 
 
-def shown(text: str) -> str:
+def show(text: str) -> str:
     """On one line, with everything invisible written out."""
     return "".join(
         each if each.isprintable() else each.encode("unicode_escape").decode() for each in text

@@ -26,12 +26,12 @@ from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.grading.judge import Kind
 from kinegrade.grading.marks import MarkedBlock
 
-LOOKED_AT = 400  # students, evenly across the class: enough for a share, few enough for any class
-LEAST = 4  # answers: fewer say nothing about a class
-BY_CHANCE = 0.5  # of the foreign answers: this many may also be foreign by chance
-MOVED = (0.93, 1.07)  # factors for keys that no student had
-SAME = 1e-9  # relative: values further apart than this are different
-MOSTLY = 0.6  # of a student's answers
+_LOOKED_AT = 400  # students, evenly across the class: enough for a share, few enough for any class
+_LEAST = 4  # answers: fewer say nothing about a class
+_BY_CHANCE = 0.5  # of the foreign answers: this many may also be foreign by chance
+_MOVED = (0.93, 1.07)  # factors for keys that no student had
+_SAME = 1e-9  # relative: values further apart than this are different
+_MOSTLY = 0.6  # of a student's answers
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 _EXPLAINED: tuple[Kind, ...] = ("mistake", "follow-through", "accepted", "void")
@@ -66,19 +66,19 @@ class OtherPapers:
         """Raises ExamError where most answers fit papers other than those by which they are
         marked.
         """
-        if self.numbers < LEAST or 2 * self.strange <= self.numbers:
+        if self.numbers < _LEAST or 2 * self.strange <= self.numbers:
             return
-        step = max(1, len(self.rows) // LOOKED_AT)
+        step = max(1, len(self.rows) // _LOOKED_AT)
         places = np.arange(0, len(self.rows), step)
         answers = _Answers(np.array(self.rows)[places], np.array(self.right)[places], places)
         papers = [*exam.papers(), *exam.variants()]
         bounds = [_Bounds.of(papers, number) for number in range(len(self.asks))]
         found = answers.foreign(bounds, self._questions())
-        chance = _by_chance(lambda moved: answers.foreign(moved, self._questions()), bounds)
+        chance = _expect_by_chance(lambda moved: answers.foreign(moved, self._questions()), bounds)
         swapped = answers.swapped(bounds)
-        certain = (2 * found > answers.count and chance <= BY_CHANCE * found) or (
+        certain = (2 * found > answers.count and chance <= _BY_CHANCE * found) or (
             2 * swapped > answers.students
-            and _by_chance(answers.swapped, bounds) <= BY_CHANCE * swapped
+            and _expect_by_chance(answers.swapped, bounds) <= _BY_CHANCE * swapped
         )
         if certain:
             raise ExamError(
@@ -144,7 +144,7 @@ class _Answers:
     @property
     def students(self) -> int:
         """The number of students who gave enough numbers to say anything."""
-        return int(((~np.isnan(self.numbers)).sum(axis=1) >= LEAST).sum())
+        return int(((~np.isnan(self.numbers)).sum(axis=1) >= _LEAST).sum())
 
     @property
     def count(self) -> int:
@@ -173,17 +173,19 @@ class _Answers:
         counts[~self._others(bounds)] = 0
         most = counts.max(axis=1, initial=0)
         right = (self.right & ~np.isnan(self.numbers)).sum(axis=1)
-        return int(((most >= MOSTLY * given) & (most > right) & (given >= LEAST)).sum())
+        return int(((most >= _MOSTLY * given) & (most > right) & (given >= _LEAST)).sum())
 
     def _others(self, bounds: Sequence[_Bounds]) -> Flags:
         """For each student the papers that differ from the student's in these asks."""
         differ = np.zeros((len(self.places), len(bounds[0].value)), dtype=np.bool_)
         for each in bounds:
             away = np.abs(each.value - each.value[self.places][:, None])
-            differ |= away > SAME * np.abs(each.value)
+            differ |= away > _SAME * np.abs(each.value)
         return differ
 
 
-def _by_chance(count: Callable[[Sequence[_Bounds]], int], bounds: Sequence[_Bounds]) -> float:
+def _expect_by_chance(
+    count: Callable[[Sequence[_Bounds]], int], bounds: Sequence[_Bounds]
+) -> float:
     """How many there are on papers that no student had."""
-    return sum(count([each.moved(factor) for each in bounds]) for factor in MOVED) / len(MOVED)
+    return sum(count([each.moved(factor) for each in bounds]) for factor in _MOVED) / len(_MOVED)

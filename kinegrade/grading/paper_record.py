@@ -12,10 +12,10 @@ from fractions import Fraction
 from math import nan
 
 from kinegrade.errors import ExamError, FieldError
-from kinegrade.exam.folder.exact_keys import exact_value, rule_of
+from kinegrade.exam.folder.exact_keys import find_exact_value, read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import decoding
-from kinegrade.exam.folder.numbers import number
+from kinegrade.exam.folder.numbers import require_number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer
 from kinegrade.marks_folder.rows import Put
 
@@ -60,7 +60,7 @@ class PaperRecords:
         """The paper of a student. Raises ExamError where the exam has no paper for that student."""
         line = self.exam.line_of(student)
         with decoding(self.exam.key, f'the paper of student "{student}"'):
-            return PaperRecord(line.order, dict(_answers(line)), dict(_parameters(line)))
+            return PaperRecord(line.order, dict(_read_answers(line)), dict(_read_parameters(line)))
 
     def marked(self, student: str, columns: Iterable[str]) -> PaperRecord:
         """The paper of a student whose answers stand in these columns. Raises ExamError where it
@@ -99,25 +99,25 @@ class PaperRecords:
         return PaperRecord(paper.printed, answers, parameters)
 
 
-def _answers(line: KeyLine) -> Iterator[tuple[str, RightAnswer]]:
+def _read_answers(line: KeyLine) -> Iterator[tuple[str, RightAnswer]]:
     """The right answers, by column. Raises FieldError."""
     for question in line.questions:
         for name, stated in question.asks.items():
             column = f"{question.question}.{name}"
             try:
-                yield column, _right_answer(stated)
+                yield column, _read_right_answer(stated)
             except FieldError as fault:
                 raise FieldError(f"{column}: {fault}") from fault
 
 
-def _right_answer(stated: StatedAnswer) -> RightAnswer:
-    value = exact_value(stated)
-    low, high = rule_of(stated.tolerance).key(value).interval
+def _read_right_answer(stated: StatedAnswer) -> RightAnswer:
+    value = find_exact_value(stated)
+    low, high = read_rule(stated.tolerance).key(value).interval
     return RightAnswer(value, stated.exact, stated.unit, max(value - low, high - value))
 
 
-def _parameters(line: KeyLine) -> Iterator[tuple[tuple[str, str], float]]:
+def _read_parameters(line: KeyLine) -> Iterator[tuple[tuple[str, str], float]]:
     """The drawn numbers, by question and parameter. Raises FieldError."""
     for question in line.questions:
         for name, stated in question.parameters.items():
-            yield (question.question, name), float(number(name, stated.value))
+            yield (question.question, name), float(require_number(name, stated.value))

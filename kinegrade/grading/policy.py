@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Literal, assert_never
 
-from kinegrade.exam.folder.keys import Ask, Key, rule
+from kinegrade.exam.folder.keys import Ask, Key, make_rule
 from kinegrade.expression import Expression
 from kinegrade.grading.unit_spelling import Conversion
 from kinegrade.stated_marking import StatedTolerance
@@ -73,9 +73,9 @@ class Ruling:
 
     def beside(self, key: Key, value: Fraction) -> Key:
         """A key for another value, by the rule that `key` has under the policy."""
-        stated = key.rule or rule(Fraction(0), key.tolerance)
+        stated = key.rule or make_rule(Fraction(0), key.tolerance)
         room = self.room.over(StatedTolerance(stated.relative, stated.absolute, stated.figures))
-        now = rule(room.relative or Fraction(0), room.absolute or Fraction(0), room.figures)
+        now = make_rule(room.relative or Fraction(0), room.absolute or Fraction(0), room.figures)
         return now.key(value, key.period, key.mistakes)
 
 

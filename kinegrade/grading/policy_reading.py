@@ -38,7 +38,7 @@ from typing import get_args
 
 from kinegrade.errors import PolicyError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Ask, questions
+from kinegrade.exam.folder.keys import Ask, list_questions
 from kinegrade.fields.document import FileKind, parsed_table, read_text, toml_table
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import amount, choice, whole
@@ -77,16 +77,16 @@ def read_policy(path: Path, exam: ExamFolder) -> Policy:
     """
     text = read_text(path, _POLICY_FILE)
     table = toml_table(str(path), text, _POLICY_FILE)
-    return _Reader(exam).policy(table, text, _stated(exam))
+    return _Reader(exam).policy(table, text, _read_stated(exam))
 
 
 def stated_policy(exam: ExamFolder) -> Policy:
     """What applies without a policy: the credit table of the exam's bank. Raises PolicyError."""
     nothing = parsed_table("no policy", {}, _POLICY_FILE)
-    return _Reader(exam).policy(nothing, "", _stated(exam))
+    return _Reader(exam).policy(nothing, "", _read_stated(exam))
 
 
-def _stated(exam: ExamFolder) -> _Level:
+def _read_stated(exam: ExamFolder) -> _Level:
     """What the exam's bank states, as kept in exam.json."""
     content = {} if exam.head.credit is None else {"credit": exam.head.credit}
     head = parsed_table(str(exam.head_file), content, _HEAD_FILE)
@@ -123,7 +123,7 @@ class _Reader:
 
     def _rulings(self, content: Table, wider: _Level) -> dict[str, Ruling]:
         """A ruling for each answer column."""
-        known = questions(self.exam.asks)
+        known = list_questions(self.exam.asks)
         tables = content.only(*known, kind="question")
         rulings: dict[str, Ruling] = {}
         for question in known:

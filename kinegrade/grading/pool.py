@@ -43,7 +43,7 @@ class Pool:
                         yield self.paper(paper, entry)
 
 
-def pool_of(exam: ExamFolder, sheet: Sheet) -> Pool:
+def read_pool(exam: ExamFolder, sheet: Sheet) -> Pool:
     """The papers that a sheet's entries are marked by, other than the students' own. Raises
     ExamError.
     """
@@ -53,7 +53,7 @@ def pool_of(exam: ExamFolder, sheet: Sheet) -> Pool:
     return Pool(exam.papers_of(wanted - {""}))
 
 
-def put_rows(asks: Iterable[Ask], paper: Paper) -> Iterator[tuple[str, str, str, str]]:
+def list_put_rows(asks: Iterable[Ask], paper: Paper) -> Iterator[tuple[str, str, str, str]]:
     """Whose line of the key each of a student's answers is marked by; nothing if the paper is the
     student's own.
     """
@@ -62,7 +62,7 @@ def put_rows(asks: Iterable[Ask], paper: Paper) -> Iterator[tuple[str, str, str,
             yield paper.student, ask.question, ask.ask, paper.source(number)
 
 
-def exam_as_put(folder: ExamFolder, exam: Exam, put: Put) -> Exam:
+def make_exam_as_put(folder: ExamFolder, exam: Exam, put: Put) -> Exam:
     """The exam with every student's keys as the questions were put. Raises ExamError."""
     if not put:
         return exam

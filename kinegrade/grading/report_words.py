@@ -290,10 +290,10 @@ CHINESE = ReportWords(
 )
 
 
-def report_words_of(language: str) -> ReportWords:
+def choose_report_words(language: str) -> ReportWords:
     """The words in "en" or "zh".
 
-    >>> report_words_of("zh").facility
+    >>> choose_report_words("zh").facility
     '得分率'
     """
     return {"en": ENGLISH, "zh": CHINESE}[language]

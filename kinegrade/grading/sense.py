@@ -1,6 +1,6 @@
 """A sense in words: clockwise, 逆时针, ↻, to the left; and what it means for the sign of an ask.
 
-`without_sense` takes the words off a folded answer; `direction` gives their sign under the ask's
+`split_sense` takes the words off a folded answer; `find_direction` gives their sign under the ask's
 convention.
 """
 
@@ -44,11 +44,11 @@ _POSITIVE: tuple[tuple[re.Pattern[str], Sense | None], ...] = (
 _SIGNLESS = re.compile(r"magnitude\b.*|unsigned|between 0° and 180°")
 
 
-def without_sense(text: str) -> tuple[str, Sense | None]:
+def split_sense(text: str) -> tuple[str, Sense | None]:
     """A folded answer without its word for the sense, and that sense; None where there is no such
     word.
 
-    >>> without_sense("12 rad/s (clockwise)")
+    >>> split_sense("12 rad/s (clockwise)")
     ('12 rad/s', 'cw')
     """
     for pattern in (_BEHIND, _BEFORE) if _HINT.search(text) else ():
@@ -59,7 +59,7 @@ def without_sense(text: str) -> tuple[str, Sense | None]:
     return text, None
 
 
-def direction(sense: Sense, sign: str, convention: str) -> tuple[int, str]:
+def find_direction(sense: Sense, sign: str, convention: str) -> tuple[int, str]:
     """(1 or -1, remark): the factor that words give to a number typed with `sign` ("", "+" or
     "-").
 

@@ -30,18 +30,18 @@ from numpy.typing import NDArray
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Exam, Examinee
-from kinegrade.grading.pool import exam_as_put
-from kinegrade.grading.sharing_fits import Numbers, Windows, windows
-from kinegrade.marks_folder.cells import edited
+from kinegrade.grading.pool import make_exam_as_put
+from kinegrade.grading.sharing_fits import Numbers, Windows, find_windows
+from kinegrade.marks_folder.cells import explain_edited
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import MarkedAnswer
 
-LEVEL = 0.01
+_LEVEL = 0.01
 MOST = 1000  # pairs reported; the most striking ones
 QUESTIONS = 2
-CELLS = 4_000_000  # pairs of students examined together, to bound memory
-COUNTS = 2  # right answers, and right answers or mistakes
+_CELLS = 4_000_000  # pairs of students examined together, to bound memory
+_COUNTS = 2  # right answers, and right answers or mistakes
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,21 +91,21 @@ class Sharing:
     level: float
 
 
-def find_sharing(exam: ExamFolder, marks: MarksFolder, level: float = LEVEL) -> Sharing:
+def find_sharing(exam: ExamFolder, marks: MarksFolder, level: float = _LEVEL) -> Sharing:
     """Searches a marks folder, with its exam folder; questions from a pool count as they were
     put.
 
     Raises ExamError, TableError.
     """
-    known = exam_as_put(exam, exam.in_memory(), marks.put)
-    return sharing(known, marks.answers(), level)
+    known = make_exam_as_put(exam, exam.in_memory(), marks.put)
+    return find_pairs(known, marks.answers(), level)
 
 
-def sharing(exam: Exam, answers: Iterable[MarkedAnswer], level: float = LEVEL) -> Sharing:
+def find_pairs(exam: Exam, answers: Iterable[MarkedAnswer], level: float = _LEVEL) -> Sharing:
     """The pairs of a class whose chance is below `level`. Raises ExamError where an answer does not
     belong to the exam.
     """
-    wrong = _wrong_answers(exam, answers)
+    wrong = _find_wrong_answers(exam, answers)
     papers = [
         tuple(examinee.keys[ask.column].value for ask in exam.asks) for examinee in exam.examinees
     ]
@@ -119,11 +119,11 @@ def sharing(exam: Exam, answers: Iterable[MarkedAnswer], level: float = LEVEL) -
     )
 
 
-def tail(count: int, mean: float) -> float:
+def find_tail(count: int, mean: float) -> float:
     """The probability that a Poisson variable with that mean is at least `count`; a mean of zero
     allows nothing.
 
-    >>> round(tail(2, 0.1), 6), tail(0, 0.1), tail(1, 0.0)
+    >>> round(find_tail(2, 0.1), 6), find_tail(0, 0.1), find_tail(1, 0.0)
     (0.004679, 1.0, 0.0)
     """
     if count <= mean or not count:
@@ -159,7 +159,7 @@ class _Wrong:
     typed: dict[tuple[int, int], str]
 
 
-def _wrong_answers(exam: Exam, answers: Iterable[MarkedAnswer]) -> _Wrong:
+def _find_wrong_answers(exam: Exam, answers: Iterable[MarkedAnswer]) -> _Wrong:
     students = {examinee.student: place for place, examinee in enumerate(exam.examinees)}
     columns = {ask.column: place for place, ask in enumerate(exam.asks)}
     numbers = [np.full(len(students), np.nan) for _ in columns]
@@ -167,9 +167,9 @@ def _wrong_answers(exam: Exam, answers: Iterable[MarkedAnswer]) -> _Wrong:
     faults: dict[str, None] = {}
     for answer in answers:
         student, ask = students.get(answer.student), columns.get(answer.column)
-        number = _number(answer)
+        number = _read_number(answer)
         if student is None or ask is None or number is None:
-            faults[_fault(answer, student, ask)] = None
+            faults[_explain(answer, student, ask)] = None
         elif answer.verdict == "wrong" and number and isfinite(number):
             numbers[ask][student] = number
             typed[student, ask] = answer.typed
@@ -178,7 +178,7 @@ def _wrong_answers(exam: Exam, answers: Iterable[MarkedAnswer]) -> _Wrong:
     return _Wrong(numbers, typed)
 
 
-def _number(answer: MarkedAnswer) -> float | None:
+def _read_number(answer: MarkedAnswer) -> float | None:
     """The number that was read, NaN where there is none; None for anything that is not a number."""
     try:
         return float(answer.read_as or "nan")
@@ -186,7 +186,7 @@ def _number(answer: MarkedAnswer) -> float | None:
         return None
 
 
-def _fault(answer: MarkedAnswer, student: int | None, ask: int | None) -> str:
+def _explain(answer: MarkedAnswer, student: int | None, ask: int | None) -> str:
     if student is None or ask is None:
         who = f'student "{answer.student}"' if student is None else f'ask "{answer.column}"'
         return (
@@ -194,7 +194,7 @@ def _fault(answer: MarkedAnswer, student: int | None, ask: int | None) -> str:
             "folder - name the folder by which they were made"
         )
     problem = f'"{answer.read_as[:40]}" stands where a number should'
-    return edited(f'{ANSWERS.name}: student "{answer.student}", {answer.column}', problem)
+    return explain_edited(f'{ANSWERS.name}: student "{answer.student}", {answer.column}', problem)
 
 
 @dataclass(frozen=True)
@@ -214,7 +214,7 @@ class _Search:
         return len(self.exam.examinees) * (len(self.exam.examinees) - 1)
 
     @cached_property
-    def windows(self) -> tuple[tuple[Windows, Windows], ...]:
+    def _windows(self) -> tuple[tuple[Windows, Windows], ...]:
         """For each ask what would be right on each paper, and the same together with what mistakes
         lead to.
         """
@@ -222,16 +222,18 @@ class _Search:
             [examinee.keys[ask.column] for examinee in self.exam.examinees]
             for ask in self.exam.asks
         ]
-        return tuple((windows(each, mistakes=False), windows(each, mistakes=True)) for each in keys)
+        return tuple(
+            (find_windows(each, mistakes=False), find_windows(each, mistakes=True)) for each in keys
+        )
 
     def found(self) -> Iterator[_Found]:
         """The pairs below the level."""
-        students = self.suspects()
-        size = max(1, CELLS // len(self.exam.examinees))
+        students = self._suspects()
+        size = max(1, _CELLS // len(self.exam.examinees))
         for first in range(0, len(students), size):
             yield from self.among(students[first : first + size])
 
-    def suspects(self) -> NDArray[np.intp]:
+    def _suspects(self) -> NDArray[np.intp]:
         """The students with unexplained wrong answers to enough questions."""
         wrong = {
             question: np.zeros(len(self.exam.examinees), dtype=bool)
@@ -243,39 +245,42 @@ class _Search:
 
     def among(self, students: NDArray[np.intp]) -> Iterator[_Found]:
         """The pairs of these students with any other."""
-        counts = [_Count.of(len(students), len(self.exam.examinees)) for _ in range(COUNTS)]
+        counts = [_Count.of(len(students), len(self.exam.examinees)) for _ in range(_COUNTS)]
         for question in self.exam.questions:
             asks = [place for place, ask in enumerate(self.exam.asks) if ask.question == question]
             for kind, count in enumerate(counts):
-                count.add([self.fitting(students, ask, kind) for ask in asks])
+                count.add([self._fitting(students, ask, kind) for ask in asks])
         chance = np.ones(counts[0].fits.shape)
         for count in counts:
             np.minimum(
-                chance, self.chances(count, count.expected / self.unlike[students]), out=chance
+                chance, self._chances(count, count.expected / self.unlike[students]), out=chance
             )
         for row, other in np.argwhere(chance <= self.level):
             yield _Found(int(students[row]), int(other), float(chance[row, other]))
 
-    def fitting(self, students: NDArray[np.intp], ask: int, kind: int) -> NDArray[np.bool_]:
+    def _fitting(self, students: NDArray[np.intp], ask: int, kind: int) -> NDArray[np.bool_]:
         """Whose answer to one ask fits which paper: a row for each of these students, a column for
         each paper.
         """
         numbers = self.wrong.numbers[ask][students]
         given = np.flatnonzero(~np.isnan(numbers))
-        answer, paper = self.windows[ask][kind].fits(numbers[given])
+        answer, paper = self._windows[ask][kind].fits(numbers[given])
         fits = np.zeros((len(students), len(self.exam.examinees)), dtype=bool)
         fits[given[answer], paper] = True
         fits[np.arange(len(students)), students] = False
         return fits
 
-    def chances(self, count: _Count, expected: Numbers) -> Numbers:
+    def _chances(self, count: _Count, expected: Numbers) -> Numbers:
         """For each pair how often a class has so many fits by chance; 1 where too few questions are
         involved.
         """
         most = int(count.fits.max(initial=0))
-        tests = COUNTS * self.pairs
+        tests = _COUNTS * self.pairs
         table = np.array(
-            [[min(1.0, tests * tail(fits, mean)) for fits in range(most + 1)] for mean in expected]
+            [
+                [min(1.0, tests * find_tail(fits, mean)) for fits in range(most + 1)]
+                for mean in expected
+            ]
         )
         chance: Numbers = np.take_along_axis(table, count.fits.astype(np.intp), axis=1)
         return np.where(count.questions >= QUESTIONS, chance, 1.0)
@@ -290,10 +295,10 @@ class _Search:
         }
         fits = [
             {
-                ask: self.windows[ask][kind].papers(answer) - {student}
+                ask: self._windows[ask][kind].papers(answer) - {student}
                 for ask, answer in given.items()
             }
-            for kind in range(COUNTS)
+            for kind in range(_COUNTS)
         ]
         as_key, any_way = fits
         answers = tuple(

@@ -51,7 +51,7 @@ class Windows:
         return frozenset(self.paper[(self.low <= number) & (number <= self.high)].tolist())
 
 
-def windows(keys: Sequence[Key], *, mistakes: bool) -> Windows:
+def find_windows(keys: Sequence[Key], *, mistakes: bool) -> Windows:
     """What is right by the keys of one ask, in the order of the papers; with `mistakes` also what
     these lead to.
 
@@ -59,24 +59,24 @@ def windows(keys: Sequence[Key], *, mistakes: bool) -> Windows:
     """
     found = [
         (place, float(value), *room)
-        for place, (key, room) in enumerate(zip(keys, map(_room, keys), strict=True))
+        for place, (key, room) in enumerate(zip(keys, map(_find_room, keys), strict=True))
         for value in (key.value, *(key.mistakes.values() if mistakes else ()))
     ]
     table = np.array(found, dtype=np.float64).reshape(len(found), 5)
     paper, value = table[:, 0].astype(np.intp), table[:, 1]
-    low, high = _bounds(value, *table[:, 2:].T)
+    low, high = _find_bounds(value, *table[:, 2:].T)
     proper = (low > 0) | (high < 0)
     period = float(max((key.period or 0 for key in keys), default=0))
-    return _turning(paper[proper], value[proper], low[proper], high[proper], period)
+    return _unroll(paper[proper], value[proper], low[proper], high[proper], period)
 
 
-def _room(key: Key) -> tuple[float, float, float]:
+def _find_room(key: Key) -> tuple[float, float, float]:
     """Relative and absolute tolerance, and the significant figures asked for, 0 for none."""
     stated = key.rule or Rule(absolute=key.tolerance)
     return float(stated.relative), float(stated.absolute), float(stated.figures or 0)
 
 
-def _bounds(
+def _find_bounds(
     value: Numbers, relative: Numbers, absolute: Numbers, figures: Numbers
 ) -> tuple[Numbers, Numbers]:
     """The smallest and the largest number that fit each value."""
@@ -88,7 +88,7 @@ def _bounds(
     return np.minimum(value - room, agreeing - half), np.maximum(value + room, agreeing + half)
 
 
-def _turning(paper: Places, value: Numbers, low: Numbers, high: Numbers, period: float) -> Windows:
+def _unroll(paper: Places, value: Numbers, low: Numbers, high: Numbers, period: float) -> Windows:
     """The windows; for cyclic angles, those of the first turn with copies one turn below and
     above.
     """

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinegrade.csv_writing import csv_text, for_people, neutralised
+from kinegrade.csv_writing import encode_for_people, neutralise, write_csv_text
 from kinegrade.grading.sharing import MOST, QUESTIONS, Pair, Sharing
 
 HEADER = (
@@ -17,25 +17,25 @@ HEADER = (
 NOTE = "worth a look; not evidence of anything by itself"
 
 
-def sharing_csv(sharing: Sharing) -> bytes:
+def write_sharing_csv(sharing: Sharing) -> bytes:
     """A CSV file with a line for each pair; cells that a spreadsheet might run are made harmless,
     ids stay unchanged.
     """
-    return for_people(csv_text(HEADER, map(_row, sharing.reported)))
+    return encode_for_people(write_csv_text(HEADER, map(_write_row, sharing.reported)))
 
 
-def _row(pair: Pair) -> tuple[str, ...]:
+def _write_row(pair: Pair) -> tuple[str, ...]:
     right = sum(answer.as_key for answer in pair.answers)
     return (
-        pair.student.student, neutralised(pair.student.name),
-        pair.other.student, neutralised(pair.other.name),
+        pair.student.student, neutralise(pair.student.name),
+        pair.other.student, neutralise(pair.other.name),
         str(pair.wrong), str(len(pair.answers)), f"{pair.expected:.2g}",
         str(right), f"{pair.as_key_expected:.2g}",
-        f"{pair.chance:.1e}", neutralised("; ".join(_answers(pair))), NOTE,
+        f"{pair.chance:.1e}", neutralise("; ".join(_write_answers(pair))), NOTE,
     )  # fmt: skip
 
 
-def _answers(pair: Pair) -> Iterator[str]:
+def _write_answers(pair: Pair) -> Iterator[str]:
     for answer in pair.answers:
         yield (
             f"{answer.column} {answer.typed.strip()} "
@@ -43,14 +43,14 @@ def _answers(pair: Pair) -> Iterator[str]:
         )
 
 
-def sharing_text(sharing: Sharing) -> str:
+def write_sharing_text(sharing: Sharing) -> str:
     """The same for a person, without names: how much was found, and how it may and may not be
     read.
     """
-    return "\n".join(_sentences(sharing))
+    return "\n".join(_write_sentences(sharing))
 
 
-def _sentences(sharing: Sharing) -> Iterator[str]:
+def _write_sentences(sharing: Sharing) -> Iterator[str]:
     count, level = sharing.found, f"{100 * sharing.level:g} %"
     if count:
         pairs = "1 pair is" if count == 1 else f"{count:,} pairs are"
@@ -71,10 +71,10 @@ def _sentences(sharing: Sharing) -> Iterator[str]:
         )
     if count > MOST:
         yield f"The file has the {MOST:,} most striking ones."
-    yield from _limits(sharing)
+    yield from _write_limits(sharing)
 
 
-def _limits(sharing: Sharing) -> Iterator[str]:
+def _write_limits(sharing: Sharing) -> Iterator[str]:
     """What this exam cannot show."""
     if sharing.questions < QUESTIONS:
         yield (

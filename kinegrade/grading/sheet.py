@@ -15,19 +15,19 @@ from typing import NamedTuple
 from unicodedata import normalize
 
 from kinegrade.answer_file import AnswerFile, Sources
-from kinegrade.csv_writing import csv_text
+from kinegrade.csv_writing import write_csv_text
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.keys import Ask, Sitting
-from kinegrade.exam.roster import COLUMN_NAMES, student_key
-from kinegrade.exam.student_ids import StudentIds, restoration
+from kinegrade.exam.roster import COLUMN_NAMES, make_student_key
+from kinegrade.exam.student_ids import StudentIds, describe_restoration
 from kinegrade.tables import (
     Complaint,
     Row,
     Table,
-    header_key,
-    shortened,
-    trimmed,
-    without_headers,
+    drop_headers,
+    make_header_key,
+    shorten,
+    trim,
 )
 
 _NEEDLESS = {*COLUMN_NAMES["name"], *COLUMN_NAMES["email"], "paper"}
@@ -71,7 +71,7 @@ class Sheet:
     headers of the asks' columns.
 
     `complaints` are those made before it is decided which of several entries counts: see
-    `repeated`.
+    `find_repeated`.
     """
 
     columns: tuple[str, ...]
@@ -131,19 +131,21 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
     another exam.
     """
     table = answers.table
-    columns = _columns(table, exam.asks)
-    rows, complaints = _rows_by_student(table, columns, exam)
+    columns = _find_columns(table, exam.asks)
+    rows, complaints = _group_rows(table, columns, exam)
     responses, put = columns.responses(), columns.sources(answers)
-    entries = {student: _entries(rows[student], table.file, responses, put) for student in rows}
+    entries = {
+        student: _make_entries(rows[student], table.file, responses, put) for student in rows
+    }
     names = ("" if index is None else table.header[index] for index in columns.asks)
-    said = (*table.complaints, *_extra_columns(table, columns), *complaints)
+    said = (*table.complaints, *_find_extra_columns(table, columns), *complaints)
     return Part(table.file, tuple(names), entries, said)
 
 
-def _columns(table: Table, asks: Sequence[Ask]) -> _Columns:
-    header = [header_key(cell) for cell in table.header]
+def _find_columns(table: Table, asks: Sequence[Ask]) -> _Columns:
+    header = [make_header_key(cell) for cell in table.header]
     student = next((header.index(name) for name in COLUMN_NAMES["student"] if name in header), None)
-    found = _ask_columns(table.header, asks)
+    found = _find_ask_columns(table.header, asks)
     faults = []
     if student is None:
         faults.append('no column "student" - expected one with the student ids')
@@ -152,7 +154,7 @@ def _columns(table: Table, asks: Sequence[Ask]) -> _Columns:
             f"no answer column - expected {', '.join(ask.column for ask in asks[:4])} ..."
         )
     strange = [
-        cell for cell in header if _ANSWER_COLUMN.fullmatch(cell) and cell not in _keys(asks)
+        cell for cell in header if _ANSWER_COLUMN.fullmatch(cell) and cell not in _list_keys(asks)
     ]
     if not faults and len(strange) > sum(index is not None for index in found):
         faults.append(
@@ -171,75 +173,77 @@ def _columns(table: Table, asks: Sequence[Ask]) -> _Columns:
     )
 
 
-def _keys(asks: Sequence[Ask]) -> set[str]:
-    return {header_key(ask.column) for ask in asks}
+def _list_keys(asks: Sequence[Ask]) -> set[str]:
+    return {make_header_key(ask.column) for ask in asks}
 
 
-def _ask_columns(header: Sequence[str], asks: Sequence[Ask]) -> tuple[int | None, ...]:
+def _find_ask_columns(header: Sequence[str], asks: Sequence[Ask]) -> tuple[int | None, ...]:
     """Exact spelling comes first, because v_A and v_a may both be asked; otherwise case does not
     matter.
     """
     backwards = list(enumerate(header))[::-1]  # so that of two equal columns the first is kept
-    exact = {_exact_key(cell): index for index, cell in backwards}
-    folded = {header_key(cell): index for index, cell in backwards}
-    alike = Counter(header_key(ask.column) for ask in asks)
+    exact = {_make_exact_key(cell): index for index, cell in backwards}
+    folded = {make_header_key(cell): index for index, cell in backwards}
+    alike = Counter(make_header_key(ask.column) for ask in asks)
 
     def find(column: str) -> int | None:
-        key = header_key(column)
-        return exact.get(_exact_key(column), folded.get(key) if alike[key] == 1 else None)
+        key = make_header_key(column)
+        return exact.get(_make_exact_key(column), folded.get(key) if alike[key] == 1 else None)
 
     return tuple(find(ask.column) for ask in asks)
 
 
-def _exact_key(column: str) -> str:
-    return trimmed(normalize("NFKC", column))
+def _make_exact_key(column: str) -> str:
+    return trim(normalize("NFKC", column))
 
 
-def _rows_by_student(
+def _group_rows(
     table: Table, columns: _Columns, exam: Sitting
 ) -> tuple[Mapping[str, Sequence[Row]], list[Complaint]]:
     ids = StudentIds(exam.students)
-    found = [(row, ids.exact(row.cell(columns.student))) for row in without_headers(table)]
+    found = [(row, ids.exact(row.cell(columns.student))) for row in drop_headers(table)]
     strange = [row.cell(columns.student) for row, student in found if student is None]
     taken = {student for _, student in found if student is not None} if strange else set()
     restored = ids.restored(strange, taken)
     rows: dict[str, list[Row]] = defaultdict(list)
-    complaints = [_restored(table, columns, restored)] if restored else []
+    complaints = [_complain_of_restored(table, columns, restored)] if restored else []
     for row, exact in found:
         student = exact or restored.get(row.cell(columns.student))
         if student is None:
-            complaints.append(_unknown(table, row, columns, ids))
+            complaints.append(_complain_of_unknown(table, row, columns, ids))
         else:
             rows[student].append(row)
     return rows, complaints
 
 
-def _restored(table: Table, columns: _Columns, restored: Mapping[str, str]) -> Complaint:
-    problem, done = restoration(restored)
+def _complain_of_restored(
+    table: Table, columns: _Columns, restored: Mapping[str, str]
+) -> Complaint:
+    problem, done = describe_restoration(restored)
     return Complaint(table.file, None, table.header[columns.student], "", problem, done)
 
 
-def _unknown(table: Table, row: Row, columns: _Columns, ids: StudentIds) -> Complaint:
+def _complain_of_unknown(table: Table, row: Row, columns: _Columns, ids: StudentIds) -> Complaint:
     cell = row.cell(columns.student)
-    key, likely = student_key(cell), ids.near(cell)
-    problem = f'no student "{shortened(key)}" in the exam' if key else "no student id"
+    key, likely = make_student_key(cell), ids.near(cell)
+    problem = f'no student "{shorten(key)}" in the exam' if key else "no student id"
     meant = " or ".join(f'"{student}"' for student in likely)
     hint = f"; probably {meant}: correct the id and grade again" if meant else ""
     return Complaint(
         table.file,
         row.line,
         table.header[columns.student],
-        _whole(row),
+        _join_row(row),
         problem,
         f"not graded{hint}",
     )
 
 
-def _whole(row: Row) -> str:
-    return csv_text([shortened(cell) for cell in row.cells], []).rstrip("\n")
+def _join_row(row: Row) -> str:
+    return write_csv_text([shorten(cell) for cell in row.cells], []).rstrip("\n")
 
 
-def _entries(
+def _make_entries(
     rows: Sequence[Row],
     file: str,
     responses: Callable[[tuple[str, ...]], tuple[str, ...]],
@@ -250,17 +254,17 @@ def _entries(
         return (Entry(row.line, responses(row.cells), "", file, put.get(row.line, ())),)
     return tuple(
         [
-            Entry(row.line, responses(row.cells), _whole(row), file, put.get(row.line, ()))
+            Entry(row.line, responses(row.cells), _join_row(row), file, put.get(row.line, ()))
             for row in rows
         ]
     )
 
 
-def _extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
+def _find_extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
     for index in columns.extra:
-        name = shortened(table.header[index])
-        filled = [row for row in table.rows if trimmed(row.cell(index))]
-        if trimmed(name):
+        name = shorten(table.header[index])
+        filled = [row for row in table.rows if trim(row.cell(index))]
+        if trim(name):
             done = "ignored" + ("; its cells follow" if filled else "")
             yield Complaint(
                 table.file,
@@ -271,7 +275,7 @@ def _extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
                 done,
             )
         for row in filled:
-            content = shortened(row.cell(index))
+            content = shorten(row.cell(index))
             yield Complaint(
                 table.file,
                 row.line,
@@ -282,15 +286,15 @@ def _extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
             )
 
 
-def repeated(entries: Sequence[Entry], counted: Entry) -> Iterator[Complaint]:
+def find_repeated(entries: Sequence[Entry], counted: Entry) -> Iterator[Complaint]:
     """A complaint for each entry of a student that does not count; it quotes the row."""
-    answers = list(map(trimmed, counted.responses))
+    answers = list(map(trim, counted.responses))
     for entry in entries:
         if entry is counted:
             continue
         where = "" if entry.file == counted.file else f" of {counted.file}"
         problem = f"another row for this student stands on line {counted.line}{where}"
-        same = list(map(trimmed, entry.responses)) == answers
+        same = list(map(trim, entry.responses)) == answers
         done = (
             "ignored, the answers are the same"
             if same

@@ -6,25 +6,25 @@ from collections.abc import Collection, Iterable, Sequence
 from unicodedata import combining, east_asian_width
 
 
-def aligned(
+def align(
     header: Sequence[str], rows: Iterable[Sequence[str]], numbers: Collection[int] = ()
 ) -> str:
     """Lines with aligned columns; columns whose index is in `numbers` are flush right.
 
-    >>> print(aligned(("who", "points"), [("Ann", "7"), ("王伟", "12")], numbers=(1,)), end="")
+    >>> print(align(("who", "points"), [("Ann", "7"), ("王伟", "12")], numbers=(1,)), end="")
     who   points
     Ann        7
     王伟      12
     """
     lines = [header, *rows]
-    widths = [max(map(width, column)) for column in zip(*lines, strict=True)]
-    return "".join(f"{_line(line, widths, numbers)}\n" for line in lines)
+    widths = [max(map(_measure_width, column)) for column in zip(*lines, strict=True)]
+    return "".join(f"{_write_line(line, widths, numbers)}\n" for line in lines)
 
 
-def width(text: str) -> int:
+def _measure_width(text: str) -> int:
     """The number of columns that a text takes.
 
-    >>> width("a王")
+    >>> _measure_width("a王")
     3
     """
     return sum(
@@ -38,16 +38,16 @@ def cut(text: str, columns: int) -> str:
     >>> cut("欧阳文清", 6), cut("Ann", 6)
     ('欧阳…', 'Ann')
     """
-    if width(text) <= columns:
+    if _measure_width(text) <= columns:
         return text
-    while width(text) >= columns:
+    while _measure_width(text) >= columns:
         text = text[:-1]
     return f"{text}…"
 
 
-def _line(cells: Sequence[str], widths: Sequence[int], numbers: Collection[int]) -> str:
+def _write_line(cells: Sequence[str], widths: Sequence[int], numbers: Collection[int]) -> str:
     padded = []
     for index, (cell, wide) in enumerate(zip(cells, widths, strict=True)):
-        blanks = " " * (wide - width(cell))
+        blanks = " " * (wide - _measure_width(cell))
         padded.append(f"{blanks}{cell}" if index in numbers else f"{cell}{blanks}")
     return "  ".join(padded).rstrip()

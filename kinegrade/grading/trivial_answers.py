@@ -13,11 +13,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 # Of the right answer: no larger value makes an existing term vanish
-SMALL = Fraction(1, 2)
-TINY = Fraction(1, 900)  # of the right answer: stands in for zero
+_SMALL = Fraction(1, 2)
+_TINY = Fraction(1, 900)  # of the right answer: stands in for zero
 # Times the right answer: more than degrees for radians, or a misplaced decimal point, can explain
-ENORMOUS = 100
-POWERS = (1, 2)  # of a velocity, in velocities and in accelerations
+_ENORMOUS = 100
+_POWERS = (1, 2)  # of a velocity, in velocities and in accelerations
 Own = Mapping[str, Fraction]
 
 
@@ -42,14 +42,16 @@ def is_trivial(name: str, answers: Own, right: Fraction, later: Later) -> bool:
     value.
     """
     size = abs(answers[name] / right)
-    if size < SMALL:  # the term has vanished, and would not have with the right value
-        return later.fits({**answers, name: right * TINY}) and not later.fits(
+    if size < _SMALL:  # the term has vanished, and would not have with the right value
+        return later.fits({**answers, name: right * _TINY}) and not later.fits(
             {**answers, name: right}
         )
-    return size > ENORMOUS and any(_drowns(name, answers, right, later, power) for power in POWERS)
+    return size > _ENORMOUS and any(
+        _has_drowned(name, answers, right, later, power) for power in _POWERS
+    )
 
 
-def _drowns(name: str, answers: Own, right: Fraction, later: Later, power: int) -> bool:
+def _has_drowned(name: str, answers: Own, right: Fraction, later: Later, power: int) -> bool:
     """Whether a power of this value drowns everything else, and would not with the right value."""
 
     def in_proportion(value: Fraction) -> bool:

@@ -63,7 +63,7 @@ class CellReader:
         """All cells of these rows."""
         typed = [*chain.from_iterable(rows)]
         if _takes_plain_numbers(self.styles.style) and _are_plain(typed):
-            return TypedCells(self, typed, np.array(_plain_values(typed)), _unsigned(typed), {}, {})
+            return TypedCells(self, typed, np.array(_read_plain(typed)), _drop_signs(typed), {}, {})
         return self._row_by_row(rows, typed)
 
     def _row_by_row(self, rows: Sequence[Sequence[str]], typed: Sequence[str]) -> TypedCells:
@@ -74,8 +74,8 @@ class CellReader:
         styles: dict[int, DecimalStyle] = {}
         for number, row in enumerate(rows):
             if usual and _are_plain(row):
-                values += _plain_values(row)
-                read_as += _unsigned(row)
+                values += _read_plain(row)
+                read_as += _drop_signs(row)
                 continue
             styles[number] = self.styles.of_row(row)
             for place, (value, digits, reading) in enumerate(
@@ -112,11 +112,11 @@ def _are_plain(cells: Sequence[str]) -> bool:
     return lines.count("\n") == len(cells) and _PLAIN_LINES.fullmatch(lines) is not None
 
 
-def _unsigned(cells: Sequence[str]) -> Sequence[str]:
+def _drop_signs(cells: Sequence[str]) -> Sequence[str]:
     return [cell.removeprefix("+") for cell in cells] if "+" in "".join(cells) else cells
 
 
-def _plain_values(cells: Sequence[str]) -> list[float]:
+def _read_plain(cells: Sequence[str]) -> list[float]:
     """The values of plain or empty cells; written as in JSON, as most are, they are read several
     times faster.
     """

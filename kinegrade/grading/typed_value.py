@@ -23,7 +23,7 @@ from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import Balls
 from kinegrade.exact.field import Field
 from kinegrade.exact.surd import Surd
-from kinegrade.exact.text import bounds
+from kinegrade.exact.text import find_bounds
 from kinegrade.expression import (
     PRODUCTS,
     SUMS,
@@ -33,9 +33,9 @@ from kinegrade.expression import (
     Name,
     Number,
     Operation,
-    elementary,
     evaluate,
-    rational,
+    make_elementary_functions,
+    read_rational,
 )
 from kinegrade.grading.number_text import (
     LARGEST_EXPONENT,
@@ -43,16 +43,16 @@ from kinegrade.grading.number_text import (
     TypedNumber,
     Unreadable,
     scan,
-    shown,
+    show,
 )
 
-MOST_ROOTS = 8
-MOST_BRACKETS = 8
-MOST_ATOMS = 24
-MOST_EXACT_ROOTS = 3  # with more of them, the tower of fields costs more than a ball
+_MOST_ROOTS = 8
+_MOST_BRACKETS = 8
+_MOST_ATOMS = 24
+_MOST_EXACT_ROOTS = 3  # with more of them, the tower of fields costs more than a ball
 PRECISION = 256
 # The error of an irrational value, relative to its size; the key has 40 digits
-KNOWN = Fraction(1, 10**38)
+_KNOWN = Fraction(1, 10**38)
 _SMALLEST, _LARGEST = Fraction(1, 10**LARGEST_EXPONENT), Fraction(10**LARGEST_EXPONENT)
 _VULGAR = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
 _START = re.compile(rf"\s*(?:[0-9(√πΠ𝜋{_VULGAR}]|[.,][0-9]|sqrt|根号|pi(?![a-z]))", re.IGNORECASE)
@@ -92,7 +92,7 @@ def scan_value(text: str, place: int, style: DecimalStyle) -> TypedNumber | Form
     Raises Unreadable for what cannot be one value.
     """
     plain = scan(text, place, style)
-    if plain is not None and not _goes_on(text, plain.end):
+    if plain is not None and not _is_continued(text, plain.end):
         return plain
     if plain is None and not _START.match(text, place):
         return None
@@ -101,7 +101,7 @@ def scan_value(text: str, place: int, style: DecimalStyle) -> TypedNumber | Form
     return Formula(tree, reader.place, reader.roots, reader.pi, reader.remark)
 
 
-def _goes_on(text: str, place: int) -> bool:
+def _is_continued(text: str, place: int) -> bool:
     """Whether a number continues as a formula: an operator before a value, a power, or a root or pi
     directly after it.
     """
@@ -121,11 +121,11 @@ class _Reader:
     def sum(self, depth: int) -> Expression:
         before, self.surds = self.surds, False
         tree, terms = self.product(depth), 1
-        while (mark := self.operator(*SUMS)) is not None:
+        while (mark := self._operator(*SUMS)) is not None:
             tree, terms = Operation(mark, tree, self.product(depth)), terms + 1
         if terms > 1 and not self.surds:
             raise Unreadable(
-                f'"{shown(self.text)}" is a range or a calculation; one number was expected'
+                f'"{show(self.text)}" is a range or a calculation; one number was expected'
             )
         self.surds |= before
         return tree
@@ -133,22 +133,22 @@ class _Reader:
     def product(self, depth: int) -> Expression:
         tree, divided = self.power(depth), False
         while True:
-            mark = self.operator(*PRODUCTS)
+            mark = self._operator(*PRODUCTS)
             if mark is None:
                 factor = self.beside(depth)
                 if factor is None:
                     return tree
-                self.require_plain_order(divided)
+                self._require_plain_order(divided)
                 tree = Operation("*", tree, factor)
                 continue
-            self.require_plain_order(divided and mark == "/")
+            self._require_plain_order(divided and mark == "/")
             divided = divided or mark == "/"
             tree = Operation(mark, tree, self.power(depth))
 
-    def require_plain_order(self, doubtful: bool) -> None:
+    def _require_plain_order(self, doubtful: bool) -> None:
         if doubtful:
             raise Unreadable(
-                f'"{shown(self.text)}" can be understood in two ways; write brackets, as in (1/2)√3'
+                f'"{show(self.text)}" can be understood in two ways; write brackets, as in (1/2)√3'
             )
 
     def beside(self, depth: int) -> Expression | None:
@@ -166,7 +166,7 @@ class _Reader:
             self.place, self.roots, self.surds, self.remark = state
             return None
 
-    def operator(self, *marks: Mark) -> Mark | None:
+    def _operator(self, *marks: Mark) -> Mark | None:
         found = _OPERATOR.match(self.text, self.place)
         if found is None or not _START.match(self.text, found.end()):
             return None
@@ -178,52 +178,54 @@ class _Reader:
         base = self.atom(depth)
         if found := _HALF.match(self.text, self.place):
             self.place = found.end()
-            return self.root_of(base)
+            return self._root_of(base)
         if found := _POWER.match(self.text, self.place):
             self.place = found.end()
-            return _raised(base, int(found[1] or found[2]))
+            return _raise(base, int(found[1] or found[2]))
         return base
 
     def atom(self, depth: int) -> Expression:
         self.atoms += 1
-        if self.atoms > MOST_ATOMS:
-            raise Unreadable(f"a formula of more than {MOST_ATOMS} parts; write a decimal number")
+        if self.atoms > _MOST_ATOMS:
+            raise Unreadable(f"a formula of more than {_MOST_ATOMS} parts; write a decimal number")
         self.skip()
         if found := _ROOT.match(self.text, self.place):
             self.place = found.end()
-            return self.radical(depth)
+            return self._radical(depth)
         if found := _PI.match(self.text, self.place):
             self.place, self.surds, self.pi = found.end(), True, True
             return Name("pi")
         if self.text.startswith("(", self.place):
-            return self.bracket(depth)
+            return self._bracket(depth)
         return self.number()
 
-    def radical(self, depth: int) -> Expression:
+    def _radical(self, depth: int) -> Expression:
         """The root of a bracket or of a single number; whatever follows that number is not part of
         the root.
         """
         bracket = self.text.startswith("(", self.place)
-        tree = self.root_of(self.bracket(depth) if bracket else self.number(power_of_ten=False))
+        tree = self._root_of(self._bracket(depth) if bracket else self.number(power_of_ten=False))
         if (
             not bracket
             and (after := _IMPLICIT.match(self.text, self.place))
             and after[0].strip() in "(πΠ𝜋"
         ):
-            self.require_plain_order(
+            self._require_plain_order(
                 bool(re.match(r"\s*(?:[πΠ𝜋]|\(\s*[0-9√])", self.text[self.place :]))
             )
         return tree
 
-    def root_of(self, tree: Expression) -> Expression:
+    def _root_of(self, tree: Expression) -> Expression:
         self.roots, self.surds = self.roots + 1, True
-        if self.roots > MOST_ROOTS:
-            raise Unreadable(f"more than {MOST_ROOTS} roots; write a decimal number")
+        if self.roots > _MOST_ROOTS:
+            raise Unreadable(f"more than {_MOST_ROOTS} roots; write a decimal number")
         return Call("sqrt", (tree,))
 
-    def bracket(self, depth: int) -> Expression:
-        if depth >= MOST_BRACKETS:
-            raise Unreadable(f"brackets nested deeper than {MOST_BRACKETS}; write a decimal number")
+    def _bracket(self, depth: int) -> Expression:
+        if depth >= _MOST_BRACKETS:
+            raise Unreadable(
+                f"brackets nested deeper than {_MOST_BRACKETS}; write a decimal number"
+            )
         self.place += 1
         self.skip()
         sign = self.text[self.place : self.place + 1]
@@ -232,10 +234,10 @@ class _Reader:
         self.skip()
         if not self.text.startswith(")", self.place):
             raise Unreadable(
-                f'"{shown(self.text)}": a bracket is not closed, or holds more than a number'
+                f'"{show(self.text)}": a bracket is not closed, or holds more than a number'
             )
         self.place += 1
-        return Operation("-", Number(rational("0")), tree) if sign == "-" else tree
+        return Operation("-", Number(read_rational("0")), tree) if sign == "-" else tree
 
     def number(self, *, power_of_ten: bool = True) -> Expression:
         """A decimal number, a fraction such as ½, or a whole number with a fraction; √3×10^-2 is a
@@ -243,70 +245,75 @@ class _Reader:
         """
         found = scan(self.text, self.place, self.style, power_of_ten=power_of_ten)
         if found is not None:
-            self.remark = self.remark or self.doubt(found)
+            self.remark = self.remark or self._doubt(found)
             self.place = found.end
-        vulgar = self.vulgar() if found is None or found.digits.isdigit() else None
+        vulgar = self._vulgar() if found is None or found.digits.isdigit() else None
         if found is None and vulgar is None:
             raise Unreadable(
-                f'"{shown(self.text)}": a number was expected at "{shown(self.text[self.place :])}"'
+                f'"{show(self.text)}": a number was expected at "{show(self.text[self.place :])}"'
             )
         if found is None or vulgar is None:
-            return vulgar or _literal(found.value if found else Fraction(0))
-        return Operation("+", _literal(found.value), vulgar)
+            return vulgar or _make_literal(found.value if found else Fraction(0))
+        return Operation("+", _make_literal(found.value), vulgar)
 
-    def doubt(self, found: TypedNumber) -> str:
+    def _doubt(self, found: TypedNumber) -> str:
         """What the instructor should know about a number just read, quoted as it was typed; ""
         where nothing is in doubt.
         """
-        typed = shown(self.text[self.place : found.end])
+        typed = show(self.text[self.place : found.end])
         return found.reason and f'"{typed}" read as {found.digits}: {found.reason}'
 
-    def vulgar(self) -> Expression | None:
+    def _vulgar(self) -> Expression | None:
         found = _MIXED.match(self.text, self.place)
         if found is None:
             return None
         self.place = found.end()
-        return _literal(Fraction(numeric(found[0][-1])).limit_denominator(10))
+        return _make_literal(Fraction(numeric(found[0][-1])).limit_denominator(10))
 
     def skip(self) -> None:
         while self.text[self.place : self.place + 1].isspace():
             self.place += 1
 
 
-def _literal(value: Fraction) -> Expression:
-    whole = Number(rational("1") * value.numerator)
+def _make_literal(value: Fraction) -> Expression:
+    whole = Number(read_rational("1") * value.numerator)
     return whole if value.denominator == 1 else Number(whole.value / value.denominator)
 
 
-def _raised(base: Expression, power: int) -> Expression:
+def _raise(base: Expression, power: int) -> Expression:
     """base**power; powers of ten may be larger than others."""
     if isinstance(base, Number) and base.value == 10 and abs(power) <= LARGEST_EXPONENT:
         return Number(base.value**power)
-    exponent = Number(rational(str(abs(power))))
+    exponent = Number(read_rational(str(abs(power))))
     return Operation(
-        "**", base, Operation("-", Number(rational("0")), exponent) if power < 0 else exponent
+        "**", base, Operation("-", Number(read_rational("0")), exponent) if power < 0 else exponent
     )
 
 
-def worked_out(formula: Formula) -> Amount:
+def work_out(formula: Formula) -> Amount:
     """The formula's value, exact where a small field holds it. Raises Unreadable for division by
     zero and the like.
     """
     try:
-        if formula.roots <= MOST_EXACT_ROOTS and (amount := _exact(formula)) is not None:
+        if formula.roots <= _MOST_EXACT_ROOTS and (amount := _make_exact(formula)) is not None:
             return amount
         arithmetic = Balls(PRECISION)
         with arithmetic.context():
             known = {"pi": arithmetic.turns(1)}
             return Amount(
-                evaluate(formula.tree, known, {"sqrt": elementary(arithmetic)["sqrt"]}, arithmetic)
+                evaluate(
+                    formula.tree,
+                    known,
+                    {"sqrt": make_elementary_functions(arithmetic)["sqrt"]},
+                    arithmetic,
+                )
             )
     except (ExpressionError, ArithmeticError) as fault:
         text = str(fault).partition(":")[0]
         raise Unreadable(f"has no value ({text}); one number was expected") from fault
 
 
-def _exact(formula: Formula) -> Amount | None:
+def _make_exact(formula: Formula) -> Amount | None:
     """A rational number, a surd, or a rational multiple of pi; None for anything else."""
     field = Field()
     try:
@@ -322,7 +329,7 @@ def _exact(formula: Formula) -> Amount | None:
     return Amount(value)
 
 
-def converted(amount: Amount, factor: Fraction, pi: int) -> tuple[Fraction, Fraction]:
+def convert(amount: Amount, factor: Fraction, pi: int) -> tuple[Fraction, Fraction]:
     """(value, error) of amount * factor * pi**pi: exact with error zero where it is rational,
     otherwise to 38 digits.
 
@@ -332,36 +339,36 @@ def converted(amount: Amount, factor: Fraction, pi: int) -> tuple[Fraction, Frac
     arithmetic = Balls(PRECISION)
     with arithmetic.context():
         size = amount.size * factor.numerator / factor.denominator
-        if power == 0 and is_rational(size):
-            return _bounded(Fraction(int(size.p), int(size.q))), Fraction(0)
-        ball = arithmetic.number(size) if is_rational(size) or isinstance(size, Surd) else size
-        return _enclosed(ball * arithmetic.turns(1) ** power)
+        if power == 0 and _is_rational(size):
+            return _require_bounded(Fraction(int(size.p), int(size.q))), Fraction(0)
+        ball = arithmetic.number(size) if _is_rational(size) or isinstance(size, Surd) else size
+        return _enclose(ball * arithmetic.turns(1) ** power)
 
 
-def is_rational(size: Any) -> bool:
+def _is_rational(size: Any) -> bool:
     """Whether the size of an amount is a rational number, not a surd or a ball."""
     return hasattr(size, "p") and hasattr(size, "q")
 
 
-def _enclosed(ball: Any) -> tuple[Fraction, Fraction]:
+def _enclose(ball: Any) -> tuple[Fraction, Fraction]:
     if not ball.is_finite() or not abs(ball) < 10**LARGEST_EXPONENT:
         raise Unreadable(f"has no finite value, or one beyond 1e{LARGEST_EXPONENT}")
     if 0 not in ball and not abs(ball) * 10**LARGEST_EXPONENT > 1:
         raise Unreadable(f"a value below 1e-{LARGEST_EXPONENT}")
     if 0 in ball:
-        return Fraction(0), KNOWN  # a difference that vanishes to more digits than any key has
-    low, high = (Fraction(int(side.p), int(side.q)) for side in bounds(ball, PRECISION))
+        return Fraction(0), _KNOWN  # a difference that vanishes to more digits than any key has
+    low, high = (Fraction(int(side.p), int(side.q)) for side in find_bounds(ball, PRECISION))
     middle = (low + high) / 2
-    return middle, max(abs(middle) * KNOWN, high - low)
+    return middle, max(abs(middle) * _KNOWN, high - low)
 
 
-def _bounded(value: Fraction) -> Fraction:
+def _require_bounded(value: Fraction) -> Fraction:
     if value and not _SMALLEST <= abs(value) <= _LARGEST:
         raise Unreadable(f"a value beyond 1e{LARGEST_EXPONENT} or below 1e-{LARGEST_EXPONENT}")
     return value
 
 
-def rational_amount(value: Fraction) -> Amount:
+def make_rational_amount(value: Fraction) -> Amount:
     """A fraction as an amount."""
-    literal = _literal(value)
+    literal = _make_literal(value)
     return Amount(literal.value if isinstance(literal, Number) else None)

@@ -1,7 +1,7 @@
 """Units as people write them, and their values: m/s², m·s⁻², m s^-2, m/s/s, ㎨, 米每二次方秒; rpm, r/min,
 转/分.
 
-`conversion` is called by `answers` for the text after a number. It compares dimensions before any
+`find_conversion` is called by `answers` for the text after a number. It compares dimensions before any
 numbers are compared, and converts exactly: a factor and a power of pi, because a turn is 2 pi
 radians.
 """
@@ -15,7 +15,7 @@ from fractions import Fraction
 from functools import lru_cache
 from unicodedata import normalize
 
-from kinegrade.grading.number_text import Unreadable, folded, shown
+from kinegrade.grading.number_text import Unreadable, fold, show
 from kinegrade.units import FACTORS, HALF_TURNS
 
 _SPELLINGS = {
@@ -93,51 +93,55 @@ _SAME = Conversion()
 
 
 @lru_cache(maxsize=4096)
-def conversion(typed: str, unit: str) -> Conversion:
+def find_conversion(typed: str, unit: str) -> Conversion:
     """How a number typed with the unit `typed` becomes one in `unit`; no unit means the ask's.
 
     Radians may be left out (1/s for rad/s), never added. Raises WrongUnit for another dimension, Hz
     included, and Unreadable for an unknown unit.
 
-    >>> conversion("r/min", "rad/s"), conversion("cm/s²", "m/s^2").factor
+    >>> find_conversion("r/min", "rad/s"), find_conversion("cm/s²", "m/s^2").factor
     (Conversion(factor=Fraction(1, 30), pi=1), Fraction(1, 100))
     """
-    written = _unbracketed(typed)
+    written = _drop_brackets(typed)
     if written in ("", unit) or (unit in ("", "1") and written == "1"):
         return _SAME
-    wanted = written_unit(unit) if unit not in ("", "1") else WrittenUnit(Fraction(1), 0, 0, 0, 0)
+    wanted = read_unit(unit) if unit not in ("", "1") else WrittenUnit(Fraction(1), 0, 0, 0, 0)
     _refuse_turns_per_time(written, unit, wanted)
-    found = written_unit(written)
+    found = read_unit(written)
     if found is None or wanted is None:
-        raise Unreadable(f'"{shown(typed.strip())}" stands after the number; {_expected(unit)}')
+        raise Unreadable(
+            f'"{show(typed.strip())}" stands after the number; {_write_expected(unit)}'
+        )
     lengths_and_times = (found.length, found.time) == (wanted.length, wanted.time)
     radians_left_out = found.angle == 0 and wanted.angle == 1 and wanted.time < 0 and wanted.pi == 0
     if not lengths_and_times or not (found.angle == wanted.angle or radians_left_out):
         raise WrongUnit(
-            f'"{shown(written)}" measures {found.kind}; {wanted.kind} was expected{_in(unit)}'
+            f'"{show(written)}" measures {found.kind}; {wanted.kind} was expected{_write_in(unit)}'
         )
     return Conversion(found.factor / wanted.factor, found.pi - wanted.pi)
 
 
-def _expected(unit: str) -> str:
+def _write_expected(unit: str) -> str:
     return "no unit was expected" if unit in ("", "1") else f'the unit "{unit}" was expected'
 
 
-def _in(unit: str) -> str:
+def _write_in(unit: str) -> str:
     return "" if unit in ("", "1") else f', in "{unit}"'
 
 
 def _refuse_turns_per_time(written: str, unit: str, wanted: WrittenUnit | None) -> None:
     if _TURN_COUNTS.fullmatch(written):
-        measured = f"{wanted.kind} was expected{_in(unit)}" if wanted else _expected(unit)
-        raise WrongUnit(f'"{shown(written)}" counts turns or cycles, not radians; {measured}')
+        measured = (
+            f"{wanted.kind} was expected{_write_in(unit)}" if wanted else _write_expected(unit)
+        )
+        raise WrongUnit(f'"{show(written)}" counts turns or cycles, not radians; {measured}')
     if _PER_MINUTE.fullmatch(written.replace(" ", "")) and wanted is not None and wanted.angle:
         raise Unreadable(
-            f'"{shown(written)}" can mean turns or radians per minute; write r/min or rad/min'
+            f'"{show(written)}" can mean turns or radians per minute; write r/min or rad/min'
         )
 
 
-def _unbracketed(typed: str) -> str:
+def _drop_brackets(typed: str) -> str:
     written = _TIMES.sub("", typed.strip())
     if written[:1] + written[-1:] in ("()", "[]", "\uff08\uff09", "【】", "{}"):
         return written[1:-1].strip()
@@ -145,30 +149,30 @@ def _unbracketed(typed: str) -> str:
 
 
 @lru_cache(maxsize=4096)
-def written_unit(text: str) -> WrittenUnit | None:
+def read_unit(text: str) -> WrittenUnit | None:
     """The value of a unit, None where the text is not written as one.
 
-    >>> written_unit("m·s⁻²") == written_unit("米/秒²") == written_unit("m/s^2")
+    >>> read_unit("m·s⁻²") == read_unit("米/秒²") == read_unit("m/s^2")
     True
     """
-    powers = _powers(_plain(text))
+    powers = _read_powers(_fold(text))
     if powers is None or ("r" in powers and not (powers["min"] == -1 or powers["s"] == -1)):
         return None
     for name in [name for name in powers if name in _SHORT]:
         power = powers.pop(name)
-        for part, exponent in (_powers(_SHORT[name]) or {}).items():
+        for part, exponent in (_read_powers(_SHORT[name]) or {}).items():
             powers[part] += power * exponent
-    return _worth(powers)
+    return _find_worth(powers)
 
 
-def _plain(text: str) -> str:
-    plain = folded(normalize("NFKC", folded(text.translate(_DEGREE_SIGNS)))).strip()
+def _fold(text: str) -> str:
+    plain = fold(normalize("NFKC", fold(text.translate(_DEGREE_SIGNS)))).strip()
     for pattern, sign in _SQUARES:
         plain = pattern.sub(sign, plain)
     return plain
 
 
-def _powers(text: str) -> Counter[str] | None:
+def _read_powers(text: str) -> Counter[str] | None:
     """The exponent of each factor, None where the text is not written as a unit; a slash inverts
     one factor or bracket.
     """
@@ -180,7 +184,9 @@ def _powers(text: str) -> Counter[str] | None:
         start = link.end() if link else place
         turn = -1 if link and link[1] == "/" else 1
         found, place = (
-            _bracket(text, start) if text[start : start + 1] == "(" else _factor(text, start)
+            _read_bracket(text, start)
+            if text[start : start + 1] == "("
+            else _read_factor(text, start)
         )
         if found is None:
             return None
@@ -189,22 +195,22 @@ def _powers(text: str) -> Counter[str] | None:
     return powers
 
 
-def _factor(text: str, place: int) -> tuple[Counter[str] | None, int]:
+def _read_factor(text: str, place: int) -> tuple[Counter[str] | None, int]:
     found = _FACTOR.match(text, place)
-    name = _name(found[1]) if found else None
+    name = _find_name(found[1]) if found else None
     if found is None or name is None:
         return None, place
     power = int(next((digits for digits in found.groups()[1:] if digits), "1"))
     return (Counter({name: power}) if power else None), found.end()
 
 
-def _bracket(text: str, place: int) -> tuple[Counter[str] | None, int]:
+def _read_bracket(text: str, place: int) -> tuple[Counter[str] | None, int]:
     end = text.find(")", place)
     inside = text[place + 1 : end]
-    return (_powers(inside) if end > 0 and "(" not in inside else None), end + 1
+    return (_read_powers(inside) if end > 0 and "(" not in inside else None), end + 1
 
 
-def _name(written: str) -> str | None:
+def _find_name(written: str) -> str | None:
     """The unit's standard name; case is ignored, because phones capitalise."""
     for spelling in (written, written.casefold()):
         if spelling in _NAMES or spelling in _SHORT or spelling in FACTORS:
@@ -212,18 +218,18 @@ def _name(written: str) -> str | None:
     return None
 
 
-def _worth(powers: Counter[str]) -> WrittenUnit:
+def _find_worth(powers: Counter[str]) -> WrittenUnit:
     factor, pi = Fraction(1), 0
     exponents = Counter[str]()
     for name, power in powers.items():
-        size, dimension = _size(name)
+        size, dimension = _find_size(name)
         factor *= size**power
         pi += power * (name in HALF_TURNS)
         exponents[dimension] += power
     return WrittenUnit(factor, pi, exponents["length"], exponents["time"], exponents["angle"])
 
 
-def _size(name: str) -> tuple[Fraction, str]:
+def _find_size(name: str) -> tuple[Fraction, str]:
     if name == "%":
         return Fraction(1, 100), "number"
     if name == "dm":

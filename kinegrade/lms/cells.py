@@ -12,8 +12,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from kinegrade.errors import TableError, one_line
-from kinegrade.tables import read_table, trimmed
+from kinegrade.errors import TableError, show_in_one_line
+from kinegrade.tables import read_table, trim
 
 BYTE_ORDER_MARK = "\ufeff"
 _UNTOLD = "UTF-8 with the strange bytes written out"
@@ -53,7 +53,7 @@ class CellTable:
     @property
     def titles(self) -> tuple[str, ...]:
         """The header's texts without surrounding blanks."""
-        return tuple(trimmed(cell.text) for cell in self.header.cells)
+        return tuple(trim(cell.text) for cell in self.header.cells)
 
     def with_cells(self, changes: Mapping[Cell, str]) -> bytes:
         """The bytes of the file with new texts in these cells; quotation marks are kept, and added
@@ -83,20 +83,20 @@ def read_cells(path: Path) -> CellTable:
             "download it again"
         )
     content = path.read_bytes()
-    text = _decoded(path.name, content, table.encoding)
+    text = _decode(path.name, content, table.encoding)
     if text.encode(table.encoding) != content:
         raise TableError(
             f"{path.name}: {table.encoding} in a form that cannot be written back byte for byte - "
             "expected the file as it was downloaded - download it again"
         )
-    header, *rows = _records(path.name, text, table.separator)
-    faults = list(_ragged(path.name, header, rows))
+    header, *rows = _read_records(path.name, text, table.separator)
+    faults = list(_find_ragged(path.name, header, rows))
     if faults:
         raise TableError(*faults)
     return CellTable(path.name, text, table.encoding, table.separator, header, tuple(rows))
 
 
-def _decoded(file: str, content: bytes, encoding: str) -> str:
+def _decode(file: str, content: bytes, encoding: str) -> str:
     try:
         return content.decode(encoding)
     except UnicodeDecodeError as fault:
@@ -108,14 +108,14 @@ def _decoded(file: str, content: bytes, encoding: str) -> str:
         ) from fault
 
 
-def _records(file: str, text: str, separator: str) -> Iterator[Record]:
+def _read_records(file: str, text: str, separator: str) -> Iterator[Record]:
     """All lines that are not empty, with their cells."""
-    for line, cells in _lines(file, text, separator):
+    for line, cells in _split_lines(file, text, separator):
         if len(cells) > 1 or cells[0].end > cells[0].start:
             yield Record(line, tuple(cells))
 
 
-def _lines(file: str, text: str, separator: str) -> Iterator[tuple[int, list[Cell]]]:
+def _split_lines(file: str, text: str, separator: str) -> Iterator[tuple[int, list[Cell]]]:
     sign = re.escape(separator)
     shape = re.compile(
         rf'(?:"(?P<quoted>[^"]*+(?:""[^"]*+)*+)"|(?P<plain>(?!")[^{sign}\r\n]*+))(?P<end>{sign}|\r\n|\r|\n|\Z)'
@@ -126,7 +126,7 @@ def _lines(file: str, text: str, separator: str) -> Iterator[tuple[int, list[Cel
     while place < len(text) or cells:
         found = shape.match(text, place)
         if not found:
-            shown = one_line(text[place : place + 30])
+            shown = show_in_one_line(text[place : place + 30])
             raise TableError(
                 f"{file}:{line}: a quotation mark is not closed where its cell ends ({shown}) - "
                 "expected the file as it was downloaded - download it again"
@@ -140,7 +140,7 @@ def _lines(file: str, text: str, separator: str) -> Iterator[tuple[int, list[Cel
             cells, begins = [], line
 
 
-def _ragged(file: str, header: Record, rows: Iterable[Record]) -> Iterator[str]:
+def _find_ragged(file: str, header: Record, rows: Iterable[Record]) -> Iterator[str]:
     width = len(header.cells)
     for row in rows:
         if len(row.cells) != width:

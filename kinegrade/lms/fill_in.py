@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 
-from kinegrade.amounts import amount_text
-from kinegrade.errors import TableError, one_line
+from kinegrade.amounts import write_amount
+from kinegrade.errors import TableError, show_in_one_line
 from kinegrade.lms.cells import Cell, CellTable, Record, read_cells
 from kinegrade.lms.dialect import Dialect, Download, ExportOptions
 from kinegrade.lms.grades import TOTAL, ClassGrades, StudentGrade, feedback_text
@@ -22,7 +22,7 @@ from kinegrade.lms.item_columns import ItemColumn, ItemColumns, item_columns
 from kinegrade.lms.key_columns import exam_hint, key_columns
 from kinegrade.lms.matching import KeyColumn, Matching, match
 from kinegrade.lms.maximum import maximum_faults, scaled, target_maximum
-from kinegrade.tables import Complaint, trimmed
+from kinegrade.tables import Complaint, trim
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +54,7 @@ class _Task:
     def written(self, grade: StudentGrade, item: str) -> str:
         """The text of a grade cell."""
         target = target_maximum(self.columns[item].maximum, self.options)
-        text = amount_text(scaled(grade, item, target), self.dialect.places)
+        text = write_amount(scaled(grade, item, target), self.dialect.places)
         comma = self.download.decimal_comma_with_semicolon and self.table.separator == ";"
         return text.replace(".", ",") if comma else text
 
@@ -62,30 +62,30 @@ class _Task:
 def fill_in(dialect: Dialect, grades: ClassGrades, into: Path, options: ExportOptions) -> Filled:
     """Fills the grades into a downloaded file. Raises TableError with all faults at once."""
     table = read_cells(into)
-    download = _download(dialect, table)
+    download = _read_download(dialect, table)
     _refuse_unreadable(dialect, download, table)
     rows = [row for row in table.rows if not _is_skipped(download, row)]
     keys = key_columns(dialect, download, table, rows, students=grades.students, options=options)
     places = {key.place for key in keys}
     found = item_columns(table, dialect, download, grades=grades, keys=places, options=options)
-    feedback = _feedback(dialect, download, table, found, options)
+    feedback = _collect_feedback(dialect, download, table, found, options)
     task = _Task(table, dialect, download, found.columns, feedback, options)
     _refuse_maxima(task, grades)
     graded = {each.student for each in grades.exported(ungraded=options.ungraded)}
     matching = match(table, rows, keys, grades.students, graded, test_person=download.test_person)
-    changes, closed = _changes(task, rows, matching, graded, grades)
-    complaints = (*matching.complaints, *closed, *_misread(task, rows))
+    changes, closed = _list_changes(task, rows, matching, graded, grades)
+    complaints = (*matching.complaints, *closed, *_find_misread(task, rows))
     if not changes:
         raise TableError(
             f"{table.file}: no grade can be filled in - expected rows of the students who were "
             f"marked - name another file or other keys (--by){exam_hint(table, grades.students)}",
             *map(str, complaints[:20]),
         )
-    notes = tuple(_notes(task, keys))
-    return Filled(_content(task, changes), _count(rows, changes), complaints, notes)
+    notes = tuple(_list_notes(task, keys))
+    return Filled(_write_content(task, changes), _count(rows, changes), complaints, notes)
 
 
-def _download(dialect: Dialect, table: CellTable) -> Download:
+def _read_download(dialect: Dialect, table: CellTable) -> Download:
     titles = set(table.titles)
     for download in dialect.downloads:
         if titles.issuperset(download.required):
@@ -123,7 +123,7 @@ def _refuse_unreadable(dialect: Dialect, download: Download, table: CellTable) -
         raise TableError(*faults)
 
 
-def _feedback(
+def _collect_feedback(
     dialect: Dialect,
     download: Download,
     table: CellTable,
@@ -140,13 +140,13 @@ def _feedback(
     return found.feedback or {}
 
 
-def _notes(task: _Task, keys: Sequence[KeyColumn]) -> Iterator[str]:
+def _list_notes(task: _Task, keys: Sequence[KeyColumn]) -> Iterator[str]:
     """Which columns were used where headers did not decide that, and what is left out."""
     titles, options = task.table.titles, task.options
     if task.download.item_words is not None:
-        keyed = _listed(titles[place] for place in dict.fromkeys(key.place for key in keys))
-        points = _listed(column.header for column in task.columns.values())
-        comments = _listed(titles[place] for place in task.feedback)
+        keyed = _write_list(titles[place] for place in dict.fromkeys(key.place for key in keys))
+        points = _write_list(column.header for column in task.columns.values())
+        comments = _write_list(titles[place] for place in task.feedback)
         into = f"grades into {points}" + (f", feedback into {comments}" if comments else "")
         yield f"{task.table.file}: students are found by {keyed}; {into}"
     wanted = options.feedback is None and task.download.channel and TOTAL in task.columns
@@ -158,8 +158,8 @@ def _notes(task: _Task, keys: Sequence[KeyColumn]) -> Iterator[str]:
         )
 
 
-def _listed(titles: Iterable[str]) -> str:
-    return " and ".join(f'"{one_line(title)}"' for title in titles)
+def _write_list(titles: Iterable[str]) -> str:
+    return " and ".join(f'"{show_in_one_line(title)}"' for title in titles)
 
 
 def _refuse_maxima(task: _Task, grades: ClassGrades) -> None:
@@ -168,7 +168,7 @@ def _refuse_maxima(task: _Task, grades: ClassGrades) -> None:
         fault
         for item, column in task.columns.items()
         for fault in maximum_faults(
-            f'{task.table.file}: "{one_line(column.header)}"',
+            f'{task.table.file}: "{show_in_one_line(column.header)}"',
             item,
             students,
             column.maximum,
@@ -180,12 +180,12 @@ def _refuse_maxima(task: _Task, grades: ClassGrades) -> None:
 
 
 def _is_skipped(download: Download, row: Record) -> bool:
-    if not any(trimmed(cell.text) for cell in row.cells):
+    if not any(trim(cell.text) for cell in row.cells):
         return True
     return bool(download.skipped_row and download.skipped_row.match(row.cells[0].text))
 
 
-def _changes(
+def _list_changes(
     task: _Task, rows: Sequence[Record], matching: Matching, graded: set[str], grades: ClassGrades
 ) -> tuple[dict[Cell, str], list[Complaint]]:
     """The new texts of cells, and complaints about those that may not be changed."""
@@ -197,27 +197,27 @@ def _changes(
             continue
         for item, column in task.columns.items():
             cell = row.cells[column.place]
-            reason = task.download.closed.get(trimmed(cell.text).upper()) or _locked(task, row)
+            reason = task.download.closed.get(trim(cell.text).upper()) or _find_locked(task, row)
             if reason:
-                complaints.append(_closed(task, row, column, grade, reason))
+                complaints.append(_explain_closed(task, row, column, grade, reason))
                 continue
             changes[cell] = task.written(grade, item)
-            changes |= _comments(task, row, grade, grades)
+            changes |= _collect_comments(task, row, grade, grades)
     return changes, complaints
 
 
-def _locked(task: _Task, row: Record) -> str:
+def _find_locked(task: _Task, row: Record) -> str:
     """Why the system would skip a whole row; "" where it would not."""
     header, text = task.download.locked
     places = [place for place, title in enumerate(task.table.titles) if title == header != ""]
     return (
         f'has "{text}" under "{header}"'
-        if any(trimmed(row.cells[place].text) == text for place in places)
+        if any(trim(row.cells[place].text) == text for place in places)
         else ""
     )
 
 
-def _comments(
+def _collect_comments(
     task: _Task, row: Record, grade: StudentGrade, grades: ClassGrades
 ) -> dict[Cell, str]:
     channel = task.download.channel
@@ -231,10 +231,12 @@ def _comments(
     }
 
 
-def _closed(
+def _explain_closed(
     task: _Task, row: Record, column: ItemColumn, grade: StudentGrade, reason: str
 ) -> Complaint:
-    problem = f'student "{one_line(grade.student)}" {reason} ({row.cells[column.place].text})'
+    problem = (
+        f'student "{show_in_one_line(grade.student)}" {reason} ({row.cells[column.place].text})'
+    )
     done = (
         f"left as it is; {task.written(grade, next(iter(task.columns)))} would be the grade"
         if len(task.columns) == 1
@@ -243,7 +245,7 @@ def _closed(
     return Complaint(task.table.file, row.line, column.header, grade.student, problem, done)
 
 
-def _misread(task: _Task, rows: Sequence[Record]) -> Iterator[Complaint]:
+def _find_misread(task: _Task, rows: Sequence[Record]) -> Iterator[Complaint]:
     """Cells of other columns that the system would read as other numbers."""
     shape = task.download.misread
     places = {column.place for column in task.columns.values()}
@@ -269,7 +271,7 @@ def _misread(task: _Task, rows: Sequence[Record]) -> Iterator[Complaint]:
                 )
 
 
-def _content(task: _Task, changes: Mapping[Cell, str]) -> bytes:
+def _write_content(task: _Task, changes: Mapping[Cell, str]) -> bytes:
     content, most = task.table.with_cells(changes), task.download.most_bytes
     if most is not None and len(content) > most:
         raise TableError(

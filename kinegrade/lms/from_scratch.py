@@ -12,9 +12,9 @@ from fractions import Fraction
 from html import escape
 from typing import assert_never
 
-from kinegrade.amounts import amount_text
-from kinegrade.csv_writing import csv_text, neutralised
-from kinegrade.errors import TableError, one_line
+from kinegrade.amounts import write_amount
+from kinegrade.csv_writing import neutralise, write_csv_text
+from kinegrade.errors import TableError, show_in_one_line
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.lms.cells import BYTE_ORDER_MARK
 from kinegrade.lms.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
@@ -55,16 +55,19 @@ class _Plan:
 
 def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> Fresh:
     """The file of a class for a system. Raises TableError with all faults at once."""
-    layout = _layout(dialect, options)
+    layout = _choose_layout(dialect, options)
     students = grades.exported(ungraded=options.ungraded)
     plan = _plan(dialect, layout, grades, students, options)
     _refuse_unknown_addresses(plan.key, students)
     known = [each for each in students if known_as(each, plan.key)]
     header = [header for _, header, _ in plan.columns]
-    rows = [[_cell(plan, column, item, each) for column, _, item in plan.columns] for each in known]
-    text = _quoted(header, rows) if layout.quotes_all else csv_text(header, rows)
+    rows = [
+        [_write_cell(plan, column, item, each) for column, _, item in plan.columns]
+        for each in known
+    ]
+    text = _quote(header, rows) if layout.quotes_all else write_csv_text(header, rows)
     mark = BYTE_ORDER_MARK if layout.mark else ""
-    return Fresh(mark + text, len(known), tuple(_keyless(plan.key, students)))
+    return Fresh(mark + text, len(known), tuple(_find_keyless(plan.key, students)))
 
 
 def _refuse_unknown_addresses(key: Field, students: Sequence[StudentGrade]) -> None:
@@ -75,7 +78,7 @@ def _refuse_unknown_addresses(key: Field, students: Sequence[StudentGrade]) -> N
         )
 
 
-def _layout(dialect: Dialect, options: ExportOptions) -> NewFile:
+def _choose_layout(dialect: Dialect, options: ExportOptions) -> NewFile:
     layout = dialect.new_file
     if layout is None:
         raise TableError(
@@ -116,18 +119,19 @@ def _plan(
     key = options.by[0] if options.by else layout.key
     # A spreadsheet that opens the file would run a title such as =1+1. A header from --column is a
     # key and stays as it is.
-    title = neutralised(options.title or layout.title or grades.title)
+    title = neutralise(options.title or layout.title or grades.title)
     items = items_of(grades, options)
     headers = {item: options.columns.get(item, "") for item in items}
-    faults = list(_title_faults(dialect, layout, title, headers))
-    stated = {item: _stated(dialect, headers[item]) for item in items}
+    faults = list(_find_title_faults(dialect, layout, title, headers))
+    stated = {item: _find_stated(dialect, headers[item]) for item in items}
     for item in items:
-        where = f'"{one_line(headers[item] or item_title(title, item))}"'
+        where = f'"{show_in_one_line(headers[item] or item_title(title, item))}"'
         faults += maximum_faults(where, item, students, stated[item], options)
     targets = {item: target_maximum(stated[item], options) for item in items}
-    maxima = {item: _maximum(students, item, targets[item]) for item in items}
+    maxima = {item: _find_maximum(students, item, targets[item]) for item in items}
     faults += [
-        f'"{one_line(item_title(title, item))}": not all students could get the same points - '
+        f'"{show_in_one_line(item_title(title, item))}": not '
+        "all students could get the same points - "
         "expected one maximum - give it with --maximum"
         for item in items
         if len(maxima[item]) > 1 and _states(layout)
@@ -139,23 +143,25 @@ def _plan(
     for column in kept:
         graded = items if column.role == "grade" else ()
         columns += [
-            (column, headers.get(item) or _graded(column, title, item, maxima), item)
+            (column, headers.get(item) or _write_grades(column, title, item, maxima), item)
             for item in graded
         ]
-        columns += [] if graded else [(column, _header(column, title, set()), TOTAL)]
+        columns += [] if graded else [(column, _write_header(column, title, set()), TOTAL)]
     return _Plan(dialect, layout, tuple(columns), targets, key, grades.questions)
 
 
-def _graded(column: Column, title: str, item: str, maxima: Mapping[str, set[Fraction]]) -> str:
-    return _header(column, item_title(title, item), maxima.get(item, set()))
+def _write_grades(
+    column: Column, title: str, item: str, maxima: Mapping[str, set[Fraction]]
+) -> str:
+    return _write_header(column, item_title(title, item), maxima.get(item, set()))
 
 
-def _header(column: Column, title: str, maxima: set[Fraction]) -> str:
-    maximum = amount_text(min(maxima, default=Fraction(0)))
+def _write_header(column: Column, title: str, maxima: set[Fraction]) -> str:
+    maximum = write_amount(min(maxima, default=Fraction(0)))
     return column.header.replace("{maximum}", maximum).replace("{title}", title)
 
 
-def _title_faults(
+def _find_title_faults(
     dialect: Dialect, layout: NewFile, title: str, headers: Mapping[str, str]
 ) -> Iterator[str]:
     if layout.header_needed:
@@ -172,7 +178,8 @@ def _title_faults(
                     )
                     continue
                 yield (
-                    f'{dialect.name}: "{one_line(header)}" is no header of a grade column there - '
+                    f'{dialect.name}: "{show_in_one_line(header)}" '
+                    "is no header of a grade column there - "
                     f"expected it with the id that only {dialect.name} assigns - copy it from a "
                     f"download and give it with {way}"
                 )
@@ -187,12 +194,13 @@ def _title_faults(
     for shape, reason in layout.unfit:
         if shape.search(title):
             yield (
-                f'the title "{one_line(title)}" does not fit: {reason} - expected another - give '
+                f'the title "{show_in_one_line(title)}" does not '
+                f"fit: {reason} - expected another - give "
                 "one with --title"
             )
 
 
-def _stated(dialect: Dialect, header: str) -> Fraction | None:
+def _find_stated(dialect: Dialect, header: str) -> Fraction | None:
     """The maximum that a header states."""
     for download in dialect.downloads:
         found = download.item.fullmatch(header)
@@ -201,7 +209,9 @@ def _stated(dialect: Dialect, header: str) -> Fraction | None:
     return None
 
 
-def _maximum(students: Sequence[StudentGrade], item: str, target: Fraction | None) -> set[Fraction]:
+def _find_maximum(
+    students: Sequence[StudentGrade], item: str, target: Fraction | None
+) -> set[Fraction]:
     return {target} if target is not None else {each.out_of[item] for each in students}
 
 
@@ -221,7 +231,7 @@ def _is_kept(column: Column, layout: NewFile, key: Field, options: ExportOptions
             assert_never(column.role)
 
 
-def _cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> str:
+def _write_cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> str:
     match column.role:
         case "id" | "login" | "email":
             return column.text + known_as(grade, plan.key) if column.holds(plan.key) else ""
@@ -230,7 +240,7 @@ def _cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> str:
         case "name and id":
             return f"{grade.name} [{grade.student}]"
         case "grade":
-            return amount_text(scaled(grade, item, plan.targets[item]), plan.dialect.places)
+            return write_amount(scaled(grade, item, plan.targets[item]), plan.dialect.places)
         case "feedback":
             text = feedback_text(grade, plan.questions)
             return escape(text, quote=False) if column.text == "html" else text
@@ -240,15 +250,15 @@ def _cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> str:
             assert_never(column.role)
 
 
-def _keyless(key: Field, students: Sequence[StudentGrade]) -> Iterator[Complaint]:
+def _find_keyless(key: Field, students: Sequence[StudentGrade]) -> Iterator[Complaint]:
     for each in students:
         if not known_as(each, key):
-            problem = f'student "{one_line(each.student)}" has no e-mail'
+            problem = f'student "{show_in_one_line(each.student)}" has no e-mail'
             done = "not exported; give it in the roster, or match by id"
             yield Complaint(HEAD, None, "", each.student, problem, done)
 
 
-def _quoted(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+def _quote(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Every cell in quotation marks."""
     return "".join(
         ",".join('"' + cell.replace('"', '""') + '"' for cell in line) + "\n"

@@ -12,7 +12,7 @@ from typing import assert_never
 from kinegrade.language import Language
 from kinegrade.lms.dialect import Column, Dialect, NewFile
 
-GENERIC_ENGLISH = Dialect(
+_GENERIC_ENGLISH = Dialect(
     name="the generic sheet",
     places=4,
     new_file=NewFile(
@@ -50,7 +50,7 @@ def generic(language: Language) -> Dialect:
     """The sheet with headers in a language."""
     match language:
         case "en":
-            return GENERIC_ENGLISH
+            return _GENERIC_ENGLISH
         case "zh":
             return GENERIC_CHINESE
         case _:

@@ -13,16 +13,16 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import assert_never
 
-from kinegrade.amounts import amount_text
-from kinegrade.csv_writing import neutralised
+from kinegrade.amounts import write_amount
+from kinegrade.csv_writing import neutralise
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.language import Language
 from kinegrade.lms.dialect import Field
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import StudentSums, StudentTotal
-from kinegrade.question_numbers import bank_number
-from kinegrade.tables import trimmed
+from kinegrade.question_numbers import find_bank_number
+from kinegrade.tables import trim
 
 TOTAL = ""  # the item that is the sum of all questions
 
@@ -67,7 +67,7 @@ def known_as(grade: StudentGrade, field: Field) -> str:
         case "id" | "login":
             return grade.student
         case "email":
-            return trimmed(grade.email)
+            return trim(grade.email)
         case _:
             assert_never(field)
 
@@ -82,14 +82,14 @@ def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrad
     totals, orders = marks.totals, marks.printed
     sums = {each.student: each for each in marks.sums()}
     students = tuple(
-        _student_grade(total, sums.get(total.student), orders.get(total.student, ()))
+        _make_student_grade(total, sums.get(total.student), orders.get(total.student, ()))
         for total in totals.students
     )
     found = ClassGrades(totals.questions, students)
-    return found if exam is None else _with_exam(found, exam)
+    return found if exam is None else _add_exam(found, exam)
 
 
-def _student_grade(
+def _make_student_grade(
     total: StudentTotal, sums: StudentSums | None, printed: tuple[str, ...]
 ) -> StudentGrade:
     """A student's grade for an export; the maxima of one without lines in marks.csv are zero."""
@@ -99,7 +99,7 @@ def _student_grade(
         handed_in = (sums is not None and sums.answered) or total.total > 0
     else:
         handed_in = total.status != "absent" or total.kept is not None
-    name = neutralised(total.name)
+    name = neutralise(total.name)
     return StudentGrade(total.student, name, "", points, out_of, handed_in, printed)
 
 
@@ -117,17 +117,17 @@ def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
     numbered = (
         [(str(number), name) for number, name in enumerate(grade.printed, 1)]
         if grade.printed
-        else [(bank_number(name), name) for name in questions]
+        else [(find_bank_number(name), name) for name in questions]
     )
     parts = [
         f"{number}: "
-        f"{amount_text(grade.points[name])}/{amount_text(grade.out_of.get(name, Fraction(0)))}"
+        f"{write_amount(grade.points[name])}/{write_amount(grade.out_of.get(name, Fraction(0)))}"
         for number, name in numbered
     ]
     return "; ".join(parts)
 
 
-def _with_exam(grades: ClassGrades, exam: ExamFolder) -> ClassGrades:
+def _add_exam(grades: ClassGrades, exam: ExamFolder) -> ClassGrades:
     candidates = exam.head.candidates
     strangers = [each.student for each in grades.students if each.student not in candidates]
     if strangers:
@@ -140,6 +140,6 @@ def _with_exam(grades: ClassGrades, exam: ExamFolder) -> ClassGrades:
         title=" ".join(exam.head.title.split()),
         language=exam.language,
         students=tuple(
-            replace(each, email=trimmed(candidates[each.student].email)) for each in grades.students
+            replace(each, email=trim(candidates[each.student].email)) for each in grades.students
         ),
     )

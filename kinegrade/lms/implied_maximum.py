@@ -10,9 +10,9 @@ from collections.abc import Iterable
 from fractions import Fraction
 from math import ceil
 
-HALF_A_PLACE = Fraction(1, 200)  # points and per cent are rounded to two decimals
-STEP = Fraction(1, 2)  # maxima are whole numbers or halves
-NARROW = Fraction(1, 10)  # points: a wider range of possible maxima decides nothing
+_HALF_A_PLACE = Fraction(1, 200)  # points and per cent are rounded to two decimals
+_STEP = Fraction(1, 2)  # maxima are whole numbers or halves
+_NARROW = Fraction(1, 10)  # points: a wider range of possible maxima decides nothing
 
 
 def implied_maximum(grades: Iterable[tuple[Fraction, Fraction]]) -> Fraction | None:
@@ -25,11 +25,13 @@ def implied_maximum(grades: Iterable[tuple[Fraction, Fraction]]) -> Fraction | N
     stated = [
         (points, share)
         for points, share in grades
-        if points > HALF_A_PLACE and share > HALF_A_PLACE
+        if points > _HALF_A_PLACE and share > _HALF_A_PLACE
     ]
     if not stated:
         return None
-    least = max(100 * (points - HALF_A_PLACE) / (share + HALF_A_PLACE) for points, share in stated)
-    most = min(100 * (points + HALF_A_PLACE) / (share - HALF_A_PLACE) for points, share in stated)
-    found = ceil(least / STEP) * STEP
-    return found if least <= found <= most <= least + NARROW else None
+    least = max(
+        100 * (points - _HALF_A_PLACE) / (share + _HALF_A_PLACE) for points, share in stated
+    )
+    most = min(100 * (points + _HALF_A_PLACE) / (share - _HALF_A_PLACE) for points, share in stated)
+    found = ceil(least / _STEP) * _STEP
+    return found if least <= found <= most <= least + _NARROW else None

@@ -9,13 +9,13 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kinegrade.errors import TableError, did_you_mean, one_line
+from kinegrade.errors import TableError, did_you_mean, show_in_one_line
 from kinegrade.lms.cells import CellTable, Record
 from kinegrade.lms.dialect import Dialect, Download, ExportOptions
 from kinegrade.lms.grades import TOTAL, ClassGrades
 from kinegrade.lms.implied_maximum import implied_maximum
 from kinegrade.lms.item_groups import ItemGroup, content_below, item_groups
-from kinegrade.tables import trimmed
+from kinegrade.tables import trim
 
 _KIND = re.compile(r"^[^:\uff1a]*[:\uff1a]")
 
@@ -71,7 +71,9 @@ def item_columns(
     """
     words = download.item_words
     groups = () if words is None else item_groups(table, keys, words)
-    candidates = _candidates(table, download) if words is None else _in_points(table, groups)
+    candidates = (
+        _list_candidates(table, download) if words is None else _select_points(table, groups)
+    )
     chooser = _Chooser(table, dialect, download, candidates, groups, keys)
     chosen: dict[str, ItemColumn] = {}
     faults: list[str] = []
@@ -82,17 +84,18 @@ def item_columns(
             faults += fault.problems
     headers = [column.header for column in chosen.values()]
     faults += [
-        f'{table.file}: the column "{one_line(header)}" is meant for several questions - expected '
+        f'{table.file}: the column "{show_in_one_line(header)}" '
+        "is meant for several questions - expected "
         "one for each - name them with --column QUESTION=HEADER"
         for header in sorted(set(headers))
         if headers.count(header) > 1
     ]
     if faults:
         raise TableError(*faults)
-    return ItemColumns(chosen, _feedback_places(table, download, groups, chosen))
+    return ItemColumns(chosen, _find_feedback_places(table, download, groups, chosen))
 
 
-def _feedback_places(
+def _find_feedback_places(
     table: CellTable,
     download: Download,
     groups: Sequence[ItemGroup],
@@ -119,12 +122,12 @@ def _feedback_places(
     return {places[0]: False, **dict.fromkeys(formats, True)}
 
 
-def _candidates(table: CellTable, download: Download) -> Sequence[ItemColumn]:
-    row = _maximum_row(table, download)
+def _list_candidates(table: CellTable, download: Download) -> Sequence[ItemColumn]:
+    row = _find_maximum_row(table, download)
     found = []
     for place, header in enumerate(table.titles):
         shape = download.item.fullmatch(header)
-        stated = trimmed(row.cells[place].text) if row else ""
+        stated = trim(row.cells[place].text) if row else ""
         if (
             place < download.first_item
             or shape is None
@@ -137,24 +140,26 @@ def _candidates(table: CellTable, download: Download) -> Sequence[ItemColumn]:
     return found
 
 
-def _in_points(table: CellTable, groups: Sequence[ItemGroup]) -> Sequence[ItemColumn]:
+def _select_points(table: CellTable, groups: Sequence[ItemGroup]) -> Sequence[ItemColumn]:
     """The columns that hold points, judged by their cells."""
     return [
-        ItemColumn(column.place, table.titles[column.place], group.title, _implied(table, group))
+        ItemColumn(
+            column.place, table.titles[column.place], group.title, _find_implied(table, group)
+        )
         for group in groups
         for column in group.of_kind("points")
     ]
 
 
-def _implied(table: CellTable, group: ItemGroup) -> Fraction | None:
+def _find_implied(table: CellTable, group: ItemGroup) -> Fraction | None:
     """The maximum that follows from grades in points and, in another column, in per cent."""
     points, shares = group.of_kind("points"), group.of_kind("percentage")
     if len(points) != 1 or len(shares) != 1:
         return None
     pairs = (
         (
-            number(trimmed(row.cells[points[0].place].text)),
-            number(trimmed(row.cells[shares[0].place].text.replace("%", ""))),
+            number(trim(row.cells[points[0].place].text)),
+            number(trim(row.cells[shares[0].place].text.replace("%", ""))),
         )
         for row in table.rows
     )
@@ -163,7 +168,7 @@ def _implied(table: CellTable, group: ItemGroup) -> Fraction | None:
     )
 
 
-def _maximum_row(table: CellTable, download: Download) -> Record | None:
+def _find_maximum_row(table: CellTable, download: Download) -> Record | None:
     shape = download.maximum_row
     return next((row for row in table.rows if shape and shape.match(row.cells[0].text)), None)
 
@@ -173,7 +178,7 @@ def _same_everywhere(table: CellTable, download: Download) -> str:
     if download.maximum_column not in table.titles:
         return ""
     place = table.titles.index(download.maximum_column)
-    stated = {trimmed(row.cells[place].text) for row in table.rows} - {"", "-"}
+    stated = {trim(row.cells[place].text) for row in table.rows} - {"", "-"}
     return stated.pop() if len(stated) == 1 else ""
 
 
@@ -191,13 +196,13 @@ def number(text: str) -> Fraction | None:
     )
 
 
-def _without_kind(title: str) -> str:
+def _drop_kind(title: str) -> str:
     """A title without the activity before it, in any language.
 
-    >>> _without_kind("Test : Cinématique"), _without_kind("测验：Quiz 1")
+    >>> _drop_kind("Test : Cinématique"), _drop_kind("测验：Quiz 1")
     ('Cinématique', 'Quiz 1')
     """
-    return trimmed(_KIND.sub("", title))
+    return trim(_KIND.sub("", title))
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,7 +219,7 @@ class _Chooser:
         only one.
         """
         if item in options.columns:
-            return self.named(trimmed(options.columns[item]))
+            return self.named(trim(options.columns[item]))
         if not options.title:
             fits = [] if item else self.candidates
             what = f"for question {item}" if item else "to fill in"
@@ -223,8 +228,8 @@ class _Chooser:
             fits = [each for each in self.candidates if title in (each.title, each.header)]
             # "Quiz: Midterm (Real)": the kind of activity comes before the title
             if not fits:
-                fits = [each for each in self.candidates if _without_kind(each.title) == title]
-            what = f'called "{one_line(title)}"'
+                fits = [each for each in self.candidates if _drop_kind(each.title) == title]
+            what = f'called "{show_in_one_line(title)}"'
         if len(fits) == 1:
             return fits[0]
         way = f"--column {item}=HEADER" if item else "--column HEADER"
@@ -243,11 +248,11 @@ class _Chooser:
             fits = [
                 ItemColumn(place, header, header, None)
                 for place in places
-                if self.may_be_named(place)
+                if self._may_be_named(place)
             ]
         if len(fits) == 1:
             return fits[0]
-        where, shown = self.table.file, one_line(header)
+        where, shown = self.table.file, show_in_one_line(header)
         if fits:
             raise TableError(
                 f'{where}: {len(fits)} columns are called "{shown}" - expected one - rename the '
@@ -263,7 +268,7 @@ class _Chooser:
             + did_you_mean(header, [each.header for each in self.candidates] or self.table.titles)
         )
 
-    def may_be_named(self, place: int) -> bool:
+    def _may_be_named(self, place: int) -> bool:
         """Whether a column may hold grades in points, judged by its cells and its header."""
         known = {title for key in self.download.keys for title in key.headers}
         others = [
@@ -281,4 +286,4 @@ class _Chooser:
 
     def listing(self) -> str:
         """The columns that are possible."""
-        return ", ".join(f'"{one_line(each.header)}"' for each in self.candidates) or "none"
+        return ", ".join(f'"{show_in_one_line(each.header)}"' for each in self.candidates) or "none"

@@ -16,7 +16,7 @@ from typing import Literal, assert_never
 
 from kinegrade.lms.cells import CellTable
 from kinegrade.lms.dialect import ItemKind, ItemWords
-from kinegrade.tables import trimmed
+from kinegrade.tables import trim
 
 Content = Literal["numbers", "shares", "texts", "dashes", "nothing"]
 _HEADER = re.compile(r"(?P<title>.*\S)\s*[(（\[【](?P<word>[^()（）\[\]【】]+)[)）\]】]", re.DOTALL)
@@ -71,7 +71,7 @@ def content_below(table: CellTable, place: int) -> Content:
 def item_groups(table: CellTable, keys: Collection[int], known: ItemWords) -> tuple[ItemGroup, ...]:
     """The items of a gradebook; `keys` are the places of the columns that identify the student."""
     headers = [
-        (place, found["title"], trimmed(found["word"]))
+        (place, found["title"], trim(found["word"]))
         for place, header in enumerate(table.titles)
         if place not in keys and (found := _HEADER.fullmatch(header))
     ]
@@ -140,7 +140,7 @@ def _places(groups: Sequence[_Group], wanted: str) -> list[int]:
 
 
 def _cells(table: CellTable, place: int) -> list[str]:
-    return [trimmed(row.cells[place].text) for row in table.rows]
+    return [trim(row.cells[place].text) for row in table.rows]
 
 
 def _is_last(groups: Sequence[_Group], word: str) -> bool:

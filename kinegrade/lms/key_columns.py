@@ -16,7 +16,7 @@ from kinegrade.lms.dialect import Dialect, Download, ExportOptions, Key
 from kinegrade.lms.grades import StudentGrade
 from kinegrade.lms.item_groups import is_item_header
 from kinegrade.lms.matching import KeyColumn, folded
-from kinegrade.tables import trimmed
+from kinegrade.tables import trim
 
 _ENOUGH = 5  # ids of the class in a column without repetitions are no coincidence
 _MOST_REPEATED = 10  # one cell in ten may be a repetition
@@ -36,8 +36,8 @@ def key_columns(
     keys = [key for key in download.keys if not options.by or key.field in options.by]
     found: Sequence[KeyColumn] = ()
     if download.item_words is not None:
-        found = _by_content(table, rows, keys, download.keys, students)
-    if found := found or _by_header(table, keys):
+        found = _find_by_content(table, rows, keys, download.keys, students)
+    if found := found or _find_by_header(table, keys):
         return found
     if download.item_words is not None:
         raise TableError(
@@ -57,13 +57,13 @@ def exam_hint(table: CellTable, students: Sequence[StudentGrade]) -> str:
     if any(each.email for each in students):
         return ""
     for place in range(len(table.titles)):
-        cells = [text for row in table.rows if (text := trimmed(row.cells[place].text))]
+        cells = [text for row in table.rows if (text := trim(row.cells[place].text))]
         if cells and 2 * sum("@" in cell for cell in cells) > len(cells):
             return ", or the exam that knows the addresses (--exam)"
     return ""
 
 
-def _by_header(table: CellTable, keys: Iterable[Key]) -> list[KeyColumn]:
+def _find_by_header(table: CellTable, keys: Iterable[Key]) -> list[KeyColumn]:
     columns = []
     for key in keys:
         places = (
@@ -75,7 +75,7 @@ def _by_header(table: CellTable, keys: Iterable[Key]) -> list[KeyColumn]:
     return columns
 
 
-def _by_content(
+def _find_by_content(
     table: CellTable,
     rows: Sequence[Record],
     keys: Sequence[Key],
@@ -89,7 +89,7 @@ def _by_content(
     found = []
     for place, title in enumerate(table.titles):
         named = next((key.field for key in known if title in key.headers), None)
-        cells = [text for row in rows if (text := trimmed(row.cells[place].text))]
+        cells = [text for row in rows if (text := trim(row.cells[place].text))]
         shortest = _SHORTEST_ID_AMONG_GRADES if is_item_header(title) else 1
         possible = [each for each in wanted if not _is_the_other(each.key, named)]
         held = [each.held(cells, shortest) for each in possible]

@@ -15,11 +15,11 @@ from dataclasses import dataclass
 from decimal import Decimal
 from unicodedata import normalize
 
-from kinegrade.errors import one_line
+from kinegrade.errors import show_in_one_line
 from kinegrade.lms.cells import CellTable, Record
 from kinegrade.lms.dialect import Key
 from kinegrade.lms.grades import StudentGrade, known_as
-from kinegrade.tables import Complaint, trimmed
+from kinegrade.tables import Complaint, trim
 
 _CUT_NUMBER = re.compile(r"([0-9])(?:[.,]([0-9]{1,15}))?E\+?([0-9]{1,2})", re.IGNORECASE)
 _MOST_HINTS = 3
@@ -35,7 +35,7 @@ class KeyColumn:
 
     def value(self, row: Record) -> str:
         """The row's value, as the system compares it."""
-        text = trimmed(row.cells[self.place].text)
+        text = trim(row.cells[self.place].text)
         return self.compared(text.removeprefix(self.key.prefix) if self.key.prefix else text)
 
     def wanted(self, grade: StudentGrade) -> str:
@@ -71,8 +71,8 @@ def match(
 
     A row that no student matches is skipped where it is a `test_person`'s.
     """
-    claims = _claims(rows, columns, students)
-    claimants = _claimants(claims, students)
+    claims = _collect_claims(rows, columns, students)
+    claimants = _collect_claimants(claims, students)
     unclear = {line for line, several in claimants.items() if len(several) > 1}
     sure = {
         line: first
@@ -84,22 +84,22 @@ def match(
     wanted, alike = set(graded), [_Alike(table, column, free) for column in columns]
     complaints = [
         *(
-            _ambiguous(table, columns, each, claims[each.student])
+            _complain_of_ambiguous(table, columns, each, claims[each.student])
             for each in students
             if len(claims[each.student]) > 1
         ),
-        *(_contested(table, line, claimants[line]) for line in sorted(unclear)),
+        *(_complain_of_contested(table, line, claimants[line]) for line in sorted(unclear)),
         *(
-            _missing(table, columns, each, alike)
+            _complain_of_missing(table, columns, each, alike)
             for each in students
             if not claims[each.student] and each.student in wanted
         ),
-        *_strangers(table, columns, free),
+        *_list_strangers(table, columns, free),
     ]
     return Matching(sure, tuple(complaints))
 
 
-def _claimants(
+def _collect_claimants(
     claims: Mapping[str, tuple[int, ...]], students: Sequence[StudentGrade]
 ) -> Mapping[int, list[StudentGrade]]:
     """The students who match each row, by its line."""
@@ -111,10 +111,10 @@ def _claimants(
 
 
 def _is_test_person(row: Record, shape: re.Pattern[str] | None) -> bool:
-    return bool(shape and shape.match(", ".join(trimmed(cell.text) for cell in row.cells)))
+    return bool(shape and shape.match(", ".join(trim(cell.text) for cell in row.cells)))
 
 
-def _claims(
+def _collect_claims(
     rows: Sequence[Record], columns: Sequence[KeyColumn], students: Sequence[StudentGrade]
 ) -> Mapping[str, tuple[int, ...]]:
     """The lines of the rows that match each student, by any of the keys."""
@@ -136,21 +136,23 @@ def _claims(
     return claims
 
 
-def _ambiguous(
+def _complain_of_ambiguous(
     table: CellTable, columns: Sequence[KeyColumn], grade: StudentGrade, lines: Sequence[int]
 ) -> Complaint:
     places = " and ".join(map(str, lines))
     problem = (
-        f'student "{one_line(grade.student)}" is found on lines {places} by '
-        f"{_names(table, columns)}"
+        f'student "{show_in_one_line(grade.student)}" is found on lines {places} by '
+        f"{_write_names(table, columns)}"
     )
     return Complaint(
         table.file, lines[0], "", grade.student, problem, "none of these lines was changed"
     )
 
 
-def _contested(table: CellTable, line: int, students: Sequence[StudentGrade]) -> Complaint:
-    who = " and ".join(f'"{one_line(each.student)}"' for each in students)
+def _complain_of_contested(
+    table: CellTable, line: int, students: Sequence[StudentGrade]
+) -> Complaint:
+    who = " and ".join(f'"{show_in_one_line(each.student)}"' for each in students)
     return Complaint(
         table.file,
         line,
@@ -161,10 +163,12 @@ def _contested(table: CellTable, line: int, students: Sequence[StudentGrade]) ->
     )
 
 
-def _missing(
+def _complain_of_missing(
     table: CellTable, columns: Sequence[KeyColumn], grade: StudentGrade, alike: Sequence[_Alike]
 ) -> Complaint:
-    problem = f'no row for student "{one_line(grade.student)}" by {_names(table, columns)}'
+    problem = (
+        f'no row for student "{show_in_one_line(grade.student)}" by {_write_names(table, columns)}'
+    )
     hints = [hint for each in alike for hint in each.hints(grade)][:_MOST_HINTS]
     done = f"not exported; {'; '.join(hints)}" if hints else "not exported"
     return Complaint(table.file, None, "", grade.student, problem, done)
@@ -178,7 +182,7 @@ class _Alike:
         self.folded: dict[str, list[Record]] = defaultdict(list)
         self.cut: dict[int, dict[str, list[Record]]] = defaultdict(lambda: defaultdict(list))
         for row in free:
-            cell = trimmed(row.cells[column.place].text)
+            cell = trim(row.cells[column.place].text)
             self.folded[folded(cell)].append(row)
             found = _CUT_NUMBER.fullmatch(cell)
             if found:
@@ -202,7 +206,7 @@ class _Alike:
                 )
 
     def _shown(self, row: Record) -> str:
-        cell = one_line(trimmed(row.cells[self.column.place].text)[:60])
+        cell = show_in_one_line(trim(row.cells[self.column.place].text)[:60])
         return f'line {row.line} has {self.title} "{cell}"'
 
 
@@ -213,18 +217,18 @@ def folded(text: str) -> str:
     >>> folded("０0７"), folded('="007"'), folded("7.0")
     ('7', '7', '7')
     """
-    plain = trimmed(normalize("NFKC", text))
+    plain = trim(normalize("NFKC", text))
     wrapped = _WRAPPED.fullmatch(plain)
     inner = (wrapped[1] or wrapped[2] or "") if wrapped else plain
-    return trimmed(inner).casefold().removesuffix(".0").lstrip("0")
+    return trim(inner).casefold().removesuffix(".0").lstrip("0")
 
 
-def _strangers(
+def _list_strangers(
     table: CellTable, columns: Sequence[KeyColumn], free: Sequence[Record]
 ) -> Iterator[Complaint]:
     for row in free:
         shown = ", ".join(
-            f'{table.titles[place]} "{one_line(trimmed(row.cells[place].text)[:60])}"'
+            f'{table.titles[place]} "{show_in_one_line(trim(row.cells[place].text)[:60])}"'
             for place in sorted({column.place for column in columns})
         )
         yield Complaint(
@@ -237,7 +241,7 @@ def _strangers(
         )
 
 
-def _names(table: CellTable, columns: Sequence[KeyColumn]) -> str:
+def _write_names(table: CellTable, columns: Sequence[KeyColumn]) -> str:
     """The titles of the key columns."""
     return " or ".join(
         table.titles[place] for place in sorted({column.place for column in columns})

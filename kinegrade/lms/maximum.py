@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 
-from kinegrade.amounts import amount_text
+from kinegrade.amounts import write_amount
 from kinegrade.lms.dialect import ExportOptions
 from kinegrade.lms.grades import StudentGrade
 
@@ -41,7 +41,7 @@ def maximum_faults(
     target = target_maximum(stated, options)
     if options.maximum is not None and stated not in (None, options.maximum):
         faults.append(
-            f"{where}: counts {_shown(stated)} there, --maximum says {_shown(options.maximum)} - "
+            f"{where}: counts {_show(stated)} there, --maximum says {_show(options.maximum)} - "
             "expected the same - leave --maximum out, or correct the item"
         )
     elif options.scale and target is None:
@@ -53,12 +53,12 @@ def maximum_faults(
     others = sorted({each.out_of[item] for each in graded} - {stated})
     if stated is not None and target is None and others:
         faults.append(
-            f"{where}: counts {_shown(stated)} there, {_shown(others[0])} in the exam - expected "
+            f"{where}: counts {_show(stated)} there, {_show(others[0])} in the exam - expected "
             "the same - add --scale to scale the grades, or correct the item"
         )
     faults += (
-        f'student "{each.student}": {_shown(each.points[item])} points of '
-        f"{_shown(each.out_of[item])} - expected no more than the maximum, or the import is "
+        f'student "{each.student}": {_show(each.points[item])} points of '
+        f"{_show(each.out_of[item])} - expected no more than the maximum, or the import is "
         "refused - correct the policy and grade again"
         for each in graded
         if each.points[item] > each.out_of[item]
@@ -66,5 +66,5 @@ def maximum_faults(
     return faults
 
 
-def _shown(amount: Fraction | None) -> str:
-    return amount_text(amount or Fraction(0))
+def _show(amount: Fraction | None) -> str:
+    return write_amount(amount or Fraction(0))

@@ -17,7 +17,7 @@ from openpyxl.utils import get_column_letter
 from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 
-from kinegrade.csv_writing import restored
+from kinegrade.csv_writing import restore
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import TEXT_COLUMNS, Status
 from kinegrade.tables import Row, Table
@@ -37,10 +37,10 @@ def workbook(marks: MarksFolder) -> bytes:
         _fill(book.create_sheet(name), table)
     stream = io.BytesIO()
     book.save(stream)
-    return _repeatable(stream.getvalue())
+    return _make_repeatable(stream.getvalue())
 
 
-def _repeatable(content: bytes) -> bytes:
+def _make_repeatable(content: bytes) -> bytes:
     """The same archive without the time of its creation, so that the same marks give the same
     bytes.
     """
@@ -56,10 +56,14 @@ def _repeatable(content: bytes) -> bytes:
 
 def _fill(sheet: Worksheet, table: Table) -> None:
     for place, title in enumerate(table.header, 1):
-        cell = _text_cell(sheet, 1, place, title)
+        cell = _make_text_cell(sheet, 1, place, title)
         cell.font = Font(bold=True)
         widest = _WIDEST_NAME if title == "name" else _WIDEST_COLUMN
-        width = max(_width(title), *(_width(row.cell(place - 1)) for row in table.rows[:500]), 6)
+        width = max(
+            _measure_width(title),
+            *(_measure_width(row.cell(place - 1)) for row in table.rows[:500]),
+            6,
+        )
         sheet.column_dimensions[get_column_letter(place)].width = min(width + 2, widest)
     for line, row in enumerate(table.rows, 2):
         is_absent = _is_absent(table, row)
@@ -85,23 +89,23 @@ def _write(sheet: Worksheet, line: int, place: int, title: str, text: str) -> No
     if title not in TEXT_COLUMNS and _NUMBER.fullmatch(text):
         sheet.cell(line, place, float(text) if "." in text else int(text))
         return
-    cell = _text_cell(sheet, line, place, text if title == "student" else restored(text))
+    cell = _make_text_cell(sheet, line, place, text if title == "student" else restore(text))
     cell.number_format = (
         _TEXT_FORMAT  # or a spreadsheet would make a formula of =1+1 when the cell is edited
     )
 
 
-def _text_cell(sheet: Worksheet, line: int, place: int, text: str) -> Cell:
-    cell = sheet.cell(line, place, _cleaned(text))
+def _make_text_cell(sheet: Worksheet, line: int, place: int, text: str) -> Cell:
+    cell = sheet.cell(line, place, _clean(text))
     cell.data_type = "s"  # the library takes a text that begins with = for a formula
     return cell
 
 
-def _cleaned(text: str) -> str:
+def _clean(text: str) -> str:
     """A text that a spreadsheet can hold: control characters become dots, a long text is cut."""
     return _UNPRINTABLE.sub("·", text)[:_LONGEST_CELL]
 
 
-def _width(text: str) -> int:
+def _measure_width(text: str) -> int:
     """The width of a text in characters, Chinese ones counted twice."""
     return sum(2 if "\u2e80" <= character <= "\uffef" else 1 for character in text[:_WIDEST_COLUMN])

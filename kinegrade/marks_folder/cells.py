@@ -13,7 +13,7 @@ from functools import lru_cache
 from operator import itemgetter
 from pathlib import Path
 
-from kinegrade.errors import TableError, one_line
+from kinegrade.errors import TableError, show_in_one_line
 from kinegrade.marks_folder.layout import TableFile
 from kinegrade.tables import Table, parse_table
 
@@ -23,20 +23,20 @@ _AMOUNT = re.compile(r"[0-9]{1,20}(?:\.[0-9]{1,20})?")
 _LONGEST_SHOWN = 40
 
 
-def edited(where: Path | str, problem: str) -> str:
+def explain_edited(where: Path | str, problem: str) -> str:
     """The message for a file that was edited so that it can no longer be read."""
     return f"{where}: {problem} - {EXPECTED}"
 
 
-def wrong_cell(path: Path, line: int, column: str, cell: str, expected: str) -> str:
+def explain_cell(path: Path, line: int, column: str, cell: str, expected: str) -> str:
     """The message for one cell."""
-    shown = one_line(cell[:_LONGEST_SHOWN])
+    shown = show_in_one_line(cell[:_LONGEST_SHOWN])
     return f'{path}:{line}: {column} is "{shown}" - expected {expected} - grade again'
 
 
-def wrong_amount(path: Path, line: int, column: str, cell: str) -> str:
+def explain_amount(path: Path, line: int, column: str, cell: str) -> str:
     """The message for a cell that should hold a number of points."""
-    return wrong_cell(path, line, column, cell, "a number of zero or more")
+    return explain_cell(path, line, column, cell, "a number of zero or more")
 
 
 def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
@@ -52,15 +52,15 @@ def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
             header = next(reader, [])
             missing = [name for name in file.columns if name not in header]
             if missing:
-                raise TableError(edited(path, f"no column {', '.join(missing)}"))
+                raise TableError(explain_edited(path, f"no column {', '.join(missing)}"))
             chosen = itemgetter(*map(header.index, file.columns))
             for cells in reader:
                 if len(cells) != len(header):
                     problem = f"{len(cells)} cells under {len(header)}"
-                    raise TableError(edited(f"{path}:{reader.line_num}", problem))
+                    raise TableError(explain_edited(f"{path}:{reader.line_num}", problem))
                 yield reader.line_num, chosen(cells)
     except (UnicodeDecodeError, csv.Error) as fault:
-        raise TableError(edited(path, f"is not a CSV file in UTF-8 ({fault})")) from fault
+        raise TableError(explain_edited(path, f"is not a CSV file in UTF-8 ({fault})")) from fault
 
 
 def read_records_if_any(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
@@ -77,26 +77,26 @@ def read_whole(folder: Path, file: TableFile) -> Table:
     table = parse_table(content, str(path))
     required = [name for name in file.columns if name not in file.optional]
     missing = [name for name in required if name not in table.header]
-    faults = [edited(path, f"no column {', '.join(missing)}")] if missing else []
+    faults = [explain_edited(path, f"no column {', '.join(missing)}")] if missing else []
     for each in table.complaints:
         where = path if each.line is None else f"{path}:{each.line}"
-        faults.append(edited(where, each.problem))
+        faults.append(explain_edited(where, each.problem))
     if faults:
         raise TableError(*faults)
     return table
 
 
 @lru_cache(maxsize=4096)  # there are few distinct amounts
-def amount(cell: str) -> Fraction | None:
+def find_amount(cell: str) -> Fraction | None:
     """A number of points as it is written; None for anything else."""
     return Fraction(cell) if _AMOUNT.fullmatch(cell) else None
 
 
 def read_amount(cell: str, path: Path, line: int, column: str) -> Fraction:
     """A number of points. Raises TableError."""
-    found = amount(cell)
+    found = find_amount(cell)
     if found is None:
-        raise TableError(wrong_amount(path, line, column, cell))
+        raise TableError(explain_amount(path, line, column, cell))
     return found
 
 

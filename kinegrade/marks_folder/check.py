@@ -11,8 +11,8 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from pathlib import Path
 
-from kinegrade.amounts import PLACES, amount_text
-from kinegrade.errors import TableError, one_line
+from kinegrade.amounts import PLACES, write_amount
+from kinegrade.errors import TableError, show_in_one_line
 from kinegrade.marks_folder.cells import EXPECTED
 from kinegrade.marks_folder.layout import ANSWERS, GRADES, KEPT, STATUSES
 from kinegrade.marks_folder.rows import ClassTotals, StudentSums, StudentTotal
@@ -23,7 +23,7 @@ _MOST_NAMED = 20
 
 def refuse_changed_totals(folder: Path, totals: ClassTotals, sums: Iterable[StudentSums]) -> None:
     """Raises TableError naming each row of grades.csv that contradicts marks.csv or kept.csv."""
-    faults = list(_faults(totals, sums))
+    faults = list(_find_faults(totals, sums))
     if not faults:
         return
     path = folder / GRADES.name
@@ -36,90 +36,92 @@ def refuse_changed_totals(folder: Path, totals: ClassTotals, sums: Iterable[Stud
     )
 
 
-def _faults(totals: ClassTotals, sums: Iterable[StudentSums]) -> Iterator[str]:
+def _find_faults(totals: ClassTotals, sums: Iterable[StudentSums]) -> Iterator[str]:
     """The faults of grades.csv, each as the text that follows its path."""
-    yield from _doubled(totals)
+    yield from _find_doubled(totals)
     rows = dict(totals.by_student)
     full = 0  # lines of the first student: no student has more
     for each in sums:
         row = rows.pop(each.student, None)
         if row is None:
-            yield f': student "{one_line(each.student)}" has marks and no row here'
+            yield f': student "{show_in_one_line(each.student)}" has marks and no row here'
             continue
         lines = sum(each.lines.values())
         if not full:
             full = lines
             yield from (f": no column {name}" for name in each.points if name not in row.points)
-        problems = "; ".join(_problems(row, each, is_whole=lines == full))
+        problems = "; ".join(_find_problems(row, each, is_whole=lines == full))
         if problems:
-            yield _of_row(row, problems)
+            yield _name_row(row, problems)
     for row in rows.values():
-        yield _of_row(row, f"has no lines in {ANSWERS.name}")
+        yield _name_row(row, f"has no lines in {ANSWERS.name}")
 
 
-def _doubled(totals: ClassTotals) -> Iterator[str]:
+def _find_doubled(totals: ClassTotals) -> Iterator[str]:
     seen: set[str] = set()
     for row in totals.students:
         if row.student in seen:
-            yield _of_row(row, "stands there twice")
+            yield _name_row(row, "stands there twice")
         seen.add(row.student)
 
 
-def _of_row(row: StudentTotal, problem: str) -> str:
-    return f':{row.line}: student "{one_line(row.student)}": {problem}'
+def _name_row(row: StudentTotal, problem: str) -> str:
+    return f':{row.line}: student "{show_in_one_line(row.student)}": {problem}'
 
 
-def _problems(row: StudentTotal, sums: StudentSums, *, is_whole: bool) -> list[str]:
+def _find_problems(row: StudentTotal, sums: StudentSums, *, is_whole: bool) -> list[str]:
     """Where a student's row contradicts the sums.
 
     Missing lines of marks.csv are left to the commands that report or compare them.
     """
     lines = sum(sums.lines.values())
-    problems = [*_wrong_points(row, sums), *_wrong_total(row, sums, lines)]
+    problems = [*_find_wrong_points(row, sums), *_find_wrong_total(row, sums, lines)]
     if is_whole:
-        problems += _difference("out_of", row.out_of, sums.total_out_of, lines)
-    problems += _wrong_status(row, sums)
-    return problems or list(_wrong_percent(row))
+        problems += _describe_difference("out_of", row.out_of, sums.total_out_of, lines)
+    problems += _find_wrong_status(row, sums)
+    return problems or list(_find_wrong_percent(row))
 
 
-def _wrong_points(row: StudentTotal, sums: StudentSums) -> Iterator[str]:
+def _find_wrong_points(row: StudentTotal, sums: StudentSums) -> Iterator[str]:
     for name, points in row.points.items():
         expected, lines = sums.points.get(name, Fraction(0)), sums.lines.get(name, 0)
-        yield from _difference(name, points, expected, lines)
+        yield from _describe_difference(name, points, expected, lines)
 
 
-def _wrong_total(row: StudentTotal, sums: StudentSums, lines: int) -> Iterator[str]:
+def _find_wrong_total(row: StudentTotal, sums: StudentSums, lines: int) -> Iterator[str]:
     if row.kept is None:
-        yield from _difference("total", row.total, sums.total, lines)
+        yield from _describe_difference("total", row.total, sums.total, lines)
     elif row.total != row.kept.stands:
-        stands = amount_text(row.kept.stands)
-        yield f"total is {amount_text(row.total)}, {stands} by {KEPT.name}"
+        stands = write_amount(row.kept.stands)
+        yield f"total is {write_amount(row.total)}, {stands} by {KEPT.name}"
 
 
-def _wrong_percent(row: StudentTotal) -> Iterator[str]:
+def _find_wrong_percent(row: StudentTotal) -> Iterator[str]:
     """The percentage is compared with the total and the maximum beside it, all three rounded."""
     if row.percent is None:
         return
     expected = 100 * row.share
     rounding = Fraction(1, 100) * (1 + (1 / row.out_of if row.out_of else 0))
     if abs(row.percent - expected) > rounding:
-        shown = amount_text(expected, places=2)
-        yield f"percent is {amount_text(row.percent)}, {shown} by the total"
+        shown = write_amount(expected, places=2)
+        yield f"percent is {write_amount(row.percent)}, {shown} by the total"
 
 
-def _wrong_status(row: StudentTotal, sums: StudentSums) -> Iterator[str]:
+def _find_wrong_status(row: StudentTotal, sums: StudentSums) -> Iterator[str]:
     """Folders of earlier versions have no status."""
     if row.status is None:
         return
     if row.status not in STATUSES:
-        yield f'status is "{one_line(row.status[:40])}", neither {" nor ".join(STATUSES)}'
+        yield f'status is "{show_in_one_line(row.status[:40])}", neither {" nor ".join(STATUSES)}'
     elif row.status == "absent" and sums.answered:
         yield f"status is absent, and {ANSWERS.name} has answers"
 
 
-def _difference(name: str, amount: Fraction, expected: Fraction, lines: int) -> Iterator[str]:
+def _describe_difference(
+    name: str, amount: Fraction, expected: Fraction, lines: int
+) -> Iterator[str]:
     """The message where an amount is not the sum of so many lines, each of them rounded."""
     if amount == expected:
         return
     if abs(amount - expected) > (lines + 1) * _HALF_A_PLACE:
-        yield f"{name} is {amount_text(amount)}, {amount_text(expected)} by {ANSWERS.name}"
+        yield f"{name} is {write_amount(amount)}, {write_amount(expected)} by {ANSWERS.name}"

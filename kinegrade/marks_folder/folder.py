@@ -14,16 +14,16 @@ from itertools import groupby
 from operator import attrgetter
 from pathlib import Path
 
-from kinegrade.csv_writing import restored
+from kinegrade.csv_writing import restore
 from kinegrade.errors import TableError
-from kinegrade.exact.written import NumberError, written_number
+from kinegrade.exact.written import NumberError, read_number
 from kinegrade.marks_folder.cells import (
     Record,
+    explain_cell,
     read_amount,
     read_records,
     read_records_if_any,
     read_whole,
-    wrong_cell,
 )
 from kinegrade.marks_folder.check import refuse_changed_totals
 from kinegrade.marks_folder.layout import (
@@ -69,7 +69,7 @@ class MarksFolder:
         """The students whose earlier total stands; empty where there is no kept.csv."""
         path = self.path / KEPT.name
         records = read_records_if_any(self.path, KEPT)
-        return {cells[0]: _kept_total(cells, path, line) for line, cells in records}
+        return {cells[0]: _read_kept_total(cells, path, line) for line, cells in records}
 
     @cached_property
     def put(self) -> Put:
@@ -90,7 +90,7 @@ class MarksFolder:
             if sorted(found[student]) != sorted(self.totals.questions):
                 expected = f"the questions of {GRADES.name} in the order of the paper"
                 path = self.path / PRINTED.name
-                raise TableError(wrong_cell(path, line, "questions", listed, expected))
+                raise TableError(explain_cell(path, line, "questions", listed, expected))
         return found
 
     def answers(self) -> Iterator[MarkedAnswer]:
@@ -102,13 +102,13 @@ class MarksFolder:
                 student,
                 question,
                 ask,
-                restored(typed),
+                restore(typed),
                 _number(read_as, path, line),
                 unit,
                 verdict,
                 read_amount(points, path, line, "points"),
                 read_amount(out_of, path, line, "out_of"),
-                restored(reason),
+                restore(reason),
             )
 
     def answers_by_student(self) -> Iterator[tuple[str, tuple[MarkedAnswer, ...]]]:
@@ -127,9 +127,9 @@ class MarksFolder:
         path = self.path / COMPLAINTS.name
         found = []
         for line, cells in read_records(self.path, COMPLAINTS):
-            file, number, column, content, problem, done = map(restored, cells)
+            file, number, column, content, problem, done = map(restore, cells)
             if number and not number.isdecimal():
-                raise TableError(wrong_cell(path, line, "line", number, "the number of a line"))
+                raise TableError(explain_cell(path, line, "line", number, "the number of a line"))
             found.append(
                 Complaint(file, int(number) if number else None, column, content, problem, done)
             )
@@ -150,13 +150,13 @@ def open_marks(path: Path) -> MarksFolder:
     return folder
 
 
-def _kept_total(cells: Record, path: Path, line: int) -> KeptTotal:
+def _read_kept_total(cells: Record, path: Path, line: int) -> KeptTotal:
     student, name, *amounts, reason = cells
     columns = KEPT.columns[2:-1]
     points = [
         read_amount(cell, path, line, column) for cell, column in zip(amounts, columns, strict=True)
     ]
-    return KeptTotal(student, restored(name), restored(reason), *points)
+    return KeptTotal(student, restore(name), restore(reason), *points)
 
 
 def _number(text: str, path: Path, line: int) -> str:
@@ -164,7 +164,7 @@ def _number(text: str, path: Path, line: int) -> str:
     if not text or _PLAIN.fullmatch(text):
         return text
     try:
-        written_number(text)
+        read_number(text)
     except NumberError as fault:
-        raise TableError(wrong_cell(path, line, "read_as", text, "a number")) from fault
+        raise TableError(explain_cell(path, line, "read_as", text, "a number")) from fault
     return text

@@ -69,6 +69,6 @@ _OF_NUMBERS = {"points", "total", "out_of", "percent", "line"}  # besides the qu
 TEXT_COLUMNS: Final = frozenset(name for file in FOR_PEOPLE for name in file.columns) - _OF_NUMBERS
 
 
-def grades_header(questions: tuple[str, ...]) -> tuple[str, ...]:
+def make_grades_header(questions: tuple[str, ...]) -> tuple[str, ...]:
     """The columns of grades.csv for these questions."""
     return (*_BEFORE_QUESTIONS, *questions, *_AFTER_QUESTIONS)

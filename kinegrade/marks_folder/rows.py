@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from kinegrade.amounts import added
+from kinegrade.amounts import add_amounts
 
 Put = Mapping[str, Mapping[str, str]]  # whose line of the key, by student and answer column
 Orders = Mapping[str, tuple[str, ...]]  # the questions as printed, by student
@@ -78,7 +78,7 @@ class Grade:
     @property
     def total(self) -> Fraction:
         """The sum of the points, or the total that was kept."""
-        return added(self.points) if self.kept is None else self.kept
+        return add_amounts(self.points) if self.kept is None else self.kept
 
     @property
     def percent(self) -> Fraction:
@@ -146,9 +146,9 @@ class StudentSums:
     @property
     def total(self) -> Fraction:
         """The sum of the points."""
-        return added(self.points.values())
+        return add_amounts(self.points.values())
 
     @property
     def total_out_of(self) -> Fraction:
         """The maximum."""
-        return added(self.out_of.values())
+        return add_amounts(self.out_of.values())

@@ -8,13 +8,13 @@ from fractions import Fraction
 from itertools import groupby
 from pathlib import Path
 
-from kinegrade.amounts import added
-from kinegrade.csv_writing import restored
-from kinegrade.errors import TableError, one_line
-from kinegrade.marks_folder.cells import Record, edited, read_amount, read_records
+from kinegrade.amounts import add_amounts
+from kinegrade.csv_writing import restore
+from kinegrade.errors import TableError, show_in_one_line
+from kinegrade.marks_folder.cells import Record, explain_edited, read_amount, read_records
 from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import StudentSums
-from kinegrade.tables import trimmed
+from kinegrade.tables import trim
 
 _DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d"
 _Line = tuple[int, Record]
@@ -26,20 +26,20 @@ def read_sums(folder: Path) -> Iterator[StudentSums]:
     """
     path = folder / ANSWERS.name
     seen: set[str] = set()
-    for student, lines in groupby(read_records(folder, ANSWERS), _student):
-        sums = _sums(student, lines, path)
+    for student, lines in groupby(read_records(folder, ANSWERS), _read_student):
+        sums = _find_sums(student, lines, path)
         if student in seen:
-            problem = f'the lines of student "{one_line(student)}" do not stand together'
-            raise TableError(edited(f"{path}:{sums.line}", problem))
+            problem = f'the lines of student "{show_in_one_line(student)}" do not stand together'
+            raise TableError(explain_edited(f"{path}:{sums.line}", problem))
         seen.add(student)
         yield sums
 
 
-def _student(line: _Line) -> str:
+def _read_student(line: _Line) -> str:
     return line[1][0]
 
 
-def _sums(student: str, lines: Iterable[_Line], path: Path) -> StudentSums:
+def _find_sums(student: str, lines: Iterable[_Line], path: Path) -> StudentSums:
     points, out_of = defaultdict[str, list[Fraction]](list), defaultdict[str, list[Fraction]](list)
     answered, line = False, 0
     for line, (_, question, _, response, _, _, _, got, possible, _) in lines:
@@ -47,12 +47,14 @@ def _sums(student: str, lines: Iterable[_Line], path: Path) -> StudentSums:
         out_of[question].append(read_amount(possible, path, line, "out_of"))
         answered = answered or _is_answer(response)
     counts = {question: len(amounts) for question, amounts in points.items()}
-    return StudentSums(line, student, _by_question(points), _by_question(out_of), counts, answered)
+    return StudentSums(
+        line, student, _sum_by_question(points), _sum_by_question(out_of), counts, answered
+    )
 
 
 def _is_answer(response: str) -> bool:
-    return bool(response) and bool(trimmed(restored(response)).strip(f"{_DASHES} "))
+    return bool(response) and bool(trim(restore(response)).strip(f"{_DASHES} "))
 
 
-def _by_question(amounts: Mapping[str, Sequence[Fraction]]) -> Mapping[str, Fraction]:
-    return {question: added(each) for question, each in amounts.items()}
+def _sum_by_question(amounts: Mapping[str, Sequence[Fraction]]) -> Mapping[str, Fraction]:
+    return {question: add_amounts(each) for question, each in amounts.items()}

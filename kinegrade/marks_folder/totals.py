@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
 
-from kinegrade.csv_writing import restored
+from kinegrade.csv_writing import restore
 from kinegrade.errors import TableError
-from kinegrade.marks_folder.cells import amount, read_whole, wrong_amount
+from kinegrade.marks_folder.cells import explain_amount, find_amount, read_whole
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import ClassTotals, KeptTotal, StudentTotal
 from kinegrade.tables import Row, Table
@@ -49,7 +49,7 @@ class _Reader:
         return StudentTotal(
             row.line,
             cells["student"],
-            restored(cells["name"]),
+            restore(cells["name"]),
             {name: amounts[name] for name in self.questions},
             amounts["total"],
             amounts["out_of"],
@@ -59,7 +59,7 @@ class _Reader:
         )
 
     def _amount(self, row: Row, column: str, cell: str) -> Fraction:
-        found = amount(cell)
+        found = find_amount(cell)
         if found is None:
-            self.faults.append(wrong_amount(self.path, row.line, column, cell))
+            self.faults.append(explain_amount(self.path, row.line, column, cell))
         return found or Fraction(0)

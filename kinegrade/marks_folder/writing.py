@@ -1,7 +1,7 @@
 """Writing the files of a marks folder: marks.csv while the class is being marked, the others
 afterwards.
 
-Typed text and names are written `neutralised`, so that no cell runs as a formula in a spreadsheet;
+Typed text and names are written `neutralise`, so that no cell runs as a formula in a spreadsheet;
 ids and numbers are written as they are.
 """
 
@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
-from kinegrade.amounts import amount_text
-from kinegrade.csv_writing import csv_text, encoded, neutralised, write_csv, write_for_people
+from kinegrade.amounts import write_amount
+from kinegrade.csv_writing import encode, neutralise, write_csv, write_csv_text, write_for_people
 from kinegrade.marks_folder.layout import (
     ANSWERS,
     COMPLAINTS,
@@ -26,7 +26,7 @@ from kinegrade.marks_folder.layout import (
     QUESTIONS_BETWEEN,
     AnswerCells,
     Status,
-    grades_header,
+    make_grades_header,
 )
 from kinegrade.marks_folder.rows import Grade, KeptTotal, Orders
 from kinegrade.tables import Complaint
@@ -44,10 +44,10 @@ class MarksWriter:
     def answers(self) -> Iterator[Callable[[AnswerCells], None]]:
         """Gives a function that appends lines to marks.csv."""
         with (self.path / ANSWERS.name).open("wb") as stream:
-            stream.write(encoded(csv_text(ANSWERS.columns, [])))
+            stream.write(encode(write_csv_text(ANSWERS.columns, [])))
 
             def write(cells: AnswerCells) -> None:
-                stream.write(encoded(_answer_lines(cells)))
+                stream.write(encode(_write_answer_lines(cells)))
 
             yield write
 
@@ -61,11 +61,11 @@ class MarksWriter:
     def grades(self, questions: tuple[str, ...], grades: Iterable[Grade]) -> None:
         """Every student's points."""
         rows = _grade_rows(grades)
-        write_for_people(self.path / GRADES.name, grades_header(questions), rows)
+        write_for_people(self.path / GRADES.name, make_grades_header(questions), rows)
 
     def complaints(self, complaints: Iterable[Complaint]) -> None:
         """What a person should look at."""
-        rows = map(_complaint_row, complaints)
+        rows = map(_write_complaint, complaints)
         write_for_people(self.path / COMPLAINTS.name, COMPLAINTS.columns, rows)
 
     def policy(self, text: str) -> None:
@@ -74,7 +74,7 @@ class MarksWriter:
 
     def kept(self, kept: Iterable[KeptTotal]) -> None:
         """The students whose earlier total stands."""
-        write_for_people(self.path / KEPT.name, KEPT.columns, map(_kept_row, kept))
+        write_for_people(self.path / KEPT.name, KEPT.columns, map(_write_kept, kept))
 
     def printed(self, orders: Orders) -> None:
         """The order of the questions on paper, by student, where it differs from the bank's."""
@@ -83,7 +83,7 @@ class MarksWriter:
             write_csv(self.path / PRINTED.name, PRINTED.columns, rows)
 
 
-def _answer_lines(cells: AnswerCells) -> str:
+def _write_answer_lines(cells: AnswerCells) -> str:
     """The columns as lines: each cell in its place, followed by a comma or the end of the line.
 
     Joining line by line takes half as long again.
@@ -103,22 +103,22 @@ def _grade_rows(grades: Iterable[Grade]) -> Iterator[tuple[str, ...]]:
         which = id(grade.points), id(grade.out_of), grade.kept
         status: Status = "absent" if grade.absent else "marked"
         if which not in known:
-            known[which] = _amounts(grade)
-        yield (grade.student, neutralised(grade.name), *known[which], status)
+            known[which] = _write_amounts(grade)
+        yield (grade.student, neutralise(grade.name), *known[which], status)
 
 
-def _amounts(grade: Grade) -> tuple[str, ...]:
+def _write_amounts(grade: Grade) -> tuple[str, ...]:
     """Points by question, the total, the maximum, and the percentage."""
-    amounts = map(amount_text, (*grade.points, grade.total, grade.out_of))
-    return (*amounts, amount_text(grade.percent, places=2))
+    amounts = map(write_amount, (*grade.points, grade.total, grade.out_of))
+    return (*amounts, write_amount(grade.percent, places=2))
 
 
-def _complaint_row(complaint: Complaint) -> tuple[str, ...]:
+def _write_complaint(complaint: Complaint) -> tuple[str, ...]:
     line = "" if complaint.line is None else str(complaint.line)
     texts = complaint.column, complaint.content, complaint.problem, complaint.done
-    return (neutralised(complaint.file), line, *map(neutralised, texts))
+    return (neutralise(complaint.file), line, *map(neutralise, texts))
 
 
-def _kept_row(kept: KeptTotal) -> tuple[str, ...]:
+def _write_kept(kept: KeptTotal) -> tuple[str, ...]:
     amounts = kept.before, kept.before_out_of, kept.by_this_marking, kept.out_of, kept.stands
-    return (kept.student, neutralised(kept.name), *map(amount_text, amounts), kept.reason)
+    return (kept.student, neutralise(kept.name), *map(write_amount, amounts), kept.reason)

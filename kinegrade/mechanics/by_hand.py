@@ -14,7 +14,7 @@ from functools import cached_property
 
 from kinegrade.exact.rounding import Rounded
 from kinegrade.mechanics import plan as plans
-from kinegrade.mechanics.frames import Base, Frames, chain
+from kinegrade.mechanics.frames import Base, Frames, build_chain
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.relations import Chain, Rates, Relation, Term
 from kinegrade.mechanics.vector import Vector
@@ -28,15 +28,15 @@ class WrittenTerm(Term):
 
     def velocity(self, rates: Rates) -> Vector:
         """The term's velocity as it is written down, m/s."""
-        return write(super().velocity(rates), self.rounded)
+        return write_down(super().velocity(rates), self.rounded)
 
     def normal(self, rates: Rates) -> Vector:
         """The centripetal part of its acceleration as it is written down, m/s^2."""
-        return write(super().normal(rates), self.rounded)
+        return write_down(super().normal(rates), self.rounded)
 
     def coriolis(self, rates: Rates) -> Vector:
         """The Coriolis part of its acceleration as it is written down, m/s^2."""
-        return write(super().coriolis(rates), self.rounded)
+        return write_down(super().coriolis(rates), self.rounded)
 
     def acceleration(self, rates: Rates, changes: Rates) -> Vector:
         """The term's acceleration, m/s^2: the sum of its written parts."""
@@ -47,18 +47,18 @@ class WrittenTerm(Term):
         parts.
         """
         tangential: Vector = self.coefficient() * changes[self.rate]
-        return self.normal(rates) + write(tangential, self.rounded)
+        return self.normal(rates) + write_down(tangential, self.rounded)
 
 
 @dataclass(frozen=True)
-class WrittenFrames(Frames):
+class _WrittenFrames(Frames):
     """Chains and relations whose terms are written down."""
 
     rounded: Rounded = field(kw_only=True)
 
     def chain(self, body: str, point: str) -> Chain:
         """The written terms whose sum is the velocity of `point`, taken as a point of `body`."""
-        return written(chain(self.mechanism, self.bases, body, point), self.rounded)
+        return _write_chain(build_chain(self.mechanism, self.bases, body, point), self.rounded)
 
     @cached_property
     def relative(self) -> dict[tuple[str, str], WrittenTerm]:
@@ -75,12 +75,12 @@ class WrittenFrames(Frames):
 
 
 @dataclass(frozen=True)
-class WrittenMotion(Motion):
+class _WrittenMotion(Motion):
     """A motion by hand: a relative motion that was solved for is not found again as a
     difference.
     """
 
-    frames: WrittenFrames
+    frames: _WrittenFrames
 
     def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
         """Velocity of `point` of `body` relative to the moving body `frame`, m/s."""
@@ -105,32 +105,32 @@ def solve_by_hand(motion: Motion, rounded: Rounded) -> Motion:
     """
     if not motion.plan.steps:
         return motion
-    relations = tuple(written_relation(relation, rounded) for relation in motion.frames.relations)
+    relations = tuple(_write_relation(relation, rounded) for relation in motion.frames.relations)
     bases = {
-        name: Base(base.point, written(base.chain, rounded), base.joint)
+        name: Base(base.point, _write_chain(base.chain, rounded), base.joint)
         for name, base in motion.frames.bases.items()
     }
     equations = [relation.equations() for relation in relations]
-    rates = plans.run(
+    rates = plans.run_steps(
         motion.plan, equations, lambda index: relations[index].velocity_side(), rounded
     )
-    changes = plans.run(
+    changes = plans.run_steps(
         motion.plan, equations, lambda index: relations[index].acceleration_side(rates), rounded
     )
-    return WrittenMotion(
-        WrittenFrames(motion.frames.mechanism, bases, relations, rounded=rounded),
+    return _WrittenMotion(
+        _WrittenFrames(motion.frames.mechanism, bases, relations, rounded=rounded),
         motion.plan,
         rates,
         changes,
     )
 
 
-def written_relation(relation: Relation, rounded: Rounded) -> Relation:
+def _write_relation(relation: Relation, rounded: Rounded) -> Relation:
     """The relation with its terms written down."""
     return Relation(
         relation.origin,
-        written(relation.left, rounded),
-        written(relation.right, rounded),
+        _write_chain(relation.left, rounded),
+        _write_chain(relation.right, rounded),
         relation.along,
         relation.turning,
         relation.velocity,
@@ -139,7 +139,7 @@ def written_relation(relation: Relation, rounded: Rounded) -> Relation:
     )
 
 
-def written(terms: Chain, rounded: Rounded) -> Chain:
+def _write_chain(terms: Chain, rounded: Rounded) -> Chain:
     """The terms with their arms written down."""
     return tuple(
         term
@@ -147,7 +147,7 @@ def written(terms: Chain, rounded: Rounded) -> Chain:
         else WrittenTerm(
             term.kind,
             term.rate,
-            write(term.vector, rounded),
+            write_down(term.vector, rounded),
             term.point,
             term.base,
             term.frame,
@@ -157,6 +157,6 @@ def written(terms: Chain, rounded: Rounded) -> Chain:
     )
 
 
-def write(vector: Vector, rounded: Rounded) -> Vector:
+def write_down(vector: Vector, rounded: Rounded) -> Vector:
     """A vector or a point with its components as they are written down."""
     return Vector(rounded.noted(vector.x), rounded.noted(vector.y))

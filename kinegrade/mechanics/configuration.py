@@ -7,8 +7,8 @@ from typing import Any, assert_never
 
 from kinegrade.errors import MechanismError, did_you_mean
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
-from kinegrade.mechanics.frames import describe
-from kinegrade.mechanics.geometry import short, size
+from kinegrade.mechanics.frames import describe_element
+from kinegrade.mechanics.geometry import size, write_short
 from kinegrade.mechanics.joints import (
     GROUND,
     Arc,
@@ -30,15 +30,17 @@ def require_assembled(mechanism: Mechanism, arithmetic: Any) -> None:
     """Raises MechanismError listing every joint that names unknown things or does not fit the
     positions.
     """
-    problems = list(unknown_names(mechanism)) or list(nonsense(mechanism))
+    problems = list(_find_unknown_names(mechanism)) or list(_find_nonsense(mechanism))
     problems = problems or [
-        problem for joint in mechanism.joints for problem in misfits(mechanism, joint, arithmetic)
+        problem
+        for joint in mechanism.joints
+        for problem in _find_misfits(mechanism, joint, arithmetic)
     ]
     if problems:
         raise MechanismError(*problems)
 
 
-def unknown_names(mechanism: Mechanism) -> Iterator[str]:
+def _find_unknown_names(mechanism: Mechanism) -> Iterator[str]:
     """Joints and drivers that name a body or point that does not exist, and bodies without
     points.
     """
@@ -52,17 +54,18 @@ def unknown_names(mechanism: Mechanism) -> Iterator[str]:
                     f'body {body.name}: no point "{point}": {did_you_mean(point, mechanism.points)}'
                 )
     for part in (*mechanism.joints, *mechanism.drivers):
-        for name in body_names(part):
+        for name in _list_bodies(part):
             if name not in bodies:
-                yield f'{describe(part)}: no body "{name}": {did_you_mean(name, bodies)}'
-        for point in point_names(part):
+                yield f'{describe_element(part)}: no body "{name}": {did_you_mean(name, bodies)}'
+        for point in _list_points(part):
             if point not in mechanism.points:
                 yield (
-                    f'{describe(part)}: no point "{point}": {did_you_mean(point, mechanism.points)}'
+                    f'{describe_element(part)}: no point "{point}": '
+                    f"{did_you_mean(point, mechanism.points)}"
                 )
 
 
-def body_names(part: Joint | Driver) -> list[str]:
+def _list_bodies(part: Joint | Driver) -> list[str]:
     """The bodies that a joint or driver names."""
     match part:
         case Pin(bodies=bodies):
@@ -79,7 +82,7 @@ def body_names(part: Joint | Driver) -> list[str]:
             assert_never(part)
 
 
-def turning_bodies(part: Joint | Driver) -> list[str]:
+def _list_turning_bodies(part: Joint | Driver) -> list[str]:
     """The bodies of a joint or driver that turn in it or carry its line or circle, which no
     particle can.
     """
@@ -87,33 +90,36 @@ def turning_bodies(part: Joint | Driver) -> list[str]:
         case Pin():
             return []
         case Rotation() | Parallel() | Sleeve() | Roll() | Mesh():
-            return body_names(part)
+            return _list_bodies(part)
         case Slide() | Arc() | Contact() | Component() | Circulation():
-            return body_names(part)[1:]
+            return _list_bodies(part)[1:]
         case _:
             assert_never(part)
 
 
-def nonsense(mechanism: Mechanism) -> Iterator[str]:
+def _find_nonsense(mechanism: Mechanism) -> Iterator[str]:
     """Joints and drivers that are meaningless: of a body with itself, or of a particle's
     rotation.
     """
     particles = {body.name for body in mechanism.bodies if body.particle}
     for part in (*mechanism.joints, *mechanism.drivers):
-        names = body_names(part)
+        names = _list_bodies(part)
         if not isinstance(part, Circulation) and len(set(names[:2])) < 2:
-            yield f"{describe(part)}: a body cannot move relative to itself: name two bodies"
+            yield (
+                f"{describe_element(part)}: a body cannot move relative to itself: name two bodies"
+            )
         if isinstance(part, Sleeve) and part.body == GROUND:
-            yield f"{describe(part)}: the ground does not slide: name the moving body first"
+            yield f"{describe_element(part)}: the ground does not slide: name the moving body first"
         yield from (
-            f"{describe(part)}: {name} is a particle, which neither turns nor carries a line or "
+            f"{describe_element(part)}: {name} is a particle, "
+            "which neither turns nor carries a line or "
             "circle: give it two points"
-            for name in turning_bodies(part)
+            for name in _list_turning_bodies(part)
             if name in particles
         )
 
 
-def point_names(part: Joint | Driver) -> list[str]:
+def _list_points(part: Joint | Driver) -> list[str]:
     """The points that a joint or driver names."""
     match part:
         case Pin(point=point) | Slide(point=point) | Component(point=point):
@@ -123,14 +129,14 @@ def point_names(part: Joint | Driver) -> list[str]:
         case Circulation(point=point, centre=centre):
             return [point, centre]
         case Contact() | Roll() | Mesh():
-            return [circle.centre for circle in circles(part)]
+            return [circle.centre for circle in list_circles(part)]
         case Sleeve() | Parallel() | Rotation():
             return []
         case _:
             assert_never(part)
 
 
-def shapes(joint: Joint) -> list[Line | Circle]:
+def _list_shapes(joint: Joint) -> list[Line | Circle]:
     """The shapes that a joint refers to."""
     match joint:
         case Pin() | Parallel():
@@ -147,75 +153,83 @@ def shapes(joint: Joint) -> list[Line | Circle]:
             assert_never(joint)
 
 
-def circles(joint: Joint) -> list[Circle]:
+def list_circles(joint: Joint) -> list[Circle]:
     """The circles that a joint refers to."""
-    return [shape for shape in shapes(joint) if isinstance(shape, Circle)]
+    return [shape for shape in _list_shapes(joint) if isinstance(shape, Circle)]
 
 
-def misfits(mechanism: Mechanism, joint: Joint, arithmetic: Any) -> Iterator[str]:
+def _find_misfits(mechanism: Mechanism, joint: Joint, arithmetic: Any) -> Iterator[str]:
     """What is wrong with the positions at one joint."""
-    for circle in circles(joint):
+    for circle in list_circles(joint):
         if not bool(arithmetic.is_zero(circle.radius)) and arithmetic.sign(circle.radius) > 0:
             continue
         yield (
-            f"{describe(joint)}: a circle of radius {short(circle.radius)}: the radius must be "
+            f"{describe_element(joint)}: a circle of radius "
+            f"{write_short(circle.radius)}: the radius must be "
             "positive"
         )
-    for line in shapes(joint):
+    for line in _list_shapes(joint):
         if isinstance(line, Line) and arithmetic.is_zero(line.direction.squared()):
             yield (
-                f"{describe(joint)}: the line has no direction: give it two different points, or "
+                f"{describe_element(joint)}: the line has no "
+                "direction: give it two different points, or "
                 "an angle"
             )
             return
     match joint:
         case Slide(point=point):
-            if off_line(mechanism, point, joint.line, arithmetic):
+            if _is_off_line(mechanism, point, joint.line, arithmetic):
                 yield (
-                    f"{describe(joint)}: {point} does not lie on that line: check the "
+                    f"{describe_element(joint)}: {point} does not lie on that line: check the "
                     f"construction of {point}"
                 )
         case Arc(circle=circle):
             ends = (joint.point, circle.centre)
-            yield from wrong_distance(mechanism, joint, ends, circle.radius, arithmetic)
+            yield from _find_wrong_distances(mechanism, joint, ends, circle.radius, arithmetic)
         case Contact() | Roll() | Mesh():
-            yield from apart(mechanism, joint, arithmetic)
+            yield from _find_separated(mechanism, joint, arithmetic)
         case Pin() | Sleeve() | Parallel():
             pass  # they say nothing about where their bodies are
         case _:
             assert_never(joint)
 
 
-def off_line(mechanism: Mechanism, point: str, line: Line, arithmetic: Any) -> bool:
+def _is_off_line(mechanism: Mechanism, point: str, line: Line, arithmetic: Any) -> bool:
     """Whether a point does not lie on a line."""
     return not arithmetic.is_zero(line.direction.cross(mechanism.points[point] - line.point))
 
 
-def apart(mechanism: Mechanism, joint: Contact | Roll | Mesh, arithmetic: Any) -> Iterator[str]:
+def _find_separated(
+    mechanism: Mechanism, joint: Contact | Roll | Mesh, arithmetic: Any
+) -> Iterator[str]:
     """Two profiles that do not touch."""
     radius, centre = joint.circle.radius, joint.circle.centre
     match joint.on:
         case Circle(centre=other, radius=other_radius):
             if joint.inside and arithmetic.is_zero(other_radius - radius):
                 yield (
-                    f"{describe(joint)}: a circle within a circle of the same radius: one must "
+                    f"{describe_element(joint)}: a circle within a "
+                    "circle of the same radius: one must "
                     "be smaller"
                 )
                 return
             expected = other_radius - radius if joint.inside else other_radius + radius
-            yield from wrong_distance(mechanism, joint, (centre, other), expected, arithmetic)
+            yield from _find_wrong_distances(
+                mechanism, joint, (centre, other), expected, arithmetic
+            )
         case Line(point=point, direction=direction):
             across = direction.cross(mechanism.points[centre] - point)
             if not arithmetic.is_zero(across * across - radius * radius * direction.squared()):
                 yield (
-                    f"{describe(joint)}: the circle about {centre} of radius {short(radius)} does "
+                    f"{describe_element(joint)}: the circle about {centre} "
+                    f"of radius {write_short(radius)} does "
                     "not touch the line: its centre must be a radius away"
                 )
         case _:
             assert_never(joint.on)
 
 
-def wrong_distance(
+def _find_wrong_distances(
     mechanism: Mechanism, joint: Joint, ends: tuple[str, str], expected: Any, arithmetic: Any
 ) -> Iterator[str]:
     """Two points whose distance is not the one that the joint needs."""
@@ -223,6 +237,7 @@ def wrong_distance(
     square = (mechanism.points[first] - mechanism.points[second]).squared()
     if not arithmetic.is_zero(square - expected * expected):
         yield (
-            f"{describe(joint)}: {first} and {second} are {short(size(square) ** 0.5)} apart: "
-            f"{short(abs(expected))} is needed"
+            f"{describe_element(joint)}: {first} and {second} are "
+            f"{write_short(size(square) ** 0.5)} apart: "
+            f"{write_short(abs(expected))} is needed"
         )

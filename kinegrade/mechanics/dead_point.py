@@ -12,40 +12,44 @@ from dataclasses import replace
 from itertools import combinations
 from typing import Any
 
-from kinegrade.exact.elimination import null_vectors
-from kinegrade.mechanics.frames import Frames, build
+from kinegrade.exact.elimination import find_null_vectors
+from kinegrade.mechanics.frames import Frames, build_frames
 from kinegrade.mechanics.joints import Pin, Slide
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
-PARTS = 9973  # points are moved by whole multiples of 1/PARTS metre, each by different ones
+_PARTS = 9973  # points are moved by whole multiples of 1/PARTS metre, each by different ones
 
 
-def dead_point(frames: Frames, bodies: Collection[str], arithmetic: Any) -> str:
+def describe_dead_point(frames: Frames, bodies: Collection[str], arithmetic: Any) -> str:
     """What is in line at a dead point, such as "C, D and O6 are in line"; "" where nothing is, or a
     body is loose.
 
     `bodies` are those that could turn.
     """
-    found = next(alignments(frames.mechanism, bodies, arithmetic), "")
-    return found if found and determined_elsewhere(frames.mechanism, arithmetic) else ""
+    found = next(_find_alignments(frames.mechanism, bodies, arithmetic), "")
+    return found if found and _is_determined_elsewhere(frames.mechanism, arithmetic) else ""
 
 
-def alignments(mechanism: Mechanism, bodies: Collection[str], arithmetic: Any) -> Iterator[str]:
+def _find_alignments(
+    mechanism: Mechanism, bodies: Collection[str], arithmetic: Any
+) -> Iterator[str]:
     """Two bodies pinned together whose joints are in line, and a body at right angles to the line
     that guides it.
     """
-    ends = {body: joint_points(mechanism, body) for body in bodies}
+    ends = {body: _list_joint_points(mechanism, body) for body in bodies}
     pins = (joint for joint in mechanism.joints if isinstance(joint, Pin))
     for pin in pins:
         for first, second in combinations([body for body in pin.bodies if body in ends], 2):
-            yield from chains(mechanism, ends[first], pin.point, ends[second], arithmetic)
+            yield from _find_aligned_chains(
+                mechanism, ends[first], pin.point, ends[second], arithmetic
+            )
     for joint in mechanism.joints:
         if isinstance(joint, Slide) and joint.body in ends:
-            yield from across(mechanism, joint, ends[joint.body], arithmetic)
+            yield from _find_right_angles(mechanism, joint, ends[joint.body], arithmetic)
 
 
-def chains(
+def _find_aligned_chains(
     mechanism: Mechanism,
     first: Collection[str],
     middle: str,
@@ -62,7 +66,7 @@ def chains(
                 yield f"{names[0]}, {names[1]} and {names[2]} are in line"
 
 
-def across(
+def _find_right_angles(
     mechanism: Mechanism, joint: Slide, ends: Collection[str], arithmetic: Any
 ) -> Iterator[str]:
     """A body that stands at right angles to the line on which its point slides."""
@@ -72,7 +76,7 @@ def across(
             yield f"{end}{joint.point} is at right angles to the line on which {joint.point} slides"
 
 
-def joint_points(mechanism: Mechanism, body: str) -> tuple[str, ...]:
+def _list_joint_points(mechanism: Mechanism, body: str) -> tuple[str, ...]:
     """The points at which a body is pinned or guided."""
     found = [
         joint.point
@@ -83,25 +87,25 @@ def joint_points(mechanism: Mechanism, body: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def determined_elsewhere(mechanism: Mechanism, arithmetic: Any) -> bool:
+def _is_determined_elsewhere(mechanism: Mechanism, arithmetic: Any) -> bool:
     """Whether the relations determine the motion when every point lies a little elsewhere."""
     moved = {
         name: Vector(
-            place.x + arithmetic.number(7 * number * number + 3) / PARTS,
-            place.y + arithmetic.number(11 * number + 5) / PARTS,
+            place.x + arithmetic.number(7 * number * number + 3) / _PARTS,
+            place.y + arithmetic.number(11 * number + 5) / _PARTS,
         )
         for number, (name, place) in enumerate(mechanism.points.items())
     }
-    relations = build(replace(mechanism, points=moved), arithmetic).relations
+    relations = build_frames(replace(mechanism, points=moved), arithmetic).relations
     rates = list(dict.fromkeys(rate for relation in relations for rate in relation.unknowns()))
     rows = [
-        [numeral(row.get(rate, 0), arithmetic) for rate in rates]
+        [make_numeral(row.get(rate, 0), arithmetic) for rate in rates]
         for relation in relations
         for row in relation.equations()
     ]
-    return not null_vectors(rows, len(rates), arithmetic.is_zero)
+    return not find_null_vectors(rows, len(rates), arithmetic.is_zero)
 
 
-def numeral(entry: Any, arithmetic: Any) -> Any:
+def make_numeral(entry: Any, arithmetic: Any) -> Any:
     """An entry as a number of the arithmetic: plain integers would divide into floats."""
     return arithmetic.number(entry) if isinstance(entry, int) else entry

@@ -21,20 +21,20 @@ class MotionInDoubles(Motion):
     __hash__, __eq__ = object.__hash__, object.__eq__
 
 
-def in_doubles(motion: Motion) -> MotionInDoubles:
+def convert_to_doubles(motion: Motion) -> MotionInDoubles:
     """The same motion with each number a double. Joints and drivers of the mechanism keep their
     numbers: the relations, which are converted, contain everything that they state.
     """
     mechanism, frames = motion.frames.mechanism, motion.frames
-    points = {name: double(point) for name, point in mechanism.points.items()}
+    points = {name: convert_vector(point) for name, point in mechanism.points.items()}
     bases = {
-        name: Base(base.point, chain_in_doubles(base.chain), base.joint)
+        name: Base(base.point, _convert_chain(base.chain), base.joint)
         for name, base in frames.bases.items()
     }
     plain = Frames(
         Mechanism(points, mechanism.bodies, mechanism.joints, mechanism.drivers),
         bases,
-        tuple(relation_in_doubles(relation) for relation in frames.relations),
+        tuple(_convert_relation(relation) for relation in frames.relations),
     )
     if not motion.plan.steps:  # a pose, of which no rate is known
         return MotionInDoubles(plain, motion.plan, motion.rates, motion.changes)
@@ -46,13 +46,13 @@ def in_doubles(motion: Motion) -> MotionInDoubles:
     )
 
 
-def relation_in_doubles(relation: Relation) -> Relation:
+def _convert_relation(relation: Relation) -> Relation:
     """A relation with its terms, direction, factors and imposed rates in doubles."""
     return Relation(
         relation.origin,
-        chain_in_doubles(relation.left),
-        chain_in_doubles(relation.right),
-        None if relation.along is None else double(relation.along),
+        _convert_chain(relation.left),
+        _convert_chain(relation.right),
+        None if relation.along is None else convert_vector(relation.along),
         tuple((rate, float(factor)) for rate, factor in relation.turning),
         float(relation.velocity),
         float(relation.acceleration),
@@ -61,14 +61,14 @@ def relation_in_doubles(relation: Relation) -> Relation:
     )
 
 
-def chain_in_doubles(chain: Chain) -> Chain:
+def _convert_chain(chain: Chain) -> Chain:
     """The terms with their vectors in doubles."""
     return tuple(
-        Term(term.kind, term.rate, double(term.vector), term.point, term.base, term.frame)
+        Term(term.kind, term.rate, convert_vector(term.vector), term.point, term.base, term.frame)
         for term in chain
     )
 
 
-def double(vector: Any) -> Vector:
+def convert_vector(vector: Any) -> Vector:
     """A vector in doubles."""
     return Vector(float(vector.x), float(vector.y))

@@ -22,20 +22,20 @@ from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.own_terms import (
     OwnFrames,
     Place,
-    coriolis_share,
-    offsets,
-    own_frames,
-    own_relations,
+    name_coriolis_share,
+    name_offsets,
+    open_frames,
+    open_relations,
 )
 from kinegrade.mechanics.plan import Plan, Step
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 
-NOTHING = 1e-12  # relative: anything smaller is rounding
-SAME = 1e-9  # relative: how near a reading must come to the student's value
-STRAIGHT = 1e-4  # relative: the largest miss of one step along a tangent, to be refined
-NEARBY = 1e-3  # relative: how far a number is changed to see what depends on it
+_NOTHING = 1e-12  # relative: anything smaller is rounding
+_SAME = 1e-9  # relative: how near a reading must come to the student's value
+_STRAIGHT = 1e-4  # relative: the largest miss of one step along a tangent, to be refined
+_NEARBY = 1e-3  # relative: how far a number is changed to see what depends on it
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class FollowedMotion(Motion):
     def coriolis(self, point: str, body: str, frame: str) -> Vector:
         """Coriolis acceleration of `point` of `body` relative to `frame`, m/s^2."""
         coriolis: Vector = super().coriolis(point, body, frame) * self.share(
-            coriolis_share(point, frame)
+            name_coriolis_share(point, frame)
         )
         return coriolis
 
@@ -94,7 +94,7 @@ class OwnValue:
     part: str | None = None
 
 
-def followed(
+def follow_values(
     frames: Frames, plan: Plan, values: Sequence[OwnValue], arithmetic: Any
 ) -> FollowedMotion:
     """The motion with the student's values substituted; a value that cannot be is left out, and the
@@ -103,11 +103,13 @@ def followed(
     Raises Singular where a step determines nothing.
     """
     places = tuple(dict.fromkeys(value.place for value in values if value.place))
-    extended = own_frames(frames, plan, places)
-    rates, changes = ({name: 0.0 for place in places for name in offsets(place)} for _ in range(2))
-    run = Run(
+    extended = open_frames(frames, plan, places)
+    rates, changes = (
+        {name: 0.0 for place in places for name in name_offsets(place)} for _ in range(2)
+    )
+    run = _Run(
         FollowedMotion(extended, plan, rates, changes),
-        own_relations(extended, plan),
+        open_relations(extended, plan),
         rates,
         changes,
         Unsuspecting(arithmetic),
@@ -120,7 +122,7 @@ def followed(
 
 
 @dataclass(frozen=True)
-class Run:
+class _Run:
     """A run of a plan: the rates and changes found so far, which are also those of `motion`."""
 
     motion: FollowedMotion
@@ -136,15 +138,15 @@ class Run:
 
     def velocities(self, values: Sequence[OwnValue]) -> None:
         """Follow the plan for velocities."""
-        self.follow(self.rates, lambda index: self.relations[index].velocity_side(), values)
+        self._follow(self.rates, lambda index: self.relations[index].velocity_side(), values)
 
     def accelerations(self, values: Sequence[OwnValue]) -> None:
         """Follow the plan for accelerations."""
-        self.follow(
+        self._follow(
             self.changes, lambda index: self.relations[index].acceleration_side(self.rates), values
         )
 
-    def follow(
+    def _follow(
         self,
         found: dict[str, Any],
         right: Callable[[int], Sequence[Any]],
@@ -164,24 +166,26 @@ class Run:
                     for index in step.relations
                 }
                 found.update(
-                    plans.run(Plan((step,)), self.equations, sides.__getitem__, self.arithmetic)
+                    plans.run_steps(
+                        Plan((step,)), self.equations, sides.__getitem__, self.arithmetic
+                    )
                 )
             ready = [value for value in waiting if value.read(self.motion) is not None]
             waiting = [value for value in waiting if value not in ready]
             for value in ready:
-                self.put_in(value, found, step)
+                self._put_in(value, found, step)
 
     def parts(self, values: Iterable[OwnValue]) -> None:
         """Substitute the values of Coriolis and normal parts, which the velocities decide."""
         for value in values:
             self.rates.setdefault(str(value.part), 1.0)
-            move(self.motion, value, self.rates, {str(value.part): NEARBY})
+            _move_rates(self.motion, value, self.rates, {str(value.part): _NEARBY})
 
-    def put_in(self, wanted: OwnValue, found: dict[str, Any], step: Step) -> None:
+    def _put_in(self, wanted: OwnValue, found: dict[str, Any], step: Step) -> None:
         """Substitute a student's value for what the step determines it by."""
-        rate = None if self.is_given(step) else self.one_rate(wanted, found, step)
+        rate = None if self._is_given(step) else self._one_rate(wanted, found, step)
         if rate is not None:
-            move(self.motion, wanted, found, {rate: reach(found, rate)})
+            _move_rates(self.motion, wanted, found, {rate: _choose_reach(found, rate)})
         elif wanted.place:
             body, point = wanted.place
             vector = (
@@ -189,33 +193,36 @@ class Run:
                 if found is self.rates
                 else self.motion.acceleration(point, body)
             )
-            move(
+            _move_rates(
                 self.motion,
                 wanted,
                 found,
-                dict.fromkeys(offsets(wanted.place), NEARBY * max(map(abs, vector))),
+                dict.fromkeys(name_offsets(wanted.place), _NEARBY * max(map(abs, vector))),
             )
 
-    def one_rate(self, wanted: OwnValue, found: dict[str, Any], step: Step) -> str | None:
+    def _one_rate(self, wanted: OwnValue, found: dict[str, Any], step: Step) -> str | None:
         """The one rate of the step that the student's value depends on; for a point only if no
         other rate moves it.
         """
-        if wanted.place and not self.moves_by_one(wanted.place):
+        if wanted.place and not self._moves_by_one(wanted.place):
             return None
         now = abs(wanted.read(self.motion) or 0.0)
         rates = [
             rate
             for rate in step.unknowns
-            if abs(slope(self.motion, wanted, found, rate, reach(found, rate))) * reach(found, rate)
-            > NOTHING * now
+            if abs(_measure_slope(self.motion, wanted, found, rate, _choose_reach(found, rate)))
+            * _choose_reach(found, rate)
+            > _NOTHING * now
         ]
-        if len(rates) != 1 or (wanted.place and self.without(wanted, found, rates[0]) > SAME * now):
+        if len(rates) != 1 or (
+            wanted.place and self.without(wanted, found, rates[0]) > _SAME * now
+        ):
             return None
         return rates[0]
 
-    def moves_by_one(self, place: Place) -> bool:
+    def _moves_by_one(self, place: Place) -> bool:
         """Whether one rate alone determines the motion of a point."""
-        added = offsets(place)
+        added = name_offsets(place)
         return sum(term.rate not in added for term in self.motion.frames.chain(*place)) == 1
 
     def without(self, wanted: OwnValue, found: dict[str, Any], rate: str) -> float:
@@ -225,7 +232,7 @@ class Run:
         found[rate] = kept
         return size
 
-    def is_given(self, step: Step) -> bool:
+    def _is_given(self, step: Step) -> bool:
         """Whether a step only states what is given."""
         sources = (self.relations[index].source for index in step.relations)
         return all(
@@ -233,12 +240,12 @@ class Run:
         )
 
 
-def reach(found: dict[str, Any], rate: str) -> float:
+def _choose_reach(found: dict[str, Any], rate: str) -> float:
     """How far to change a rate to see what depends on it."""
-    return NEARBY * float(abs(found[rate]) or max(map(abs, found.values())) or 1.0)
+    return _NEARBY * float(abs(found[rate]) or max(map(abs, found.values())) or 1.0)
 
 
-def slope(
+def _measure_slope(
     motion: FollowedMotion, wanted: OwnValue, found: dict[str, Any], rate: str, reach: float
 ) -> float:
     """The derivative of the student's quantity with respect to a rate."""
@@ -251,7 +258,7 @@ def slope(
     return (above - below) / (2 * reach) if reach else 0.0
 
 
-def move(
+def _move_rates(
     motion: FollowedMotion, wanted: OwnValue, found: dict[str, Any], reaches: dict[str, float]
 ) -> None:
     """Change some rates, by as little as possible, so that the student's quantity has the student's
@@ -262,12 +269,13 @@ def move(
     """
     kept = {rate: found[rate] for rate in reaches}
     start = wanted.read(motion) or 0.0
-    for tolerance in (STRAIGHT, SAME, SAME):
+    for tolerance in (_STRAIGHT, _SAME, _SAME):
         missing = wanted.value - (wanted.read(motion) or 0.0)
-        if not abs(missing) > NOTHING * abs(wanted.value):
+        if not abs(missing) > _NOTHING * abs(wanted.value):
             return
         slopes = {
-            rate: slope(motion, wanted, found, rate, reach) for rate, reach in reaches.items()
+            rate: _measure_slope(motion, wanted, found, rate, reach)
+            for rate, reach in reaches.items()
         }
         steepness = sum(each * each for each in slopes.values())
         if steepness:

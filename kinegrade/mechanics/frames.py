@@ -30,7 +30,7 @@ from kinegrade.mechanics.joints import (
     Slide,
 )
 from kinegrade.mechanics.mechanism import Body, Mechanism
-from kinegrade.mechanics.relations import Chain, Relation, Term, omega_of
+from kinegrade.mechanics.relations import Chain, Relation, Term, name_omega
 from kinegrade.mechanics.vector import Vector
 
 
@@ -66,27 +66,27 @@ class Frames:
 
     def chain(self, body: str, point: str) -> Chain:
         """The terms whose sum is the velocity of `point`, taken as a point of `body`."""
-        return chain(self.mechanism, self.bases, body, point)
+        return build_chain(self.mechanism, self.bases, body, point)
 
 
-def build(mechanism: Mechanism, arithmetic: Any) -> Frames:
+def build_frames(mechanism: Mechanism, arithmetic: Any) -> Frames:
     """The chains and relations of a mechanism. Raises MechanismError for a joint of unknown bodies
     or points.
     """
-    guides = find_guides(mechanism)
-    bases = find_bases(mechanism, guides)
+    guides = _find_guides(mechanism)
+    bases = _find_bases(mechanism, guides)
     relations = [
         relation
         for joint, guide in zip(mechanism.joints, guides, strict=True)
-        for relation in joint_relations(mechanism, bases, joint, guide)
+        for relation in _state_joint(mechanism, bases, joint, guide)
     ]
     relations += [
-        driver_relation(mechanism, bases, driver, arithmetic) for driver in mechanism.drivers
+        _state_driver(mechanism, bases, driver, arithmetic) for driver in mechanism.drivers
     ]
     return Frames(mechanism, bases, tuple(relations))
 
 
-def chain(mechanism: Mechanism, bases: Mapping[str, Base], body: str, point: str) -> Chain:
+def build_chain(mechanism: Mechanism, bases: Mapping[str, Base], body: str, point: str) -> Chain:
     """The terms from the ground to `point` of `body`: the base point's, then the rotation about
     it.
     """
@@ -96,17 +96,17 @@ def chain(mechanism: Mechanism, bases: Mapping[str, Base], body: str, point: str
     if point == base.point or mechanism.body(body).particle:
         return base.chain
     arm = mechanism.points[point] - mechanism.points[base.point]
-    return (*base.chain, Term("rotation", omega_of(body), arm, point, base.point))
+    return (*base.chain, Term("rotation", name_omega(body), arm, point, base.point))
 
 
-def find_guides(mechanism: Mechanism) -> tuple[Guided | None, ...]:
+def _find_guides(mechanism: Mechanism) -> tuple[Guided | None, ...]:
     """For each joint the guided point that it states; where one point is guided twice the rates get
     different names.
     """
     guides: list[Guided | None] = []
     taken: set[str] = set()
     for joint in mechanism.joints:
-        guide = guided(mechanism, joint)
+        guide = find_guided(mechanism, joint)
         if guide and guide.term.rate in taken:
             term = replace(guide.term, rate=f"{guide.term.rate} {len(guides)}")
             guide = replace(guide, term=term)
@@ -116,14 +116,14 @@ def find_guides(mechanism: Mechanism) -> tuple[Guided | None, ...]:
     return tuple(guides)
 
 
-def guided(mechanism: Mechanism, joint: Joint) -> Guided | None:
+def find_guided(mechanism: Mechanism, joint: Joint) -> Guided | None:
     """The guided point that a joint states, or None for joints that guide no point."""
     track: Line | Circle
     match joint:
         case Slide(point=point, line=track) | Arc(point=point, circle=track):
             pass
         case Sleeve(line=track):
-            point = sleeve_point(mechanism, joint)
+            point = _choose_sleeve_point(mechanism, joint)
         case Contact(circle=circle, on=track) | Roll(circle=circle, on=track):
             point = circle.centre
         case Pin() | Mesh() | Parallel():
@@ -131,10 +131,12 @@ def guided(mechanism: Mechanism, joint: Joint) -> Guided | None:
         case _:
             assert_never(joint)
     body, of = joint.body, joint.of
-    return Guided(joint, point, body, of, track_term(mechanism, point, body, track, of))
+    return Guided(joint, point, body, of, _make_track_term(mechanism, point, body, track, of))
 
 
-def track_term(mechanism: Mechanism, point: str, body: str, track: Line | Circle, of: str) -> Term:
+def _make_track_term(
+    mechanism: Mechanism, point: str, body: str, track: Line | Circle, of: str
+) -> Term:
     """`point` of `body` moves along a line, or about the centre of a circle, relative to `of`."""
     match track:
         case Line(direction=direction):
@@ -146,7 +148,7 @@ def track_term(mechanism: Mechanism, point: str, body: str, track: Line | Circle
             assert_never(track)
 
 
-def sleeve_point(mechanism: Mechanism, sleeve: Sleeve) -> str:
+def _choose_sleeve_point(mechanism: Mechanism, sleeve: Sleeve) -> str:
     """The point of the sliding body whose relative motion is used: one that is pinned to another
     body.
     """
@@ -159,7 +161,7 @@ def sleeve_point(mechanism: Mechanism, sleeve: Sleeve) -> str:
     return next((point for point in pinned if point in points), points[0])
 
 
-def find_bases(mechanism: Mechanism, guides: Sequence[Guided | None]) -> dict[str, Base]:
+def _find_bases(mechanism: Mechanism, guides: Sequence[Guided | None]) -> dict[str, Base]:
     """A base for every body, the best candidates first, from the ground outwards."""
     bases: dict[str, Base] = {}
     waiting = {body.name: body for body in mechanism.bodies}
@@ -167,7 +169,7 @@ def find_bases(mechanism: Mechanism, guides: Sequence[Guided | None]) -> dict[st
         candidates = [
             (rank, order, name, base)
             for order, (name, body) in enumerate(waiting.items())
-            for rank, base in base_candidates(mechanism, bases, guides, body)
+            for rank, base in _list_base_candidates(mechanism, bases, guides, body)
         ]
         _, _, name, base = min(candidates, key=lambda candidate: candidate[:2])
         bases[name] = base
@@ -175,7 +177,7 @@ def find_bases(mechanism: Mechanism, guides: Sequence[Guided | None]) -> dict[st
     return bases
 
 
-def base_candidates(
+def _list_base_candidates(
     mechanism: Mechanism, bases: Mapping[str, Base], guides: Sequence[Guided | None], body: Body
 ) -> Iterator[tuple[int, Base]]:
     """Possible bases of a body with their rank: fixed pin 0, driven guide 1, translating guide 2,
@@ -187,23 +189,26 @@ def base_candidates(
                 if other == GROUND:
                     yield 0, Base(joint.point, (), joint)
                 elif other in bases:
-                    yield 3, Base(joint.point, chain(mechanism, bases, other, joint.point), joint)
+                    yield (
+                        3,
+                        Base(joint.point, build_chain(mechanism, bases, other, joint.point), joint),
+                    )
     for guide in guides:
         if guide and guide.body == body.name and guide.of == GROUND:
-            yield ground_rank(mechanism, guide), Base(guide.point, (guide.term,), guide.joint)
+            yield _rank_ground(mechanism, guide), Base(guide.point, (guide.term,), guide.joint)
         elif guide and guide.body == body.name and guide.of in bases:
             yield (
                 5,
                 Base(
                     guide.point,
-                    (*chain(mechanism, bases, guide.of, guide.point), guide.term),
+                    (*build_chain(mechanism, bases, guide.of, guide.point), guide.term),
                     guide.joint,
                 ),
             )
-    yield 6, Base(body.points[0], free_terms(body.points[0], body.name), None)
+    yield 6, Base(body.points[0], _make_free_terms(body.points[0], body.name), None)
 
 
-def ground_rank(mechanism: Mechanism, guide: Guided) -> int:
+def _rank_ground(mechanism: Mechanism, guide: Guided) -> int:
     """1 for a guided point that is driven, 2 for one of a translating body, 4 for others."""
     driven = any(
         isinstance(driver, Component | Circulation)
@@ -215,7 +220,7 @@ def ground_rank(mechanism: Mechanism, guide: Guided) -> int:
     return 2 if Parallel(guide.body, GROUND) in mechanism.joints else 4
 
 
-def free_terms(point: str, body: str) -> Chain:
+def _make_free_terms(point: str, body: str) -> Chain:
     """The two components of a free point's velocity."""
     return (
         Term("sliding", f"free {point} {body} x", Vector(1, 0), point),
@@ -223,36 +228,39 @@ def free_terms(point: str, body: str) -> Chain:
     )
 
 
-def joint_relations(
+def _state_joint(
     mechanism: Mechanism, bases: Mapping[str, Base], joint: Joint, guide: Guided | None
 ) -> Iterator[Relation]:
     """What a joint states beyond what the bases have used of it."""
     if guide and not any(base.joint is joint for base in bases.values()):
-        right = (*chain(mechanism, bases, guide.of, guide.point), guide.term)
+        right = (*build_chain(mechanism, bases, guide.of, guide.point), guide.term)
         yield Relation(
-            describe(joint), chain(mechanism, bases, guide.body, guide.point), right, source=joint
+            describe_element(joint),
+            build_chain(mechanism, bases, guide.body, guide.point),
+            right,
+            source=joint,
         )
     match joint:
         case Pin():
-            yield from pin_relations(mechanism, bases, joint)
+            yield from _state_pin(mechanism, bases, joint)
         case Parallel() | Sleeve():
             yield Relation(
                 f"{joint.body} does not turn relative to {joint.of}",
-                turning=turning(joint.body, joint.of, 1),
+                turning=_list_turning_factors(joint.body, joint.of, 1),
                 source=joint,
             )
         case Roll():
             if guide:
-                yield rolling(mechanism, joint, guide)
+                yield _state_rolling(mechanism, joint, guide)
         case Mesh():
-            yield meshing(joint)
+            yield _state_meshing(joint)
         case Slide() | Arc() | Contact():
             pass  # they state nothing but what they guide
         case _:
             assert_never(joint)
 
 
-def pin_relations(mechanism: Mechanism, bases: Mapping[str, Base], pin: Pin) -> Iterator[Relation]:
+def _state_pin(mechanism: Mechanism, bases: Mapping[str, Base], pin: Pin) -> Iterator[Relation]:
     """The pinned bodies share the motion of the pin; bodies whose base is this pin do so
     already.
     """
@@ -261,20 +269,20 @@ def pin_relations(mechanism: Mechanism, bases: Mapping[str, Base], pin: Pin) -> 
     for name in unused:
         if name != first:
             yield Relation(
-                describe(pin),
-                chain(mechanism, bases, name, pin.point),
-                chain(mechanism, bases, first, pin.point),
+                describe_element(pin),
+                build_chain(mechanism, bases, name, pin.point),
+                build_chain(mechanism, bases, first, pin.point),
                 source=pin,
             )
 
 
-def turning(body: str, of: str, factor: Any) -> tuple[tuple[str, Any], ...]:
+def _list_turning_factors(body: str, of: str, factor: Any) -> tuple[tuple[str, Any], ...]:
     """factor*(omega of body - omega of the other); the ground does not turn."""
     parts = [(name, part) for name, part in ((body, factor), (of, -factor)) if name != GROUND]
-    return tuple((omega_of(name), part) for name, part in parts)
+    return tuple((name_omega(name), part) for name, part in parts)
 
 
-def rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
+def _state_rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
     """No slip at the contact: the centre's motion along the track plus the relative rotation about
     it is zero.
 
@@ -291,11 +299,11 @@ def rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
             slip = radius / (other - radius) if roll.inside else -radius / (other + radius)
         case _:
             assert_never(roll.on)
-    relative = ((guide.term.rate, 1), *turning(roll.body, roll.of, slip))
-    return Relation(f"no slip: {describe(roll)}", turning=relative, source=roll)
+    relative = ((guide.term.rate, 1), *_list_turning_factors(roll.body, roll.of, slip))
+    return Relation(f"no slip: {describe_element(roll)}", turning=relative, source=roll)
 
 
-def meshing(mesh: Mesh) -> Relation:
+def _state_meshing(mesh: Mesh) -> Relation:
     """Equal pitch speeds relative to the carrier: r1 omega_1r = -r2 omega_2r, with + for a ring
     gear.
     """
@@ -303,47 +311,51 @@ def meshing(mesh: Mesh) -> Relation:
     radius, other = mesh.circle.radius, mesh.on.radius * sense
     rates: dict[str, Any] = {}
     for rate, factor in (
-        *turning(mesh.body, mesh.carrier, radius),
-        *turning(mesh.of, mesh.carrier, other),
+        *_list_turning_factors(mesh.body, mesh.carrier, radius),
+        *_list_turning_factors(mesh.of, mesh.carrier, other),
     ):
         rates[rate] = rates[rate] + factor if rate in rates else factor
-    return Relation(describe(mesh), turning=tuple(rates.items()), source=mesh)
+    return Relation(describe_element(mesh), turning=tuple(rates.items()), source=mesh)
 
 
-def driver_relation(
+def _state_driver(
     mechanism: Mechanism, bases: Mapping[str, Base], driver: Driver, arithmetic: Any
 ) -> Relation:
     """What a driver imposes."""
     imposed = {"velocity": driver.velocity, "acceleration": driver.acceleration, "source": driver}
     match driver:
         case Rotation():
-            return Relation(describe(driver), turning=turning(driver.body, driver.of, 1), **imposed)
+            return Relation(
+                describe_element(driver),
+                turning=_list_turning_factors(driver.body, driver.of, 1),
+                **imposed,
+            )
         case Component(point=point, direction=along, of=of):
-            left = chain(mechanism, bases, driver.body, point)
-            right = chain(mechanism, bases, of, point)
-            return Relation(describe(driver), left, right, along, frame=of, **imposed)
+            left = build_chain(mechanism, bases, driver.body, point)
+            right = build_chain(mechanism, bases, of, point)
+            return Relation(describe_element(driver), left, right, along, frame=of, **imposed)
         case Circulation():
-            left = chain(mechanism, bases, driver.body, driver.point)
-            along = path_direction(mechanism, driver, arithmetic)
-            return Relation(describe(driver), left, (), along, **imposed)
+            left = build_chain(mechanism, bases, driver.body, driver.point)
+            along = _find_path_direction(mechanism, driver, arithmetic)
+            return Relation(describe_element(driver), left, (), along, **imposed)
         case _:
             assert_never(driver)
 
 
-def path_direction(mechanism: Mechanism, driver: Circulation, arithmetic: Any) -> Vector:
+def _find_path_direction(mechanism: Mechanism, driver: Circulation, arithmetic: Any) -> Vector:
     """The unit vector along a circular path, counter-clockwise. Raises MechanismError at its
     centre.
     """
     arm = mechanism.points[driver.point] - mechanism.points[driver.centre]
     if arithmetic.is_zero(arm.squared()):
         raise MechanismError(
-            f"{describe(driver)}: {driver.point} is at the centre: it has no path about it"
+            f"{describe_element(driver)}: {driver.point} is at the centre: it has no path about it"
         )
     tangent: Vector = arm.turned() / arithmetic.sqrt(arm.squared())
     return tangent
 
 
-def describe(part: Joint | Driver) -> str:
+def describe_element(part: Joint | Driver) -> str:
     """A joint or driver in words, as error messages name it."""
     match part:
         case Pin(point=point, bodies=bodies):

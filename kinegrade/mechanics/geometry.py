@@ -1,8 +1,8 @@
 """Constructions: points from points, lines and circles, with a named branch where there are two.
 
-Configurations are constructed, never iterated, in any of the arithmetics. `constructions` gives the
-functions that expressions in templates may call. Lengths in metres, angles counter-clockwise from
-+x.
+Configurations are constructed, never iterated, in any of the arithmetics. `make_constructions`
+gives the functions that expressions in templates may call. Lengths in metres, angles
+counter-clockwise from +x.
 """
 
 from __future__ import annotations
@@ -11,20 +11,20 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, assert_never
 
-from kinegrade.errors import ExpressionError, MechanismError, message
-from kinegrade.exact.text import decimal_text
+from kinegrade.errors import ExpressionError, MechanismError, write_message
+from kinegrade.exact.text import write_decimal
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 
 Branch = str
-SIDES: Mapping[Branch, Callable[[Vector], Any]] = {
+_SIDES: Mapping[Branch, Callable[[Vector], Any]] = {
     "right": lambda p: p.x,
     "left": lambda p: -p.x,
     "upper": lambda p: p.y,
     "lower": lambda p: -p.y,
 }
-TURNS: Mapping[Branch, int] = {"counterclockwise": 1, "clockwise": -1}
-BRANCHES = (*SIDES, *TURNS)
+_TURNS: Mapping[Branch, int] = {"counterclockwise": 1, "clockwise": -1}
+BRANCHES = (*_SIDES, *_TURNS)
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,9 @@ class Round:
     radius: Any
 
 
-def constructions(arithmetic: Any, points: Mapping[str, Vector]) -> dict[str, Callable[..., Any]]:
+def make_constructions(
+    arithmetic: Any, points: Mapping[str, Vector]
+) -> dict[str, Callable[..., Any]]:
     """The constructions by name; `points` gives names for error messages and is read only when one
     is written.
     """
@@ -116,7 +118,7 @@ class Constructions:
             return self._lines(first, second)
         if branch not in BRANCHES:
             do = f"say which, one of {', '.join(BRANCHES)}"
-            raise ExpressionError(message("meet(...)", "two common points", do=do))
+            raise ExpressionError(write_message("meet(...)", "two common points", do=do))
         match first, second:
             case Round(), Round():
                 return self._circles(first, second, branch)
@@ -167,13 +169,13 @@ class Constructions:
     def _pick(
         self, first: Vector, second: Vector, axis: Vector, origin: Vector, branch: Branch
     ) -> Vector:
-        if branch in TURNS:
+        if branch in _TURNS:
             ahead = (
-                axis.cross(first - origin) * TURNS[branch]
-                - axis.cross(second - origin) * TURNS[branch]
+                axis.cross(first - origin) * _TURNS[branch]
+                - axis.cross(second - origin) * _TURNS[branch]
             )
         else:
-            ahead = SIDES[branch](first) - SIDES[branch](second)
+            ahead = _SIDES[branch](first) - _SIDES[branch](second)
         side = self.arithmetic.sign(ahead)
         if (
             self.arithmetic.certified
@@ -182,7 +184,7 @@ class Constructions:
         ):
             what = f"{branch} does not distinguish the two common points"
             do = f"name another side, one of {', '.join(BRANCHES)}"
-            raise MechanismError(message("", what, do=do))
+            raise MechanismError(write_message("", what, do=do))
         first_wins = side >= 0
         choose = self.arithmetic.choose
         return Vector(choose(first_wins, first.x, second.x), choose(first_wins, first.y, second.y))
@@ -191,22 +193,24 @@ class Constructions:
         """A line or circle in words for an error message."""
         match shape:
             case Round(centre=centre, radius=radius):
-                return f"the circle about {self.point_name(centre)} of radius {short(radius)}"
+                return (
+                    f"the circle about {self._point_name(centre)} of radius {write_short(radius)}"
+                )
             case Line(point=point, direction=direction):
                 if self.arithmetic.is_zero(direction.y):
-                    return f"the line y = {short(point.y)}"
+                    return f"the line y = {write_short(point.y)}"
                 if self.arithmetic.is_zero(direction.x):
-                    return f"the line x = {short(point.x)}"
-                return f"the slanting line through {self.point_name(point)}"
+                    return f"the line x = {write_short(point.x)}"
+                return f"the slanting line through {self._point_name(point)}"
             case _:
                 assert_never(shape)
 
-    def point_name(self, point: Vector) -> str:
+    def _point_name(self, point: Vector) -> str:
         """The name of a point, or its coordinates."""
         for name, place in self.points.items():
             if place is point:
                 return name
-        return f"({short(point.x)}, {short(point.y)})"
+        return f"({write_short(point.x)}, {write_short(point.y)})"
 
 
 def foot(point: Vector, line: Line) -> Vector:
@@ -216,11 +220,11 @@ def foot(point: Vector, line: Line) -> Vector:
     return line.point + step
 
 
-def short(number: Any) -> str:
+def write_short(number: Any) -> str:
     """A number of any arithmetic to four significant figures, for messages."""
     return f"{size(number):.4g}"
 
 
 def size(number: Any) -> float:
     """A number of any arithmetic as a double; infinite where it exceeds the doubles."""
-    return float(number) if isinstance(number, float) else float(decimal_text(number, 12))
+    return float(number) if isinstance(number, float) else float(write_decimal(number, 12))

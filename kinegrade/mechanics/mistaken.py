@@ -15,18 +15,18 @@ from typing import Any
 
 from kinegrade.exact.elimination import Singular
 from kinegrade.mechanics import plan as plans
-from kinegrade.mechanics.frames import build
+from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.joints import GROUND, Parallel, Pin
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan, Row, Step
-from kinegrade.mechanics.relations import Chain, Relation, omega_of, total
+from kinegrade.mechanics.relations import Chain, Relation, add_vectors, name_omega
 from kinegrade.mechanics.slips import (
     MistakenFrames,
     Slips,
-    mistaken_frames,
-    rolling_centres,
-    velocity_chain,
+    find_rolling_centres,
+    find_velocity_chain,
+    slip_in_frames,
 )
 from kinegrade.mechanics.vector import Vector
 
@@ -40,7 +40,7 @@ class MistakenMotion(Motion):
     @cached_property
     def centres(self) -> Mapping[str, str]:
         """The centres of rolling bodies, by their turning rates."""
-        return rolling_centres(self.frames)
+        return find_rolling_centres(self.frames)
 
     def omega(self, body: str, of: str = GROUND) -> Any:
         """Angular velocity, rad/s; relative to `of` with the assumed share of its rotation."""
@@ -57,17 +57,21 @@ class MistakenMotion(Motion):
     def velocity(self, point: str, body: str) -> Vector:
         """What is taken for the velocity of a point, m/s."""
         return self.summed(
-            velocity_chain(self.frames.chain(body, point), self.slips, self.centres, whole=True)
+            find_velocity_chain(
+                self.frames.chain(body, point), self.slips, self.centres, whole=True
+            )
         )
 
     def summed(self, chain: Chain) -> Vector:
         """The velocity that a chain of terms adds up to, m/s."""
-        return total(term.velocity(self.rates) for term in chain)
+        return add_vectors(term.velocity(self.rates) for term in chain)
 
     def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
         """What is taken for the velocity of `point` of `body` relative to `frame`, m/s."""
         absolute, carried = (
-            self.summed(velocity_chain(self.frames.chain(name, point), self.slips, self.centres))
+            self.summed(
+                find_velocity_chain(self.frames.chain(name, point), self.slips, self.centres)
+            )
             for name in (body, frame)
         )
         difference: Vector = absolute - carried
@@ -92,15 +96,15 @@ class Unsuspecting:
         if len(rows[0]) == 1:
             return [
                 self.over(
-                    product([row[0] for row in rows], right),
-                    product(*([row[0] for row in rows],) * 2),
+                    _sum_products([row[0] for row in rows], right),
+                    _sum_products(*([row[0] for row in rows],) * 2),
                 )
             ]
         if len(rows) > len(rows[0]):
             columns = list(zip(*rows, strict=True))
             rows, right = (
-                [[product(one, other) for other in columns] for one in columns],
-                [product(one, right) for one in columns],
+                [[_sum_products(one, other) for other in columns] for one in columns],
+                [_sum_products(one, right) for one in columns],
             )
         return (
             self.pair(rows, right) if len(rows) == 2 else list(self.arithmetic.solve(rows, right))
@@ -125,12 +129,12 @@ class Unsuspecting:
         """Nothing: surplus equations are not checked."""
 
 
-def product(left: Sequence[Any], right: Sequence[Any]) -> Any:
+def _sum_products(left: Sequence[Any], right: Sequence[Any]) -> Any:
     """The sum of the products."""
     return sum((a * b for a, b in zip(left, right, strict=True)), 0)
 
 
-def mistaken(
+def make_mistaken_motion(
     mechanism: Mechanism, arithmetic: Any, plan: Plan, slips: Slips, *, perturbed: bool = False
 ) -> MistakenMotion:
     """The motion with the slips made. Raises Singular where a step determines nothing,
@@ -139,12 +143,12 @@ def mistaken(
     `perturbed` uses other velocities for the accelerations, none of which vanishes by chance: to
     see whether a term matters, or is merely zero here.
     """
-    frames = mistaken_frames(build(mechanism, arithmetic), slips)
-    rates = Velocities(frames, slips, arithmetic).run(plan)
+    frames = slip_in_frames(build_frames(mechanism, arithmetic), slips)
+    rates = _Velocities(frames, slips, arithmetic).run(plan)
     if perturbed:
-        rates = dict(stir(mechanism, rates))
+        rates = dict(_perturb_rates(mechanism, rates))
     equations = [relation.equations() for relation in frames.relations]
-    changes = plans.run(
+    changes = plans.run_steps(
         plan,
         equations,
         lambda index: frames.relations[index].acceleration_side(rates),
@@ -153,10 +157,10 @@ def mistaken(
     return MistakenMotion(frames, plan, rates, changes, slips)
 
 
-def stir(mechanism: Mechanism, rates: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+def _perturb_rates(mechanism: Mechanism, rates: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
     """Perturbed rates: those of translating bodies are zero, and no others."""
     still = {
-        omega_of(joint.body)
+        name_omega(joint.body)
         for joint in mechanism.joints
         if isinstance(joint, Parallel) and joint.of == GROUND
     }
@@ -165,7 +169,7 @@ def stir(mechanism: Mechanism, rates: Mapping[str, Any]) -> Iterator[tuple[str, 
 
 
 @dataclass(frozen=True)
-class Stage:
+class _Stage:
     """A step of the plan just solved: the equations of all relations, and the rates known with this
     step.
     """
@@ -183,11 +187,11 @@ class Stage:
         return Vector(self.equations[index][0][rate], self.equations[index][1][rate])
 
 
-Replacements = Iterator[tuple[str, Any]]
+_Replacements = Iterator[tuple[str, Any]]
 
 
 @dataclass(frozen=True)
-class Velocities:
+class _Velocities:
     """The run of a plan for velocities, in which a step's results may be replaced by what a mistake
     gives.
     """
@@ -198,39 +202,40 @@ class Velocities:
 
     def run(self, plan: Plan) -> dict[str, Any]:
         """The rates, rad/s and m/s, step by step."""
-        centres = rolling_centres(self.frames)
+        centres = find_rolling_centres(self.frames)
         relations = [self.relation(relation, centres) for relation in self.frames.relations]
         equations = [relation.equations() for relation in relations]
         rates: dict[str, Any] = {}
         for step in plan.steps:
             if step.unknowns:
                 sides = {
-                    index: remaining(relations[index], equations[index], rates)
+                    index: _find_remaining_sides(relations[index], equations[index], rates)
                     for index in step.relations
                 }
                 rates.update(
-                    plans.run(
+                    plans.run_steps(
                         Plan((step,)), equations, sides.__getitem__, Unsuspecting(self.arithmetic)
                     )
                 )
-                rates.update(self.replaced(Stage(step, equations, rates)))
+                rates.update(self._replaced(_Stage(step, equations, rates)))
         return rates
 
     def relation(self, relation: Relation, centres: Mapping[str, str]) -> Relation:
         """A relation as it is written for velocities."""
         left, right = (
-            velocity_chain(side, self.slips, centres) for side in (relation.left, relation.right)
+            find_velocity_chain(side, self.slips, centres)
+            for side in (relation.left, relation.right)
         )
         return replace(relation, left=left, right=right)
 
-    def replaced(self, stage: Stage) -> dict[str, Any]:
+    def _replaced(self, stage: _Stage) -> dict[str, Any]:
         """The rates that result from a transport velocity in place of the absolute one, and from a
         fixed pivot in place of the pole.
         """
         result: dict[str, Any] = {}
         for share, find in (
-            (self.slips.relative, self.without_relative),
-            (self.slips.pole, self.about_pivot),
+            (self.slips.relative, self._without_relative),
+            (self.slips.pole, self._about_pivot),
         ):
             if not isinstance(share, int) or share != 1:
                 for rate, value in find(stage):
@@ -239,7 +244,7 @@ class Velocities:
                     )
         return result
 
-    def without_relative(self, stage: Stage) -> Replacements:
+    def _without_relative(self, stage: _Stage) -> _Replacements:
         """|unknown velocity| = |known velocity|, as if nothing moved within the moving
         body.
         """
@@ -253,44 +258,46 @@ class Velocities:
                 known = [
                     rate for rate in stage.equations[index][0] if rate not in stage.step.unknowns
                 ]
-                speed = total(stage.coefficient(index, rate) * stage.rates[rate] for rate in known)
+                speed = add_vectors(
+                    stage.coefficient(index, rate) * stage.rates[rate] for rate in known
+                )
                 rate = others.pop()
                 yield rate, self.sized(speed, stage.coefficient(index, rate), stage.rates[rate])
 
-    def about_pivot(self, stage: Stage) -> Replacements:
+    def _about_pivot(self, stage: _Stage) -> _Replacements:
         """A body in plane motion turns about the fixed pivot of a body that it is pinned to,
         together with that body.
         """
-        for body, neighbours in pivots(self.frames).items():
-            reached = [name for name in neighbours if omega_of(name) in stage.rates]
-            if omega_of(body) not in stage.step.unknowns or not reached:
+        for body, neighbours in _find_pivots(self.frames).items():
+            reached = [name for name in neighbours if name_omega(name) in stage.rates]
+            if name_omega(body) not in stage.step.unknowns or not reached:
                 continue
-            neighbour = min(reached, key=lambda name: omega_of(name) in stage.step.unknowns)
-            turning = self.common_rate(stage, body, neighbour, neighbours[neighbour])
+            neighbour = min(reached, key=lambda name: name_omega(name) in stage.step.unknowns)
+            turning = self._common_rate(stage, body, neighbour, neighbours[neighbour])
             if turning is not None:
-                pair = {omega_of(body), omega_of(neighbour)}
+                pair = {name_omega(body), name_omega(neighbour)}
                 yield from ((rate, turning) for rate in stage.step.unknowns if rate in pair)
-                yield from self.ends(stage, pair, neighbours[neighbour], turning)
+                yield from self._ends(stage, pair, neighbours[neighbour], turning)
 
-    def common_rate(self, stage: Stage, body: str, neighbour: str, pivot: Vector) -> Any:
+    def _common_rate(self, stage: _Stage, body: str, neighbour: str, pivot: Vector) -> Any:
         """The rate with which both turn about the pivot: the neighbour's, or the speed of a known
         point divided by its distance; None where neither is known.
         """
-        if omega_of(neighbour) not in stage.step.unknowns:
-            return stage.rates[omega_of(neighbour)]
+        if name_omega(neighbour) not in stage.step.unknowns:
+            return stage.rates[name_omega(neighbour)]
         base = self.frames.bases[body]
         if any(
             term.rate in stage.step.unknowns or term.rate not in stage.rates for term in base.chain
         ):
             return None
-        speed = total(term.velocity(stage.rates) for term in base.chain)
+        speed = add_vectors(term.velocity(stage.rates) for term in base.chain)
         return self.sized(
             speed,
             self.frames.mechanism.points[base.point] - pivot,
-            stage.rates[omega_of(neighbour)],
+            stage.rates[name_omega(neighbour)],
         )
 
-    def ends(self, stage: Stage, pair: set[str], pivot: Vector, turning: Any) -> Replacements:
+    def _ends(self, stage: _Stage, pair: set[str], pivot: Vector, turning: Any) -> _Replacements:
         """The rates of the ends that the same step finds: the angular velocity times the distance
         to the pivot.
         """
@@ -311,7 +318,9 @@ class Velocities:
         return size * self.arithmetic.sign(like)
 
 
-def remaining(relation: Relation, equations: Sequence[Row], rates: Mapping[str, Any]) -> list[Any]:
+def _find_remaining_sides(
+    relation: Relation, equations: Sequence[Row], rates: Mapping[str, Any]
+) -> list[Any]:
     """A relation's right-hand sides for velocities, minus what is already known."""
     return [
         side - sum((row[rate] * rates[rate] for rate in row if rate in rates), 0)
@@ -319,7 +328,7 @@ def remaining(relation: Relation, equations: Sequence[Row], rates: Mapping[str, 
     ]
 
 
-def pivots(frames: MistakenFrames) -> dict[str, dict[str, Vector]]:
+def _find_pivots(frames: MistakenFrames) -> dict[str, dict[str, Vector]]:
     """For each body in plane motion the bodies that it is pinned to, with their fixed pivots."""
     mechanism = frames.mechanism
     pins = [joint for joint in mechanism.joints if isinstance(joint, Pin)]

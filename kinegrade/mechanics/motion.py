@@ -1,8 +1,8 @@
 """The motion: velocity and acceleration of everything, absolute and relative, at the instant.
 
-`solve` is the entry point: it states the relations, follows the plan twice, and gives a `Motion`
-that gives the motion of every point and body. Vectors are in the common frame (x right, y up),
-counter-clockwise positive.
+`solve_motion` is the entry point: it states the relations, follows the plan twice, and gives a
+`Motion` that gives the motion of every point and body. Vectors are in the common frame (x right, y
+up), counter-clockwise positive.
 """
 
 from __future__ import annotations
@@ -11,16 +11,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from kinegrade.errors import AtInfinity, MechanismError, message
+from kinegrade.errors import AtInfinity, MechanismError, write_message
 from kinegrade.exact.elimination import Contradiction, Singular
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.configuration import require_assembled
-from kinegrade.mechanics.frames import Frames, build
+from kinegrade.mechanics.frames import Frames, build_frames
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.plan import Plan
-from kinegrade.mechanics.refusal import looseness, refusal, unrelated
-from kinegrade.mechanics.relations import omega_of, total
+from kinegrade.mechanics.refusal import describe_looseness, explain_refusal, find_unrelated
+from kinegrade.mechanics.relations import add_vectors, name_omega
 from kinegrade.mechanics.vector import Vector
 
 
@@ -42,23 +42,23 @@ class Motion:
         """Angular velocity of a body, rad/s, counter-clockwise positive; relative to the body
         `of`.
         """
-        return turning_of(self.rates, body) - turning_of(self.rates, of)
+        return _find_turning_rate(self.rates, body) - _find_turning_rate(self.rates, of)
 
     def alpha(self, body: str, of: str = GROUND) -> Any:
         """Angular acceleration of a body, rad/s^2, counter-clockwise positive; relative to the body
         `of`.
         """
-        return turning_of(self.changes, body) - turning_of(self.changes, of)
+        return _find_turning_rate(self.changes, body) - _find_turning_rate(self.changes, of)
 
     def velocity(self, point: str, body: str) -> Vector:
         """Velocity of the point of `body` that is at `point`, m/s (transport velocity, if another
         passes there).
         """
-        return total(term.velocity(self.rates) for term in self.frames.chain(body, point))
+        return add_vectors(term.velocity(self.rates) for term in self.frames.chain(body, point))
 
     def acceleration(self, point: str, body: str) -> Vector:
         """Acceleration of the point of `body` that is at `point`, m/s^2."""
-        return total(
+        return add_vectors(
             term.acceleration(self.rates, self.changes) for term in self.frames.chain(body, point)
         )
 
@@ -90,24 +90,24 @@ class Motion:
         return self.points[base] + arm
 
 
-class Undriven(dict[str, Any]):
+class _Undriven(dict[str, Any]):
     """The rates of a mechanism without a driver: none is known, and reading one is an error."""
 
     def __missing__(self, rate: str) -> Any:
         what = "nothing drives this mechanism: it has positions but no velocities"
-        raise MechanismError(message("", what, do="give it an input"))
+        raise MechanismError(write_message("", what, do="give it an input"))
 
 
-def pose(mechanism: Mechanism, arithmetic: Any) -> Motion:
+def pose_mechanism(mechanism: Mechanism, arithmetic: Any) -> Motion:
     """A mechanism whose positions alone are wanted. Raises MechanismError when it does not fit
     together.
     """
     if arithmetic.certified:
         require_assembled(mechanism, arithmetic)
-    return Motion(build(mechanism, arithmetic), Plan(()), Undriven(), Undriven())
+    return Motion(build_frames(mechanism, arithmetic), Plan(()), _Undriven(), _Undriven())
 
 
-def solve(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None) -> Motion:
+def solve_motion(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None) -> Motion:
     """The motion of a mechanism; a given `plan` saves the search for one, and is replaced where it
     does not fit.
 
@@ -116,50 +116,50 @@ def solve(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None) -> Mo
     """
     if arithmetic.certified:
         require_assembled(mechanism, arithmetic)
-    frames = build(mechanism, arithmetic)
-    require_all_related(frames)
+    frames = build_frames(mechanism, arithmetic)
+    _require_all_related(frames)
     equations = [relation.equations() for relation in frames.relations]
     if plan is not None:
         try:
-            return followed(plan, frames, equations, arithmetic)
+            return _run_plan(plan, frames, equations, arithmetic)
         except (Singular, Contradiction):
             pass
     try:
-        return followed(
-            plans.find(frames.relations, equations, arithmetic), frames, equations, arithmetic
+        return _run_plan(
+            plans.find_plan(frames.relations, equations, arithmetic), frames, equations, arithmetic
         )
     except (Singular, Contradiction):
         sides = [relation.velocity_side() for relation in frames.relations]
-        raise refusal(frames, equations, sides, arithmetic) from None
+        raise explain_refusal(frames, equations, sides, arithmetic) from None
 
 
-def followed(plan: Plan, frames: Frames, equations: plans.Equations, arithmetic: Any) -> Motion:
+def _run_plan(plan: Plan, frames: Frames, equations: plans.Equations, arithmetic: Any) -> Motion:
     """Run the plan for velocities, then for accelerations."""
     relations = frames.relations
-    rates = plans.run(plan, equations, lambda i: relations[i].velocity_side(), arithmetic)
+    rates = plans.run_steps(plan, equations, lambda i: relations[i].velocity_side(), arithmetic)
     try:
-        changes = plans.run(
+        changes = plans.run_steps(
             plan, equations, lambda i: relations[i].acceleration_side(rates), arithmetic
         )
     except Contradiction:
         sides = [relation.acceleration_side(rates) for relation in relations]
-        raise refusal(frames, equations, sides, arithmetic) from None
+        raise explain_refusal(frames, equations, sides, arithmetic) from None
     return Motion(frames, plan, rates, changes)
 
 
-def require_all_related(frames: Frames) -> None:
+def _require_all_related(frames: Frames) -> None:
     """Refuse motions that no joint and no driver determines."""
-    if unrelated(frames):
-        raise MechanismError(looseness(frames, []))
+    if find_unrelated(frames):
+        raise MechanismError(describe_looseness(frames, []))
 
 
-def turning_of(rates: Mapping[str, Any], body: str) -> Any:
+def _find_turning_rate(rates: Mapping[str, Any], body: str) -> Any:
     """The angular rate of a body among `rates`; the ground has none, and for a particle it is an
     error.
     """
     if body == GROUND:
         return 0
-    if omega_of(body) not in rates:
+    if name_omega(body) not in rates:
         what = f"{body} is a particle: it does not turn"
-        raise MechanismError(message("", what, do="ask for the motion of its point"))
-    return rates[omega_of(body)]
+        raise MechanismError(write_message("", what, do="ask for the motion of its point"))
+    return rates[name_omega(body)]

@@ -16,18 +16,19 @@ from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
 
 
-def structure(motion: Motion) -> Hashable:
+def describe_structure(motion: Motion) -> Hashable:
     """What two motions of a template must have in common to be stacked: everything but the
     numbers.
     """
     frames = motion.frames
     bases = tuple(
-        (name, base.point, chain_structure(base.chain)) for name, base in frames.bases.items()
+        (name, base.point, _describe_chain_structure(base.chain))
+        for name, base in frames.bases.items()
     )
     relations = tuple(
         (
-            chain_structure(relation.left),
-            chain_structure(relation.right),
+            _describe_chain_structure(relation.left),
+            _describe_chain_structure(relation.right),
             relation.along is None,
             tuple(rate for rate, _ in relation.turning),
             relation.frame,
@@ -44,25 +45,25 @@ def structure(motion: Motion) -> Hashable:
     )
 
 
-def chain_structure(chain: Chain) -> Hashable:
+def _describe_chain_structure(chain: Chain) -> Hashable:
     """A chain without its vectors."""
     return tuple((term.kind, term.rate, term.point, term.base, term.frame) for term in chain)
 
 
-def stacked(motions: Sequence[Motion]) -> Motion:
+def stack_motions(motions: Sequence[Motion]) -> Motion:
     """The motions, of one structure and in doubles, as one. Joints and drivers are those of the
     first, as relations state all of the numbers.
     """
     first, frames = motions[0], [motion.frames for motion in motions]
     points = {
-        name: stacked_vector([motion.points[name] for motion in motions]) for name in first.points
+        name: stack_vectors([motion.points[name] for motion in motions]) for name in first.points
     }
     bases = {
-        name: Base(base.point, stacked_chain([one.bases[name].chain for one in frames]), base.joint)
+        name: Base(base.point, _stack_chains([one.bases[name].chain for one in frames]), base.joint)
         for name, base in frames[0].bases.items()
     }
     relations = tuple(
-        stacked_relation(same) for same in zip(*(one.relations for one in frames), strict=True)
+        _stack_relations(same) for same in zip(*(one.relations for one in frames), strict=True)
     )
     mechanism = frames[0].mechanism
     together = Mechanism(points, mechanism.bodies, mechanism.joints, mechanism.drivers)
@@ -71,41 +72,41 @@ def stacked(motions: Sequence[Motion]) -> Motion:
     return Motion(
         Frames(together, bases, relations),
         first.plan,
-        {name: stacked_numbers([motion.rates[name] for motion in motions]) for name in first.rates},
+        {name: stack_numbers([motion.rates[name] for motion in motions]) for name in first.rates},
         {
-            name: stacked_numbers([motion.changes[name] for motion in motions])
+            name: stack_numbers([motion.changes[name] for motion in motions])
             for name in first.changes
         },
     )
 
 
-def stacked_relation(same: Sequence[Relation]) -> Relation:
+def _stack_relations(same: Sequence[Relation]) -> Relation:
     """Relations of one structure as one."""
     first = same[0]
     factors = zip(*([factor for _, factor in relation.turning] for relation in same), strict=True)
     return Relation(
         first.origin,
-        stacked_chain([relation.left for relation in same]),
-        stacked_chain([relation.right for relation in same]),
-        stacked_vector([relation.along for relation in same if relation.along is not None]),
+        _stack_chains([relation.left for relation in same]),
+        _stack_chains([relation.right for relation in same]),
+        stack_vectors([relation.along for relation in same if relation.along is not None]),
         tuple(
-            (rate, stacked_numbers(factor))
+            (rate, stack_numbers(factor))
             for (rate, _), factor in zip(first.turning, factors, strict=True)
         ),
-        stacked_numbers([relation.velocity for relation in same]),
-        stacked_numbers([relation.acceleration for relation in same]),
+        stack_numbers([relation.velocity for relation in same]),
+        stack_numbers([relation.acceleration for relation in same]),
         first.frame,
         first.source,
     )
 
 
-def stacked_chain(chains: Sequence[Chain]) -> Chain:
+def _stack_chains(chains: Sequence[Chain]) -> Chain:
     """Chains of one structure as one."""
     return tuple(
         Term(
             same[0].kind,
             same[0].rate,
-            stacked_vector([term.vector for term in same]),
+            stack_vectors([term.vector for term in same]),
             same[0].point,
             same[0].base,
             same[0].frame,
@@ -114,17 +115,17 @@ def stacked_chain(chains: Sequence[Chain]) -> Chain:
     )
 
 
-def stacked_vector(vectors: Sequence[Vector]) -> Any:
+def stack_vectors(vectors: Sequence[Vector]) -> Any:
     """Vectors as one; None if there are none."""
     if not vectors:
         return None
     return Vector(
-        stacked_numbers([vector.x for vector in vectors]),
-        stacked_numbers([vector.y for vector in vectors]),
+        stack_numbers([vector.x for vector in vectors]),
+        stack_numbers([vector.y for vector in vectors]),
     )
 
 
-def stacked_numbers(numbers: Sequence[float]) -> Any:
+def stack_numbers(numbers: Sequence[float]) -> Any:
     """Doubles as an array; numbers that are equal in all, down to the sign of a zero, as one
     double.
     """

@@ -9,23 +9,23 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
 
-def drawable_mechanism(mechanism: Mechanism) -> Mechanism:
+def convert_to_floats(mechanism: Mechanism) -> Mechanism:
     """The same mechanism with every number a float."""
     return Mechanism(
-        {name: in_floats(point) for name, point in mechanism.points.items()},
+        {name: convert_value(point) for name, point in mechanism.points.items()},
         mechanism.bodies,
-        tuple(in_floats(joint) for joint in mechanism.joints),
-        tuple(in_floats(driver) for driver in mechanism.drivers),
+        tuple(convert_value(joint) for joint in mechanism.joints),
+        tuple(convert_value(driver) for driver in mechanism.drivers),
     )
 
 
-def in_floats(part: Any) -> Any:
+def convert_value(part: Any) -> Any:
     """A vector, line, circle, joint or driver with its numbers as floats; names are unchanged."""
     if isinstance(part, Vector):
         return Vector(float(part.x), float(part.y))
     if is_dataclass(part) and not isinstance(part, type):
         return replace(
-            part, **{field.name: in_floats(getattr(part, field.name)) for field in fields(part)}
+            part, **{field.name: convert_value(getattr(part, field.name)) for field in fields(part)}
         )
     if isinstance(part, (str, bool, tuple)):
         return part

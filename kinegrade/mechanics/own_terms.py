@@ -23,47 +23,49 @@ Place = tuple[str, str]  # a body and a point of it
 Sign = tuple[str, str, str, str]
 
 
-def coriolis_share(point: str, frame: str) -> str:
+def name_coriolis_share(point: str, frame: str) -> str:
     """The name, among the rates, of the share of the Coriolis acceleration of `point` relative to
     `frame` that is taken.
     """
     return f"coriolis {point}/{frame}"
 
 
-def normal_share(point: str, base: str) -> str:
+def name_normal_share(point: str, base: str) -> str:
     """The name, among the rates, of the share of the normal acceleration of `point` relative to
     `base` that is taken.
     """
     return f"normal {point}/{base}"
 
 
-def offsets(place: Place) -> tuple[str, str]:
+def name_offsets(place: Place) -> tuple[str, str]:
     """The names, among the rates, of the additions to the two components of a point's motion."""
     body, point = place
     return f"added {point} {body} x", f"added {point} {body} y"
 
 
 @dataclass(frozen=True)
-class OwnTerm(Term):
+class _OwnTerm(Term):
     """A term of whose normal and Coriolis parts only the share given among the rates is taken, if
     there is one.
     """
 
     def normal(self, rates: Rates) -> Vector:
         """The centripetal part that is taken, m/s^2."""
-        taken: Vector = super().normal(rates) * rates.get(normal_share(self.point, self.base), 1.0)
+        taken: Vector = super().normal(rates) * rates.get(
+            name_normal_share(self.point, self.base), 1.0
+        )
         return taken
 
     def coriolis(self, rates: Rates) -> Vector:
         """The Coriolis part that is taken, m/s^2."""
         taken: Vector = super().coriolis(rates) * rates.get(
-            coriolis_share(self.point, self.frame), 1.0
+            name_coriolis_share(self.point, self.frame), 1.0
         )
         return taken
 
 
 @dataclass(frozen=True)
-class OwnRelation(Relation):
+class _OwnRelation(Relation):
     """A relation of whose imposed relative motion the share of the Coriolis acceleration is taken
     likewise.
     """
@@ -74,7 +76,7 @@ class OwnRelation(Relation):
         """
         point = self.left[-1].point if self.left else ""
         taken: Vector = super().imposed_coriolis(rates) * rates.get(
-            coriolis_share(point, self.frame), 1.0
+            name_coriolis_share(point, self.frame), 1.0
         )
         return taken
 
@@ -107,28 +109,30 @@ class OwnFrames(Frames):
         place = body, point
         if place not in self.known:
             self.known[place] = self.with_additions(
-                shortened(super().chain(body, point), self.shortcuts)
+                _shorten(super().chain(body, point), self.shortcuts)
             )
         return self.known[place]
 
     def with_additions(self, chain: Chain) -> Chain:
         """The terms, each followed by the additions to the motion of the point that it leads to."""
         return tuple(
-            part for term in chain for part in (own(term), *self.additions.get(sign(term), ()))
+            part
+            for term in chain
+            for part in (_open_term(term), *self.additions.get(_make_sign(term), ()))
         )
 
     @cached_property
     def additions(self) -> dict[Sign, Chain]:
         """The additions at the places, by the last term that leads there."""
         ends = {
-            place: shortened(super(OwnFrames, self).chain(*place), self.shortcuts)
+            place: _shorten(super(OwnFrames, self).chain(*place), self.shortcuts)
             for place in self.places
         }
         return {
-            sign(chain[-1]): tuple(
+            _make_sign(chain[-1]): tuple(
                 Term("sliding", name, axis, place[1])
                 for name, axis in zip(
-                    offsets(place), (Vector(1.0, 0.0), Vector(0.0, 1.0)), strict=True
+                    name_offsets(place), (Vector(1.0, 0.0), Vector(0.0, 1.0)), strict=True
                 )
             )
             for place, chain in ends.items()
@@ -140,40 +144,40 @@ class OwnFrames(Frames):
         """The relative motions that the plan solves for: of a point relative to a body."""
         chains = [side for relation in self.relations for side in (relation.left, relation.right)]
         return {
-            (term.point, term.frame): own(term)
+            (term.point, term.frame): _open_term(term)
             for chain in (*chains, *(b.chain for b in self.bases.values()))
             for term in chain
             if term.frame != GROUND
         }
 
 
-def own_frames(frames: Frames, plan: Plan, places: Sequence[Place]) -> OwnFrames:
+def open_frames(frames: Frames, plan: Plan, places: Sequence[Place]) -> OwnFrames:
     """The frames with shortcuts, and with terms for the additions at `places`."""
     return OwnFrames(
         frames.mechanism,
         frames.bases,
         frames.relations,
-        tuple(shortcuts(frames, plan)),
+        tuple(_find_shortcuts(frames, plan)),
         tuple(places),
     )
 
 
-def own_relations(frames: OwnFrames, plan: Plan) -> tuple[Relation, ...]:
+def open_relations(frames: OwnFrames, plan: Plan) -> tuple[Relation, ...]:
     """The relations by index, each with the shortcuts that earlier steps give."""
     number = {index: place for place, step in enumerate(plan.steps) for index in step.relations}
     return tuple(
-        own_relation(relation, frames, number[index])
+        _open_relation(relation, frames, number[index])
         for index, relation in enumerate(frames.relations)
     )
 
 
-def own_relation(relation: Relation, frames: OwnFrames, step: int) -> Relation:
+def _open_relation(relation: Relation, frames: OwnFrames, step: int) -> Relation:
     """A relation as it is written at a step."""
     cuts = [cut for cut in frames.shortcuts if cut.step < step]
     left, right = (
-        frames.with_additions(shortened(side, cuts)) for side in (relation.left, relation.right)
+        frames.with_additions(_shorten(side, cuts)) for side in (relation.left, relation.right)
     )
-    return OwnRelation(
+    return _OwnRelation(
         relation.origin,
         left,
         right,
@@ -186,7 +190,7 @@ def own_relation(relation: Relation, frames: OwnFrames, step: int) -> Relation:
     )
 
 
-def shortcuts(frames: Frames, plan: Plan) -> Iterator[Shortcut]:
+def _find_shortcuts(frames: Frames, plan: Plan) -> Iterator[Shortcut]:
     """The vector relations of the plan's steps of which one side is shorter, and known no later
     than the other.
     """
@@ -198,22 +202,22 @@ def shortcuts(frames: Frames, plan: Plan) -> Iterator[Shortcut]:
                 max((found[term.rate] for term in side), default=-1) for side in (short, long)
             )
             if relation.is_vector and len(short) < len(long) and last <= latest:
-                yield Shortcut(tuple(map(sign, long)), short, number)
+                yield Shortcut(tuple(map(_make_sign, long)), short, number)
 
 
-def shortened(chain: Chain, cuts: Sequence[Shortcut]) -> Chain:
+def _shorten(chain: Chain, cuts: Sequence[Shortcut]) -> Chain:
     """The chain with shortcuts applied one after the other until none applies."""
     for cut in cuts:
-        if cut.long == tuple(map(sign, chain[: len(cut.long)])):
-            return shortened((*cut.short, *chain[len(cut.long) :]), cuts)
+        if cut.long == tuple(map(_make_sign, chain[: len(cut.long)])):
+            return _shorten((*cut.short, *chain[len(cut.long) :]), cuts)
     return chain
 
 
-def sign(term: Term) -> Sign:
+def _make_sign(term: Term) -> Sign:
     """What identifies a term in other chains."""
     return term.rate, term.point, term.base, term.frame
 
 
-def own(term: Term) -> OwnTerm:
+def _open_term(term: Term) -> _OwnTerm:
     """The term, prepared for shares of its parts."""
-    return OwnTerm(term.kind, term.rate, term.vector, term.point, term.base, term.frame)
+    return _OwnTerm(term.kind, term.rate, term.vector, term.point, term.base, term.frame)

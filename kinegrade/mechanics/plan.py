@@ -18,7 +18,7 @@ from kinegrade.mechanics.relations import Relation
 
 Row = Mapping[str, Any]
 Equations = Sequence[Sequence[Row]]
-MAX_TOGETHER = 3
+_MAX_TOGETHER = 3
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Plan:
     steps: tuple[Step, ...]
 
 
-def find(relations: Sequence[Relation], equations: Equations, arithmetic: Any) -> Plan:
+def find_plan(relations: Sequence[Relation], equations: Equations, arithmetic: Any) -> Plan:
     """The plan at this configuration. Raises Singular when the relations leave something
     undetermined.
     """
@@ -46,7 +46,7 @@ def find(relations: Sequence[Relation], equations: Equations, arithmetic: Any) -
     pending = list(range(len(relations)))
     steps: list[Step] = []
     while pending:
-        step = next(determined(relations, equations, pending, known, arithmetic), None)
+        step = next(_find_determined(relations, equations, pending, known, arithmetic), None)
         if step is None:
             raise Singular("the relations do not determine the motion")
         steps.append(step)
@@ -55,7 +55,7 @@ def find(relations: Sequence[Relation], equations: Equations, arithmetic: Any) -
     return Plan(tuple(steps))
 
 
-def determined(
+def _find_determined(
     relations: Sequence[Relation],
     equations: Equations,
     pending: Sequence[int],
@@ -67,15 +67,15 @@ def determined(
         index: [rate for rate in relations[index].unknowns() if rate not in known]
         for index in pending
     }
-    sizes = [*range(1, min(MAX_TOGETHER, len(pending)) + 1), len(pending)]
+    sizes = [*range(1, min(_MAX_TOGETHER, len(pending)) + 1), len(pending)]
     for group in (group for size in sizes for group in combinations(pending, size)):
         unknowns = tuple(dict.fromkeys(rate for index in group for rate in open_rates[index]))
         rows = [row for index in group for row in equations[index]]
-        if len(unknowns) <= len(rows) and full_rank(rows, unknowns, arithmetic):
+        if len(unknowns) <= len(rows) and _has_full_rank(rows, unknowns, arithmetic):
             yield Step(group, unknowns)
 
 
-def full_rank(rows: Sequence[Row], unknowns: Sequence[str], arithmetic: Any) -> bool:
+def _has_full_rank(rows: Sequence[Row], unknowns: Sequence[str], arithmetic: Any) -> bool:
     """Whether the rows determine the unknowns."""
     if not unknowns:
         return True
@@ -86,7 +86,7 @@ def full_rank(rows: Sequence[Row], unknowns: Sequence[str], arithmetic: Any) -> 
     return True
 
 
-def run(
+def run_steps(
     plan: Plan, equations: Equations, right: Callable[[int], Sequence[Any]], arithmetic: Any
 ) -> dict[str, Any]:
     """The rates that the plan gives; `right` gives a relation's right-hand sides.

@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from typing import Any
 
 from kinegrade.errors import MechanismError
-from kinegrade.exact.elimination import consistent, null_vectors
-from kinegrade.mechanics.dead_point import dead_point, numeral
+from kinegrade.exact.elimination import find_null_vectors, is_consistent
+from kinegrade.mechanics.dead_point import describe_dead_point, make_numeral
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.plan import Equations
-from kinegrade.mechanics.relations import omega_of
+from kinegrade.mechanics.relations import name_omega
 
 
-def refusal(
+def explain_refusal(
     frames: Frames, equations: Equations, sides: Sequence[Sequence[Any]], arithmetic: Any
 ) -> MechanismError:
     """The error for relations that have no solution, or more than one; `sides` are their right-hand
@@ -23,21 +23,21 @@ def refusal(
         dict.fromkeys(rate for relation in frames.relations for rate in relation.unknowns())
     )
     matrix = [[[row.get(rate, 0) for rate in rates] for row in rows] for rows in equations]
-    rows = [arithmetic_row(row, arithmetic) for block in matrix for row in block]
-    loose = null_vectors(rows, len(rates), arithmetic.is_zero)
-    fits = consistent(
-        rows, [numeral(s, arithmetic) for side in sides for s in side], arithmetic.is_zero
+    rows = [_convert_row(row, arithmetic) for block in matrix for row in block]
+    loose = find_null_vectors(rows, len(rates), arithmetic.is_zero)
+    fits = is_consistent(
+        rows, [make_numeral(s, arithmetic) for side in sides for s in side], arithmetic.is_zero
     )
     motions = [{rates[i] for i in vector} for vector in loose]
-    turning = {rate.split(" ", 1)[1] for rate in set().union(*motions) if is_turning(rate)}
-    line = dead_point(frames, turning, arithmetic) if loose else ""
+    turning = {rate.split(" ", 1)[1] for rate in set().union(*motions) if _is_turning(rate)}
+    line = describe_dead_point(frames, turning, arithmetic) if loose else ""
     if fits and line:
         return MechanismError(
             f"dead point: {line} at these values: choose other values or another driver"
         )
     if fits:
-        return MechanismError(looseness(frames, motions))
-    culprits = contradiction(matrix, sides, arithmetic)
+        return MechanismError(describe_looseness(frames, motions))
+    culprits = _find_contradiction(matrix, sides, arithmetic)
     names = " and ".join(frames.relations[index].origin for index in culprits)
     if loose:
         where = f"{line} at these values," if line else "in this configuration"
@@ -50,17 +50,17 @@ def refusal(
     )
 
 
-def is_turning(rate: str) -> bool:
+def _is_turning(rate: str) -> bool:
     """Whether a rate is the angular velocity of a body."""
     return rate.startswith("omega ")
 
 
-def looseness(frames: Frames, motions: Sequence[set[str]]) -> str:
+def describe_looseness(frames: Frames, motions: Sequence[set[str]]) -> str:
     """Which bodies can still turn and which points can still move."""
-    idle = unrelated(frames)
+    idle = find_unrelated(frames)
     moving = set().union(*motions, idle)
-    bodies = [rate.split(" ", 1)[1] for rate in sorted(moving) if is_turning(rate)]
-    points = sorted({rate.split(" ")[1] for rate in moving if not is_turning(rate)})
+    bodies = [rate.split(" ", 1)[1] for rate in sorted(moving) if _is_turning(rate)]
+    points = sorted({rate.split(" ")[1] for rate in moving if not _is_turning(rate)})
     parts = [f"body {body} can still turn" for body in bodies]
     parts += [f"{point} can still move" for point in points]
     count = len(motions) + len(idle)
@@ -68,17 +68,17 @@ def looseness(frames: Frames, motions: Sequence[set[str]]) -> str:
     return f"{', '.join(parts)} ({count} {noun} left): add a joint or a driver"
 
 
-def unrelated(frames: Frames) -> list[str]:
+def find_unrelated(frames: Frames) -> list[str]:
     """The rates of bodies and base points that occur in no relation, so that nothing determines
     them.
     """
     known = {rate for relation in frames.relations for rate in relation.unknowns()}
-    rates = [omega_of(body.name) for body in frames.mechanism.bodies if not body.particle]
+    rates = [name_omega(body.name) for body in frames.mechanism.bodies if not body.particle]
     rates += [term.rate for base in frames.bases.values() for term in base.chain]
     return [rate for rate in dict.fromkeys(rates) if rate not in known]
 
 
-def contradiction(
+def _find_contradiction(
     matrix: Sequence[Sequence[Sequence[Any]]], sides: Sequence[Sequence[Any]], arithmetic: Any
 ) -> list[int]:
     """A minimal set of contradictory relations (by index): without any one of them the others
@@ -87,13 +87,13 @@ def contradiction(
     culprits = list(range(len(matrix)))
     for index in list(culprits):
         rest = [other for other in culprits if other != index]
-        rows = [arithmetic_row(row, arithmetic) for other in rest for row in matrix[other]]
-        right = [numeral(side, arithmetic) for other in rest for side in sides[other]]
-        if rows and not consistent(rows, right, arithmetic.is_zero):
+        rows = [_convert_row(row, arithmetic) for other in rest for row in matrix[other]]
+        right = [make_numeral(side, arithmetic) for other in rest for side in sides[other]]
+        if rows and not is_consistent(rows, right, arithmetic.is_zero):
             culprits = rest
     return culprits
 
 
-def arithmetic_row(row: Sequence[Any], arithmetic: Any) -> list[Any]:
+def _convert_row(row: Sequence[Any], arithmetic: Any) -> list[Any]:
     """A row as numbers of the arithmetic."""
-    return [numeral(entry, arithmetic) for entry in row]
+    return [make_numeral(entry, arithmetic) for entry in row]

@@ -5,7 +5,8 @@ or `v_a = v_e + v_r`, each term a vector times one unknown rate. A joint that cl
 two chains. The same relations hold for accelerations, with the part of each term that the
 velocities decide: centripetal and Coriolis.
 
-`build` is called by `motion`; `plan` decides in which order the relations determine the rates.
+`build_frames` is called by `motion`; `plan` decides in which order the relations determine the
+rates.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ Rates = Mapping[str, Any]
 Kind = Literal["rotation", "sliding", "arc"]
 
 
-def omega_of(body: str) -> str:
+def name_omega(body: str) -> str:
     """The name of the unknown angular velocity of a body."""
     return f"omega {body}"
 
@@ -82,7 +83,7 @@ class Term:
         """
         if self.kind == "rotation" or self.frame == GROUND:
             return Vector(0, 0)
-        coriolis: Vector = self.velocity(rates).turned() * (rates[omega_of(self.frame)] * 2)
+        coriolis: Vector = self.velocity(rates).turned() * (rates[name_omega(self.frame)] * 2)
         return coriolis
 
     def remainder(self, rates: Rates) -> Vector:
@@ -159,8 +160,8 @@ class Relation:
         """The right-hand sides of the equations for accelerations: imposed minus what the
         velocities decide.
         """
-        decided = total(term.remainder(rates) for term in self.left)
-        decided = decided - total(term.remainder(rates) for term in self.right)
+        decided = add_vectors(term.remainder(rates) for term in self.left)
+        decided = decided - add_vectors(term.remainder(rates) for term in self.right)
         if self.is_vector:
             return [-decided.x, -decided.y]
         if self.along is None:
@@ -171,14 +172,14 @@ class Relation:
 
     def imposed_coriolis(self, rates: Rates) -> Vector:
         """The Coriolis acceleration 2 omega x v_r of the motion relative to `frame`, m/s^2."""
-        relative = total(t.velocity(rates) for t in self.left) - total(
+        relative = add_vectors(t.velocity(rates) for t in self.left) - add_vectors(
             t.velocity(rates) for t in self.right
         )
-        coriolis: Vector = relative.turned() * (rates[omega_of(self.frame)] * 2)
+        coriolis: Vector = relative.turned() * (rates[name_omega(self.frame)] * 2)
         return coriolis
 
 
-def total(vectors: Any) -> Vector:
+def add_vectors(vectors: Any) -> Vector:
     """The sum of vectors, zero if there are none."""
     result = Vector(0, 0)
     for vector in vectors:

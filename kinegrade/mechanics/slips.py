@@ -27,7 +27,7 @@ from kinegrade.mechanics.joints import (
     Sleeve,
     Slide,
 )
-from kinegrade.mechanics.relations import Chain, Rates, Relation, Term, omega_of
+from kinegrade.mechanics.relations import Chain, Rates, Relation, Term, name_omega
 from kinegrade.mechanics.vector import Vector
 
 # (centre carried, centre of the circle it runs about): share of the distance
@@ -65,7 +65,7 @@ class Slips:
 
 
 @dataclass(frozen=True)
-class MistakenTerm(Term):
+class _MistakenTerm(Term):
     """A term of whose acceleration only a share of the normal and of the Coriolis part is taken."""
 
     normal_share: Any = 1
@@ -83,7 +83,7 @@ class MistakenTerm(Term):
 
 
 @dataclass(frozen=True)
-class MistakenRelation(Relation):
+class _MistakenRelation(Relation):
     """A relation that imposes a relative motion, of whose Coriolis acceleration only a share is
     taken.
     """
@@ -107,20 +107,20 @@ class MistakenFrames(Frames):
 
     def chain(self, body: str, point: str) -> Chain:
         """The terms of a point's motion, with the slips made."""
-        return mistaken_chain(super().chain(body, point), self.slips, self.arms)
+        return _slip_in_chain(super().chain(body, point), self.slips, self.arms)
 
 
-def mistaken_frames(frames: Frames, slips: Slips) -> MistakenFrames:
+def slip_in_frames(frames: Frames, slips: Slips) -> MistakenFrames:
     """The frames with the slips made in every term and every relation."""
-    arms = dict(carried_arms(frames, slips))
-    relations = tuple(mistaken_relation(relation, slips, arms) for relation in frames.relations)
+    arms = dict(_find_carried_arms(frames, slips))
+    relations = tuple(_slip_in_relation(relation, slips, arms) for relation in frames.relations)
     return MistakenFrames(frames.mechanism, frames.bases, relations, slips, arms)
 
 
-def mistaken_chain(chain: Chain, slips: Slips, arms: Arms) -> Chain:
+def _slip_in_chain(chain: Chain, slips: Slips, arms: Arms) -> Chain:
     """The terms with the slips made; the first rotation of a chain is about a fixed pin."""
     return tuple(
-        mistaken_term(
+        _slip_in_term(
             term,
             slips,
             slips.relative_normal if place and term.kind == "rotation" else slips.path_normal,
@@ -130,11 +130,11 @@ def mistaken_chain(chain: Chain, slips: Slips, arms: Arms) -> Chain:
     )
 
 
-def mistaken_term(term: Term, slips: Slips, normal_share: Any, arms: Arms) -> Term:
+def _slip_in_term(term: Term, slips: Slips, normal_share: Any, arms: Arms) -> Term:
     """A term with the slips made."""
     share = arms.get((term.point, term.base))
     vector = term.vector if share is None else term.vector * share
-    return MistakenTerm(
+    return _MistakenTerm(
         term.kind,
         term.rate,
         vector,
@@ -146,7 +146,7 @@ def mistaken_term(term: Term, slips: Slips, normal_share: Any, arms: Arms) -> Te
     )
 
 
-def carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str], Any]]:
+def _find_carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str], Any]]:
     """For each wheel that runs on a circle the share taken of the distance of the two centres: of
     r1 in r1 + r2.
     """
@@ -157,14 +157,14 @@ def carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str]
             yield (joint.circle.centre, joint.on.centre), share
 
 
-def mistaken_relation(relation: Relation, slips: Slips, arms: Arms) -> Relation:
+def _slip_in_relation(relation: Relation, slips: Slips, arms: Arms) -> Relation:
     """A relation with the slips made in its chains and in its turning rates."""
-    return MistakenRelation(
+    return _MistakenRelation(
         relation.origin,
-        mistaken_chain(relation.left, slips, arms),
-        mistaken_chain(relation.right, slips, arms),
+        _slip_in_chain(relation.left, slips, arms),
+        _slip_in_chain(relation.right, slips, arms),
         relation.along,
-        mistaken_turning(relation, slips),
+        _slip_in_turning(relation, slips),
         relation.velocity,
         relation.acceleration,
         relation.frame,
@@ -173,21 +173,21 @@ def mistaken_relation(relation: Relation, slips: Slips, arms: Arms) -> Relation:
     )
 
 
-def mistaken_turning(relation: Relation, slips: Slips) -> tuple[tuple[str, Any], ...]:
+def _slip_in_turning(relation: Relation, slips: Slips) -> tuple[tuple[str, Any], ...]:
     """The factors of the turning rates with the slips made."""
     match relation.source:
         case Roll(on=on):
             match on:
                 case Line():
-                    return mistaken_carrying(relation, relation.source.of, slips)
+                    return _slip_in_carrying(relation, relation.source.of, slips)
                 case Circle():
-                    return tuple(mistaken_rolling(relation, relation.source, slips))
+                    return tuple(_slip_in_rolling(relation, relation.source, slips))
                 case _:
                     assert_never(on)
         case Rotation(of=of):
-            return mistaken_carrying(relation, of, slips)
+            return _slip_in_carrying(relation, of, slips)
         case Mesh():
-            return mistaken_meshing(relation.source, slips)
+            return _slip_in_meshing(relation.source, slips)
         case Pin() | Slide() | Sleeve() | Arc() | Contact() | Parallel():
             return relation.turning
         case Component() | Circulation() | None:
@@ -196,19 +196,19 @@ def mistaken_turning(relation: Relation, slips: Slips) -> tuple[tuple[str, Any],
             assert_never(relation.source)
 
 
-def mistaken_carrying(relation: Relation, of: str, slips: Slips) -> tuple[tuple[str, Any], ...]:
+def _slip_in_carrying(relation: Relation, of: str, slips: Slips) -> tuple[tuple[str, Any], ...]:
     """The factors of the turning rates where only part of the rotation of the body `of` is taken
     into account.
     """
     if of == GROUND:
         return relation.turning
     return tuple(
-        (rate, factor * slips.carried if rate == omega_of(of) else factor)
+        (rate, factor * slips.carried if rate == name_omega(of) else factor)
         for rate, factor in relation.turning
     )
 
 
-def mistaken_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[tuple[str, Any]]:
+def _slip_in_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[tuple[str, Any]]:
     """The centre's rate and the slip at the contact: -r/(R + r), with -r inside; a forgotten r
     leaves -r/R.
     """
@@ -216,10 +216,10 @@ def mistaken_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[t
     radius = roll.circle.radius * sense
     slip = -radius / (roll.on.radius + slips.arm * slips.carried * radius)  # type: ignore[union-attr]
     for rate, factor in relation.turning:
-        yield rate, {omega_of(roll.body): slip, omega_of(roll.of): -slip}.get(rate, factor)
+        yield rate, {name_omega(roll.body): slip, name_omega(roll.of): -slip}.get(rate, factor)
 
 
-def mistaken_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[str, Any], ...]:
+def _slip_in_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[str, Any], ...]:
     """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), c the share of the carrier's rotation that
     is taken into account.
     """
@@ -234,13 +234,13 @@ def mistaken_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[str, Any], ...]:
     rates: dict[str, Any] = {}
     for body, factor in factors:
         if body != GROUND:
-            rates[omega_of(body)] = (
-                rates[omega_of(body)] + factor if omega_of(body) in rates else factor
+            rates[name_omega(body)] = (
+                rates[name_omega(body)] + factor if name_omega(body) in rates else factor
             )
     return tuple(rates.items())
 
 
-def velocity_chain(
+def find_velocity_chain(
     chain: Chain, slips: Slips, rolling: Mapping[str, str], whole: bool = False
 ) -> Chain:
     """The terms that are taken for a velocity: of a rolling body (its centre by its rate) without
@@ -269,10 +269,10 @@ def velocity_chain(
     return tuple(terms)
 
 
-def rolling_centres(frames: Frames) -> dict[str, str]:
+def find_rolling_centres(frames: Frames) -> dict[str, str]:
     """For each rolling body the point that is its centre, by the body's turning rate."""
     return {
-        omega_of(joint.body): joint.circle.centre
+        name_omega(joint.body): joint.circle.centre
         for joint in frames.mechanism.joints
         if isinstance(joint, Roll)
     }

@@ -16,7 +16,7 @@ from typing import Literal, assert_never
 
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
-from kinegrade.mechanics.relations import Chain, Relation, Term, total
+from kinegrade.mechanics.relations import Chain, Relation, Term, add_vectors
 from kinegrade.mechanics.vector import Vector
 
 Level = Literal["velocity", "acceleration"]
@@ -37,8 +37,8 @@ class Part:
     `composition` numbers the compositions of motions of an equation, from 0: transport, relative
     and Coriolis parts of one have the same number. `part` is "n" or "t" for the normal and
     tangential part of an acceleration. `term` is the term it comes from, None where several
-    (`together`) are drawn together. `coefficient` is the vector that the unknown rate (or its
-    change) multiplies, None where the part is known; `value` is the vector, m/s or m/s^2.
+    (`number_together`) are drawn together. `coefficient` is the vector that the unknown rate (or
+    its change) multiplies, None where the part is known; `value` is the vector, m/s or m/s^2.
     """
 
     role: Role
@@ -90,8 +90,8 @@ class VectorEquation:
 
     def coefficient(self, rate: str) -> Vector:
         """The vector that an unknown rate multiplies when everything stands on the left."""
-        left = total(part.coefficient for part in self.left if part.unknown == rate)
-        return left - total(part.coefficient for part in self.right if part.unknown == rate)
+        left = add_vectors(part.coefficient for part in self.left if part.unknown == rate)
+        return left - add_vectors(part.coefficient for part in self.right if part.unknown == rate)
 
     @property
     def compositions(self) -> tuple[Part, ...]:
@@ -99,21 +99,21 @@ class VectorEquation:
         return tuple(part for part in self.parts if part.role == "relative" and part.part != "n")
 
 
-def vector_equation(
+def write_vector_equation(
     relation: Relation, motion: Motion, known: Collection[str], level: Level
 ) -> VectorEquation:
     """The vector equation of a relation at the stage where the rates `known` are known (their
     changes, for accelerations, of which all velocities are known).
     """
-    left = list(chain_parts(relation.left, motion, known, level))
-    right = list(chain_parts(relation.right, motion, known, level))
+    left = list(_list_chain_parts(relation.left, motion, known, level))
+    right = list(_list_chain_parts(relation.right, motion, known, level))
     if is_whole(right) and not is_whole(left):  # v_B = v_A + v_BA, not the other way round
         left, right = right, left
-    parts = numbered([*left, *right])
+    parts = _number_parts([*left, *right])
     return VectorEquation(relation, tuple(parts[: len(left)]), tuple(parts[len(left) :]), level)
 
 
-def together(equations: Sequence[VectorEquation]) -> tuple[VectorEquation, ...]:
+def number_together(equations: Sequence[VectorEquation]) -> tuple[VectorEquation, ...]:
     """The same equations with their compositions of motions numbered consecutively."""
     counts = [len(equation.compositions) for equation in equations]
     return tuple(
@@ -131,7 +131,7 @@ def is_whole(parts: Sequence[Part]) -> bool:
     )
 
 
-def numbered(parts: Sequence[Part]) -> list[Part]:
+def _number_parts(parts: Sequence[Part]) -> list[Part]:
     """The parts with the numbers of their compositions: each ends with the last part of its
     relative motion.
     """
@@ -145,7 +145,7 @@ def numbered(parts: Sequence[Part]) -> list[Part]:
     return result
 
 
-def chain_parts(
+def _list_chain_parts(
     chain: Chain, motion: Motion, known: Collection[str], level: Level
 ) -> Iterator[Part]:
     """The parts of one side: what is known from the ground outwards as one vector, then term by
@@ -155,24 +155,24 @@ def chain_parts(
     if count > 1 and chain[count - 1].frame != GROUND:
         count -= 1  # a relative motion is a part by itself, even a known one
     if count > 1:
-        yield drawn_together(chain[:count], motion, level, transports(chain, count))
+        yield _join_terms(chain[:count], motion, level, _transports(chain, count))
     for place in range(count if count > 1 else 0, len(chain)):
-        for part in term_parts(chain[place], motion, known, level):
-            yield placed(part, chain, place)
+        for part in list_term_parts(chain[place], motion, known, level):
+            yield _place_part(part, chain, place)
 
 
-def transports(chain: Chain, count: int) -> bool:
+def _transports(chain: Chain, count: int) -> bool:
     """Whether the first `count` terms lead to a point of a moving body in which something moves."""
     return count < len(chain) and chain[count].frame != GROUND
 
 
-def drawn_together(chain: Chain, motion: Motion, level: Level, transport: bool) -> Part:
+def _join_terms(chain: Chain, motion: Motion, level: Level, transport: bool) -> Part:
     """Known terms combined into one vector."""
-    value = total(term_value(term, motion, level) for term in chain)
+    value = add_vectors(find_term_value(term, motion, level) for term in chain)
     return Part("transport" if transport else "absolute", chain[-1].point, value, together=chain)
 
 
-def term_value(term: Term, motion: Motion, level: Level) -> Vector:
+def find_term_value(term: Term, motion: Motion, level: Level) -> Vector:
     """A term's velocity or acceleration, m/s or m/s^2."""
     match level:
         case "velocity":
@@ -183,7 +183,9 @@ def term_value(term: Term, motion: Motion, level: Level) -> Vector:
             assert_never(level)
 
 
-def term_parts(term: Term, motion: Motion, known: Collection[str], level: Level) -> Iterator[Part]:
+def list_term_parts(
+    term: Term, motion: Motion, known: Collection[str], level: Level
+) -> Iterator[Part]:
     """One term's velocity, or the parts of its acceleration; those that vanish identically are left
     out.
     """
@@ -194,12 +196,12 @@ def term_parts(term: Term, motion: Motion, known: Collection[str], level: Level)
             velocity = term.velocity(motion.rates)
             yield Part(role, term.point, velocity, term, unknown, frame=term.frame)
         case "acceleration":
-            yield from acceleration_parts(term, motion, role, unknown)
+            yield from _list_acceleration_parts(term, motion, role, unknown)
         case _:
             assert_never(level)
 
 
-def acceleration_parts(
+def _list_acceleration_parts(
     term: Term, motion: Motion, role: Role, unknown: Vector | None
 ) -> Iterator[Part]:
     """The normal, tangential and Coriolis parts of a term's acceleration; `unknown` multiplies the
@@ -219,7 +221,7 @@ def acceleration_parts(
         yield Part("coriolis", term.point, term.coriolis(motion.rates), term, frame=term.frame)
 
 
-def placed(part: Part, chain: Chain, place: int) -> Part:
+def _place_part(part: Part, chain: Chain, place: int) -> Part:
     """The part with the role that its place in the chain gives it: first terms are absolute, or
     transport.
     """
@@ -227,16 +229,16 @@ def placed(part: Part, chain: Chain, place: int) -> Part:
         case "absolute" | "transport" | "relative" | "coriolis":
             return part
         case "rotation":
-            return placed_rotation(part, chain, place)
+            return _place_rotation(part, chain, place)
         case _:
             assert_never(part.role)
 
 
-def placed_rotation(part: Part, chain: Chain, place: int) -> Part:
+def _place_rotation(part: Part, chain: Chain, place: int) -> Part:
     """A rotation with its role: absolute or transport at the head of a chain, and for a free
     point's components.
     """
-    transport = transports(chain, place + 1)
+    transport = _transports(chain, place + 1)
     if place == 0:
         return replace(part, role="transport" if transport else "absolute")
     both_free = part.term is not None and part.term.kind == "sliding"

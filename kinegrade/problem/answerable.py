@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 
 from kinegrade.errors import KinegradeError
 from kinegrade.mechanics.plan import Plan
-from kinegrade.problem.examining import unfit
-from kinegrade.problem.holding import holds
+from kinegrade.problem.examining import find_unfit
+from kinegrade.problem.holding import condition_holds
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import Template
 
@@ -43,24 +43,25 @@ class Answerable:
     def look(self, values: Mapping[str, str]) -> None:
         """Work out every ask at drawn values that meet the conditions."""
         if not all(
-            holds(self.template, condition, values) for condition in self.template.scheme.conditions
+            condition_holds(self.template, condition, values)
+            for condition in self.template.scheme.conditions
         ):
             return
         try:
             together = self.solution(values, self.sound)
         except KinegradeError:
-            self.look_at_each(values)
+            self._look_at_each(values)
             return
         self.solved += 1
         for name in together.answers:
             self.note(name, together)
 
-    def look_at_each(self, values: Mapping[str, str]) -> None:
+    def _look_at_each(self, values: Mapping[str, str]) -> None:
         """Work out the asks one by one, where they cannot be worked out together."""
         try:
             self.solution(values, ())
         except KinegradeError as error:
-            self.stuck = self.stuck or f"at {stated(values)}: {error.problems[0]}"
+            self.stuck = self.stuck or f"at {write_values(values)}: {error.problems[0]}"
             return
         self.solved += 1
         for name in self.sound:
@@ -68,7 +69,7 @@ class Answerable:
                 self.note(name, self.solution(values, (name,)))
             except KinegradeError as error:
                 problem = error.problems[0].removeprefix(f"{self.template.name}: {name}: ")
-                self.failed[name] = f"at {stated(values)}: {problem}"
+                self.failed[name] = f"at {write_values(values)}: {problem}"
 
     def solution(self, values: Mapping[str, str], asks: Iterable[str]) -> Solution:
         """The instance solved for some asks. Raises MechanismError."""
@@ -78,7 +79,7 @@ class Answerable:
 
     def note(self, name: str, solution: Solution) -> None:
         """Count an answer, or keep the reason why it is not a proper one."""
-        refusal = unfit(self.template.asks[name], solution[name])
+        refusal = find_unfit(self.template.asks[name], solution[name])
         if refusal is None:
             self.fit[name] += 1
         else:
@@ -96,7 +97,7 @@ class Answerable:
         return lines
 
 
-def answerable(template: Template, draws: Iterable[Mapping[str, str]]) -> Answerable:
+def find_answerable(template: Template, draws: Iterable[Mapping[str, str]]) -> Answerable:
     """What is found about the template's asks at these values."""
     found = Answerable(template)
     for values in draws:
@@ -104,6 +105,6 @@ def answerable(template: Template, draws: Iterable[Mapping[str, str]]) -> Answer
     return found
 
 
-def stated(values: Mapping[str, str]) -> str:
+def write_values(values: Mapping[str, str]) -> str:
     """Values for a message: "r = 1, phi = 30"."""
     return ", ".join(f"{name} = {text}" for name, text in values.items())

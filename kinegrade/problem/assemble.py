@@ -16,9 +16,9 @@ from kinegrade.angular import is_angle
 from kinegrade.errors import ExpressionError, KinegradeError, MechanismError
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.surd import MAX_HEIGHT, Surd, height
-from kinegrade.expression import Call, Expression, Name, elementary, evaluate
+from kinegrade.expression import Call, Expression, Name, evaluate, make_elementary_functions
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
-from kinegrade.mechanics.geometry import BRANCHES, Constructions, Round, constructions
+from kinegrade.mechanics.geometry import BRANCHES, Constructions, Round, make_constructions
 from kinegrade.mechanics.joints import (
     Arc,
     Circle,
@@ -47,18 +47,20 @@ class Assembly:
     functions: Mapping[str, Callable[..., Any]]
 
 
-def parameter_value(parameter: Parameter, tree: Expression, arithmetic: Any) -> Any:
+def read_parameter(parameter: Parameter, tree: Expression, arithmetic: Any) -> Any:
     """A parameter in SI from an expression in its unit; degrees may also be given as an angle like
     atan(3/4).
 
     Raises ExpressionError for what is not a number, Inexact where no exact field contains it.
     """
-    value = evaluate(tree, {"pi": arithmetic.turns(1)}, elementary(arithmetic), arithmetic)
+    value = evaluate(
+        tree, {"pi": arithmetic.turns(1)}, make_elementary_functions(arithmetic), arithmetic
+    )
     angular = is_angle(tree, frozenset())
     if parameter.unit.degrees:
         return value if angular else arithmetic.turns(value / 180)
     if parameter.unit.text == "rad":
-        return value if angular or not arithmetic.exact else radians(value)
+        return value if angular or not arithmetic.exact else _read_radians(value)
     if isinstance(value, (Angle, Vector)):
         raise (
             Inexact("a number with pi in it")
@@ -68,7 +70,7 @@ def parameter_value(parameter: Parameter, tree: Expression, arithmetic: Any) -> 
     return value * arithmetic.number(parameter.unit.factor)
 
 
-def radians(value: Any) -> Any:
+def _read_radians(value: Any) -> Any:
     """A number of radians as an exact angle: only zero is one."""
     if value == 0:
         return Angle(value)
@@ -93,29 +95,29 @@ def assemble(
         **{branch: branch for branch in BRANCHES},
     }
     points: dict[str, Vector] = {}
-    functions = {**elementary(arithmetic), **constructions(arithmetic, points)}
+    functions = {**make_elementary_functions(arithmetic), **make_constructions(arithmetic, points)}
     for name, tree in template.scheme.lengths.items():
-        values[name] = bounded(
-            located(f"lengths.{name}", evaluate, tree, values, functions, arithmetic)
+        values[name] = _require_bounded(
+            _locate(f"lengths.{name}", evaluate, tree, values, functions, arithmetic)
         )
     for name, tree in template.scheme.points.items():
-        place = located(f"points.{name}", evaluate, tree, values, functions, arithmetic)
+        place = _locate(f"points.{name}", evaluate, tree, values, functions, arithmetic)
         if not isinstance(place, Vector):
             raise ExpressionError(
                 f"points.{name}: expected a point, like (x, y) or polar(O, r, phi)"
             )
-        points[name] = values[name] = located(f"points.{name}", measured, put_down(place))
-    parts = Parts(values, functions, points, arithmetic)
+        points[name] = values[name] = _locate(f"points.{name}", _measure_point, put_down(place))
+    parts = _Parts(values, functions, points, arithmetic)
     joints = tuple(
-        located(sentence.text, parts.joint, sentence) for sentence in template.scheme.joints
+        _locate(sentence.text, parts.joint, sentence) for sentence in template.scheme.joints
     )
     drivers = tuple(
-        located(sentence.text, parts.driver, sentence) for sentence in template.scheme.drivers
+        _locate(sentence.text, parts.driver, sentence) for sentence in template.scheme.drivers
     )
     return Assembly(Mechanism(points, template.scheme.bodies, joints, drivers), values, functions)
 
 
-def measure(value: Any) -> Any:
+def _require_measure(value: Any) -> Any:
     """A coordinate, radius or rate, unchanged. Raises ExpressionError for what is not a number,
     Inexact for pi in it.
     """
@@ -123,24 +125,24 @@ def measure(value: Any) -> Any:
         raise ExpressionError("expected a number")
     if isinstance(value, Angle):
         raise Inexact("a length with pi in it")
-    return bounded(value)
+    return _require_bounded(value)
 
 
-def measured(place: Vector) -> Vector:
-    """A new point, distinct from any other at the same place; its coordinates as `measure` takes
-    them.
+def _measure_point(place: Vector) -> Vector:
+    """A new point, distinct from any other at the same place; its coordinates as `_require_measure`
+    takes them.
     """
-    return Vector(measure(place.x), measure(place.y))
+    return Vector(_require_measure(place.x), _require_measure(place.y))
 
 
-def bounded(value: Any) -> Any:
+def _require_bounded(value: Any) -> Any:
     """A value, unchanged. Raises Inexact for an exact number with far too many digits."""
     if isinstance(value, (fmpq, Surd)) and height(value) > MAX_HEIGHT:
         raise Inexact("a number of too many digits")
     return value
 
 
-def located(place: str, make: Callable[..., Any], *arguments: Any) -> Any:
+def _locate(place: str, make: Callable[..., Any], *arguments: Any) -> Any:
     """What `make` gives for its arguments; an error is reported with its place in the template."""
     try:
         return make(*arguments)
@@ -151,7 +153,7 @@ def located(place: str, make: Callable[..., Any], *arguments: Any) -> Any:
 
 
 @dataclass(frozen=True)
-class Parts:
+class _Parts:
     """Makes joints and drivers from their sentences at an instance's values."""
 
     values: Mapping[str, Any]
@@ -170,7 +172,7 @@ class Parts:
         if tree is None:
             return None
         if tree.function == "circle" and isinstance(tree.arguments[0], Name):
-            return Circle(tree.arguments[0].name, measure(self.value(tree.arguments[1])))
+            return Circle(tree.arguments[0].name, _require_measure(self.value(tree.arguments[1])))
         line = self.value(tree)
         if not isinstance(line, Line):
             raise ExpressionError("expected line(POINT, angle or point) or circle(POINT, radius)")
@@ -203,8 +205,8 @@ class Parts:
     def driver(self, sentence: DriverSentence) -> Driver:
         """The driver that a sentence states."""
         velocity, acceleration = (
-            measure(self.value(sentence.velocity)),
-            measure(self.value(sentence.acceleration)),
+            _require_measure(self.value(sentence.velocity)),
+            _require_measure(self.value(sentence.acceleration)),
         )
         point, body, of = sentence.point, sentence.body, sentence.of
         match sentence.kind:
@@ -228,4 +230,4 @@ class Parts:
         return Constructions(self.arithmetic, self.points).unit(along)
 
 
-__all__ = ["Assembly", "assemble", "parameter_value"]
+__all__ = ["Assembly", "assemble", "read_parameter"]

@@ -16,14 +16,14 @@ from flint import fmpq
 
 from kinegrade.errors import ExpressionError, MechanismError
 from kinegrade.mechanics.geometry import Round
-from kinegrade.mechanics.motion import solve
+from kinegrade.mechanics.motion import solve_motion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.assemble import assemble
 from kinegrade.problem.quantities import BodyName
 from kinegrade.problem.template import Template
 
-STEPS = (
+_STEPS = (
     0,
     1,
     -1,
@@ -78,7 +78,7 @@ class Centrodes:
                 f"the centrode of {body}: fewer than four configurations can be reached by "
                 f"changing {parameter}: choose another value"
             )
-        circle = through(poles[0], poles[1], poles[2], arithmetic)
+        circle = find_circle(poles[0], poles[1], poles[2], arithmetic)
         if not arithmetic.is_zero(
             (poles[3] - circle.centre).squared() - (poles[0] - circle.centre).squared()
         ):
@@ -96,18 +96,18 @@ class Centrodes:
 
     def poles(self, body: str, parameter: str, arithmetic: Any) -> Iterator[Vector]:
         """The poles at the instant and at the neighbouring configurations that can be reached."""
-        for step in STEPS:
+        for step in _STEPS:
             changed = self.values[parameter] + arithmetic.turns(fmpq(step, 12))
             try:
                 mechanism = assemble(
                     self.template, {**self.values, parameter: changed}, arithmetic
                 ).mechanism
-                yield solve(mechanism, arithmetic, self.plan).pole(body, arithmetic)
+                yield solve_motion(mechanism, arithmetic, self.plan).pole(body, arithmetic)
             except MechanismError:
                 continue
 
 
-def through(first: Vector, second: Vector, third: Vector, arithmetic: Any) -> Round:
+def find_circle(first: Vector, second: Vector, third: Vector, arithmetic: Any) -> Round:
     """The circle through three points. Raises MechanismError when they lie on one line."""
     across, along = second - first, third - first
     area = across.cross(along) * 2

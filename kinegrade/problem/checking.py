@@ -13,24 +13,24 @@ from typing import Any
 
 from kinegrade.errors import ExpressionError, KinegradeError
 from kinegrade.exact.angle import Angle, Inexact
-from kinegrade.expression import elementary, evaluate
-from kinegrade.problem.answerable import answerable, stated
-from kinegrade.problem.deck import Combination, Deck, template_deck
+from kinegrade.expression import evaluate, make_elementary_functions
+from kinegrade.problem.answerable import find_answerable, write_values
+from kinegrade.problem.deck import Combination, Deck, make_deck
 from kinegrade.problem.draw_filter import DrawFilter
 from kinegrade.problem.examining import Refused, examine
-from kinegrade.problem.holding import holds, wording
-from kinegrade.problem.searching import breaking_values
+from kinegrade.problem.holding import choose_wording, condition_holds
+from kinegrade.problem.searching import find_breaking_values
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.spread import Spread
-from kinegrade.problem.statement import statement_faults
+from kinegrade.problem.statement import find_statement_faults
 from kinegrade.problem.template import Ask, Published, Template
 
-FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
-TEXTS_TRIED = 1000  # draws at which the texts that depend on values are tried
-SEARCHED = 300  # instances that the search for breaking values tries
-OFTEN_ASTRAY = 0.1  # a share of refused draws that is reported to the author
-SECRET = "check"  # the instances looked at are the same every time
-INSTANCES = 5  # values at which a published formula is proved, besides the values it states
+_FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
+_TEXTS_TRIED = 1000  # draws at which the texts that depend on values are tried
+_SEARCHED = 300  # instances that the search for breaking values tries
+_OFTEN_ASTRAY = 0.1  # a share of refused draws that is reported to the author
+_SECRET = "check"  # the instances looked at are the same every time
+_INSTANCES = 5  # values at which a published formula is proved, besides the values it states
 
 
 @dataclass
@@ -45,7 +45,7 @@ class Report:
     """
 
     template: Template
-    secret: str = SECRET
+    secret: str = _SECRET
     sound: tuple[str, ...] = ()
     proved: int = 0
     instances: int = 0
@@ -66,17 +66,17 @@ class Report:
         return self.template.combinations * self.instances // examined if examined else 0
 
 
-def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report:
+def check(template: Template, sample: int = 200, secret: str = _SECRET) -> Report:
     """Check published results exactly, and `sample` drawn instances (all, where there are no more).
 
     Another `secret` draws other instances. An ask that cannot be worked out is one fault; what
     follows from it is not reported again.
     """
-    draws = drawable(template, sample, secret)
-    asks = answerable(template, draws)
+    draws = choose_drawable(template, sample, secret)
+    asks = find_answerable(template, draws)
     report = Report(template, secret, asks.sound)
-    report.faults += statement_faults(template)
-    weigh_texts(report, sample)
+    report.faults += find_statement_faults(template)
+    _weigh_texts(report, sample)
     if not template.published:
         report.faults.append(
             "no published result: a template is finished when [[published]] proves it"
@@ -86,19 +86,20 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
         report.faults.append(f"no drawn instance can be solved: {asks.stuck}")
         return report
     for published in template.published:
-        prove(report, published)
-    draw(report, draws)
-    weigh(report)
-    search(report, min(sample, SEARCHED))
+        _prove(report, published)
+    _draw(report, draws)
+    _weigh(report)
+    _search(report, min(sample, _SEARCHED))
     return report
 
 
-def search(report: Report, examples: int) -> None:
+def _search(report: Report, examples: int) -> None:
     """Look for values that break the template, drawable ones and their neighbours."""
-    broken = breaking_values(report.template, asked(report), examples, report.secret)
+    broken = find_breaking_values(report.template, _select_asked(report), examples, report.secret)
     if broken is not None:
         report.faults.append(
-            f"breaks at {stated(broken[0])}: {broken[1]}: add a condition or narrow the domains"
+            f"breaks at {write_values(broken[0])}: {broken[1]}: "
+            "add a condition or narrow the domains"
         )
     elif report.refused["mechanism"]:
         report.remarks.append(
@@ -106,12 +107,12 @@ def search(report: Report, examples: int) -> None:
         )
 
 
-def asked(report: Report) -> tuple[str, ...]:
+def _select_asked(report: Report) -> tuple[str, ...]:
     """What an exam asks by default: those asks with points that can be worked out."""
     return tuple(name for name in report.template.asked() if name in report.sound)
 
 
-def weigh_texts(report: Report, sample: int) -> None:
+def _weigh_texts(report: Report, sample: int) -> None:
     """A fault for the first text that has no wording at drawable values; a remark for each wording
     that never applies.
     """
@@ -119,14 +120,16 @@ def weigh_texts(report: Report, sample: int) -> None:
     idle = {name: set(range(len(wordings))) for name, wordings in template.words.texts.items()}
     if not template.words.texts:
         return
-    for values in drawable(template, max(sample, TEXTS_TRIED), report.secret):
-        if not all(holds(template, condition, values) for condition in template.scheme.conditions):
+    for values in choose_drawable(template, max(sample, _TEXTS_TRIED), report.secret):
+        if not all(
+            condition_holds(template, condition, values) for condition in template.scheme.conditions
+        ):
             continue
         for name, wordings in template.words.texts.items():
-            found = wording(template, name, values)
+            found = choose_wording(template, name, values)
             if found is None:
                 report.faults.append(
-                    f"text.{name}: no wording applies at {stated(values)}: "
+                    f"text.{name}: no wording applies at {write_values(values)}: "
                     'add one without "if", or a condition that keeps such values out'
                 )
                 return
@@ -138,40 +141,42 @@ def weigh_texts(report: Report, sample: int) -> None:
     ]
 
 
-def draw(report: Report, draws: Sequence[Combination]) -> None:
+def _draw(report: Report, draws: Sequence[Combination]) -> None:
     """Examine the sample: what is refused and why, how the answers spread, how long an instance
     takes.
     """
     times, plan = [], None
-    for values, confused in zip(draws, look_for_mistakes(report, draws), strict=True):
+    for values, confused in zip(draws, _look_for_mistakes(report, draws), strict=True):
         if confused:
             report.refused["mistake"] += 1
             continue
         start = perf_counter()
         try:
-            solution = examine(report.template, values, asked(report), plan)
+            solution = examine(report.template, values, _select_asked(report), plan)
         except Refused as refusal:
             report.refused[refusal.reason] += 1
             report.blamed[refusal.reason, refusal.ask] += 1
             continue
         times.append(perf_counter() - start)
         plan = solution.motion.plan
-        note(report, solution)
+        _note(report, solution)
     report.seconds = median(times) if times else 0.0
 
 
-def look_for_mistakes(report: Report, draws: Sequence[Combination]) -> list[bool]:
+def _look_for_mistakes(report: Report, draws: Sequence[Combination]) -> list[bool]:
     """For each draw, whether a known mistake is taken for the truth; the report gets the mistakes
     that cannot be distinguished from it.
     """
     template = report.template
-    draw_filter = DrawFilter(template, asked(report), check_deck(template, report.secret), {})
+    draw_filter = DrawFilter(
+        template, _select_asked(report), _check_deck(template, report.secret), {}
+    )
     if draw_filter.separation is not None:
         report.inseparable = draw_filter.separation.inseparable()
     return draw_filter.confused(draws)
 
 
-def weigh(report: Report) -> None:
+def _weigh(report: Report) -> None:
     """Too few instances and constant answers are faults; other answers that are easily guessed are
     remarks.
     """
@@ -179,9 +184,9 @@ def weigh(report: Report) -> None:
         report.faults.append(
             "no acceptable instance was found: widen the domains or relax the conditions"
         )
-    elif report.distinct < FEWEST:
+    elif report.distinct < _FEWEST:
         report.faults.append(
-            f"about {report.distinct} distinct instances: at least {FEWEST} are needed for a "
+            f"about {report.distinct} distinct instances: at least {_FEWEST} are needed for a "
             "class: widen the domains"
         )
     for name, spread in report.spreads.items():
@@ -192,14 +197,14 @@ def weigh(report: Report) -> None:
             )
         elif copied is not None:
             report.remarks.append(f"{name} equals the given {copied} in almost all instances")
-    report.remarks += rounding_remarks(report)
+    report.remarks += _find_rounding_remarks(report)
 
 
-def rounding_remarks(report: Report) -> Iterator[str]:
+def _find_rounding_remarks(report: Report) -> Iterator[str]:
     """The asks in which honest rounding often leaves the tolerance."""
     examined = report.instances + sum(report.refused.values())
     for (reason, ask), count in report.blamed.items():
-        if reason == "rounding" and count >= OFTEN_ASTRAY * examined:
+        if reason == "rounding" and count >= _OFTEN_ASTRAY * examined:
             yield (
                 f"{ask} is off by more than 1 % in {count} of {examined} instances when every "
                 "intermediate value is rounded to 3 significant figures: keep it from being a "
@@ -207,24 +212,24 @@ def rounding_remarks(report: Report) -> Iterator[str]:
             )
 
 
-def drawable(template: Template, sample: int, secret: str = SECRET) -> list[Combination]:
+def choose_drawable(template: Template, sample: int, secret: str = _SECRET) -> list[Combination]:
     """Values of `sample` different combinations; all of them if there are no more."""
-    return check_deck(template, secret).first(sample)
+    return _check_deck(template, secret).first(sample)
 
 
-def check_deck(template: Template, secret: str) -> Deck:
+def _check_deck(template: Template, secret: str) -> Deck:
     """The deck from which a check takes its sample, the first combinations."""
-    return template_deck(template, secret, template.name)
+    return make_deck(template, secret, template.name)
 
 
-def note(report: Report, solution: Solution) -> None:
+def _note(report: Report, solution: Solution) -> None:
     """Count an accepted instance and the spread of its answers."""
     report.instances += 1
     for name, answer in solution.answers.items():
         report.spreads.setdefault(name, Spread()).note(answer, solution.parameters)
 
 
-def prove(report: Report, published: Published) -> None:
+def _prove(report: Report, published: Published) -> None:
     """Compare the published results with the engine's: at the stated values, and at several for
     those left open.
     """
@@ -235,33 +240,33 @@ def prove(report: Report, published: Published) -> None:
     proofs: list[tuple[Solution, dict[str, str]]] = []
     problem = ""
     gives = [name for name in published.gives if name in report.sound]
-    for values in settled(report, published, 1 if complete else 20 * INSTANCES):
+    for values in _choose_settled(report, published, 1 if complete else 20 * _INSTANCES):
         try:
             solution = solve_template(report.template, values, gives)
-            proofs.append((solution, dict(differences(report.template, published, solution))))
+            proofs.append((solution, dict(_find_differences(report.template, published, solution))))
         except KinegradeError as error:
             problem = error.problems[0]
         except Inexact as error:
             problem = f"{error} lies in no small exact field"
-        if len(proofs) == INSTANCES:
+        if len(proofs) == _INSTANCES:
             break
     wrong: dict[str, str] = {}
     for solution, found in proofs:
         report.proved += len(gives) - len(found)
         for name, fault in found.items():
-            wrong.setdefault(name, f"{where} at {at(solution)}: {fault}")
+            wrong.setdefault(name, f"{where} at {_write_instance(solution)}: {fault}")
     report.faults += wrong.values()
     if not proofs:
         report.faults.append(f"{where}: no instance can be solved: {problem}")
 
 
-def settled(report: Report, published: Published, count: int) -> list[Combination]:
+def _choose_settled(report: Report, published: Published, count: int) -> list[Combination]:
     """The values that a source states, with `count` draws of those it leaves open."""
     fixed = {name: (text,) for name, text in published.given.items()}
-    return template_deck(report.template, report.secret, published.source, fixed).first(count)
+    return make_deck(report.template, report.secret, published.source, fixed).first(count)
 
 
-def at(solution: Solution) -> str:
+def _write_instance(solution: Solution) -> str:
     """The values of an instance, for a message."""
     return ", ".join(
         f"{name} = {quantity.exact or quantity.decimal(6)}"
@@ -269,7 +274,7 @@ def at(solution: Solution) -> str:
     )
 
 
-def differences(
+def _find_differences(
     template: Template, published: Published, solution: Solution
 ) -> Iterator[tuple[str, str]]:
     """The published results that the engine's answers do not equal exactly, by name, and how."""
@@ -277,7 +282,10 @@ def differences(
         ask, tree = template.asks[name], published.gives[name]
         try:
             expected = evaluate(
-                tree, quoted(solution), elementary(solution.arithmetic), solution.arithmetic
+                tree,
+                _quote(solution),
+                make_elementary_functions(solution.arithmetic),
+                solution.arithmetic,
             )
         except ExpressionError as error:
             yield name, f"{name}: {error.problems[0]}"
@@ -288,17 +296,17 @@ def differences(
                 f"{name}: the stated values lie in no small exact field: state values that prove "
                 "it exactly",
             )
-        elif not equal(expected, answer.number, ask, solution.arithmetic):
+        elif not _is_equal(expected, answer.number, ask, solution.arithmetic):
             yield name, f"{name} = {published.texts[name]}, but the engine gives {answer.exact}"
 
 
-def quoted(solution: Solution) -> dict[str, Any]:
+def _quote(solution: Solution) -> dict[str, Any]:
     """The parameters as a source quotes them: numbers in their units, degrees as angles."""
     values = {name: quantity.number for name, quantity in solution.parameters.items()}
     return {**values, "pi": solution.arithmetic.turns(1)}
 
 
-def equal(expected: Any, answer: Any, ask: Ask, field_: Any) -> bool:
+def _is_equal(expected: Any, answer: Any, ask: Ask, field_: Any) -> bool:
     """Exact equality within one field; angles are equal when they point the same way."""
     number = field_.embed(answer)
     if isinstance(number, Angle) or isinstance(expected, Angle):

@@ -9,13 +9,13 @@ from collections.abc import Mapping
 
 from kinegrade.angular import is_angle
 from kinegrade.errors import FieldError
-from kinegrade.expression import Number, read
+from kinegrade.expression import Number, read_expression
 from kinegrade.fields.values import found
 from kinegrade.problem.template import Condition, Relation
 
-MARK = re.compile(r"([<>=]=?)")
+_MARK = re.compile(r"([<>=]=?)")
 # Each mark with the relation it states, and whether the sides change places.
-RELATIONS: Mapping[str, tuple[Relation, bool]] = {
+_RELATIONS: Mapping[str, tuple[Relation, bool]] = {
     "<": ("<", False),
     "<=": ("<=", False),
     ">": ("<", True),
@@ -30,17 +30,17 @@ def read_condition(text: str) -> Condition:
     >>> read_condition("phi > 0").relation
     '<'
     """
-    parts = MARK.split(text)
-    if len(parts) != 3 or parts[1] not in RELATIONS:
+    parts = _MARK.split(text)
+    if len(parts) != 3 or parts[1] not in _RELATIONS:
         raise FieldError(found(text), '"left < right", with one of <, <=, >, >=, ==')
-    left, right = read(parts[0]), read(parts[2])
-    relation, turned = RELATIONS[parts[1]]
+    left, right = read_expression(parts[0]), read_expression(parts[2])
+    relation, turned = _RELATIONS[parts[1]]
     if turned:
         left, right = right, left
     return Condition(text, left, right, relation)
 
 
-def mixed(condition: Condition, angles: frozenset[str]) -> bool:
+def mixes_angle_and_number(condition: Condition, angles: frozenset[str]) -> bool:
     """Whether a condition compares an angle with a number other than zero."""
     sides = (condition.left, condition.right)
     zero = any(isinstance(side, Number) and side.value == 0 for side in sides)

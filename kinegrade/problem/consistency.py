@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError, FieldError
-from kinegrade.expression import Expression, names
+from kinegrade.expression import Expression, find_names
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.place import Place, key_path
 from kinegrade.mechanics.geometry import BRANCHES
@@ -25,7 +25,7 @@ from kinegrade.problem.dimension import (
     RATE,
     SPEED,
     Dimension,
-    dimension_of,
+    find_dimension,
 )
 from kinegrade.problem.draft import Draft
 from kinegrade.problem.kinds import (
@@ -37,23 +37,23 @@ from kinegrade.problem.kinds import (
     Side,
     Straight,
     Unknown,
-    in_words,
-    united,
+    describe_kind,
+    unite_dimensions,
 )
 from kinegrade.problem.meaning import Scope
-from kinegrade.problem.radians import radians_slip
+from kinegrade.problem.radians import require_no_radians
 from kinegrade.problem.sentences import DriverSentence, JointSentence
 from kinegrade.problem.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES, Signature
 from kinegrade.problem.template import Ask, Condition, Published, Wording
 
-OF_A_VECTOR = "take magnitude(...), x(...), y(...) or along(...) of a vector"
-POINT = "a point, like (x, y) or polar(O, r, phi)"
-SHAPE = "line(POINT, angle or point) or circle(POINT, radius)"
-ALONG = "+x, -x, +y, -y or an angle, like direction(O, A)"
+_OF_A_VECTOR = "take magnitude(...), x(...), y(...) or along(...) of a vector"
+_POINT = "a point, like (x, y) or polar(O, r, phi)"
+_SHAPE = "line(POINT, angle or point) or circle(POINT, radius)"
+_ALONG = "+x, -x, +y, -y or an angle, like direction(O, A)"
 
 
 @dataclass(frozen=True)
-class Inconsistency:
+class _Inconsistency:
     """What makes no sense at a place of a template's tables."""
 
     place: Place
@@ -62,40 +62,40 @@ class Inconsistency:
 
 def note_inconsistencies(draft: Draft, faults: Faults) -> None:
     """Notes what makes no sense in a template; a wrong unit that explains it all is one fault."""
-    found = list(Consistency(draft, given(draft)).faults())
+    found = list(_Consistency(draft, _find_given_kinds(draft)).faults())
     for one in _wrong_unit(draft, found) if len(found) > 1 else found:
         faults.note_error(one.place, one.error)
 
 
-def _wrong_unit(draft: Draft, found: Sequence[Inconsistency]) -> Sequence[Inconsistency]:
+def _wrong_unit(draft: Draft, found: Sequence[_Inconsistency]) -> Sequence[_Inconsistency]:
     """The unit of the parameter without which nothing would be found; else all that was found."""
     first = found[0]
     for name, parameter in draft.parameters.items():
-        if not list(Consistency(draft, {**given(draft), name: Unknown()}).faults()):
+        if not list(_Consistency(draft, {**_find_given_kinds(draft), name: Unknown()}).faults()):
             what = (
                 f'"{parameter.unit.text}" does not fit where {name} is used ({len(found)} faults), '
                 f"as in {key_path(first.place)}: {first.error.what}"
             )
             error = FieldError(what, first.error.expected, first.error.do)
-            return [Inconsistency(("parameters", name, "unit"), error)]
+            return [_Inconsistency(("parameters", name, "unit"), error)]
     return found
 
 
-def given(draft: Draft) -> dict[str, Kind]:
+def _find_given_kinds(draft: Draft) -> dict[str, Kind]:
     """The parameters as numbers of their dimensions."""
     return {
-        name: Scalar(dimension_of(parameter.unit)) for name, parameter in draft.parameters.items()
+        name: Scalar(find_dimension(parameter.unit)) for name, parameter in draft.parameters.items()
     }
 
 
 @dataclass(frozen=True)
-class Consistency:
+class _Consistency:
     """Checks one draft; `parameters` are the kinds of its parameters."""
 
     draft: Draft
     parameters: Mapping[str, Kind]
 
-    def faults(self) -> Iterator[Inconsistency]:
+    def faults(self) -> Iterator[_Inconsistency]:
         """Every fault with its place."""
         values = dict(self.parameters)
         places: dict[str, Kind] = {}
@@ -104,17 +104,17 @@ class Consistency:
         yield from self.points(places)
         scope = self.scope(places, CONSTRUCTIONS)
         for number, joint in self.draft.joints.items():
-            yield from tried(("joints", number), self.joint, scope, joint)
+            yield from _try_kinds(("joints", number), self.joint, scope, joint)
         for number, driver in self.draft.drivers.items():
-            yield from tried(("inputs", number), self.driver, scope, driver)
+            yield from _try_kinds(("inputs", number), self.driver, scope, driver)
         for number, condition in self.draft.conditions.items():
-            yield from tried(("conditions", number), self.condition, condition)
+            yield from _try_kinds(("conditions", number), self.condition, condition)
         for name, wordings in self.draft.texts.items():
-            yield from self.wordings(name, wordings)
+            yield from self._wordings(name, wordings)
         bodies = {name: BodyKind() for name in (GROUND, *self.draft.bodies)}
         scope = self.scope({**bodies, **places}, QUANTITIES)
         for name, ask in self.draft.asks.items():
-            yield from tried(("asks", name, "quantity"), self.ask, scope, ask)
+            yield from _try_kinds(("asks", name, "quantity"), self.ask, scope, ask)
         for number, result in self.draft.published.items():
             yield from self.published(number, result)
 
@@ -122,39 +122,39 @@ class Consistency:
         """What may be used where these names and functions are known."""
         return Scope(names, functions, frozenset(self.draft.bodies), self.draft.angles)
 
-    def lengths(self, values: dict[str, Kind]) -> Iterator[Inconsistency]:
+    def lengths(self, values: dict[str, Kind]) -> Iterator[_Inconsistency]:
         """The named lengths, added to `values` one after another."""
         for name, tree in self.draft.lengths.items():
             scope = self.scope(dict(values), CONSTRUCTIONS)
             values[name] = Unknown()
-            yield from tried(("lengths", name), self.note, values, name, scope, tree)
+            yield from _try_kinds(("lengths", name), self.note, values, name, scope, tree)
 
     def note(self, values: dict[str, Kind], name: str, scope: Scope, tree: Expression) -> None:
         """Put the kind of an expression under its name."""
         values[name] = scope.kind(tree)
 
-    def points(self, places: dict[str, Kind]) -> Iterator[Inconsistency]:
+    def points(self, places: dict[str, Kind]) -> Iterator[_Inconsistency]:
         """The points, added to `places` one after another; each is a point, even where its
         expression is faulty.
         """
         for name, tree in self.draft.points.items():
             scope = self.scope(dict(places), CONSTRUCTIONS)
             places[name] = Arrow(LENGTH, name)
-            yield from tried(("points", name), self.point, scope, tree)
+            yield from _try_kinds(("points", name), self.point, scope, tree)
 
     def point(self, scope: Scope, tree: Expression) -> None:
         """A point: its coordinates are lengths."""
         kind = scope.kind(tree)
         if not isinstance(kind, Arrow | Unknown):
-            raise FieldError(in_words(kind), POINT)
-        require(kind, LENGTH, "its coordinates are")
+            raise FieldError(describe_kind(kind), _POINT)
+        _require_dimension(kind, LENGTH, "its coordinates are")
 
     def joint(self, scope: Scope, sentence: JointSentence) -> None:
         """A joint: its lines and circles."""
         for shape in (sentence.circle, sentence.on):
             kind = scope.kind(shape) if shape is not None else Unknown()
             if not isinstance(kind, Straight | Ring | Unknown):
-                raise FieldError(in_words(kind), SHAPE)
+                raise FieldError(describe_kind(kind), _SHAPE)
 
     def driver(self, scope: Scope, sentence: DriverSentence) -> None:
         """An input: a rotation in rad/s and rad/s^2, the motion of a point in m/s and m/s^2."""
@@ -165,50 +165,56 @@ class Consistency:
                 velocity, acceleration = SPEED, ACCELERATION
             case _:
                 assert_never(sentence.kind)
-        require(number(scope.kind(sentence.velocity)), velocity, "its velocity is")
-        require(number(scope.kind(sentence.acceleration)), acceleration, "its acceleration is")
+        _require_dimension(
+            _require_number(scope.kind(sentence.velocity)), velocity, "its velocity is"
+        )
+        _require_dimension(
+            _require_number(scope.kind(sentence.acceleration)), acceleration, "its acceleration is"
+        )
         if sentence.along is None:
             return
-        radians_slip(sentence.along)
+        require_no_radians(sentence.along)
         direction = scope.kind(sentence.along)
         if not isinstance(direction, Scalar | Unknown):
-            raise FieldError(f"moves along {in_words(direction)}", ALONG)
-        require(direction, NUMBER, "its direction is")
+            raise FieldError(f"moves along {describe_kind(direction)}", _ALONG)
+        _require_dimension(direction, NUMBER, "its direction is")
 
     def condition(self, condition: Condition) -> None:
         """A condition: two numbers of one dimension, made of parameters."""
         scope = self.scope(self.parameters, ELEMENTARY)
-        united(
+        unite_dimensions(
             f'"{condition.text}"',
-            number(scope.kind(condition.left)),
-            number(scope.kind(condition.right)),
+            _require_number(scope.kind(condition.left)),
+            _require_number(scope.kind(condition.right)),
         )
 
-    def wordings(self, name: str, wordings: Mapping[int, Wording]) -> Iterator[Inconsistency]:
+    def _wordings(self, name: str, wordings: Mapping[int, Wording]) -> Iterator[_Inconsistency]:
         """The conditions by which the wording of a text is chosen."""
         for number, one in wordings.items():
             if one.condition is not None:
-                yield from tried(("text", name, number, "if"), self.condition, one.condition)
+                yield from _try_kinds(("text", name, number, "if"), self.condition, one.condition)
 
     def ask(self, scope: Scope, ask: Ask) -> None:
         """An ask: a number of the dimension of its unit."""
         kind = scope.kind(ask.quantity)
         if not isinstance(kind, Scalar | Unknown):
-            raise FieldError(in_words(kind), "a number", OF_A_VECTOR)
-        require_unit(kind, ask)
+            raise FieldError(describe_kind(kind), "a number", _OF_A_VECTOR)
+        _require_unit(kind, ask)
 
-    def published(self, number: int, result: Published) -> Iterator[Inconsistency]:
+    def published(self, number: int, result: Published) -> Iterator[_Inconsistency]:
         """Published results, of the dimension of what they are results of.
 
         Where the source states values with units that a result does not name, they are contained
         in its numbers: the dimension is then unknown.
         """
         for name, tree in result.gives.items():
-            hidden = bool(self.stated(result) - set(names(tree)))
+            hidden = bool(self.stated(result) - set(find_names(tree)))
             kinds = dict.fromkeys(self.parameters, Unknown()) if hidden else self.parameters
             scope = self.scope(kinds, ELEMENTARY)
             ask = None if hidden else self.draft.asks.get(name)
-            yield from tried(("published", number, "gives", name), self.result, scope, tree, ask)
+            yield from _try_kinds(
+                ("published", number, "gives", name), self.result, scope, tree, ask
+            )
 
     def stated(self, result: Published) -> set[str]:
         """The parameters with a dimension for which a source states a value other than zero."""
@@ -220,45 +226,47 @@ class Consistency:
 
     def result(self, scope: Scope, tree: Expression, ask: Ask | None) -> None:
         """A published result: a number, of the dimension of the ask's unit where that is known."""
-        kind = number(scope.kind(tree))
+        kind = _require_number(scope.kind(tree))
         if ask is not None:
-            require_unit(kind, ask)
+            _require_unit(kind, ask)
 
 
-def tried(place: Place, work: Callable[..., None], *arguments: Any) -> Iterator[Inconsistency]:
+def _try_kinds(
+    place: Place, work: Callable[..., None], *arguments: Any
+) -> Iterator[_Inconsistency]:
     """The fault that `work` finds in its arguments, with its place."""
     try:
         work(*arguments)
     except FieldError as error:
-        yield Inconsistency(place, error)
+        yield _Inconsistency(place, error)
     except ExpressionError as error:
-        yield Inconsistency(place, FieldError(str(error)))
+        yield _Inconsistency(place, FieldError(str(error)))
 
 
-def number(kind: Kind) -> Kind:
+def _require_number(kind: Kind) -> Kind:
     """A kind that must be a number. Raises FieldError for anything else."""
     if not isinstance(kind, Scalar | Unknown):
-        raise FieldError(in_words(kind), "a number")
+        raise FieldError(describe_kind(kind), "a number")
     return kind
 
 
-def require(kind: Kind, expected: Dimension, what: str) -> None:
+def _require_dimension(kind: Kind, expected: Dimension, what: str) -> None:
     """Raises FieldError where a kind has another dimension than is expected."""
     found = kind.dimension if isinstance(kind, Scalar | Arrow) else None
     if found is not None and found != expected:
         raise FieldError(f"{what} {found}", str(expected), "check the units")
 
 
-def require_unit(kind: Kind, ask: Ask) -> None:
+def _require_unit(kind: Kind, ask: Ask) -> None:
     """Raises FieldError where a kind cannot be counted in the ask's unit."""
     found = kind.dimension if isinstance(kind, Scalar) else None
-    if found is not None and found != dimension_of(ask.unit):
+    if found is not None and found != find_dimension(ask.unit):
         raise FieldError(
             f'this is {found}: it cannot be counted in "{ask.unit.text}"',
-            do=f"write unit = {units_of(found)}, or ask for something else",
+            do=f"write unit = {_list_units(found)}, or ask for something else",
         )
 
 
-def units_of(found: Dimension) -> str:
+def _list_units(found: Dimension) -> str:
     """The units in SI that a dimension may be counted in."""
     return '"rad", "deg" or "1"' if found == NUMBER else f'"{found.unit}"'

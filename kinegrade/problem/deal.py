@@ -134,7 +134,7 @@ def deal(filters: Mapping[str, DrawFilter], places: int, look: Look) -> dict[str
     Raises DrawError with every question of which no combination is good.
     """
     deals = {name: Deal(each.deck.size, places) for name, each in filters.items()}
-    while parts := [part for name, each in deals.items() for part in _parts(name, each.further())]:
+    while parts := [part for name, each in deals.items() for part in _split(name, each.further())]:
         for part, verdicts in zip(parts, look(parts), strict=True):
             deals[part.question] = deals[part.question].looked(verdicts)
         _require_hope(filters, deals)
@@ -146,7 +146,7 @@ def look_here(filters: Mapping[str, DrawFilter], parts: Sequence[DeckPart]) -> I
     return (filters[part.question].verdicts(part.positions) for part in parts)
 
 
-def _parts(question: str, positions: range) -> Iterator[DeckPart]:
+def _split(question: str, positions: range) -> Iterator[DeckPart]:
     """Positions in parts of much the same size."""
     for first in range(positions.start, positions.stop, PART):
         yield DeckPart(question, range(first, min(first + PART, positions.stop)))
@@ -156,7 +156,7 @@ def _require_hope(filters: Mapping[str, DrawFilter], deals: Mapping[str, Deal]) 
     """Raises DrawError for questions of which nothing can be dealt."""
     faults = [
         f"{name} ({filters[name].template.name}): {each} is fit for students "
-        f"({counted_reasons(each.refused)}) - expected one for each student - widen the domains"
+        f"({_count_reasons(each.refused)}) - expected one for each student - widen the domains"
         for name, each in deals.items()
         if each.hopeless
     ]
@@ -164,6 +164,6 @@ def _require_hope(filters: Mapping[str, DrawFilter], deals: Mapping[str, Deal]) 
         raise DrawError(*faults)
 
 
-def counted_reasons(refused: Mapping[str, int]) -> str:
+def _count_reasons(refused: Mapping[str, int]) -> str:
     """How often each reason refused a combination, in words: "degenerate 3, mistake 12"."""
     return ", ".join(f"{reason} {count}" for reason, count in refused.items()) or "none"

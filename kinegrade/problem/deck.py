@@ -46,7 +46,7 @@ class Deck:
         return KeyedOrder(self.secret, self.question, self.size)
 
 
-def template_deck(
+def make_deck(
     template: Template,
     secret: str,
     question: str,

@@ -6,18 +6,18 @@ from collections.abc import Iterator
 
 from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.statement import check_statements, statement
+from kinegrade.problem.statement import check_statements, write_statement
 from kinegrade.problem.template import Parameter, Template
 
 
-def describe(template: Template, language: Language) -> str:
+def describe_template(template: Template, language: Language) -> str:
     """A template in words: title, statement at its default values, parameters, asks and how many
     instances.
     """
-    return "\n".join(lines(template, language))
+    return "\n".join(_write_lines(template, language))
 
 
-def lines(template: Template, language: Language) -> Iterator[str]:
+def _write_lines(template: Template, language: Language) -> Iterator[str]:
     """The lines of the description."""
     check_statements(template)
     solution = solve_template(template, {})
@@ -28,11 +28,11 @@ def lines(template: Template, language: Language) -> Iterator[str]:
         "finds unfit"
     )
     yield ""
-    yield statement(template, solution.parameters, language)
+    yield write_statement(template, solution.parameters, language)
     yield "parameters"
     for name, parameter in template.parameters.items():
         means = parameter.means.in_language(language)
-        yield f"  {name:<12} {parameter.unit.printed:<7} {domain(parameter):<34} {means}"
+        yield f"  {name:<12} {parameter.unit.printed:<7} {_write_domain(parameter):<34} {means}"
     yield "asks"
     for name, ask in template.asks.items():
         points = f"{ask.points} points" if ask.points else "on request"
@@ -43,7 +43,7 @@ def lines(template: Template, language: Language) -> Iterator[str]:
         )
 
 
-def domain(parameter: Parameter) -> str:
+def _write_domain(parameter: Parameter) -> str:
     """What may be drawn, in short."""
     choices = parameter.choices
     shown = (

@@ -27,7 +27,7 @@ class Dimension:
         return Dimension(self.length * exponent, self.time * exponent)
 
     def __str__(self) -> str:
-        return NAMES.get(self, f"something in {self.unit}")
+        return _NAMES.get(self, f"something in {self.unit}")
 
     @property
     def unit(self) -> str:
@@ -38,39 +38,39 @@ class Dimension:
         """
         if self == NUMBER:
             return "1"
-        over = [powered("m", self.length)] if self.length > 0 else []
-        over += [powered("s", self.time)] if self.time > 0 else []
-        under = [powered("m", -self.length)] if self.length < 0 else []
-        under += [powered("s", -self.time)] if self.time < 0 else []
-        plain = "rad" if under == [powered("s", -self.time)] else "1"
+        over = [_write_power("m", self.length)] if self.length > 0 else []
+        over += [_write_power("s", self.time)] if self.time > 0 else []
+        under = [_write_power("m", -self.length)] if self.length < 0 else []
+        under += [_write_power("s", -self.time)] if self.time < 0 else []
+        plain = "rad" if under == [_write_power("s", -self.time)] else "1"
         return "/".join(["*".join(over) or plain, *under])
 
 
-def powered(unit: str, power: Fraction) -> str:
+def _write_power(unit: str, power: Fraction) -> str:
     """A unit to a positive power."""
     return unit if power == 1 else f"{unit}^{power}"
 
 
-def dimension(length: int, time: int) -> Dimension:
+def _make_dimension(length: int, time: int) -> Dimension:
     """The dimension of these powers."""
     return Dimension(Fraction(length), Fraction(time))
 
 
-def dimension_of(unit: Unit) -> Dimension:
+def find_dimension(unit: Unit) -> Dimension:
     """The dimension of a unit; radians and degrees are pure numbers."""
-    return dimension(unit.length, unit.time)
+    return _make_dimension(unit.length, unit.time)
 
 
-NUMBER = dimension(0, 0)
-LENGTH = dimension(1, 0)
-SPEED = dimension(1, -1)
-ACCELERATION = dimension(1, -2)
-RATE = dimension(0, -1)
-CHANGE = dimension(0, -2)
-NAMES = {
+NUMBER = _make_dimension(0, 0)
+LENGTH = _make_dimension(1, 0)
+SPEED = _make_dimension(1, -1)
+ACCELERATION = _make_dimension(1, -2)
+RATE = _make_dimension(0, -1)
+CHANGE = _make_dimension(0, -2)
+_NAMES = {
     NUMBER: "a pure number or an angle",
     LENGTH: "a length (m)",
-    dimension(0, 1): "a time (s)",
+    _make_dimension(0, 1): "a time (s)",
     SPEED: "a velocity (m/s)",
     ACCELERATION: "an acceleration (m/s^2)",
     RATE: "an angular velocity (rad/s)",

@@ -9,13 +9,19 @@ from flint import arb, fmpq
 
 from kinegrade.errors import FieldError
 from kinegrade.exact.balls import PRECISIONS, Balls
-from kinegrade.exact.text import decimal_text
-from kinegrade.expression import MAX_LENGTH, elementary, evaluate, rational, read
+from kinegrade.exact.text import write_decimal
+from kinegrade.expression import (
+    MAX_LENGTH,
+    evaluate,
+    make_elementary_functions,
+    read_expression,
+    read_rational,
+)
 from kinegrade.fields.values import found
 
-MAX_CHOICES = 2000
-LARGEST = fmpq(10) ** 100  # what is worked out from such values still fits into doubles
-RANGE = re.compile(r"\s*(-?[\d.]+)\s*\.\.\s*(-?[\d.]+)\s+step\s+([\d.]+)\s*", re.ASCII)
+_MAX_CHOICES = 2000
+_LARGEST = fmpq(10) ** 100  # what is worked out from such values still fits into doubles
+_RANGE = re.compile(r"\s*(-?[\d.]+)\s*\.\.\s*(-?[\d.]+)\s+step\s+([\d.]+)\s*", re.ASCII)
 
 
 def read_choices(draw: object) -> tuple[str, ...]:
@@ -28,45 +34,51 @@ def read_choices(draw: object) -> tuple[str, ...]:
     ('15', '30', '45', '60')
     """
     if not isinstance(draw, list):
-        return tuple(read_range(str(draw)))
+        return tuple(_read_range(str(draw)))
     texts = [str(value) for value in draw]
-    if not texts or len(texts) > MAX_CHOICES or len({digits(text) for text in texts}) != len(texts):
-        raise FieldError(f"{len(texts)} values", f"1 to {MAX_CHOICES} of them, each once")
+    if (
+        not texts
+        or len(texts) > _MAX_CHOICES
+        or len({find_digits(text) for text in texts}) != len(texts)
+    ):
+        raise FieldError(f"{len(texts)} values", f"1 to {_MAX_CHOICES} of them, each once")
     return tuple(texts)
 
 
-def digits(text: str) -> str:
+def find_digits(text: str) -> str:
     """The value of an expression without names to 30 digits, by which equal ones are found: 1/2 and
     0.5.
     """
     balls = Balls(PRECISIONS[0])
     with balls.context():
-        value = evaluate(read(text), {"pi": balls.turns(1)}, elementary(balls), balls)
+        value = evaluate(
+            read_expression(text), {"pi": balls.turns(1)}, make_elementary_functions(balls), balls
+        )
     if not isinstance(value, arb):
         raise FieldError(found(text), "a number")
-    if not abs(value) < LARGEST:
+    if not abs(value) < _LARGEST:
         raise FieldError(found(text), "a number up to 1e100", "choose another unit")
-    return decimal_text(value, 30)
+    return write_decimal(value, 30)
 
 
-def read_range(text: str) -> list[str]:
+def _read_range(text: str) -> list[str]:
     """The values of "first .. last step s"."""
-    match = RANGE.fullmatch(text) if len(text) <= MAX_LENGTH else None
+    match = _RANGE.fullmatch(text) if len(text) <= MAX_LENGTH else None
     if match is None:
         raise FieldError(found(text), 'a list, or a range like "0.1 .. 0.5 step 0.05"')
-    first, last, step = (signed(part) for part in match.groups())
-    if step <= 0 or last < first or (last - first) / step > MAX_CHOICES:
+    first, last, step = (_read_signed(part) for part in match.groups())
+    if step <= 0 or last < first or (last - first) / step > _MAX_CHOICES:
         raise FieldError(
             found(text),
             "a step above zero, the last value not before the first, and "
-            f"at most {MAX_CHOICES} values",
+            f"at most {_MAX_CHOICES} values",
         )
     count = int(((last - first) / step).floor()) + 1
-    return [decimal_text(first + step * index, 30) for index in range(count)]
+    return [write_decimal(first + step * index, 30) for index in range(count)]
 
 
-def signed(text: str) -> Any:
+def _read_signed(text: str) -> Any:
     """A decimal with its sign."""
     if text.count(".") > 1 or text.strip("-.") == "":
         raise FieldError(found(text), "a decimal number")
-    return -rational(text[1:]) if text.startswith("-") else fmpq(1) * rational(text)
+    return -read_rational(text[1:]) if text.startswith("-") else fmpq(1) * read_rational(text)

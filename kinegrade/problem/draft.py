@@ -21,7 +21,7 @@ from kinegrade.problem.template import (
     Translated,
     Wording,
     Words,
-    angles,
+    list_angles,
 )
 
 
@@ -51,7 +51,7 @@ class Draft:
     @property
     def angles(self) -> frozenset[str]:
         """The names of the parameters that are angles."""
-        return angles(self.parameters)
+        return list_angles(self.parameters)
 
     def template(self, name: str, file: TemplateFile) -> Template | None:
         """The template that a draft without faults is; None where it lacks what every one has."""

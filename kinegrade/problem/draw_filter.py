@@ -20,18 +20,18 @@ from kinegrade.problem.examining import (
     Reason,
     Refused,
     examine_together,
-    sensible,
-    too_fine,
+    find_too_fine,
+    solve_sensible,
 )
-from kinegrade.problem.separation import Separation, columns, separation
+from kinegrade.problem.separation import Separation, collect_columns, find_separation
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
 
 # Combinations from which it is judged which mistakes can be kept apart from the truth
-SAMPLE = 400
+_SAMPLE = 400
 # Solutions that a process keeps for a question
-KEPT = 100
+_KEPT = 100
 
 Verdict = Reason | None  # why a combination is refused; None for a good one
 
@@ -85,7 +85,7 @@ class DrawFilter:
         """For each combination, whether a known mistake leads to an answer within tolerance."""
         if self.separation is None or not combinations:
             return [False] * len(combinations)
-        flags: list[bool] = self.separation.confuses(columns(combinations)).tolist()
+        flags: list[bool] = self.separation.confuses(collect_columns(combinations)).tolist()
         return flags
 
     @cached_property
@@ -96,8 +96,8 @@ class DrawFilter:
         if self.plan is None or not self.asks:
             return None
         asks = {name: self.template.asks[name] for name in self.asks}
-        sample = columns(self._sample)
-        return separation(self.template, asks, self.tolerances, self.plan, sample)
+        sample = collect_columns(self._sample)
+        return find_separation(self.template, asks, self.tolerances, self.plan, sample)
 
     @cached_property
     def plan(self) -> Plan | None:
@@ -106,12 +106,12 @@ class DrawFilter:
         """
         for values in self._sample:
             with suppress(Refused):
-                return sensible(self.template, values, self.asks, None).motion.plan
+                return solve_sensible(self.template, values, self.asks, None).motion.plan
         return None
 
     def _keep(self, values: Combination, found: Solution | Refused) -> None:
         """Keep a solution until it is asked for, unless there are many."""
-        if isinstance(found, Solution) and len(self._solutions) < KEPT:
+        if isinstance(found, Solution) and len(self._solutions) < _KEPT:
             self._solutions[tuple(values.values())] = found
 
     @cached_property
@@ -124,7 +124,7 @@ class DrawFilter:
     @cached_property
     def _sample(self) -> list[Combination]:
         """Combinations that do not depend on the secret."""
-        return Deck(self.deck.domains, "sample", self.template.name).first(SAMPLE)
+        return Deck(self.deck.domains, "sample", self.template.name).first(_SAMPLE)
 
     def _verdict(self, found: Solution | Refused) -> Verdict:
         """The verdict on an instance in which no mistake is taken for the truth."""
@@ -132,7 +132,7 @@ class DrawFilter:
             case Refused(reason=reason):
                 return reason
             case Solution():
-                fine = self.four_decimals and too_fine(found, self.tolerances)
+                fine = self.four_decimals and find_too_fine(found, self.tolerances)
                 return "decimals" if fine else None
             case _:
                 assert_never(found)

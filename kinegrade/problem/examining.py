@@ -12,14 +12,19 @@ from typing import Literal
 
 from kinegrade.errors import MechanismError
 from kinegrade.mechanics.plan import Plan
-from kinegrade.problem.holding import holds, wording
-from kinegrade.problem.honest_rounding import stray
+from kinegrade.problem.holding import choose_wording, condition_holds
+from kinegrade.problem.honest_rounding import find_stray
 from kinegrade.problem.honest_rounding_arrays import surely_honest
-from kinegrade.problem.kept_decimals import RightRange, fitting_factor
+from kinegrade.problem.kept_decimals import RightRange, find_fitting_factor
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import Ask, Template
-from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective, own_scale
+from kinegrade.problem.tolerance import (
+    ONE_PER_CENT,
+    Tolerance,
+    find_effective_tolerance,
+    find_scale_of_mechanism,
+)
 
 SMALLEST, LARGEST = (
     1e-3,
@@ -56,8 +61,8 @@ def examine(
     """The solution of an instance fit for students; without a tolerance 1 % holds. Raises Refused
     with the reason.
     """
-    solution = sensible(template, values, asks, plan)
-    if strayed := stray(solution, tolerances or {}):
+    solution = solve_sensible(template, values, asks, plan)
+    if strayed := find_stray(solution, tolerances or {}):
         raise Refused("rounding", str(strayed), strayed.ask)
     return solution
 
@@ -74,17 +79,21 @@ def examine_together(
     found: list[Solution | Refused] = []
     for values in draws:
         try:
-            found.append(sensible(template, values, wanted, plan))
+            found.append(solve_sensible(template, values, wanted, plan))
         except Refused as refusal:
             found.append(refusal)
     sure = iter(surely_honest([one for one in found if isinstance(one, Solution)], tolerances))
     for place, one in enumerate(found):
-        if isinstance(one, Solution) and not next(sure) and (strayed := stray(one, tolerances)):
+        if (
+            isinstance(one, Solution)
+            and not next(sure)
+            and (strayed := find_stray(one, tolerances))
+        ):
             found[place] = Refused("rounding", str(strayed), strayed.ask)
     return found
 
 
-def sensible(
+def solve_sensible(
     template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None
 ) -> Solution:
     """The solution of an instance that meets the conditions and whose answers can be asked for.
@@ -92,16 +101,16 @@ def sensible(
     """
     try:
         for condition in template.scheme.conditions:
-            if not holds(template, condition, values):
+            if not condition_holds(template, condition, values):
                 raise Refused("condition", condition.text)
         for name in template.words.texts:
-            if wording(template, name, values) is None:
+            if choose_wording(template, name, values) is None:
                 raise Refused("condition", f"no text of {name} applies")
         solution = solve_template(template, values, asks, plan)
     except MechanismError as error:
         raise Refused("mechanism", error.problems[0]) from error
     for name, answer in solution.answers.items():
-        if refusal := unfit(template.asks[name], answer):
+        if refusal := find_unfit(template.asks[name], answer):
             raise refusal
     require_doubles(solution)
     return solution
@@ -113,26 +122,26 @@ def require_doubles(solution: Solution) -> None:
     """
     try:
         for answer in solution.answers.values():
-            own_scale(solution.doubles, answer.measure)
+            find_scale_of_mechanism(solution.doubles, answer.measure)
     except OverflowError as error:
         raise Refused("absurd", "a size beyond 1e308") from error
 
 
-def too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:
+def find_too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:
     """The first ask whose right answer is no longer right with four decimals, in any unit; "" where
     there is none.
     """
     for name, answer in solution.answers.items():
         stated = tolerances.get(name, ONE_PER_CENT)
-        tolerance = effective(stated, answer.value, answer.measure, solution.doubles)
+        tolerance = find_effective_tolerance(stated, answer.value, answer.measure, solution.doubles)
         value = Fraction(answer.certified)
         right = RightRange(value, *tolerance.interval(value))
-        if fitting_factor(answer.unit, right) is None:
+        if find_fitting_factor(answer.unit, right) is None:
             return name
     return ""
 
 
-def unfit(ask: Ask, answer: Quantity) -> Refused | None:
+def find_unfit(ask: Ask, answer: Quantity) -> Refused | None:
     """Why an answer cannot be asked for: it is at infinity, zero although the ask does not allow
     it, or of an absurd size; None if it can.
     """
@@ -141,10 +150,10 @@ def unfit(ask: Ask, answer: Quantity) -> Refused | None:
     if answer.is_zero:
         return None if ask.vanishes else Refused("degenerate", f"{ask.name} is zero")
     if not SMALLEST <= abs(answer.value) <= LARGEST:
-        return Refused("absurd", f"{ask.name} is {sized(answer)}")
+        return Refused("absurd", f"{ask.name} is {_write_sized(answer)}")
     return None
 
 
-def sized(answer: Quantity) -> str:
+def _write_sized(answer: Quantity) -> str:
     """An answer with its unit, for a message."""
     return f"{answer.decimal(3)} {answer.unit}"

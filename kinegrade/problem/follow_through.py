@@ -1,8 +1,8 @@
 """What follows for an ask from a student's answers to earlier ones: the same plan, run on from
 there, in doubles.
 
-`followed` is called by `kinegrade.exam.follow_through` for the answers of a class; `Follower` keeps
-one instance.
+`follow_through` is called by `kinegrade.exam.follow_through` for the answers of a class; `Follower`
+keeps one instance.
 """
 
 from __future__ import annotations
@@ -18,34 +18,34 @@ from kinegrade.errors import KinegradeError
 from kinegrade.exact.doubles import Doubles
 from kinegrade.expression import Call, Expression, evaluate
 from kinegrade.mechanics import plan as plans
-from kinegrade.mechanics.doubles import in_doubles
+from kinegrade.mechanics.doubles import convert_to_doubles
 from kinegrade.mechanics.followed import FollowedMotion, OwnValue
-from kinegrade.mechanics.followed import followed as followed_motion
-from kinegrade.mechanics.frames import build
+from kinegrade.mechanics.followed import follow_values as followed_motion
+from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.own_terms import Place
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.assemble import Assembly, assemble
-from kinegrade.problem.mistakes import CloseCentrodes, as_float, in_float
+from kinegrade.problem.mistakes import CloseCentrodes, convert_number, convert_parameter
 from kinegrade.problem.own_quantities import (
     LEVELS,
-    motion_calls,
-    named,
-    own_functions,
-    share_of,
-    with_rotations,
+    find_motion_calls,
+    find_name,
+    make_functions,
+    name_share,
+    replace_differences,
 )
-from kinegrade.problem.quantities import Quantities, body_names
+from kinegrade.problem.quantities import Quantities, find_body_names
 from kinegrade.problem.template import Ask, Template
 
-SAME = 1e-9  # relative: what is closer is not changed, only rounded
-INSTANCES = 8  # looked at to see which asks are connected
-GOLDEN, ROOT = 0.6180339887, 0.4142135624  # steps along choices that never meet again
+_SAME = 1e-9  # relative: what is closer is not changed, only rounded
+_INSTANCES = 8  # looked at to see which asks are connected
+_GOLDEN, _ROOT = 0.6180339887, 0.4142135624  # steps along choices that never meet again
 # Times the right answer, or below its thousandth part: from there nothing sensible follows
-FARTHEST = 1000
+_FARTHEST = 1000
 
 
-def followed(
+def follow_through(
     template: Template,
     values: Mapping[str, Any],
     earlier: Mapping[str, float],
@@ -60,7 +60,7 @@ def followed(
     of the plan's reach.
     """
     return Follower(
-        template, {name: as_float(value) for name, value in values.items()}, plan
+        template, {name: convert_number(value) for name, value in values.items()}, plan
     ).value(earlier, later)
 
 
@@ -75,37 +75,39 @@ class Follower:
     suggested: Plan | None = None
 
     def value(self, earlier: Mapping[str, float], later: str) -> float | None:
-        """What follows for `later`, as in `followed`; earlier answers are all put in at once."""
+        """What follows for `later`, as in `follow_through`; earlier answers are all put in at
+        once.
+        """
         answers = {
             name: value
             for name, value in earlier.items()
-            if self.sensible(name, value) and name != later
+            if self._sensible(name, value) and name != later
         }
         if not answers:
             return None
         found, perturbed = (
             self.result(answers, later),
-            self.result(perturbed_values(answers), later),
+            self.result(_perturb_values(answers), later),
         )
         right = self.right(later)
         if (
             found is None
             or perturbed is None
             or right is None
-            or abs(found) * FARTHEST <= abs(right)
+            or abs(found) * _FARTHEST <= abs(right)
         ):
             return None
-        return found if abs(perturbed - found) > SAME * max(abs(found), abs(right)) else None
+        return found if abs(perturbed - found) > _SAME * max(abs(found), abs(right)) else None
 
-    def sensible(self, name: str, value: float) -> bool:
+    def _sensible(self, name: str, value: float) -> bool:
         """Whether a student's answer may be put in: it is within a factor of a thousand of the
         right one.
         """
         right = self.right(name)
         return (
             right is not None
-            and abs(right) > SAME
-            and 1 / FARTHEST <= abs(value / right) <= FARTHEST
+            and abs(right) > _SAME
+            and 1 / _FARTHEST <= abs(value / right) <= _FARTHEST
         )
 
     def result(self, answers: Mapping[str, float], later: str) -> float | None:
@@ -136,7 +138,7 @@ class Follower:
                 values = [
                     value
                     for name in answers
-                    for value in self.student_values(self.template.asks[name], answers[name])
+                    for value in self._student_values(self.template.asks[name], answers[name])
                 ]
                 return followed_motion(self.still.frames, self.plan, values, doubles)
             except (KinegradeError, ArithmeticError):
@@ -150,7 +152,9 @@ class Follower:
     @cached_property
     def still(self) -> Motion:
         """The relations of the instance in doubles, with no rate known."""
-        return in_doubles(Motion(build(self.assembly.mechanism, Doubles()), Plan(()), {}, {}))
+        return convert_to_doubles(
+            Motion(build_frames(self.assembly.mechanism, Doubles()), Plan(()), {}, {})
+        )
 
     @cached_property
     def plan(self) -> Plan:
@@ -161,7 +165,7 @@ class Follower:
         equations = [relation.equations() for relation in relations]
         if self.suggested is not None:
             try:
-                plans.run(
+                plans.run_steps(
                     self.suggested,
                     equations,
                     lambda index: relations[index].velocity_side(),
@@ -171,20 +175,24 @@ class Follower:
                 pass
             else:
                 return self.suggested
-        return plans.find(relations, equations, Doubles())
+        return plans.find_plan(relations, equations, Doubles())
 
     @cached_property
     def quantities(self) -> Mapping[str, Expression]:
         """What is read for each ask."""
         return {
-            name: with_rotations(ask.quantity, self.template.scheme.bodies)
+            name: replace_differences(ask.quantity, self.template.scheme.bodies)
             for name, ask in self.template.asks.items()
         }
 
     @cached_property
     def names(self) -> Mapping[str, Any]:
         """What the names in a quantity stand for."""
-        return {**body_names(self.assembly.mechanism), **self.assembly.values, **self.still.points}
+        return {
+            **find_body_names(self.assembly.mechanism),
+            **self.assembly.values,
+            **self.still.points,
+        }
 
     @cached_property
     def factors(self) -> Mapping[str, float]:
@@ -200,11 +208,11 @@ class Follower:
         centrodes = CloseCentrodes(self.template, self.values, self.plan)
         return {**self.assembly.functions, **centrodes.functions(Doubles())}
 
-    def student_values(self, ask: Ask, number: float) -> Iterator[OwnValue]:
+    def _student_values(self, ask: Ask, number: float) -> Iterator[OwnValue]:
         """A student's answer as it is put into a motion; nothing for what is not read off a single
         moving thing.
         """
-        calls = set(motion_calls(self.quantities[ask.name]))
+        calls = set(find_motion_calls(self.quantities[ask.name]))
         call = calls.pop() if len(calls) == 1 else None
         if call is not None and call.function in LEVELS:
             yield OwnValue(
@@ -212,21 +220,21 @@ class Follower:
                 number,
                 LEVELS[call.function],
                 self.place(call),
-                share_of(call),
+                name_share(call),
             )
 
     def place(self, call: Call) -> Place | None:
         """The body and point whose velocity or acceleration a call gives."""
         if call.function not in ("velocity", "acceleration"):
             return None
-        point, *bodies = (named(argument) for argument in call.arguments)
+        point, *bodies = (find_name(argument) for argument in call.arguments)
         body = self.names[bodies[0]] if bodies else None
         return Quantities(self.still, Doubles()).owner(point, body), point
 
     def read(self, ask: Ask, motion: FollowedMotion) -> float | None:
         """An answer read off a motion, None where the motion does not determine it (yet)."""
         doubles = Doubles()
-        functions = {**self.fixed, **own_functions(motion, doubles)}
+        functions = {**self.fixed, **make_functions(motion, doubles)}
         try:
             number = evaluate(self.quantities[ask.name], self.names, functions, doubles)
             value = float(
@@ -237,39 +245,43 @@ class Follower:
         return value if isfinite(value) else None
 
 
-def connections(template: Template) -> frozenset[tuple[str, str]]:
+def find_connections(template: Template) -> frozenset[tuple[str, str]]:
     """Which ask (first) another one (second) depends on in a template: at one of several sets of
     values at least.
     """
     found: set[tuple[str, str]] = set()
-    for number in range(INSTANCES):
+    for number in range(_INSTANCES):
         with suppress(KinegradeError, ArithmeticError):
-            found.update(connected(Follower(template, generic_values(template, number))))
+            found.update(
+                _find_connected(Follower(template, choose_generic_values(template, number)))
+            )
     return frozenset(found)
 
 
-def generic_plan(template: Template) -> Plan | None:
+def find_generic_plan(template: Template) -> Plan | None:
     """The plan of a template, found where nothing is special; None where no drawable values have
     one.
     """
-    for number in range(INSTANCES):
+    for number in range(_INSTANCES):
         with suppress(KinegradeError, ArithmeticError):
-            return Follower(template, generic_values(template, number)).plan
+            return Follower(template, choose_generic_values(template, number)).plan
     return None
 
 
-def generic_values(template: Template, number: int) -> dict[str, float]:
+def choose_generic_values(template: Template, number: int) -> dict[str, float]:
     """One of many sets of drawable parameters, in SI: each as far along its choices as chance would
     have it.
     """
-    shares = (modf(number * GOLDEN + place * ROOT)[0] for place in range(len(template.parameters)))
+    shares = (
+        modf(number * _GOLDEN + place * _ROOT)[0] for place in range(len(template.parameters))
+    )
     return {
-        name: in_float(parameter, parameter.choices[int(share * len(parameter.choices))])
+        name: convert_parameter(parameter, parameter.choices[int(share * len(parameter.choices))])
         for (name, parameter), share in zip(template.parameters.items(), shares, strict=True)
     }
 
 
-def connected(follower: Follower) -> Iterator[tuple[str, str]]:
+def _find_connected(follower: Follower) -> Iterator[tuple[str, str]]:
     """Which ask each one depends on in an instance: a change of the first by one per cent changes
     the second.
     """
@@ -282,28 +294,30 @@ def connected(follower: Follower) -> Iterator[tuple[str, str]]:
             if (
                 before is not None
                 and after is not None
-                and abs(after - before) > SAME * max(abs(before), abs(after))
+                and abs(after - before) > _SAME * max(abs(before), abs(after))
             ):
                 yield earlier, later
 
 
-def perturbed_values(answers: Mapping[str, float]) -> dict[str, float]:
+def _perturb_values(answers: Mapping[str, float]) -> dict[str, float]:
     """The answers, each changed a little, and no two of them by the same share."""
     return {
         name: value * (1 + (place + 1) / 97) for place, (name, value) in enumerate(answers.items())
     }
 
 
-def in_plan_order(template: Template, asks: Iterable[str]) -> tuple[str, ...]:
+def order_by_plan(template: Template, asks: Iterable[str]) -> tuple[str, ...]:
     """The asks in the order in which the plan comes to them: of velocities, of Coriolis and normal
     parts, which velocities decide, then of accelerations; alike ones stay as they stand.
     """
 
     def stage(name: str) -> int:
-        calls = set(motion_calls(template.asks[name].quantity)) if name in template.asks else set()
+        calls = (
+            set(find_motion_calls(template.asks[name].quantity)) if name in template.asks else set()
+        )
         accelerations = any(LEVELS.get(call.function) == "acceleration" for call in calls)
         return accelerations + any(
-            LEVELS.get(call.function) == "acceleration" and not share_of(call) for call in calls
+            LEVELS.get(call.function) == "acceleration" and not name_share(call) for call in calls
         )
 
     return tuple(sorted(asks, key=stage))

@@ -10,13 +10,13 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 Sense = Literal["ccw", "cw"]
-Side = Literal["right", "up", "left", "down"]
+_Side = Literal["right", "up", "left", "down"]
 Shape = Literal["gear", "cam", "bent", "bar", "through"]
 Projection = Literal["horizontal", "vertical"]
 
 SENSES: tuple[Sense, ...] = ("ccw", "cw")
 TURN: Mapping[Sense, float] = {"ccw": 1.0, "cw": -1.0}  # counter-clockwise is positive
-SIDES: tuple[Side, ...] = ("right", "up", "left", "down")
+SIDES: tuple[_Side, ...] = ("right", "up", "left", "down")
 SHAPES: tuple[Shape, ...] = ("gear", "cam", "bent", "bar", "through")
 PROJECTIONS: tuple[Projection, ...] = ("horizontal", "vertical")
 

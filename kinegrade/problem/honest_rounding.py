@@ -25,24 +25,24 @@ from kinegrade.errors import KinegradeError
 from kinegrade.exact.angle import Angle
 from kinegrade.exact.elimination import Singular
 from kinegrade.exact.rounding import NOTHING, Rounded, Sparing
-from kinegrade.expression import Call, Expression, elementary, evaluate, every_part
-from kinegrade.mechanics.by_hand import solve_by_hand, write
-from kinegrade.mechanics.doubles import MotionInDoubles, double
-from kinegrade.mechanics.frames import build
-from kinegrade.mechanics.geometry import constructions
+from kinegrade.expression import Call, Expression, evaluate, make_elementary_functions, walk
+from kinegrade.mechanics.by_hand import solve_by_hand, write_down
+from kinegrade.mechanics.doubles import MotionInDoubles, convert_vector
+from kinegrade.mechanics.frames import build_frames
+from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.assemble import assemble
-from kinegrade.problem.quantities import body_names, quantities
+from kinegrade.problem.quantities import find_body_names, make_quantities
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Ask
-from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective
+from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, find_effective_tolerance
 
-DEGREES = 180 / pi  # as `math.degrees` has it
-DISPLAY = 10  # significant figures that a calculator shows and a student may type
+_DEGREES = 180 / pi  # as `math.degrees` has it
+_DISPLAY = 10  # significant figures that a calculator shows and a student may type
 # Of a unit of the last figure written: what rounding changes at most, and the rounding of doubles
-SAFELY = 0.5000001
+_SAFELY = 0.5000001
 LOST = (
     KinegradeError,
     Singular,
@@ -84,13 +84,17 @@ class Target:
         """
         if worked is None:
             return False
-        near = nearest_turn(worked, self.exact, self.turn)
+        near = find_nearest_turn(worked, self.exact, self.turn)
         room = safe_room(abs(worked), figures)
         if self.low + room <= near <= self.high - room:
             return True
-        typed = (worked, *(Rounded(count).written(worked) for count in range(figures, DISPLAY + 1)))
+        typed = (
+            worked,
+            *(Rounded(count).written(worked) for count in range(figures, _DISPLAY + 1)),
+        )
         return all(
-            self.low <= nearest_turn(number, self.exact, self.turn) <= self.high for number in typed
+            self.low <= find_nearest_turn(number, self.exact, self.turn) <= self.high
+            for number in typed
         )
 
 
@@ -98,29 +102,29 @@ def safe_room(size: Any, figures: int) -> Any:
     """More than a number of that size, or numbers, can change when written to so many significant
     figures.
     """
-    return SAFELY * size * 10.0 ** (1 - figures) + NOTHING
+    return _SAFELY * size * 10.0 ** (1 - figures) + NOTHING
 
 
-def stray(solution: Solution, tolerances: Mapping[str, Tolerance]) -> Stray | None:
+def find_stray(solution: Solution, tolerances: Mapping[str, Tolerance]) -> Stray | None:
     """The first answer that honest work leaves outside its tolerance (1 % where none is stated), if
     there is one.
     """
-    aims = targets(solution, tolerances)
-    for figures, every in carried_figures(aims):
+    aims = find_targets(solution, tolerances)
+    for figures, every in list_carried_figures(aims):
         concerned = {
             name: aim for name, aim in aims.items() if aim.figures in (figures, figures - 1)
         }
-        for worked in workings(solution, solution.doubles, figures, every=every):
+        for worked in work_honestly(solution, solution.doubles, figures, every=every):
             for name, aim in concerned.items():
                 if not aim.met(worked.get(name), figures):
                     return Stray(name, figures, worked.get(name))
     return None
 
 
-def targets(solution: Solution, tolerances: Mapping[str, Tolerance]) -> dict[str, Target]:
+def find_targets(solution: Solution, tolerances: Mapping[str, Tolerance]) -> dict[str, Target]:
     """What is right for every ask of an instance, where nothing is stated within 1 %."""
     return {
-        name: target(
+        name: find_target(
             solution.template.asks[name],
             answer,
             tolerances.get(name, ONE_PER_CENT),
@@ -130,7 +134,7 @@ def targets(solution: Solution, tolerances: Mapping[str, Tolerance]) -> dict[str
     }
 
 
-def carried_figures(aims: Mapping[str, Target]) -> list[tuple[int, bool]]:
+def list_carried_figures(aims: Mapping[str, Target]) -> list[tuple[int, bool]]:
     """The significant figures that are carried: three, or as many as a tolerance takes to be met at
     all, and then all ways of working are followed; and one more.
     """
@@ -140,55 +144,59 @@ def carried_figures(aims: Mapping[str, Target]) -> list[tuple[int, bool]]:
     ]
 
 
-def target(ask: Ask, answer: Quantity, tolerance: Tolerance, motion: MotionInDoubles) -> Target:
+def find_target(
+    ask: Ask, answer: Quantity, tolerance: Tolerance, motion: MotionInDoubles
+) -> Target:
     """What is right for one ask of an instance; `motion` gives the scale next to zero."""
-    exact = plain(answer.number)
+    exact = convert_number(answer.number)
     if isinstance(answer.number, Angle) and ask.unit.degrees:
         exact = degrees(exact)
-    allowed = effective(tolerance, exact, ask.unit, motion)
+    allowed = find_effective_tolerance(tolerance, exact, ask.unit, motion)
     low, high = allowed.interval(Fraction(exact))
-    return Target(float(low), float(high), exact, turn_of(ask), allowed.carried(Fraction(exact)))
+    return Target(
+        float(low), float(high), exact, find_full_turn(ask), allowed.carried(Fraction(exact))
+    )
 
 
-def workings(
+def work_honestly(
     solution: Solution, motion: Motion, figures: int, *, every: bool
 ) -> Iterator[dict[str, float]]:
     """The answers of honest students who carry so many significant figures, in the asks' units;
     what cannot be found is left out. `motion` is the solution's in doubles. All three ways where
     `every` is true, else the quickest one.
     """
-    yield by_arms(solution, motion, Rounded(figures))
+    yield work_by_arms(solution, motion, Rounded(figures))
     if every:
-        yield by_arms(solution, motion, Sparing(figures))
-        yield by_coordinates(solution, Rounded(figures))
+        yield work_by_arms(solution, motion, Sparing(figures))
+        yield work_by_coordinates(solution, Rounded(figures))
 
 
-def by_coordinates(solution: Solution, rounded: Rounded) -> dict[str, float]:
+def work_by_coordinates(solution: Solution, rounded: Rounded) -> dict[str, float]:
     """The answers of a student who writes every constructed point down and continues from it."""
     template = solution.template
-    givens = {name: plain(solution.assembly.values[name]) for name in template.parameters}
+    givens = {name: convert_number(solution.assembly.values[name]) for name in template.parameters}
     try:
-        assembly = assemble(template, givens, rounded, lambda point: write(point, rounded))
-        motion = Motion(build(assembly.mechanism, rounded), solution.motion.plan, {}, {})
-        return answers(
+        assembly = assemble(template, givens, rounded, lambda point: write_down(point, rounded))
+        motion = Motion(build_frames(assembly.mechanism, rounded), solution.motion.plan, {}, {})
+        return _find_answers(
             solution, assembly.values, assembly.functions, solve_by_hand(motion, rounded), rounded
         )
     except LOST:
         return {}
 
 
-def by_arms(solution: Solution, motion: Motion, rounded: Rounded) -> dict[str, float]:
+def work_by_arms(solution: Solution, motion: Motion, rounded: Rounded) -> dict[str, float]:
     """The answers of a student who keeps positions in the calculator; `rounded` determines what
     else is written down.
     """
     values = {
-        name: in_double(value)
+        name: convert_value(value)
         for name, value in solution.assembly.values.items()
         if name not in motion.points
     }
-    functions = {**elementary(rounded), **constructions(rounded, motion.points)}
+    functions = {**make_elementary_functions(rounded), **make_constructions(rounded, motion.points)}
     try:
-        return answers(
+        return _find_answers(
             solution,
             {**values, **motion.points},
             functions,
@@ -199,7 +207,7 @@ def by_arms(solution: Solution, motion: Motion, rounded: Rounded) -> dict[str, f
         return {}
 
 
-def answers(
+def _find_answers(
     solution: Solution,
     values: Mapping[str, Any],
     functions: Mapping[str, Callable[..., Any]],
@@ -207,16 +215,16 @@ def answers(
     rounded: Rounded,
 ) -> dict[str, float]:
     """The answers that a motion worked out by hand gives, without those that cannot be found."""
-    known = {**body_names(motion.frames.mechanism), **values}
-    may_call = {**functions, **quantities(motion, rounded)}
+    known = {**find_body_names(motion.frames.mechanism), **values}
+    may_call = {**functions, **make_quantities(motion, rounded)}
     found = {
-        name: worked_answer(solution.template.asks[name], answer, known, may_call, rounded)
+        name: _work_answer(solution.template.asks[name], answer, known, may_call, rounded)
         for name, answer in solution.answers.items()
     }
     return {name: number for name, number in found.items() if number is not None}
 
 
-def worked_answer(
+def _work_answer(
     ask: Ask,
     answer: Quantity,
     values: Mapping[str, Any],
@@ -227,14 +235,16 @@ def worked_answer(
     if calls(ask.quantity, "circle_of_poles"):
         return answer.value
     try:
-        number = plain(evaluate(ask.quantity, values, functions, rounded))
+        number = convert_number(evaluate(ask.quantity, values, functions, rounded))
     except LOST:
         return None
-    answered: float = number * DEGREES if ask.unit.degrees else number / plain(ask.unit.factor)
+    answered: float = (
+        number * _DEGREES if ask.unit.degrees else number / convert_number(ask.unit.factor)
+    )
     return answered
 
 
-def turn_of(ask: Ask) -> float:
+def find_full_turn(ask: Ask) -> float:
     """A full turn in the unit of an angle that is right with any number of turns; 0 for everything
     else.
     """
@@ -243,7 +253,7 @@ def turn_of(ask: Ask) -> float:
     return 360.0 if ask.unit.degrees else tau
 
 
-def nearest_turn(number: Any, exact: Any, turn: float) -> Any:
+def find_nearest_turn(number: Any, exact: Any, turn: float) -> Any:
     """The angle, or angles, with the number of full turns that brings it next to the exact one."""
     if not turn:
         return number
@@ -253,17 +263,17 @@ def nearest_turn(number: Any, exact: Any, turn: float) -> Any:
 
 def calls(tree: Expression, function: str) -> bool:
     """Whether an expression calls a function."""
-    return any(isinstance(part, Call) and part.function == function for part in every_part(tree))
+    return any(isinstance(part, Call) and part.function == function for part in walk(tree))
 
 
-def in_double(value: Any) -> Any:
+def convert_value(value: Any) -> Any:
     """A value that expressions may name, in doubles: a number, a point or a word."""
     if isinstance(value, str):
         return value
-    return double(value) if isinstance(value, Vector) else plain(value)
+    return convert_vector(value) if isinstance(value, Vector) else convert_number(value)
 
 
-def plain(number: Any) -> Any:
+def convert_number(number: Any) -> Any:
     """A number of any arithmetic as a double, angles in radians; arrays of doubles stay what they
     are.
     """

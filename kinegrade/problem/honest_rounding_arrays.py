@@ -17,30 +17,35 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.exact.rounded_arrays import RoundedArrays
-from kinegrade.expression import Expression, Operation, every_part
-from kinegrade.mechanics.motion_arrays import stacked, stacked_numbers, stacked_vector, structure
+from kinegrade.expression import Expression, Operation, walk
+from kinegrade.mechanics.motion_arrays import (
+    describe_structure,
+    stack_motions,
+    stack_numbers,
+    stack_vectors,
+)
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.honest_rounding import (
     Target,
-    by_arms,
-    by_coordinates,
     calls,
-    carried_figures,
-    in_double,
-    nearest_turn,
+    convert_value,
+    find_nearest_turn,
+    find_targets,
+    list_carried_figures,
     safe_room,
-    targets,
+    work_by_arms,
+    work_by_coordinates,
 )
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
 
-FEW = 4  # so few instances are worked out sooner one by one
-Flags = NDArray[np.bool_]
+_FEW = 4  # so few instances are worked out sooner one by one
+_Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
-class Instance:
+class _Instance:
     """An instance solved, and what is right in it."""
 
     solution: Solution
@@ -50,7 +55,11 @@ class Instance:
     def kind(self) -> Hashable:
         """What instances that are worked out together have in common."""
         figures = tuple((name, aim.figures) for name, aim in self.targets.items())
-        return structure(self.solution.doubles), tuple(self.solution.assembly.values), figures
+        return (
+            describe_structure(self.solution.doubles),
+            tuple(self.solution.assembly.values),
+            figures,
+        )
 
 
 def surely_honest(solutions: Sequence[Solution], tolerances: Mapping[str, Tolerance]) -> list[bool]:
@@ -58,19 +67,21 @@ def surely_honest(solutions: Sequence[Solution], tolerances: Mapping[str, Tolera
     `honest_rounding.stray` decides.
     """
     sure = [False] * len(solutions)
-    if not solutions or not together(solutions[0].template, solutions[0].answers):
+    if not solutions or not _can_be_stacked(solutions[0].template, solutions[0].answers):
         return sure
     kinds: dict[Hashable, list[int]] = defaultdict(list)
-    instances = [Instance(solution, targets(solution, tolerances)) for solution in solutions]
+    instances = [_Instance(solution, find_targets(solution, tolerances)) for solution in solutions]
     for place, instance in enumerate(instances):
         kinds[instance.kind].append(place)
     for places in kinds.values():
-        for place, flag in zip(places, passed([instances[place] for place in places]), strict=True):
+        for place, flag in zip(
+            places, _find_passed([instances[place] for place in places]), strict=True
+        ):
             sure[place] = bool(flag)
     return sure
 
 
-def together(template: Template, asks: Iterable[str]) -> bool:
+def _can_be_stacked(template: Template, asks: Iterable[str]) -> bool:
     """Whether a template's instances can be worked out together: powers of arrays may differ in the
     last bit, and a centrode is known alone.
     """
@@ -88,28 +99,28 @@ def together(template: Template, asks: Iterable[str]) -> bool:
         *sentences,
     )
     return not (
-        any(map(has_power, trees)) or any(calls(tree, "circle_of_poles") for tree in quantities)
+        any(map(_has_power, trees)) or any(calls(tree, "circle_of_poles") for tree in quantities)
     )
 
 
-def has_power(tree: Expression | None) -> bool:
+def _has_power(tree: Expression | None) -> bool:
     """Whether something in an expression is raised to a power."""
     if tree is None:
         return False
-    return any(isinstance(part, Operation) and part.sign == "**" for part in every_part(tree))
+    return any(isinstance(part, Operation) and part.sign == "**" for part in walk(tree))
 
 
-def passed(instances: Sequence[Instance]) -> Flags:
+def _find_passed(instances: Sequence[_Instance]) -> _Flags:
     """Which instances of one kind surely come out right. Where one that is not settled leads to
     what is no number, the others are looked at again without it.
     """
     sure = np.zeros(len(instances), dtype=bool)
     places = np.arange(len(instances))
-    while len(places) >= FEW:
+    while len(places) >= _FEW:
         chosen = [instances[place] for place in places.tolist()]
-        settled: Flags = np.ones(len(places), dtype=bool)
+        settled: _Flags = np.ones(len(places), dtype=bool)
         try:
-            for right, arithmetic in verdicts(chosen):
+            for right, arithmetic in _judge_ways(chosen):
                 settled &= right & ~arithmetic.unsettled
         except FloatingPointError as error:
             doubtful = getattr(error, "unsettled", None)
@@ -122,16 +133,16 @@ def passed(instances: Sequence[Instance]) -> Flags:
     return sure
 
 
-def verdicts(instances: Sequence[Instance]) -> Iterator[tuple[Flags, RoundedArrays]]:
+def _judge_ways(instances: Sequence[_Instance]) -> Iterator[tuple[_Flags, RoundedArrays]]:
     """For every way of working the instances in which all answers are right, and its arithmetic.
 
     Raises FloatingPointError with the instances that are `unsettled` so far.
     """
-    whole = stacked_solution([instance.solution for instance in instances])
+    whole = _stack_solutions([instance.solution for instance in instances])
     aims = {
         name: [instance.targets[name] for instance in instances] for name in instances[0].targets
     }
-    for figures, every in carried_figures(instances[0].targets):
+    for figures, every in list_carried_figures(instances[0].targets):
         concerned = {
             name: same for name, same in aims.items() if same[0].figures in (figures, figures - 1)
         }
@@ -142,23 +153,26 @@ def verdicts(instances: Sequence[Instance]) -> Iterator[tuple[Flags, RoundedArra
             try:
                 with arithmetic.context():
                     worked = (
-                        by_arms(whole, whole.motion, arithmetic)
+                        work_by_arms(whole, whole.motion, arithmetic)
                         if by == "arms"
-                        else by_coordinates(whole, arithmetic)
+                        else work_by_coordinates(whole, arithmetic)
                     )
             except FloatingPointError as error:
                 error.unsettled = arithmetic.unsettled  # type: ignore[attr-defined]
                 raise
             yield (
                 np.all(
-                    [met(same, worked.get(name), figures) for name, same in concerned.items()],
+                    [
+                        _find_met(same, worked.get(name), figures)
+                        for name, same in concerned.items()
+                    ],
                     axis=0,
                 ),
                 arithmetic,
             )
 
 
-def met(aims: Sequence[Target], worked: Any, figures: int) -> Flags:
+def _find_met(aims: Sequence[Target], worked: Any, figures: int) -> _Flags:
     """Where an answer is right, as it came out and however it is written; next to its bounds one by
     one.
     """
@@ -166,29 +180,31 @@ def met(aims: Sequence[Target], worked: Any, figures: int) -> Flags:
         return np.zeros(len(aims), dtype=bool)
     worked = np.broadcast_to(worked, len(aims))
     low, high, exact = np.array([(aim.low, aim.high, aim.exact) for aim in aims]).T
-    near, room = nearest_turn(worked, exact, aims[0].turn), safe_room(np.abs(worked), figures)
-    right: Flags = (low + room <= near) & (near <= high - room)
+    near, room = find_nearest_turn(worked, exact, aims[0].turn), safe_room(np.abs(worked), figures)
+    right: _Flags = (low + room <= near) & (near <= high - room)
     for place in np.flatnonzero(~right).tolist():
         right[place] = aims[place].met(float(worked[place]), figures)
     return right
 
 
-def stacked_solution(solutions: Sequence[Solution]) -> Solution:
+def _stack_solutions(solutions: Sequence[Solution]) -> Solution:
     """The solutions, in doubles, as one whose numbers are arrays; answers are the first one's."""
     first = solutions[0]
     values = {
-        name: stacked_values([in_double(solution.assembly.values[name]) for solution in solutions])
+        name: _stack_values(
+            [convert_value(solution.assembly.values[name]) for solution in solutions]
+        )
         for name in first.assembly.values
     }
     return replace(
         first,
-        motion=stacked([solution.doubles for solution in solutions]),
+        motion=stack_motions([solution.doubles for solution in solutions]),
         assembly=replace(first.assembly, values=values),
     )
 
 
-def stacked_values(values: Sequence[Any]) -> Any:
+def _stack_values(values: Sequence[Any]) -> Any:
     """Numbers, points or words (which are the same in all) as one."""
     if isinstance(values[0], str):
         return values[0]
-    return stacked_vector(values) if isinstance(values[0], Vector) else stacked_numbers(values)
+    return stack_vectors(values) if isinstance(values[0], Vector) else stack_numbers(values)

@@ -13,9 +13,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-KEPT = Fraction(1, 10**4)  # the last decimal that Canvas keeps
-SMALLEST = 10 * KEPT  # a right answer, not zero, of which two decimals are left at least
-FINER = {"km": ("m", 1000), "m": ("mm", 1000), "cm": ("mm", 10)}  # exact powers of ten
+_KEPT = Fraction(1, 10**4)  # the last decimal that Canvas keeps
+_SMALLEST = 10 * _KEPT  # a right answer, not zero, of which two decimals are left at least
+_FINER = {"km": ("m", 1000), "m": ("mm", 1000), "cm": ("mm", 10)}  # exact powers of ten
 # A length to the first power leads: m, m/s, cm/s^2
 _LENGTH_FIRST = re.compile(r"(km|m|cm)(?![\^a-z])")
 
@@ -35,7 +35,7 @@ class RightRange:
     @property
     def typed_fits(self) -> bool:
         """Whether the right answer is still right with the decimals that are kept of it."""
-        return self.low <= kept(self.value) <= self.high
+        return self.low <= round_as_kept(self.value) <= self.high
 
     @property
     def fits(self) -> bool:
@@ -44,51 +44,51 @@ class RightRange:
         """
         if self.low == self.high:
             return self.typed_fits
-        large = self.value == 0 or abs(self.value) >= SMALLEST
+        large = self.value == 0 or abs(self.value) >= _SMALLEST
         return large and (self._wide_enough or self._bounds_kept)
 
     @property
     def _wide_enough(self) -> bool:
-        return min(self.value - self.low, self.high - self.value) >= KEPT
+        return min(self.value - self.low, self.high - self.value) >= _KEPT
 
     @property
     def _bounds_kept(self) -> bool:
         """Whether rounding makes no right answer wrong, because the bounds are kept unchanged."""
-        whole = all((bound / KEPT).denominator == 1 for bound in (self.low, self.high))
-        return whole and self.high - self.low >= 2 * KEPT
+        whole = all((bound / _KEPT).denominator == 1 for bound in (self.low, self.high))
+        return whole and self.high - self.low >= 2 * _KEPT
 
 
-def kept(number: Fraction) -> Fraction:
+def round_as_kept(number: Fraction) -> Fraction:
     """What Canvas keeps of a number.
 
-    >>> float(kept(Fraction("1.23456")))
+    >>> float(round_as_kept(Fraction("1.23456")))
     1.2346
     """
-    return round(number / KEPT) * KEPT
+    return round(number / _KEPT) * _KEPT
 
 
-def units(unit: str) -> Iterator[tuple[str, int]]:
+def list_finer_units(unit: str) -> Iterator[tuple[str, int]]:
     """The unit and those that are finer, each with how many of it make one of the first.
 
-    >>> list(units("km/s")), list(units("rad/s"))
+    >>> list(list_finer_units("km/s")), list(list_finer_units("rad/s"))
     ([('km/s', 1), ('m/s', 1000), ('mm/s', 1000000)], [('rad/s', 1)])
     """
     factor = 1
     yield unit, factor
     while found := _LENGTH_FIRST.match(unit):
-        finer, more = FINER[found[1]]
+        finer, more = _FINER[found[1]]
         unit, factor = finer + unit[found.end() :], factor * more
         yield unit, factor
 
 
-def fitting_factor(unit: str, right: RightRange) -> int | None:
+def find_fitting_factor(unit: str, right: RightRange) -> int | None:
     """How many times finer the unit must be: the nearest one in which the range fits, else the
     finest one.
 
     None where not even the right answer itself is right in the finest one.
     """
     factor = 1
-    for _, factor in units(unit):
+    for _, factor in list_finer_units(unit):
         if right.times(factor).fits:
             return factor
     return factor if right.times(factor).typed_fits else None

@@ -11,7 +11,7 @@ from functools import lru_cache
 from hmac import digest
 from math import isqrt
 
-ROUNDS = 10  # of the network: as many as NIST SP 800-38G has in FF1, for domains as small as ours
+_ROUNDS = 10  # of the network: as many as NIST SP 800-38G has in FF1, for domains as small as ours
 
 
 @dataclass(frozen=True)
@@ -44,9 +44,9 @@ class KeyedOrder:
 
     def _enciphered(self, number: int, base: int) -> int:
         """A number below the square of `base`, sent through the network."""
-        key, name = self.secret.encode(), framed("order of draws") + framed(self.name)
+        key, name = self.secret.encode(), _frame("order of draws") + _frame(self.name)
         left, right = divmod(number, base)
-        for turn in range(ROUNDS):
+        for turn in range(_ROUNDS):
             message = name + turn.to_bytes() + str(right).encode()
             mixed = int.from_bytes(digest(key, message, "sha256"))
             left, right = right, (left + mixed) % base
@@ -57,12 +57,12 @@ def address(secret: str, *parts: str | int) -> int:
     """The number at an address: HMAC-SHA256 of the parts under the secret, as an integer of 256
     bits.
     """
-    message = b"".join(map(framed, parts))
+    message = b"".join(map(_frame, parts))
     return int.from_bytes(digest(secret.encode(), message, "sha256"))
 
 
 @lru_cache(maxsize=4096)
-def framed(part: str | int) -> bytes:
+def _frame(part: str | int) -> bytes:
     """A part of an address with its length in front."""
     text = str(part).encode()
     return len(text).to_bytes(4, "big") + text

@@ -60,7 +60,7 @@ class Unknown:
 Kind = Scalar | Arrow | Straight | Ring | BodyKind | Side | Unknown
 
 
-def in_words(kind: Kind) -> str:
+def describe_kind(kind: Kind) -> str:
     """A kind for a message."""
     match kind:
         case Scalar(None):
@@ -85,7 +85,7 @@ def in_words(kind: Kind) -> str:
             assert_never(kind)
 
 
-def united(where: str, *kinds: Kind) -> Dimension | None:
+def unite_dimensions(where: str, *kinds: Kind) -> Dimension | None:
     """The one dimension of numbers and vectors that go together; None where all are literals or
     unknown.
 

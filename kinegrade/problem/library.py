@@ -15,7 +15,7 @@ from kinegrade.problem.sections.opening import FOLDER, TEMPLATE
 from kinegrade.problem.template import Template
 
 
-def shipped(folder: str) -> Path:
+def find_shipped(folder: str) -> Path:
     """The folder of shipped "templates" or "banks": inside an installed package, beside it in a
     checkout.
     """
@@ -24,9 +24,9 @@ def shipped(folder: str) -> Path:
     return inside if inside.is_dir() else package.parent / folder
 
 
-def template_names() -> tuple[str, ...]:
+def find_template_names() -> tuple[str, ...]:
     """The names of the shipped templates, sorted."""
-    return tuple(sorted(path.stem for path in shipped("templates").glob("*.toml")))
+    return tuple(sorted(path.stem for path in find_shipped("templates").glob("*.toml")))
 
 
 def load_template(name: str, folder: Path | None = None, *, kept: bool = False) -> Template:
@@ -38,20 +38,22 @@ def load_template(name: str, folder: Path | None = None, *, kept: bool = False) 
     `read_template` for `kept`.
     """
     path = (
-        Path(name) if name.endswith(".toml") else (folder or shipped("templates")) / f"{name}.toml"
+        Path(name)
+        if name.endswith(".toml")
+        else (folder or find_shipped("templates")) / f"{name}.toml"
     )
-    known = [other.stem for other in (folder or shipped("templates")).glob("*.toml")]
+    known = [other.stem for other in (folder or find_shipped("templates")).glob("*.toml")]
     if not name.endswith(".toml") and name not in known:
         raise TemplateError(f'no template "{name}": {did_you_mean(name, known)}')
     return read_template(
         path.stem,
         read_text(path, TEMPLATE),
-        partial(mechanism_text, path.parent / FOLDER),
+        partial(_read_mechanism_text, path.parent / FOLDER),
         kept=kept,
     )
 
 
-def kept_template(name: str, folder: Path) -> Template:
+def load_kept_template(name: str, folder: Path) -> Template:
     """The template of that name which an exam keeps in `folder`; rules that are newer than the exam
     do not refuse it.
 
@@ -60,7 +62,7 @@ def kept_template(name: str, folder: Path) -> Template:
     return load_template(name, folder, kept=True)
 
 
-def mechanism_text(folder: Path, name: str) -> str:
+def _read_mechanism_text(folder: Path, name: str) -> str:
     """The text of the mechanism of that name in a folder. Raises FieldError when there is none,
     TemplateError when it cannot be read.
     """

@@ -14,7 +14,7 @@ from typing import Literal, assert_never
 
 from kinegrade.angular import is_angle
 from kinegrade.errors import FieldError, did_you_mean
-from kinegrade.expression import Call, Expression, Name, Number, Operation, whole_power
+from kinegrade.expression import Call, Expression, Name, Number, Operation, read_whole_power
 from kinegrade.problem.dimension import NUMBER, Dimension
 from kinegrade.problem.kinds import (
     Arrow,
@@ -25,13 +25,13 @@ from kinegrade.problem.kinds import (
     Side,
     Straight,
     Unknown,
-    in_words,
-    united,
+    describe_kind,
+    unite_dimensions,
 )
-from kinegrade.problem.radians import radians_slip
+from kinegrade.problem.radians import require_no_radians
 from kinegrade.problem.signatures import PlainSlot, Signature, Slot
 
-PLAIN: Mapping[PlainSlot, tuple[type[Kind], ...]] = {
+_PLAIN: Mapping[PlainSlot, tuple[type[Kind], ...]] = {
     "NUMBER": (Scalar,),
     "PLACE": (Arrow,),
     "VECTOR": (Arrow,),
@@ -41,7 +41,7 @@ PLAIN: Mapping[PlainSlot, tuple[type[Kind], ...]] = {
     "PLACE or LINE": (Arrow, Straight),
     "SIDE": (Side,),
 }
-TOGETHER = "angles go with angles, points with points, numbers with numbers"
+_TOGETHER = "angles go with angles, points with points, numbers with numbers"
 
 
 @dataclass(frozen=True)
@@ -73,24 +73,24 @@ class Scope:
         """A sum, difference, product, quotient or power."""
         left = self.kind(tree.left)
         if tree.sign == "**":
-            return power(left, whole_power(tree.right))
+            return _raise_kind(left, read_whole_power(tree.right))
         right = self.kind(tree.right)
         if Unknown() in (left, right):
             return Unknown()
         match tree.sign:
             case "+" | "-":
-                self.require_angles(tree)
-                return added(tree, left, right)
+                self._require_angles(tree)
+                return _add_kinds(tree, left, right)
             case "*" | "/":
-                return scaled(tree.sign, left, right)
+                return _scale_kind(tree.sign, left, right)
             case _:
                 assert_never(tree.sign)
 
-    def require_angles(self, tree: Operation) -> None:
+    def _require_angles(self, tree: Operation) -> None:
         """Raises FieldError where a plain number is added to an angle, as 90 in `phi + 90`."""
         for one, other in ((tree.left, tree.right), (tree.right, tree.left)):
             if is_angle(one, self.angles):
-                radians_slip(other)
+                require_no_radians(other)
 
     def call(self, tree: Call) -> Kind:
         """The value of a function."""
@@ -102,13 +102,15 @@ class Scope:
             near = did_you_mean(tree.function, known)
             raise FieldError(f'unknown function "{tree.function}"', do=near)
         if not signature.needed <= len(tree.arguments) <= len(signature.slots):
-            what = f"{called(tree)} of {counted(len(tree.arguments))}"
+            what = f"{_write_call(tree)} of {_write_count(len(tree.arguments))}"
             raise FieldError(what, signature.usage(tree.function))
         kinds = [self.kind(argument) for argument in tree.arguments]
         slots = signature.slots[: len(kinds)]
         for number, slot in enumerate(slots):
             if not self.fits(slot, tree.arguments[number], kinds[number]):
-                what = f"{called(tree)}: argument {number + 1} is {in_words(kinds[number])}"
+                what = (
+                    f"{_write_call(tree)}: argument {number + 1} is {describe_kind(kinds[number])}"
+                )
                 raise FieldError(what, signature.usage(tree.function))
         return signature.result(tree.function, kinds)
 
@@ -120,10 +122,10 @@ class Scope:
             return True
         match slot:
             case "RATIO":
-                return is_number(kind)
+                return _is_number(kind)
             case "ANGLE":
-                radians_slip(tree)
-                return is_number(kind)
+                require_no_radians(tree)
+                return _is_number(kind)
             case "PLACE or ANGLE":
                 return isinstance(kind, Arrow) or self.fits("ANGLE", tree, kind)
             case "POINT":
@@ -134,25 +136,25 @@ class Scope:
             case "PARAMETER":
                 return isinstance(tree, Name) and tree.name in self.angles
             case _:
-                return isinstance(kind, PLAIN[slot])
+                return isinstance(kind, _PLAIN[slot])
 
 
-def is_number(kind: Kind) -> bool:
+def _is_number(kind: Kind) -> bool:
     """Whether this is a pure number, an angle or a literal."""
     return isinstance(kind, Scalar) and kind.dimension in (None, NUMBER)
 
 
-def called(tree: Call) -> str:
+def _write_call(tree: Call) -> str:
     """A call for a message."""
     return f"{tree.function}(...)" if tree.function else "(x, y)"
 
 
-def counted(count: int) -> str:
+def _write_count(count: int) -> str:
     """How many arguments."""
     return f"{count} argument{'' if count == 1 else 's'}"
 
 
-def power(base: Kind, exponent: int) -> Kind:
+def _raise_kind(base: Kind, exponent: int) -> Kind:
     """A number to a whole power."""
     match base:
         case Unknown():
@@ -160,12 +162,14 @@ def power(base: Kind, exponent: int) -> Kind:
         case Scalar(dimension):
             return base if dimension is None else Scalar(dimension ** Fraction(exponent))
         case Arrow() | Straight() | Ring() | BodyKind() | Side():
-            raise FieldError(f"a power of {in_words(base)}", "a number to be raised to a power")
+            raise FieldError(
+                f"a power of {describe_kind(base)}", "a number to be raised to a power"
+            )
         case _:
             assert_never(base)
 
 
-def added(tree: Operation, left: Kind, right: Kind) -> Kind:
+def _add_kinds(tree: Operation, left: Kind, right: Kind) -> Kind:
     """The sum or difference of two numbers, or of two vectors; a sign before either is a difference
     from zero.
     """
@@ -175,27 +179,27 @@ def added(tree: Operation, left: Kind, right: Kind) -> Kind:
     if signed and isinstance(right, Arrow):
         return Arrow(right.dimension)
     if isinstance(left, Scalar) and isinstance(right, Scalar):
-        return Scalar(united(f'"{tree.sign}"', left, right))
+        return Scalar(unite_dimensions(f'"{tree.sign}"', left, right))
     if isinstance(left, Arrow) and isinstance(right, Arrow):
-        return Arrow(united(f'"{tree.sign}"', left, right))
-    raise misfit(tree.sign, left, right)
+        return Arrow(unite_dimensions(f'"{tree.sign}"', left, right))
+    raise _explain_misfit(tree.sign, left, right)
 
 
-def scaled(sign: Literal["*", "/"], left: Kind, right: Kind) -> Kind:
+def _scale_kind(sign: Literal["*", "/"], left: Kind, right: Kind) -> Kind:
     """A product or a quotient; a vector may be multiplied and divided by a number."""
     if not isinstance(left, Scalar | Arrow) or not isinstance(right, Scalar | Arrow):
-        raise misfit(sign, left, right)
+        raise _explain_misfit(sign, left, right)
     if isinstance(right, Arrow) and (sign == "/" or isinstance(left, Arrow)):
-        raise misfit(sign, left, right)
+        raise _explain_misfit(sign, left, right)
     first, second = left.dimension, right.dimension
     found = None
     if first is not None or second is not None:
-        found = multiplied(sign, first or NUMBER, second or NUMBER)
+        found = _multiply_dimensions(sign, first or NUMBER, second or NUMBER)
     vectorial = isinstance(left, Arrow) or isinstance(right, Arrow)
     return Arrow(found) if vectorial else Scalar(found)
 
 
-def multiplied(sign: Literal["*", "/"], first: Dimension, second: Dimension) -> Dimension:
+def _multiply_dimensions(sign: Literal["*", "/"], first: Dimension, second: Dimension) -> Dimension:
     """The dimension of a product or a quotient."""
     match sign:
         case "*":
@@ -206,8 +210,8 @@ def multiplied(sign: Literal["*", "/"], first: Dimension, second: Dimension) -> 
             assert_never(sign)
 
 
-def misfit(sign: str, left: Kind, right: Kind) -> FieldError:
+def _explain_misfit(sign: str, left: Kind, right: Kind) -> FieldError:
     """The error for two things between which a sign makes no sense."""
     kinds: Sequence[Kind] = (left, right)
-    words = " and ".join(in_words(kind) for kind in kinds)
-    return FieldError(f'"{sign}" between {words}', do=TOGETHER)
+    words = " and ".join(describe_kind(kind) for kind in kinds)
+    return FieldError(f'"{sign}" between {words}', do=_TOGETHER)

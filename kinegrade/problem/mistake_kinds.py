@@ -18,7 +18,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from kinegrade.exact.angle import Angle, Inexact
-from kinegrade.expression import Call, Expression, Name, every_part
+from kinegrade.expression import Call, Expression, Name, walk
 from kinegrade.language import Language
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.signs import CONVENTIONS
@@ -32,8 +32,8 @@ class Mistake:
     """One way to go wrong on the way to all answers of an instance.
 
     `shares` are those of `Slips` that are not 1; `givens` gives the parameters as they are
-    mistaken; `other_branch` takes the other common point of circles and lines; `plain_lengths`
-    works with the numbers of lengths as they stand.
+    mistaken; `other_branch` takes the other common point of circles and lines;
+    `_take_plain_lengths` works with the numbers of lengths as they stand.
     """
 
     identifier: str
@@ -43,19 +43,19 @@ class Mistake:
     plain_lengths: bool = False
 
 
-def complements(template: Template, values: Givens, arithmetic: Any) -> Givens:
+def _complement_angles(template: Template, values: Givens, arithmetic: Any) -> Givens:
     """Every given angle counted from the other axis, which swaps its sine and its cosine."""
     quarter = arithmetic.turns(fmpq(1, 2))
     return {**values, **{name: quarter - values[name] for name in template.angles}}
 
 
-def degrees_as_radians(template: Template, values: Givens, arithmetic: Any) -> Givens:
+def take_degrees_as_radians(template: Template, values: Givens, arithmetic: Any) -> Givens:
     """Every angle given in degrees with its number taken for radians."""
     names = [name for name, parameter in template.parameters.items() if parameter.unit.degrees]
-    return {**values, **{name: number_of_degrees(values[name], arithmetic) for name in names}}
+    return {**values, **{name: _count_degrees(values[name], arithmetic) for name in names}}
 
 
-def number_of_degrees(angle: Any, arithmetic: Any) -> Any:
+def _count_degrees(angle: Any, arithmetic: Any) -> Any:
     """How many degrees an angle has. Raises Inexact in the exact field, where a number of radians
     is no angle.
     """
@@ -64,12 +64,12 @@ def number_of_degrees(angle: Any, arithmetic: Any) -> Any:
     return angle * 180 / (arb.pi() if isinstance(angle, arb) else arithmetic.turns(1))
 
 
-def diameters(template: Template, values: Givens, arithmetic: Any) -> Givens:
+def _take_diameters(template: Template, values: Givens, arithmetic: Any) -> Givens:
     """Every given radius of a circle doubled."""
-    return {**values, **{name: values[name] * 2 for name in radii(template)}}
+    return {**values, **{name: values[name] * 2 for name in _find_radii(template)}}
 
 
-def plain_rates(template: Template, values: Givens, arithmetic: Any) -> Givens:
+def _take_plain_rates(template: Template, values: Givens, arithmetic: Any) -> Givens:
     """Angular rates given in revolutions or radians per minute with their number taken for radians
     per second.
     """
@@ -77,12 +77,12 @@ def plain_rates(template: Template, values: Givens, arithmetic: Any) -> Givens:
         **values,
         **{
             name: values[name] / arithmetic.number(template.parameters[name].unit.factor)
-            for name in unconverted_rates(template)
+            for name in _find_unconverted_rates(template)
         },
     }
 
 
-def plain_lengths(template: Template, values: Givens, arithmetic: Any) -> Givens:
+def _take_plain_lengths(template: Template, values: Givens, arithmetic: Any) -> Givens:
     """Lengths, velocities and accelerations with the number that is given, whatever its unit."""
     return {
         **values,
@@ -108,33 +108,33 @@ MISTAKES = (
     Mistake("centre-for-pole", {"centre": fmpq(0)}),
     Mistake("transport-for-absolute", {"relative": fmpq(0)}),
     Mistake("other-branch", other_branch=True),
-    Mistake("sine-for-cosine", givens=complements),
-    Mistake("degrees-for-radians", givens=degrees_as_radians),
-    Mistake("diameter-for-radius", givens=diameters),
-    Mistake("rpm-not-converted", givens=plain_rates),
-    Mistake("millimetres-for-metres", givens=plain_lengths, plain_lengths=True),
+    Mistake("sine-for-cosine", givens=_complement_angles),
+    Mistake("degrees-for-radians", givens=take_degrees_as_radians),
+    Mistake("diameter-for-radius", givens=_take_diameters),
+    Mistake("rpm-not-converted", givens=_take_plain_rates),
+    Mistake("millimetres-for-metres", givens=_take_plain_lengths, plain_lengths=True),
 )
-IN_THE_ANSWER: Mapping[str, Any] = {
+_IN_THE_ANSWER: Mapping[str, Any] = {
     "sense-reversed": fmpq(-1),
     "power-of-ten-up": fmpq(10),
     "power-of-ten-down": fmpq(1, 10),
 }
-IDENTIFIERS = (*(mistake.identifier for mistake in MISTAKES), *IN_THE_ANSWER)
-UNSIGNED = frozenset(CONVENTIONS[keyword].en for keyword in ("magnitude", "unsigned"))
+IDENTIFIERS = (*(mistake.identifier for mistake in MISTAKES), *_IN_THE_ANSWER)
+_UNSIGNED = frozenset(CONVENTIONS[keyword].en for keyword in ("magnitude", "unsigned"))
 
 
-def factors(ask: Ask) -> dict[str, Any]:
+def list_answer_factors(ask: Ask) -> dict[str, Any]:
     """The factor by which each mistake in writing changes the answer; only a signed one can be
     reversed.
     """
     return {
         name: factor
-        for name, factor in IN_THE_ANSWER.items()
-        if factor > 0 or ask.sign.en not in UNSIGNED
+        for name, factor in _IN_THE_ANSWER.items()
+        if factor > 0 or ask.sign.en not in _UNSIGNED
     }
 
 
-def radii(template: Template) -> set[str]:
+def _find_radii(template: Template) -> set[str]:
     """The parameters that are the radius of a circle which joints speak of."""
     circles = [
         shape
@@ -152,7 +152,7 @@ def radii(template: Template) -> set[str]:
     }
 
 
-def unconverted_rates(template: Template) -> list[str]:
+def _find_unconverted_rates(template: Template) -> list[str]:
     """The parameters that are angular rates in other units than rad/s and rad/s^2."""
     return [
         name
@@ -161,9 +161,9 @@ def unconverted_rates(template: Template) -> list[str]:
     ]
 
 
-def candidates(template: Template, asks: Mapping[str, Ask]) -> Iterator[Mistake]:
+def find_candidates(template: Template, asks: Mapping[str, Ask]) -> Iterator[Mistake]:
     """The mistakes that are possible in the template, where these quantities are asked for."""
-    occasions, others = occasions_of_shares(template, asks), occasions_of_givens(template, asks)
+    occasions, others = _find_share_occasions(template, asks), _find_given_occasions(template, asks)
     for mistake in MISTAKES:
         if others.get(
             mistake.identifier,
@@ -172,7 +172,7 @@ def candidates(template: Template, asks: Mapping[str, Ask]) -> Iterator[Mistake]
             yield mistake
 
 
-def occasions_of_shares(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
+def _find_share_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
     """For each share of a term whether the template has such terms."""
     kinds = {joint.kind for joint in template.scheme.joints}
     relative = any(joint.of != GROUND for joint in template.scheme.joints) or any(
@@ -185,7 +185,7 @@ def occasions_of_shares(template: Template, asks: Mapping[str, Ask]) -> dict[str
         "relative_normal": accelerations,
         "path_normal": accelerations,
         "carried": wheels or any(driver.of != GROUND for driver in template.scheme.drivers),
-        "asked_relative": any(calls(ask.quantity, ("omega", "alpha"), 2) for ask in asks.values()),
+        "asked_relative": any(_calls(ask.quantity, ("omega", "alpha"), 2) for ask in asks.values()),
         "meshing": wheels,
         "arm": wheels,
         "centre": wheels,
@@ -194,7 +194,7 @@ def occasions_of_shares(template: Template, asks: Mapping[str, Ask]) -> dict[str
     }
 
 
-def occasions_of_givens(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
+def _find_given_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
     """For each mistake in reading what is given whether the template can be misread so."""
     units = {
         unit
@@ -205,27 +205,27 @@ def occasions_of_givens(template: Template, asks: Mapping[str, Ask]) -> dict[str
         if unit.length
     }
     return {
-        "other-branch": any(calls(tree, ("meet",), 3) for tree in template.scheme.points.values()),
+        "other-branch": any(_calls(tree, ("meet",), 3) for tree in template.scheme.points.values()),
         "sine-for-cosine": bool(template.angles),
         "degrees-for-radians": any(
             parameter.unit.degrees for parameter in template.parameters.values()
         ),
-        "diameter-for-radius": bool(radii(template)),
-        "rpm-not-converted": bool(unconverted_rates(template)),
+        "diameter-for-radius": bool(_find_radii(template)),
+        "rpm-not-converted": bool(_find_unconverted_rates(template)),
         "millimetres-for-metres": len({unit.text.split("/")[0] for unit in units}) > 1,
     }
 
 
-def calls(tree: Expression, functions: tuple[str, ...], count: int) -> bool:
+def _calls(tree: Expression, functions: tuple[str, ...], count: int) -> bool:
     """Whether one of the functions is called with `count` arguments in an expression."""
     return any(
         isinstance(part, Call) and part.function in functions and len(part.arguments) == count
-        for part in every_part(tree)
+        for part in walk(tree)
     )
 
 
 @cache
-def sentences() -> dict[str, dict[Language, str]]:
+def load_sentences() -> dict[str, dict[Language, str]]:
     """The sentence of every mistake in both languages, by its identifier."""
     table: dict[str, Any] = tomllib.loads(
         files("kinegrade.problem").joinpath("mistake_words.toml").read_text("utf-8")
@@ -233,10 +233,10 @@ def sentences() -> dict[str, dict[Language, str]]:
     return table
 
 
-def mistake_sentence(identifier: str, language: Language) -> str:
+def describe_mistake(identifier: str, language: Language) -> str:
     """What a mistake is, in one sentence for the student who made it.
 
-    >>> mistake_sentence("coriolis-halved", "en")
+    >>> describe_mistake("coriolis-halved", "en")
     'The factor 2 of the Coriolis acceleration was forgotten.'
     """
-    return sentences()[identifier][language]
+    return load_sentences()[identifier][language]

@@ -1,8 +1,8 @@
 """What known mistakes lead to, for the answers of one instance or of thousands: the same plan, run
 on after each.
 
-All mistakes of all instances go through one run in doubles, `outcomes`; `work_out` follows a single
-one in any arithmetic, and tests hold the one against the other.
+All mistakes of all instances go through one run in doubles, `find_outcomes`; `work_out` follows a
+single one in any arithmetic, and tests hold the one against the other.
 """
 
 from __future__ import annotations
@@ -20,29 +20,29 @@ from kinegrade.errors import AtInfinity, ExpressionError, KinegradeError
 from kinegrade.exact.angle import Angle
 from kinegrade.exact.elimination import Singular
 from kinegrade.exact.floats import Floats
-from kinegrade.expression import evaluate, read
+from kinegrade.expression import evaluate, read_expression
 from kinegrade.mechanics.configuration import require_assembled
 from kinegrade.mechanics.geometry import Round
-from kinegrade.mechanics.mistaken import mistaken
-from kinegrade.mechanics.motion import Motion, pose, solve
+from kinegrade.mechanics.mistaken import make_mistaken_motion
+from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.slips import Slips
-from kinegrade.problem.assemble import Assembly, assemble, parameter_value
-from kinegrade.problem.centrode import Centrodes, through
-from kinegrade.problem.mistake_kinds import Mistake, candidates, factors
-from kinegrade.problem.quantities import body_names, quantities
-from kinegrade.problem.scale import sizes
+from kinegrade.problem.assemble import Assembly, assemble, read_parameter
+from kinegrade.problem.centrode import Centrodes, find_circle
+from kinegrade.problem.mistake_kinds import Mistake, find_candidates, list_answer_factors
+from kinegrade.problem.quantities import find_body_names, make_quantities
+from kinegrade.problem.scale import list_sizes
 from kinegrade.problem.template import Ask, Parameter, Template
 
 RIGHT = Mistake("")
 SAME = 1e-9  # relative, below one absolute: closer than this a value is not changed, only rounded
-LARGEST = 1e9  # in the ask's unit: what is larger is a division by zero that rounding hides
+_LARGEST = 1e9  # in the ask's unit: what is larger is a division by zero that rounding hides
 Values = Mapping[str, Sequence[str]]  # for each parameter the texts of an array of instances
-SHARES = tuple(field.name for field in fields(Slips))
+_SHARES = tuple(field.name for field in fields(Slips))
 
 
 @dataclass(frozen=True)
-class Misread:
+class _Misread:
     """An arithmetic in which the other one of two common points is chosen where `other` holds."""
 
     arithmetic: Any
@@ -71,33 +71,35 @@ class Way:
     plain_lengths: Any = False
 
 
-def moved(
+def _solve_mistaken(
     template: Template, way: Way, plan: Plan, arithmetic: Any, *, perturbed: bool = False
-) -> Reader:
+) -> _Reader:
     """The motion as it comes out that way, to be read off; `perturbed` as `mistaken` takes it.
 
     Raises MechanismError or Singular where there is none, Inexact and Undecided as the arithmetic
     does.
     """
-    assembly = assemble(template, way.values, Misread(arithmetic, way.other_branch))
+    assembly = assemble(template, way.values, _Misread(arithmetic, way.other_branch))
     motion: Motion
     if template.scheme.drivers:
         if arithmetic.certified:
             require_assembled(assembly.mechanism, arithmetic)
-        motion = mistaken(assembly.mechanism, arithmetic, plan, way.slips, perturbed=perturbed)
+        motion = make_mistaken_motion(
+            assembly.mechanism, arithmetic, plan, way.slips, perturbed=perturbed
+        )
     else:
-        motion = pose(assembly.mechanism, arithmetic)
+        motion = pose_mechanism(assembly.mechanism, arithmetic)
     centrodes = Centrodes if arithmetic.certified else CloseCentrodes
-    return Reader(assembly, motion, centrodes(template, way.values, plan), way.plain_lengths)
+    return _Reader(assembly, motion, centrodes(template, way.values, plan), way.plain_lengths)
 
 
 def work_out(
     template: Template, asks: Mapping[str, Ask], way: Way, plan: Plan, arithmetic: Any
 ) -> dict[str, Any]:
     """The answers in the asks' units, without those that the mistake leaves without a value. Raises
-    as `moved`.
+    as `_solve_mistaken`.
     """
-    reader = moved(template, way, plan, arithmetic)
+    reader = _solve_mistaken(template, way, plan, arithmetic)
     found = {name: reader.answer(ask, arithmetic) for name, ask in asks.items()}
     return {name: value for name, value in found.items() if value is not None}
 
@@ -118,12 +120,12 @@ class CloseCentrodes(Centrodes):
             mechanism = assemble(
                 self.template, {**self.values, parameter: changed}, arithmetic
             ).mechanism
-            poles.append(solve(mechanism, arithmetic, self.plan).pole(body, arithmetic))
-        return through(poles[0], poles[1], poles[2], arithmetic)
+            poles.append(solve_motion(mechanism, arithmetic, self.plan).pole(body, arithmetic))
+        return find_circle(poles[0], poles[1], poles[2], arithmetic)
 
 
 @dataclass(frozen=True)
-class Reader:
+class _Reader:
     """Reads answers off a motion, in the asks' units."""
 
     assembly: Assembly
@@ -134,19 +136,19 @@ class Reader:
     def answer(self, ask: Ask, arithmetic: Any) -> Any:
         """The answer of one ask, None where there is no value."""
         forked = arithmetic.fork()
-        values = {**body_names(self.assembly.mechanism), **self.assembly.values}
+        values = {**find_body_names(self.assembly.mechanism), **self.assembly.values}
         functions = {
             **self.assembly.functions,
-            **quantities(self.motion, forked),
+            **make_quantities(self.motion, forked),
             **self.centrodes.functions(forked),
         }
         try:
             number = evaluate(ask.quantity, values, functions, forked)
         except (KinegradeError, AtInfinity):
             return None
-        return self.in_unit(number, ask, arithmetic)
+        return self._in_unit(number, ask, arithmetic)
 
-    def in_unit(self, number: Any, ask: Ask, arithmetic: Any) -> Any:
+    def _in_unit(self, number: Any, ask: Ask, arithmetic: Any) -> Any:
         """A number of SI as it is written in the ask's unit; a length as it stands where no unit
         was thought of.
         """
@@ -163,7 +165,9 @@ class Reader:
         )
 
 
-def way_of(mistake: Mistake, template: Template, values: Mapping[str, Any], arithmetic: Any) -> Way:
+def choose_way(
+    mistake: Mistake, template: Template, values: Mapping[str, Any], arithmetic: Any
+) -> Way:
     """The way of one mistake at the parameters `values` (SI), for `work_out` in any arithmetic."""
     shares = {name: arithmetic.number(share) for name, share in mistake.shares.items()}
     return Way(
@@ -187,7 +191,7 @@ class Outcomes:
     scales: Mapping[str, Any]
 
 
-def outcomes(
+def find_outcomes(
     template: Template,
     asks: Mapping[str, Ask],
     mistakes: Sequence[Mistake],
@@ -205,29 +209,29 @@ def outcomes(
     shape = np.broadcast_shapes(*(np.shape(value) for value in values.values()))
     nothing = np.full(shape, np.nan)
     with floats.context():
-        way = together(template, ways, values, shape)
+        way = _join_ways(template, ways, values, shape)
         try:
-            reader = moved(template, way, plan, floats, perturbed=perturbed)
+            reader = _solve_mistaken(template, way, plan, floats, perturbed=perturbed)
         except (KinegradeError, Singular):
             return Outcomes(
-                {name: finite(nothing, (len(ways), *shape)) for name in asks},
+                {name: _require_finite(nothing, (len(ways), *shape)) for name in asks},
                 dict.fromkeys(asks, nothing),
             )
         found = {name: reader.answer(ask, floats) for name, ask in asks.items()}
         answers = {
-            name: finite(nothing if value is None else value, (len(ways), *shape))
+            name: _require_finite(nothing if value is None else value, (len(ways), *shape))
             for name, value in found.items()
         }
         return Outcomes(
             answers,
             {
-                name: own_scale(reader.motion, ask, (len(ways), *shape))
+                name: _find_right_scale(reader.motion, ask, (len(ways), *shape))
                 for name, ask in asks.items()
             },
         )
 
 
-def known_mistakes(
+def find_known_mistakes(
     template: Template, asks: Mapping[str, Ask], values: Values, plan: Plan
 ) -> dict[str, dict[str, Any]]:
     """For every ask and mistake an array of what it leads to in each instance, as
@@ -236,46 +240,46 @@ def known_mistakes(
     NaN where a mistake has no value; those that change nothing in an instance have the right answer
     there.
     """
-    kinds = tuple(candidates(template, asks))
-    rows = outcomes(template, asks, kinds, in_floats(template, values), plan).answers
+    kinds = tuple(find_candidates(template, asks))
+    rows = find_outcomes(template, asks, kinds, convert_parameters(template, values), plan).answers
     return {
         name: {
             **dict(zip((kind.identifier for kind in kinds), rows[name][1:], strict=True)),
             **{
-                written: rows[name][0] * as_float(factor)
-                for written, factor in factors(ask).items()
+                written: rows[name][0] * convert_number(factor)
+                for written, factor in list_answer_factors(ask).items()
             },
         }
         for name, ask in asks.items()
     }
 
 
-def in_floats(template: Template, values: Values) -> dict[str, Any]:
+def convert_parameters(template: Template, values: Values) -> dict[str, Any]:
     """The parameters (SI, radians) as arrays of doubles; NaN for a text that is no number."""
     arrays = {}
     for name, texts in values.items():
-        known = {text: in_float(template.parameters[name], text) for text in set(texts)}
+        known = {text: convert_parameter(template.parameters[name], text) for text in set(texts)}
         arrays[name] = np.array([known[text] for text in texts])
     return arrays
 
 
-def in_float(parameter: Parameter, text: str) -> float:
+def convert_parameter(parameter: Parameter, text: str) -> float:
     """A parameter's value (SI, radians) as a double; NaN where the text is no number."""
     floats = Floats()
     try:
         with floats.context():
-            return float(parameter_value(parameter, read(text), floats))
+            return float(read_parameter(parameter, read_expression(text), floats))
     except ExpressionError:
         return float("nan")
 
 
-def own_scale(motion: Motion, ask: Ask, shape: tuple[int, ...]) -> Any:
+def _find_right_scale(motion: Motion, ask: Ask, shape: tuple[int, ...]) -> Any:
     """The scale of the right motion, the first row of all, for the quantity that an ask is of."""
-    largest = reduce(np.fmax, sizes(motion, ask.unit), np.float64(0))
+    largest = reduce(np.fmax, list_sizes(motion, ask.unit), np.float64(0))
     return np.broadcast_to(largest, shape)[0]
 
 
-def together(
+def _join_ways(
     template: Template, ways: Sequence[Mistake], values: Mapping[str, Any], shape: tuple[int, ...]
 ) -> Way:
     """All ways through the instances at once, one along the first axis for each."""
@@ -288,7 +292,7 @@ def together(
         name: np.array([float(floats.number(way.shares.get(name, 1))) for way in ways]).reshape(
             column
         )
-        for name in SHARES
+        for name in _SHARES
         if name in thought
     }
     branch, lengths = (
@@ -298,17 +302,17 @@ def together(
     return Way(rows, Slips(**shares), branch, lengths)
 
 
-def finite(found: Any, shape: tuple[int, ...]) -> Any:
+def _require_finite(found: Any, shape: tuple[int, ...]) -> Any:
     """An array of that shape, NaN for what is no proper number, zero for what rounding leaves of
     it.
     """
     rows = np.array(np.broadcast_to(found, shape), dtype=float)
-    rows[~(np.abs(rows) < LARGEST)] = np.nan
+    rows[~(np.abs(rows) < _LARGEST)] = np.nan
     rows[np.abs(rows) < SAME] = 0.0
     return rows
 
 
-def as_float(number: Any) -> float:
+def convert_number(number: Any) -> float:
     """A number of any arithmetic as a double, angles in radians."""
     return float(number.ball() if isinstance(number, Angle) else number)
 
@@ -330,9 +334,9 @@ class Mistakes:
         """For each ask and mistake the value in the ask's unit; a mistake without value is not
         there.
         """
-        kinds = tuple(candidates(self.template, self.asks))
-        values = {name: as_float(self.values[name]) for name in self.template.parameters}
-        rows = outcomes(self.template, self.asks, kinds, values, self.plan).answers
+        kinds = tuple(find_candidates(self.template, self.asks))
+        values = {name: convert_number(self.values[name]) for name in self.template.parameters}
+        rows = find_outcomes(self.template, self.asks, kinds, values, self.plan).answers
         return {
             name: {
                 kind.identifier: value
@@ -345,16 +349,18 @@ class Mistakes:
     def of(self, ask: str, right: float) -> dict[str, float]:
         """The values of an ask that differ from the right one, by the mistakes' identifiers."""
         values = {
-            name: value for name, value in self.leads[ask].items() if name and differs(value, right)
+            name: value
+            for name, value in self.leads[ask].items()
+            if name and _differs(value, right)
         }
         written = {
-            name: right * as_float(factor)
-            for name, factor in factors(self.asks[ask]).items()
+            name: right * convert_number(factor)
+            for name, factor in list_answer_factors(self.asks[ask]).items()
             if right
         }
         return {**values, **written}
 
 
-def differs(value: float, right: float) -> bool:
+def _differs(value: float, right: float) -> bool:
     """Whether a value is another one, and not the same one rounded."""
     return abs(value - right) > SAME * max(abs(value), abs(right), 1.0)

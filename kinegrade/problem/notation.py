@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-GREEK = {
+_GREEK = {
     "alpha": r"\alpha",
     "beta": r"\beta",
     "gamma": r"\gamma",
@@ -23,44 +23,46 @@ GREEK = {
     "eta": r"\eta",
     "omega": r"\omega",
 }
-PARTS = {"rel": r"\mathrm{r}", "tr": r"\mathrm{e}", "cor": r"\mathrm{C}"}
-UPPER = {"n": r"\mathrm{n}", "t": r"\mathrm{t}"}
+_PARTS = {"rel": r"\mathrm{r}", "tr": r"\mathrm{e}", "cor": r"\mathrm{C}"}
+_UPPER = {"n": r"\mathrm{n}", "t": r"\mathrm{t}"}
 
 
-def symbol(name: str) -> str:
+def write_symbol(name: str) -> str:
     """The LaTeX symbol of a parameter or an ask.
 
-    >>> symbol("omega_AB"), symbol("a_BA_n")
+    >>> write_symbol("omega_AB"), write_symbol("a_BA_n")
     ('\\\\omega_{AB}', 'a_{BA}^{\\\\mathrm{n}}')
     """
     head, *rest = name.split("_")
-    letters, digits = split_digits(head)
-    lower = ([digits] if digits else []) + [subscript(part) for part in rest if part not in UPPER]
-    upper = [UPPER[part] for part in rest if part in UPPER]
-    text = GREEK.get(letters, letters)
+    letters, digits = _split_digits(head)
+    lower = ([digits] if digits else []) + [
+        _write_subscript(part) for part in rest if part not in _UPPER
+    ]
+    upper = [_UPPER[part] for part in rest if part in _UPPER]
+    text = _GREEK.get(letters, letters)
     if lower:
         text += "_{" + ",".join(lower) + "}"
     return text + ("^{" + ",".join(upper) + "}" if upper else "")
 
 
-def subscript(part: str) -> str:
+def _write_subscript(part: str) -> str:
     """One part of a subscript: relative, transport and Coriolis by their letters, points with their
     digits.
     """
-    return PARTS.get(part, point_symbol(part))
+    return _PARTS.get(part, write_point_symbol(part))
 
 
-def point_symbol(name: str) -> str:
+def write_point_symbol(name: str) -> str:
     """A point or body name in LaTeX math: O1 becomes O_{1}, Bp becomes B'.
 
-    >>> point_symbol("O1"), point_symbol("Bp"), point_symbol("AB")
+    >>> write_point_symbol("O1"), write_point_symbol("Bp"), write_point_symbol("AB")
     ('O_{1}', "B'", 'AB')
     """
     primed = re.sub(r"(?<=[A-Z])p", "'", name)
     return re.sub(r"(\d+)", r"_{\1}", primed) if not name.isdigit() else name
 
 
-def split_digits(head: str) -> tuple[str, str]:
+def _split_digits(head: str) -> tuple[str, str]:
     """A name's letters and the digits at its end."""
     match = re.fullmatch(r"(.*?)(\d*)", head)
     return (match.group(1), match.group(2)) if match else (head, "")

@@ -15,17 +15,17 @@ from typing import Any, assert_never
 from kinegrade.expression import Call, Expression, Name, Number, Operation
 from kinegrade.mechanics.followed import FollowedMotion
 from kinegrade.mechanics.mechanism import Body
-from kinegrade.mechanics.own_terms import coriolis_share, normal_share
+from kinegrade.mechanics.own_terms import name_coriolis_share, name_normal_share
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.quantities import Quantities, quantities
+from kinegrade.problem.quantities import Quantities, make_quantities
 
-ROTATION = "rotation_velocity"
+_ROTATION = "rotation_velocity"
 LEVELS: Mapping[str, Level] = {
     "velocity": "velocity",
     "omega": "velocity",
     "relative_velocity": "velocity",
-    ROTATION: "velocity",
+    _ROTATION: "velocity",
     "acceleration": "acceleration",
     "alpha": "acceleration",
     "relative_acceleration": "acceleration",
@@ -33,11 +33,11 @@ LEVELS: Mapping[str, Level] = {
     "coriolis": "acceleration",
     "normal_acceleration": "acceleration",
 }
-MOTION = frozenset((*LEVELS, "pole", "circle_of_poles"))
+_MOTION = frozenset((*LEVELS, "pole", "circle_of_poles"))
 
 
 @dataclass(frozen=True)
-class OwnQuantities(Quantities):
+class _OwnQuantities(Quantities):
     """Reads quantities off a motion into which a student's values are put."""
 
     motion: FollowedMotion
@@ -46,7 +46,7 @@ class OwnQuantities(Quantities):
         """Centripetal part of the acceleration of a point relative to a base point of the same
         body, as it is taken.
         """
-        share = self.motion.share(normal_share(self.point(place), self.point(base)))
+        share = self.motion.share(name_normal_share(self.point(place), self.point(base)))
         taken: Vector = super().normal(place, base, body) * share
         return taken
 
@@ -56,35 +56,37 @@ class OwnQuantities(Quantities):
         return velocity
 
 
-def own_functions(motion: FollowedMotion, arithmetic: Any) -> dict[str, Callable[..., Any]]:
+def make_functions(motion: FollowedMotion, arithmetic: Any) -> dict[str, Callable[..., Any]]:
     """The functions of a quantity, read off such a motion."""
-    reader = OwnQuantities(motion, arithmetic)
+    reader = _OwnQuantities(motion, arithmetic)
     return {
-        **quantities(motion, arithmetic),
+        **make_quantities(motion, arithmetic),
         "normal_acceleration": reader.normal,
-        ROTATION: reader.rotation,
+        _ROTATION: reader.rotation,
     }
 
 
-def with_rotations(tree: Expression, bodies: Sequence[Body]) -> Expression:
+def replace_differences(tree: Expression, bodies: Sequence[Body]) -> Expression:
     """The tree with each difference of the velocities of two points of one body written as the
     body's rotation.
     """
     match tree:
         case Call(function, arguments):
-            return Call(function, tuple(with_rotations(part, bodies) for part in arguments))
+            return Call(function, tuple(replace_differences(part, bodies) for part in arguments))
         case Number() | Name():
             return tree
         case Operation(sign, left, right):
-            body = common_body(tree, bodies)
+            body = _find_common_body(tree, bodies)
             if body:
-                return Call(ROTATION, (left.arguments[0], right.arguments[0], Name(body)))  # type: ignore[union-attr]
-            return Operation(sign, with_rotations(left, bodies), with_rotations(right, bodies))
+                return Call(_ROTATION, (left.arguments[0], right.arguments[0], Name(body)))  # type: ignore[union-attr]
+            return Operation(
+                sign, replace_differences(left, bodies), replace_differences(right, bodies)
+            )
         case _:
             assert_never(tree)
 
 
-def common_body(tree: Operation, bodies: Sequence[Body]) -> str | None:
+def _find_common_body(tree: Operation, bodies: Sequence[Body]) -> str | None:
     """The body of which a difference of two velocities is the rotation; None for anything else."""
     left, right = tree.left, tree.right
     if (
@@ -93,34 +95,36 @@ def common_body(tree: Operation, bodies: Sequence[Body]) -> str | None:
         or {left.function, right.function} != {"velocity"}
     ):
         return None
-    points = {named(call.arguments[0]) for call in (left, right)}
-    said = {named(call.arguments[1]) for call in (left, right) if len(call.arguments) > 1}
+    points = {find_name(call.arguments[0]) for call in (left, right)}
+    said = {find_name(call.arguments[1]) for call in (left, right) if len(call.arguments) > 1}
     fitting = (body.name for body in bodies if points <= set(body.points) and said <= {body.name})
     return next(fitting, None) if len(points) == 2 else None
 
 
-def motion_calls(tree: Expression) -> Iterator[Call]:
+def find_motion_calls(tree: Expression) -> Iterator[Call]:
     """The functions of the motion that are called in a tree."""
     if isinstance(tree, Operation):
-        yield from motion_calls(tree.left)
-        yield from motion_calls(tree.right)
+        yield from find_motion_calls(tree.left)
+        yield from find_motion_calls(tree.right)
     elif isinstance(tree, Call):
-        if tree.function in MOTION:
+        if tree.function in _MOTION:
             yield tree
         for part in tree.arguments:
-            yield from motion_calls(part)
+            yield from find_motion_calls(part)
 
 
-def share_of(call: Call) -> str | None:
+def name_share(call: Call) -> str | None:
     """The name of the Coriolis or normal part that a call is of."""
-    arguments = [named(argument) for argument in call.arguments]
+    arguments = [find_name(argument) for argument in call.arguments]
     if call.function == "coriolis":
-        return coriolis_share(arguments[0], arguments[2])
+        return name_coriolis_share(arguments[0], arguments[2])
     return (
-        normal_share(arguments[0], arguments[1]) if call.function == "normal_acceleration" else None
+        name_normal_share(arguments[0], arguments[1])
+        if call.function == "normal_acceleration"
+        else None
     )
 
 
-def named(tree: Expression) -> str:
+def find_name(tree: Expression) -> str:
     """The name that a tree is, "" where it is none."""
     return tree.name if isinstance(tree, Name) else ""

@@ -32,13 +32,13 @@ class BodyName:
     name: str
 
 
-def body_names(mechanism: Mechanism) -> dict[str, Any]:
+def find_body_names(mechanism: Mechanism) -> dict[str, Any]:
     """The names of the bodies that are not also names of points."""
     names = [GROUND, *(body.name for body in mechanism.bodies)]
     return {name: BodyName(name) for name in names if name not in mechanism.points}
 
 
-def quantities(motion: Motion, arithmetic: Any) -> dict[str, Callable[..., Any]]:
+def make_quantities(motion: Motion, arithmetic: Any) -> dict[str, Callable[..., Any]]:
     """The functions of a motion by name."""
     ask = Quantities(motion, arithmetic)
     return {

@@ -10,7 +10,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from kinegrade.exact.angle import Angle
-from kinegrade.exact.text import LATEX, angle_text, decimal_text, exact_text
+from kinegrade.exact.text import LATEX, write_angle, write_decimal, write_exact
 from kinegrade.units import Unit
 
 CERTIFIED_DIGITS = 40
@@ -58,8 +58,8 @@ class Quantity:
         if self.at_infinity:
             return "infinity"
         if isinstance(self.number, Angle):
-            return angle_text(self.number, self.measure.degrees)
-        return exact_text(self.number)
+            return write_angle(self.number, self.measure.degrees)
+        return write_exact(self.number)
 
     @property
     def latex(self) -> str | None:
@@ -69,8 +69,8 @@ class Quantity:
         if self.at_infinity:
             return r"\infty"
         if isinstance(self.number, Angle):
-            return angle_text(self.number, self.measure.degrees, LATEX)
-        return exact_text(self.number, LATEX)
+            return write_angle(self.number, self.measure.degrees, LATEX)
+        return write_exact(self.number, LATEX)
 
     @property
     def closed_form(self) -> str | None:
@@ -79,7 +79,7 @@ class Quantity:
         """
         if self.exact is None or len(self.exact) > LONGEST_CLOSED_FORM:
             return None
-        return decimal_text(self.plain, 12) if self.is_plain else self.latex
+        return write_decimal(self.plain, 12) if self.is_plain else self.latex
 
     @property
     def plain(self) -> Any:
@@ -129,19 +129,19 @@ class Quantity:
         """The number to `digits` significant digits, correctly rounded."""
         if self.at_infinity:
             return "infinity"
-        return decimal_text(self.number, digits, self.measure.degrees)
+        return write_decimal(self.number, digits, self.measure.degrees)
 
     @property
     def full_turn(self) -> str:
         """A full turn in the unit of an angle, to 40 digits."""
-        return "360" if self.measure.degrees else decimal_text(Angle(fmpq(2)), CERTIFIED_DIGITS)
+        return "360" if self.measure.degrees else write_decimal(Angle(fmpq(2)), CERTIFIED_DIGITS)
 
     @property
     def given_text(self) -> str:
         """The number as a problem states it: a short decimal where it ends, else its LaTeX; degrees
         as degrees.
         """
-        return decimal_text(self.plain, 12) if self.is_plain else self.latex or self.decimal(6)
+        return write_decimal(self.plain, 12) if self.is_plain else self.latex or self.decimal(6)
 
     def record(self) -> dict[str, Any]:
         """exact, value and unit, as the key and `solve --json` write them; no value at infinity."""
@@ -162,7 +162,7 @@ def is_short_decimal(number: Any) -> bool:
     return bool((number * 10**6).q == 1)
 
 
-def in_unit(name: str, number: Any, unit: Unit) -> Quantity:
+def express_in_unit(name: str, number: Any, unit: Unit) -> Quantity:
     """The quantity whose value in SI (angles: an Angle or a ball of radians) is `number`."""
     if unit.degrees and isinstance(number, arb):
         return Quantity(name, number * 180 / arb.pi(), unit)

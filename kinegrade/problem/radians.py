@@ -10,20 +10,20 @@ from kinegrade.errors import FieldError
 from kinegrade.expression import Call, Expression, Name, Number, Operation, Operator
 
 
-def radians_slip(tree: Expression) -> None:
+def require_no_radians(tree: Expression) -> None:
     """Raises FieldError for an angle that is written as a number other than zero, without pi.
 
     An angle of so many radians can be had as a parameter whose unit is rad.
     """
-    value = plain_number(tree)
+    value = _evaluate_literals(tree)
     if value is None or value == 0:
         return
     plural = "" if abs(value) == 1 else "s"
-    meant = f"did you mean {value} degree{plural}? write {parts_of_pi(value)}"
+    meant = f"did you mean {value} degree{plural}? write {_write_parts_of_pi(value)}"
     raise FieldError(f"{value} radian{plural}", do=meant)
 
 
-def plain_number(tree: Expression) -> Any:
+def _evaluate_literals(tree: Expression) -> Any:
     """The rational that literals alone make; None for anything else."""
     match tree:
         case Number(value):
@@ -31,12 +31,12 @@ def plain_number(tree: Expression) -> Any:
         case Name() | Call():
             return None
         case Operation(sign, left, right):
-            return worked_out(sign, plain_number(left), plain_number(right))
+            return _apply_sign(sign, _evaluate_literals(left), _evaluate_literals(right))
         case _:
             assert_never(tree)
 
 
-def worked_out(sign: Operator, left: Any, right: Any) -> Any:
+def _apply_sign(sign: Operator, left: Any, right: Any) -> Any:
     """left sign right of two rationals; None where one is missing or the sign is no such
     operation.
     """
@@ -57,11 +57,11 @@ def worked_out(sign: Operator, left: Any, right: Any) -> Any:
             assert_never(sign)
 
 
-def parts_of_pi(degrees: Any) -> str:
+def _write_parts_of_pi(degrees: Any) -> str:
     """An angle in degrees as a part of pi.
 
     >>> from flint import fmpq
-    >>> parts_of_pi(fmpq(60)), parts_of_pi(fmpq(-37)), parts_of_pi(fmpq(180))
+    >>> _write_parts_of_pi(fmpq(60)), _write_parts_of_pi(fmpq(-37)), _write_parts_of_pi(fmpq(180))
     ('pi/3', '-37*pi/180', 'pi')
     """
     share = degrees / 180

@@ -46,7 +46,7 @@ def read_template(
     """
     opened = open_template(name, text, mechanisms)
     table = opened.table
-    draft = _draft(table, opened.strays)
+    draft = _read_draft(table, opened.strays)
     if _has_names(table):
         check_uses(draft, table.faults)
         if not kept:
@@ -58,7 +58,7 @@ def read_template(
     return template
 
 
-def _draft(table: Table, strays: Set[str]) -> Draft:
+def _read_draft(table: Table, strays: Set[str]) -> Draft:
     """What can be read of a template's tables; names of `strays` are not missed."""
     declared = declared_names(table)
     check_names(table, declared)
@@ -75,9 +75,9 @@ def _draft(table: Table, strays: Set[str]) -> Draft:
         conditions=read_conditions(table),
         asks=read_asks(table),
         published=read_published(table),
-        figure=_figure(table, declared),
+        figure=_read_figure(table, declared),
     )
-    return replace(draft, faulty=_unread(declared, draft) | strays)
+    return replace(draft, faulty=_find_unread(declared, draft) | strays)
 
 
 def _has_names(table: Table) -> bool:
@@ -85,13 +85,13 @@ def _has_names(table: Table) -> bool:
     return all(table.holds_table(key) for key in NAMES)
 
 
-def _figure(table: Table, declared: Declared) -> FigureHints:
+def _read_figure(table: Table, declared: Declared) -> FigureHints:
     if not _has_names(table):
         return FigureHints()
     return read_figure(table, Names(set(declared["points"]), set(declared["bodies"])))
 
 
-def _unread(declared: Declared, draft: Draft) -> frozenset[str]:
+def _find_unread(declared: Declared, draft: Draft) -> frozenset[str]:
     """The names that are declared by something that could not be read."""
     read = (draft.parameters, draft.lengths, draft.points, draft.bodies, draft.asks, draft.texts)
     return frozenset().union(*declared.values()).difference(*read)

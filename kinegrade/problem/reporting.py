@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from kinegrade.problem.checking import Report
 
 
-def report_lines(report: Report) -> Iterator[str]:
+def write_report(report: Report) -> Iterator[str]:
     """The report of one template, a line for each finding."""
     template = report.template
     verdict = "FAULTY" if report.faults else "sound"

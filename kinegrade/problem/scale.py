@@ -15,60 +15,60 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.units import Unit
 
 
-def scale(motion: Motion, unit: Unit) -> float:
+def find_scale(motion: Motion, unit: Unit) -> float:
     """The largest size of a quantity of that dimension in the mechanism, in `unit`; angles: a
     radian; else 1.
     """
-    return float(max(sizes(motion, unit), default=0.0))
+    return float(max(list_sizes(motion, unit), default=0.0))
 
 
-def sizes(motion: Motion, unit: Unit) -> Iterator[Any]:
+def list_sizes(motion: Motion, unit: Unit) -> Iterator[Any]:
     """The sizes of all quantities of that dimension in the mechanism, in `unit`; arrays for a
     motion in arrays.
     """
     if unit.time == 0 and unit.length == 0:
         yield 57.3 if unit.degrees else 1.0
     elif unit.time == 0:
-        yield from (length / float(unit.factor) for length in lengths(motion))
+        yield from (length / float(unit.factor) for length in _list_lengths(motion))
     else:
-        found = moving(motion, unit.time) if unit.length else turning(motion, unit.time)
+        found = _list_moving(motion, unit.time) if unit.length else _list_turning(motion, unit.time)
         yield from (rate / float(unit.factor) for rate in found)
 
 
-def lengths(motion: Motion) -> Iterator[Any]:
+def _list_lengths(motion: Motion) -> Iterator[Any]:
     """Distances between points, m."""
     for first, second in combinations(motion.points.values(), 2):
-        yield size(second - first)
+        yield _measure_size(second - first)
 
 
-def turning(motion: Motion, time: int) -> Iterator[Any]:
+def _list_turning(motion: Motion, time: int) -> Iterator[Any]:
     """Angular velocities, or angular accelerations with the squares of the angular velocities
     beside them.
     """
     for body in motion.frames.mechanism.bodies:
         if not body.particle:
-            rate = abs(double(motion.omega(body.name)))
+            rate = abs(_convert_number(motion.omega(body.name)))
             if time == -1:
                 yield rate
             else:
-                yield from (rate * rate, abs(double(motion.alpha(body.name))))
+                yield from (rate * rate, abs(_convert_number(motion.alpha(body.name))))
 
 
-def moving(motion: Motion, time: int) -> Iterator[Any]:
+def _list_moving(motion: Motion, time: int) -> Iterator[Any]:
     """Speeds or accelerations of all marked points, as points of every body that has them."""
     for body in motion.frames.mechanism.bodies:
         for point in body.points:
             if time == -1:
-                yield size(motion.velocity(point, body.name))
+                yield _measure_size(motion.velocity(point, body.name))
             else:
-                yield size(motion.acceleration(point, body.name))
+                yield _measure_size(motion.acceleration(point, body.name))
 
 
-def size(vector: Vector) -> Any:
+def _measure_size(vector: Vector) -> Any:
     """The length of a vector in doubles."""
-    return abs(double(vector.x) + 1j * double(vector.y))
+    return abs(_convert_number(vector.x) + 1j * _convert_number(vector.y))
 
 
-def double(number: Any) -> Any:
+def _convert_number(number: Any) -> Any:
     """A number as a double; arrays of doubles stay what they are."""
     return number if hasattr(number, "shape") else float(number)

@@ -16,14 +16,14 @@ from hypothesis.configuration import set_hypothesis_home_dir
 from hypothesis.errors import NoSuchExample
 
 from kinegrade.errors import MechanismError
-from kinegrade.problem.holding import holds
-from kinegrade.problem.neighbours import probed
+from kinegrade.problem.holding import condition_holds
+from kinegrade.problem.neighbours import list_probed
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import Template
 from kinegrade.temporary import temporary_folder
 
 
-def breaking_values(
+def find_breaking_values(
     template: Template, asks: Sequence[str], examples: int, secret: str
 ) -> tuple[dict[str, str], str] | None:
     """Values at which the asks cannot be worked out, with the reason; None if `examples` tries show
@@ -31,7 +31,7 @@ def breaking_values(
     """
     strategy = st.fixed_dictionaries(
         {
-            name: st.sampled_from(probed(template, parameter))
+            name: st.sampled_from(list_probed(template, parameter))
             for name, parameter in template.parameters.items()
         }
     )
@@ -41,21 +41,21 @@ def breaking_values(
         deadline=None,
         suppress_health_check=list(HealthCheck),
     )
-    with nothing_left_behind():
+    with _keep_notes_elsewhere():
         try:
             found = find(
                 strategy,
-                lambda values: reason(template, asks, values) is not None,
+                lambda values: _find_reason(template, asks, values) is not None,
                 settings=quiet,
                 random=Random(f"{secret} {template.name}"),
             )
         except NoSuchExample:
             return None
-    return found, reason(template, asks, found) or ""
+    return found, _find_reason(template, asks, found) or ""
 
 
 @contextmanager
-def nothing_left_behind() -> Iterator[None]:
+def _keep_notes_elsewhere() -> Iterator[None]:
     """Hypothesis keeps notes in the current folder; an author's folder is not the place for
     them.
     """
@@ -67,12 +67,14 @@ def nothing_left_behind() -> Iterator[None]:
             set_hypothesis_home_dir(None)
 
 
-def reason(template: Template, asks: Sequence[str], values: Mapping[str, str]) -> str | None:
+def _find_reason(template: Template, asks: Sequence[str], values: Mapping[str, str]) -> str | None:
     """Why an instance that meets the conditions cannot be solved; None when it can, or does not
     meet them.
     """
     try:
-        if all(holds(template, condition, values) for condition in template.scheme.conditions):
+        if all(
+            condition_holds(template, condition, values) for condition in template.scheme.conditions
+        ):
             solve_template(template, values, asks)
     except MechanismError as error:
         return error.problems[0]

@@ -27,23 +27,24 @@ from dataclasses import dataclass
 from typing import Literal, TypeVar
 
 from kinegrade.errors import FieldError
-from kinegrade.expression import MAX_LENGTH, Call, Expression, Name, read
+from kinegrade.expression import MAX_LENGTH, Call, Expression, Name, read_expression
 from kinegrade.fields.values import found
 from kinegrade.mechanics.joints import GROUND
 
-SHAPE = r"(?:line|circle)\(.+?\)"
-OF = r"(?: of (?P<of>\w+))?"
+_SHAPE = r"(?:line|circle)\(.+?\)"
+_OF = r"(?: of (?P<of>\w+))?"
 JointKind = Literal["pin", "slide", "sleeve", "arc", "contact", "roll", "mesh", "parallel"]
 DriverKind = Literal["rotation", "component", "circulation"]
 _Kind = TypeVar("_Kind", JointKind, DriverKind)
 _JOINT_PATTERNS: Mapping[JointKind, str] = {
     "pin": r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)",
-    "slide": rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){OF}",
+    "slide": rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){_OF}",
     "sleeve": r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))",
-    "arc": rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){OF}",
+    "arc": rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){_OF}",
     "contact": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) touches "
-    rf"(?P<on>{SHAPE}){OF}(?P<inside> inside)?",
-    "roll": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) rolls on (?P<on>{SHAPE}){OF}(?P<inside> "
+    rf"(?P<on>{_SHAPE}){_OF}(?P<inside> inside)?",
+    "roll": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) rolls "
+    rf"on (?P<on>{_SHAPE}){_OF}(?P<inside> "
     r"inside)?",
     "mesh": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) meshes with (?P<on>circle\(.+?\)) of "
     r"(?P<of>\w+) on (?P<carrier>\w+)(?P<inside> inside)?",
@@ -65,7 +66,7 @@ _JOINT_EXAMPLES = (
 _DRIVER_EXAMPLES = (
     '"OA turns", "AB turns relative to OA", "B of AB moves along +x", "A of W circles O"'
 )
-AXES = {"+x": "0", "-x": "pi", "+y": "pi/2", "-y": "-pi/2"}
+_AXES = {"+x": "0", "-x": "pi", "+y": "pi/2", "-y": "-pi/2"}
 
 
 @dataclass(frozen=True)
@@ -135,7 +136,7 @@ def read_driver(text: str, velocity: Expression, acceleration: Expression) -> Dr
         point=parts.get("point", ""),
         body=parts["body"],
         of=parts.get("of", GROUND),
-        along=read(AXES.get(along, along)) if along else None,
+        along=read_expression(_AXES.get(along, along)) if along else None,
         centre=parts.get("centre", ""),
     )
 
@@ -160,7 +161,7 @@ def _shape(text: str | None) -> Call | None:
     """A line or a circle about a named point."""
     if text is None:
         return None
-    match read(text):
+    match read_expression(text):
         case Call(_, (Name(), _)) as shape:
             return shape
         case _:

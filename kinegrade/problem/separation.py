@@ -18,20 +18,20 @@ import numpy as np
 
 from kinegrade.errors import KinegradeError
 from kinegrade.exact.floats import Floats
-from kinegrade.expression import Operation, elementary, evaluate
+from kinegrade.expression import Operation, evaluate, make_elementary_functions
 from kinegrade.mechanics.plan import Plan
-from kinegrade.problem.mistake_kinds import Mistake, candidates, factors
-from kinegrade.problem.mistakes import SAME, Outcomes, Values, in_floats, outcomes
+from kinegrade.problem.mistake_kinds import Mistake, find_candidates, list_answer_factors
+from kinegrade.problem.mistakes import SAME, Outcomes, Values, convert_parameters, find_outcomes
 from kinegrade.problem.template import Ask, Template
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
 
-WRITTEN = 0.005  # relative: what three significant figures may be off
-HALF = 0.5  # share of instances above which a mistake is inseparable from the truth
-SCARCE = (
+_WRITTEN = 0.005  # relative: what three significant figures may be off
+_HALF = 0.5  # share of instances above which a mistake is inseparable from the truth
+_SCARCE = (
     0.05  # nor are mistakes kept apart any more when fewer instances than this share would be left
 )
-ROOM = 1.05  # the scale is rounded to two figures where it gives room
-NORMAL_OR_CORIOLIS = {
+_ROOM = 1.05  # the scale is rounded to two figures where it gives room
+_NORMAL_OR_CORIOLIS = {
     "coriolis",
     "relative_normal",
     "path_normal",
@@ -81,20 +81,23 @@ class Separation:
 
     def compare(self, values: Values) -> Comparison:
         """Instances held against what mistakes lead to."""
-        arrays = in_floats(self.template, values)
-        found = outcomes(self.template, self.asks, self.mistakes, arrays, self.plan)
+        arrays = convert_parameters(self.template, values)
+        found = find_outcomes(self.template, self.asks, self.mistakes, arrays, self.plan)
         identifiers, near, changed = {}, {}, {}
         for name, ask in self.asks.items():
-            written = factors(ask)
+            written = list_answer_factors(ask)
             right, *wrong = found.answers[name]
             wrong += [right * float(factor) for factor in written.values()]
             identifiers[name] = (*(mistake.identifier for mistake in self.mistakes), *written)
             room = self.room(name, right, found)
             with np.errstate(all="ignore"):
                 near[name] = np.array(
-                    [apart(one, right, ask) <= room + WRITTEN * np.abs(one) for one in wrong]
+                    [
+                        measure_distance(one, right, ask) <= room + _WRITTEN * np.abs(one)
+                        for one in wrong
+                    ]
                 )
-                changed[name] = np.array([differing(one, right) for one in wrong])
+                changed[name] = np.array([_is_different(one, right) for one in wrong])
             near[name][len(self.mistakes) :] &= right != 0  # zero has no sense and no decimal point
         return Comparison(identifiers, near, changed, self.fit(found, arrays))
 
@@ -105,11 +108,11 @@ class Separation:
         almost nothing in most instances; draws do not keep them apart.
         """
         seen = self.compare(self.sample)
-        perturbed = outcomes(
+        perturbed = find_outcomes(
             self.template,
             self.asks,
             self.mistakes,
-            in_floats(self.template, self.sample),
+            convert_parameters(self.template, self.sample),
             self.plan,
             perturbed=True,
         )
@@ -119,7 +122,8 @@ class Separation:
             hidden = (seen.changed[name] & seen.fit).any(axis=1)
             for place, (mistake, one) in enumerate(zip(self.mistakes, wrong, strict=True)):
                 hidden[place] |= (
-                    bool(NORMAL_OR_CORIOLIS & set(mistake.shares)) and differing(one, right).any()
+                    bool(_NORMAL_OR_CORIOLIS & set(mistake.shares))
+                    and _is_different(one, right).any()
                 )
             found[name] = tuple(
                 np.array(seen.identifiers[name])[hidden & ~self.kept[name]].tolist()
@@ -133,7 +137,7 @@ class Separation:
         tolerance = self.tolerances.get(name, ONE_PER_CENT)
         share, absolute = float(tolerance.share), float(tolerance.absolute)
         room = np.maximum(share * np.abs(right), absolute)
-        next_to_zero = share * ROOM * found.scales[name]
+        next_to_zero = share * _ROOM * found.scales[name]
         return np.where(np.abs(right) < next_to_zero, np.maximum(room, next_to_zero), room)
 
     def fit(self, found: Outcomes, arrays: Mapping[str, Any]) -> Any:
@@ -147,10 +151,10 @@ class Separation:
             np.isfinite(right) & (self.asks[name].vanishes | (right != 0))
             for name, right in known.items()
         ]
-        return np.all([*fits, *conditions(self.template, arrays)], axis=0)
+        return np.all([*fits, *_check_conditions(self.template, arrays)], axis=0)
 
 
-def separation(
+def find_separation(
     template: Template,
     asks: Mapping[str, Ask],
     tolerances: Mapping[str, Tolerance],
@@ -158,7 +162,7 @@ def separation(
     sample: Values,
 ) -> Separation:
     """What draws of a question keep apart, judged by a sample of them."""
-    mistakes = tuple(candidates(template, asks))
+    mistakes = tuple(find_candidates(template, asks))
     whole = Separation(template, asks, tolerances, plan, mistakes, sample)
     seen = whole.compare(sample)
     share = {
@@ -167,19 +171,19 @@ def separation(
         else np.ones(len(seen.near[name]))
         for name in asks
     }
-    bound = HALF
+    bound = _HALF
     while True:
         kept = {name: share[name] < bound for name in asks}
         confused = np.any(
             [(seen.near[name] & kept[name][:, None]).any(axis=0) for name in asks], axis=0
         )
         usable = float((seen.fit & ~confused).mean())
-        if usable >= SCARCE * seen.fit.mean() or not any(flags.any() for flags in kept.values()):
+        if usable >= _SCARCE * seen.fit.mean() or not any(flags.any() for flags in kept.values()):
             return replace(whole, kept=kept, usable=usable)
         bound = max(float(share[name][kept[name]].max(initial=0.0)) for name in asks)
 
 
-def conditions(template: Template, arrays: Mapping[str, Any]) -> Iterator[Any]:
+def _check_conditions(template: Template, arrays: Mapping[str, Any]) -> Iterator[Any]:
     """For each condition the instances that meet it, those on the bound among them."""
     floats = Floats()
     values = {**arrays, "pi": np.pi}
@@ -189,7 +193,7 @@ def conditions(template: Template, arrays: Mapping[str, Any]) -> Iterator[Any]:
                 room = evaluate(
                     Operation("-", condition.right, condition.left),
                     values,
-                    elementary(floats),
+                    make_elementary_functions(floats),
                     floats,
                 )
         except KinegradeError:
@@ -197,7 +201,7 @@ def conditions(template: Template, arrays: Mapping[str, Any]) -> Iterator[Any]:
         yield ~(np.broadcast_to(room, np.shape(next(iter(arrays.values())))) < -SAME)
 
 
-def apart(one: Any, other: Any, ask: Ask) -> Any:
+def measure_distance(one: Any, other: Any, ask: Ask) -> Any:
     """The difference of two answers; of angles that turn round, the difference without full
     turns.
     """
@@ -208,13 +212,13 @@ def apart(one: Any, other: Any, ask: Ask) -> Any:
     return np.abs(difference - turn * np.round(difference / turn))
 
 
-def differing(one: Any, other: Any) -> Any:
+def _is_different(one: Any, other: Any) -> Any:
     """Where one value is another than the other, and not the same rounded; False where there is
     none.
     """
     return np.abs(one - other) > SAME * np.maximum(np.maximum(np.abs(one), np.abs(other)), 1.0)
 
 
-def columns(draws: Sequence[Mapping[str, str]]) -> dict[str, list[str]]:
+def collect_columns(draws: Sequence[Mapping[str, str]]) -> dict[str, list[str]]:
     """For each parameter its values in all draws."""
     return {name: [draw[name] for draw in draws] for name in draws[0]}

@@ -1,8 +1,8 @@
 """What the functions of expressions take and give: by name, the kinds of their arguments and of
 their value.
 
-`expression.elementary`, `mechanics.geometry`, `quantities` and `centrode` work them out; a test
-holds the names here against theirs.
+`expression.make_elementary_functions`, `mechanics.geometry`, `quantities` and `centrode` work them
+out; a test holds the names here against theirs.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from kinegrade.problem.kinds import (
     Side,
     Straight,
     Unknown,
-    united,
+    unite_dimensions,
 )
 
 # A POINT is named, as its motion is meant; a PLACE may be worked out, and is written POINT to
@@ -59,48 +59,48 @@ class Signature:
         return f"{name}({', '.join(slots[: self.needed])}{more})"
 
 
-def takes(*slots: Slot, gives: Result, optional: int = 0) -> Signature:
+def _make_signature(*slots: Slot, gives: Result, optional: int = 0) -> Signature:
     """The signature of a function; the last `optional` slots may stay empty."""
     return Signature(slots, len(slots) - optional, gives)
 
 
-def scalar(dimension: Dimension) -> Result:
+def _scalar(dimension: Dimension) -> Result:
     """A number of that dimension."""
     return lambda name, kinds: Scalar(dimension)
 
 
-def vector(dimension: Dimension) -> Result:
+def _vector(dimension: Dimension) -> Result:
     """A vector of that dimension."""
     return lambda name, kinds: Arrow(dimension)
 
 
-def joined(name: str, kinds: Sequence[Kind]) -> Kind:
+def _joined(name: str, kinds: Sequence[Kind]) -> Kind:
     """A vector of the dimension that all arguments have, angles aside."""
-    return Arrow(united(f"{name}(...)" if name else "(x, y)", *kinds))
+    return Arrow(unite_dimensions(f"{name}(...)" if name else "(x, y)", *kinds))
 
 
-def apart(name: str, kinds: Sequence[Kind]) -> Kind:
+def _apart(name: str, kinds: Sequence[Kind]) -> Kind:
     """A number of the dimension that all arguments have."""
-    return Scalar(united(f"{name}(...)", *kinds))
+    return Scalar(unite_dimensions(f"{name}(...)", *kinds))
 
 
-def polar(name: str, kinds: Sequence[Kind]) -> Kind:
+def _polar(name: str, kinds: Sequence[Kind]) -> Kind:
     """The point at a distance from another one; the third argument is an angle."""
-    return joined(name, kinds[:2])
+    return _joined(name, kinds[:2])
 
 
-def circle(name: str, kinds: Sequence[Kind]) -> Kind:
+def _circle(name: str, kinds: Sequence[Kind]) -> Kind:
     """A circle, its radius of the dimension of its centre."""
-    united(f"{name}(...)", *kinds)
+    unite_dimensions(f"{name}(...)", *kinds)
     return Ring()
 
 
-def line(name: str, kinds: Sequence[Kind]) -> Kind:
+def _line(name: str, kinds: Sequence[Kind]) -> Kind:
     """A line."""
     return Straight()
 
 
-def first(name: str, kinds: Sequence[Kind]) -> Kind:
+def _first(name: str, kinds: Sequence[Kind]) -> Kind:
     """A number of the first argument's dimension."""
     kind = kinds[0]
     match kind:
@@ -112,7 +112,7 @@ def first(name: str, kinds: Sequence[Kind]) -> Kind:
             assert_never(kind)
 
 
-def same(name: str, kinds: Sequence[Kind]) -> Kind:
+def _same(name: str, kinds: Sequence[Kind]) -> Kind:
     """A vector of the first argument's dimension."""
     kind = kinds[0]
     match kind:
@@ -124,7 +124,7 @@ def same(name: str, kinds: Sequence[Kind]) -> Kind:
             assert_never(kind)
 
 
-def root(name: str, kinds: Sequence[Kind]) -> Kind:
+def _root(name: str, kinds: Sequence[Kind]) -> Kind:
     """A number of half the dimension."""
     kind = kinds[0]
     if not isinstance(kind, Scalar) or kind.dimension is None:
@@ -132,57 +132,61 @@ def root(name: str, kinds: Sequence[Kind]) -> Kind:
     return Scalar(kind.dimension ** Fraction(1, 2))
 
 
-def ratio(name: str, kinds: Sequence[Kind]) -> Kind:
+def _ratio(name: str, kinds: Sequence[Kind]) -> Kind:
     """A pure number; of literals alone a literal."""
-    united(f"{name}(...)", *kinds)
+    unite_dimensions(f"{name}(...)", *kinds)
     literal = all(isinstance(kind, Scalar) and kind.dimension is None for kind in kinds)
     return Scalar(None) if literal else Scalar(NUMBER)
 
 
 ELEMENTARY: Mapping[str, Signature] = {
-    "sqrt": takes("NUMBER", gives=root),
-    "abs": takes("NUMBER", gives=first),
-    "sin": takes("ANGLE", gives=ratio),
-    "cos": takes("ANGLE", gives=ratio),
-    "tan": takes("ANGLE", gives=ratio),
-    "asin": takes("RATIO", gives=ratio),
-    "acos": takes("RATIO", gives=ratio),
-    "atan": takes("RATIO", gives=ratio),
-    "atan2": takes("NUMBER", "NUMBER", gives=ratio),
+    "sqrt": _make_signature("NUMBER", gives=_root),
+    "abs": _make_signature("NUMBER", gives=_first),
+    "sin": _make_signature("ANGLE", gives=_ratio),
+    "cos": _make_signature("ANGLE", gives=_ratio),
+    "tan": _make_signature("ANGLE", gives=_ratio),
+    "asin": _make_signature("RATIO", gives=_ratio),
+    "acos": _make_signature("RATIO", gives=_ratio),
+    "atan": _make_signature("RATIO", gives=_ratio),
+    "atan2": _make_signature("NUMBER", "NUMBER", gives=_ratio),
 }
 CONSTRUCTIONS: Mapping[str, Signature] = {
     **ELEMENTARY,
-    "": takes("NUMBER", "NUMBER", gives=joined),
-    "polar": takes("PLACE", "NUMBER", "ANGLE", gives=polar),
-    "line": takes("PLACE", "PLACE or ANGLE", gives=line),
-    "circle": takes("PLACE", "NUMBER", gives=circle),
-    "meet": takes("LINE or CIRCLE", "LINE or CIRCLE", "SIDE", gives=vector(LENGTH), optional=1),
-    "foot": takes("PLACE", "LINE", gives=same),
-    "midpoint": takes("PLACE", "PLACE", gives=joined),
-    "distance": takes("PLACE", "PLACE or LINE", gives=apart),
-    "toward": takes("PLACE", "PLACE", "NUMBER", gives=joined),
-    "x": takes("VECTOR", gives=first),
-    "y": takes("VECTOR", gives=first),
-    "turned": takes("VECTOR", gives=same),
-    "direction": takes("PLACE", "PLACE", gives=ratio),
+    "": _make_signature("NUMBER", "NUMBER", gives=_joined),
+    "polar": _make_signature("PLACE", "NUMBER", "ANGLE", gives=_polar),
+    "line": _make_signature("PLACE", "PLACE or ANGLE", gives=_line),
+    "circle": _make_signature("PLACE", "NUMBER", gives=_circle),
+    "meet": _make_signature(
+        "LINE or CIRCLE", "LINE or CIRCLE", "SIDE", gives=_vector(LENGTH), optional=1
+    ),
+    "foot": _make_signature("PLACE", "LINE", gives=_same),
+    "midpoint": _make_signature("PLACE", "PLACE", gives=_joined),
+    "distance": _make_signature("PLACE", "PLACE or LINE", gives=_apart),
+    "toward": _make_signature("PLACE", "PLACE", "NUMBER", gives=_joined),
+    "x": _make_signature("VECTOR", gives=_first),
+    "y": _make_signature("VECTOR", gives=_first),
+    "turned": _make_signature("VECTOR", gives=_same),
+    "direction": _make_signature("PLACE", "PLACE", gives=_ratio),
 }
 QUANTITIES: Mapping[str, Signature] = {
     **CONSTRUCTIONS,
-    "velocity": takes("POINT", "BODY", gives=vector(SPEED), optional=1),
-    "acceleration": takes("POINT", "BODY", gives=vector(ACCELERATION), optional=1),
-    "omega": takes("BODY", "BODY", gives=scalar(RATE), optional=1),
-    "alpha": takes("BODY", "BODY", gives=scalar(CHANGE), optional=1),
-    "relative_velocity": takes("POINT", "BODY", "BODY", gives=vector(SPEED)),
-    "relative_acceleration": takes("POINT", "BODY", "BODY", gives=vector(ACCELERATION)),
-    "coriolis": takes("POINT", "BODY", "BODY", gives=vector(ACCELERATION)),
-    "normal_acceleration": takes("POINT", "POINT", "BODY", gives=vector(ACCELERATION)),
-    "tangential_acceleration": takes("POINT", "POINT", "BODY", gives=vector(ACCELERATION)),
-    "pole": takes("BODY", gives=vector(LENGTH)),
-    "magnitude": takes("VECTOR", gives=first),
-    "along": takes("VECTOR", "VECTOR", gives=first),
-    "angle": takes("VECTOR", "VECTOR", gives=scalar(NUMBER)),
-    "between": takes("VECTOR", "VECTOR", gives=scalar(NUMBER)),
-    "circle_of_poles": takes("BODY", "PARAMETER", gives=circle),
-    "radius": takes("CIRCLE", gives=scalar(LENGTH)),
-    "centre": takes("CIRCLE", gives=vector(LENGTH)),
+    "velocity": _make_signature("POINT", "BODY", gives=_vector(SPEED), optional=1),
+    "acceleration": _make_signature("POINT", "BODY", gives=_vector(ACCELERATION), optional=1),
+    "omega": _make_signature("BODY", "BODY", gives=_scalar(RATE), optional=1),
+    "alpha": _make_signature("BODY", "BODY", gives=_scalar(CHANGE), optional=1),
+    "relative_velocity": _make_signature("POINT", "BODY", "BODY", gives=_vector(SPEED)),
+    "relative_acceleration": _make_signature("POINT", "BODY", "BODY", gives=_vector(ACCELERATION)),
+    "coriolis": _make_signature("POINT", "BODY", "BODY", gives=_vector(ACCELERATION)),
+    "normal_acceleration": _make_signature("POINT", "POINT", "BODY", gives=_vector(ACCELERATION)),
+    "tangential_acceleration": _make_signature(
+        "POINT", "POINT", "BODY", gives=_vector(ACCELERATION)
+    ),
+    "pole": _make_signature("BODY", gives=_vector(LENGTH)),
+    "magnitude": _make_signature("VECTOR", gives=_first),
+    "along": _make_signature("VECTOR", "VECTOR", gives=_first),
+    "angle": _make_signature("VECTOR", "VECTOR", gives=_scalar(NUMBER)),
+    "between": _make_signature("VECTOR", "VECTOR", gives=_scalar(NUMBER)),
+    "circle_of_poles": _make_signature("BODY", "PARAMETER", gives=_circle),
+    "radius": _make_signature("CIRCLE", gives=_scalar(LENGTH)),
+    "centre": _make_signature("CIRCLE", gives=_vector(LENGTH)),
 }

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 
 from kinegrade.errors import did_you_mean
 
-BRACES = re.compile(r"\{\{(?P<inside>.*?)\}\}|(?P<other>\{\{|\{%|\{#)", re.DOTALL)
-NAMED = re.compile(r"\s*(?P<name>[A-Za-z_]\w*)(?P<value>\s*\.\s*value)?\s*", re.ASCII)
-LONGEST_SHOWN = 40
-DOLLARS = re.compile(r"(?<!\\)\$\$?")
-ALLOWED = "only {{ name }} and {{ name.value }} are filled in"
+_BRACES = re.compile(r"\{\{(?P<inside>.*?)\}\}|(?P<other>\{\{|\{%|\{#)", re.DOTALL)
+_NAMED = re.compile(r"\s*(?P<name>[A-Za-z_]\w*)(?P<value>\s*\.\s*value)?\s*", re.ASCII)
+_LONGEST_SHOWN = 40
+_DOLLARS = re.compile(r"(?<!\\)\$\$?")
+_ALLOWED = "only {{ name }} and {{ name.value }} are filled in"
 
 
 @dataclass(frozen=True)
@@ -36,16 +36,16 @@ class SlotFault:
     name: str = ""
 
 
-def pieces(text: str) -> tuple[str | Slot, ...]:
+def split_slots(text: str) -> tuple[str | Slot, ...]:
     """A text in pieces, in order; braces that hold anything but a name stay as they are.
 
-    >>> pieces("the crank {{ r }} of {{ l.value }}")
+    >>> split_slots("the crank {{ r }} of {{ l.value }}")
     ('the crank ', Slot(name='r', value=False), ' of ', Slot(name='l', value=True))
     """
     found: list[str | Slot] = []
     place = 0
-    for match in BRACES.finditer(text):
-        slot = _slot(match)
+    for match in _BRACES.finditer(text):
+        slot = _read_slot(match)
         if slot is not None:
             found += [text[place : match.start()], slot]
             place = match.end()
@@ -53,24 +53,24 @@ def pieces(text: str) -> tuple[str | Slot, ...]:
     return tuple(piece for piece in found if piece)
 
 
-def slots_in_formulas(text: str) -> tuple[Slot, ...]:
+def find_slots_in_formulas(text: str) -> tuple[Slot, ...]:
     """The slots between dollar signs; what is filled in brings its own dollar signs.
 
-    >>> slots_in_formulas("$r$ is {{ r.value }}, and $v = {{ v.value }}$")
+    >>> find_slots_in_formulas("$r$ is {{ r.value }}, and $v = {{ v.value }}$")
     (Slot(name='v', value=True),)
     """
     found: list[Slot] = []
     opened = ""
-    for piece in pieces(text):
+    for piece in split_slots(text):
         if isinstance(piece, Slot):
             found += [piece] if opened else []
         else:
-            for mark in DOLLARS.findall(piece):
-                opened = after_dollars(opened, mark)
+            for mark in _DOLLARS.findall(piece):
+                opened = _find_open_formula(opened, mark)
     return tuple(found)
 
 
-def after_dollars(opened: str, mark: str) -> str:
+def _find_open_formula(opened: str, mark: str) -> str:
     """What formula is open after dollar signs: "" for none. Two signs also end one formula and
     begin another.
     """
@@ -81,35 +81,35 @@ def after_dollars(opened: str, mark: str) -> str:
     return opened
 
 
-def slot_faults(
+def find_slot_faults(
     text: str, parameters: Collection[str], texts: Collection[str]
 ) -> Iterator[SlotFault]:
     """What is wrong with the slots of a text that may name these parameters and texts.
 
-    >>> [fault.what for fault in slot_faults("{{ 7*7 }} {{ r }}", ["r"], [])]
+    >>> [fault.what for fault in find_slot_faults("{{ 7*7 }} {{ r }}", ["r"], [])]
     ['{{ 7*7 }}']
     """
-    for match in BRACES.finditer(text):
-        slot = _slot(match)
+    for match in _BRACES.finditer(text):
+        slot = _read_slot(match)
         if slot is None:
             passage = match[0] if match["other"] is None else text[match.start() :]
-            yield SlotFault(_shown(passage), ALLOWED)
+            yield SlotFault(_shorten(passage), _ALLOWED)
         elif slot.name in texts:
             if slot.value:
                 name = f"{{{{ {slot.name} }}}}"
-                yield SlotFault(f"{_shown(match[0])}: a text has no value", f"write {name}")
+                yield SlotFault(f"{_shorten(match[0])}: a text has no value", f"write {name}")
         elif slot.name not in parameters:
             known = did_you_mean(slot.name, {*parameters, *texts})
-            yield SlotFault(f"{_shown(match[0])}: no such parameter", known, slot.name)
+            yield SlotFault(f"{_shorten(match[0])}: no such parameter", known, slot.name)
 
 
-def _slot(match: re.Match[str]) -> Slot | None:
+def _read_slot(match: re.Match[str]) -> Slot | None:
     """The slot in braces; None where they do not form one."""
-    named = NAMED.fullmatch(match["inside"]) if match["other"] is None else None
+    named = _NAMED.fullmatch(match["inside"]) if match["other"] is None else None
     return Slot(named["name"], named["value"] is not None) if named else None
 
 
-def _shown(text: str) -> str:
+def _shorten(text: str) -> str:
     """The beginning of a passage, in one line."""
-    line = " ".join(text[: 2 * LONGEST_SHOWN].split())
-    return line if len(line) <= LONGEST_SHOWN else f"{line[: LONGEST_SHOWN - 1]}…"
+    line = " ".join(text[: 2 * _LONGEST_SHOWN].split())
+    return line if len(line) <= _LONGEST_SHOWN else f"{line[: _LONGEST_SHOWN - 1]}…"

@@ -19,27 +19,27 @@ from kinegrade.errors import (
     MechanismError,
     TemplateError,
     did_you_mean,
-    one_line,
+    show_in_one_line,
 )
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import PRECISIONS, Balls, Undecided
 from kinegrade.exact.field import Field
 from kinegrade.exact.surd import Surd
-from kinegrade.expression import Expression, evaluate, read
-from kinegrade.mechanics.doubles import MotionInDoubles, in_doubles
-from kinegrade.mechanics.motion import Motion, pose, solve
+from kinegrade.expression import Expression, evaluate, read_expression
+from kinegrade.mechanics.doubles import MotionInDoubles, convert_to_doubles
+from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.plan import Plan
-from kinegrade.problem.assemble import Assembly, assemble, parameter_value
+from kinegrade.problem.assemble import Assembly, assemble, read_parameter
 from kinegrade.problem.centrode import Centrodes
-from kinegrade.problem.quantities import body_names, quantities
-from kinegrade.problem.quantity import Quantity, in_unit
+from kinegrade.problem.quantities import find_body_names, make_quantities
+from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.problem.template import Ask, Template
 
 if TYPE_CHECKING:
     from kinegrade.problem.mistakes import Mistakes
 
-Result = TypeVar("Result")
-CERTIFIED = (
+_Result = TypeVar("_Result")
+_CERTIFIED = (
     120  # bits: an enclosure counts as certified when narrower than 2^-120, below 1e-36, relative
 )
 
@@ -60,7 +60,7 @@ class Solution:
     @cached_property
     def doubles(self) -> MotionInDoubles:
         """The motion in doubles: for scales, and for working it out again by hand."""
-        return in_doubles(self.motion)
+        return convert_to_doubles(self.motion)
 
     def __getitem__(self, ask: str) -> Quantity:
         """The answer of an ask."""
@@ -68,7 +68,7 @@ class Solution:
 
 
 @dataclass(frozen=True)
-class Consequences:
+class _Consequences:
     """What known mistakes lead to at one instance; worked out, for all asks at once, when it is
     first asked for.
     """
@@ -103,16 +103,18 @@ def solve_template(
     mechanics.
     """
     trees = read_values(template, given)
-    wanted = require_asks(template, asks)
+    wanted = _require_asks(template, asks)
     try:
-        return certified(lambda arithmetic: attempt(template, trees, wanted, plan, arithmetic))
+        return solve_certified(
+            lambda arithmetic: _solve_in(template, trees, wanted, plan, arithmetic)
+        )
     except (ExpressionError, MechanismError) as error:
         raise MechanismError(
             *(f"{template.name}: {problem}" for problem in error.problems)
         ) from error
 
 
-def certified(work: Callable[[Any], Result]) -> Result:
+def solve_certified(work: Callable[[Any], _Result]) -> _Result:
     """What `work` gives in the first arithmetic that holds its values: exact, then balls of growing
     precision.
 
@@ -145,10 +147,10 @@ def read_values(template: Template, given: Mapping[str, str]) -> dict[str, Expre
     for name, parameter in template.parameters.items():
         text = given.get(name, parameter.default)
         try:
-            trees[name] = read_again(text)
+            trees[name] = _read_cached(text)
         except ExpressionError as error:
             faults += [
-                f"{template.name}: {name} = {one_line(text[:60])}: {problem}"
+                f"{template.name}: {name} = {show_in_one_line(text[:60])}: {problem}"
                 for problem in error.problems
             ]
     if faults:
@@ -157,12 +159,12 @@ def read_values(template: Template, given: Mapping[str, str]) -> dict[str, Expre
 
 
 @lru_cache(maxsize=4096)
-def read_again(text: str) -> Expression:
+def _read_cached(text: str) -> Expression:
     """The tree of a value, read once: few values are drawn often. Raises ExpressionError."""
-    return read(text)
+    return read_expression(text)
 
 
-def parameter_values(
+def find_parameter_values(
     template: Template, trees: Mapping[str, Expression], arithmetic: Any
 ) -> dict[str, Any]:
     """All parameters in SI. Raises TemplateError with every value that is no number (roots of
@@ -171,7 +173,7 @@ def parameter_values(
     faults, values = [], {}
     for name, parameter in template.parameters.items():
         try:
-            values[name] = parameter_value(parameter, trees[name], arithmetic)
+            values[name] = read_parameter(parameter, trees[name], arithmetic)
             if parameter.is_size and arithmetic.sign(values[name]) < 0:
                 raise ExpressionError("a negative length: give zero or more")
         except ExpressionError as error:
@@ -181,7 +183,7 @@ def parameter_values(
     return values
 
 
-def require_asks(template: Template, asks: Iterable[str] | None) -> tuple[Ask, ...]:
+def _require_asks(template: Template, asks: Iterable[str] | None) -> tuple[Ask, ...]:
     """The asks named, or all. Raises TemplateError for unknown ones."""
     chosen = tuple(template.asks if asks is None else asks)
     unknown = [
@@ -194,7 +196,7 @@ def require_asks(template: Template, asks: Iterable[str] | None) -> tuple[Ask, .
     return tuple(template.asks[name] for name in chosen)
 
 
-def attempt(
+def _solve_in(
     template: Template,
     trees: Mapping[str, Expression],
     asks: Iterable[Ask],
@@ -202,49 +204,53 @@ def attempt(
     arithmetic: Any,
 ) -> Solution:
     """Solve in one arithmetic. Raises Inexact or Undecided when another is needed."""
-    values = parameter_values(template, trees, arithmetic)
+    values = find_parameter_values(template, trees, arithmetic)
     assembly = assemble(template, values, arithmetic)
     motion = (
-        solve(assembly.mechanism, arithmetic, plan)
+        solve_motion(assembly.mechanism, arithmetic, plan)
         if template.scheme.drivers
-        else pose(assembly.mechanism, arithmetic)
+        else pose_mechanism(assembly.mechanism, arithmetic)
     )
     circles = Centrodes(template, values, plan)
-    consequences = Consequences(template, {ask.name: ask for ask in asks}, values, motion.plan)
+    consequences = _Consequences(template, {ask.name: ask for ask in asks}, values, motion.plan)
     answers = {
         ask.name: replace(
-            answer(ask, assembly, motion, circles, arithmetic), consequences=consequences
+            _answer_ask(ask, assembly, motion, circles, arithmetic), consequences=consequences
         )
         for ask in asks
     }
-    known = values if arithmetic.exact else certain(template, trees, values)
+    known = values if arithmetic.exact else find_certain_values(template, trees, values)
     parameters = {
-        name: in_unit(name, number, template.parameters[name].unit)
+        name: express_in_unit(name, number, template.parameters[name].unit)
         for name, number in known.items()
     }
     return Solution(template, parameters, answers, assembly, motion, arithmetic)
 
 
-def answer(
+def _answer_ask(
     ask: Ask, assembly: Assembly, motion: Motion, circles: Centrodes, arithmetic: Any
 ) -> Quantity:
     """The answer of one ask; roots that it alone needs stay out of the others' field."""
     forked = arithmetic.fork()
-    values = {**body_names(assembly.mechanism), **assembly.values}
-    functions = {**assembly.functions, **quantities(motion, forked), **circles.functions(forked)}
+    values = {**find_body_names(assembly.mechanism), **assembly.values}
+    functions = {
+        **assembly.functions,
+        **make_quantities(motion, forked),
+        **circles.functions(forked),
+    }
     try:
         number = evaluate(ask.quantity, values, functions, forked)
-        require_number(number, ask)
-        quantity = in_unit(ask.name, number, ask.unit)
+        _require_number(number, ask)
+        quantity = express_in_unit(ask.name, number, ask.unit)
     except AtInfinity:
         return Quantity(ask.name, None, ask.unit)
     except KinegradeError as error:
         raise type(error)(*(f"{ask.name}: {problem}" for problem in error.problems)) from error
-    require_certified(quantity.number)
+    _require_certified(quantity.number)
     return quantity
 
 
-def require_number(number: Any, ask: Ask) -> None:
+def _require_number(number: Any, ask: Ask) -> None:
     """Raises ExpressionError for a quantity that is no number (a vector, a point), or no angle
     where one is due.
     """
@@ -258,22 +264,22 @@ def require_number(number: Any, ask: Ask) -> None:
         )
 
 
-def require_certified(number: Any) -> None:
+def _require_certified(number: Any) -> None:
     """Raises Undecided for a ball that is too wide to be a reference; one about zero must be narrow
     in itself.
     """
     if not isinstance(number, arb):
         return
     narrow = (
-        number.rad() < arb(2) ** -CERTIFIED
+        number.rad() < arb(2) ** -_CERTIFIED
         if 0 in number
-        else number.rel_accuracy_bits() >= CERTIFIED
+        else number.rel_accuracy_bits() >= _CERTIFIED
     )
     if not narrow:
         raise Undecided("an enclosure is too wide")
 
 
-def certain(
+def find_certain_values(
     template: Template, trees: Mapping[str, Expression], values: Mapping[str, Any]
 ) -> dict[str, Any]:
     """The parameters in SI, exact wherever they can be, although the instance is solved by
@@ -282,5 +288,5 @@ def certain(
     found = dict(values)
     for name, parameter in template.parameters.items():
         with suppress(Inexact):
-            found[name] = parameter_value(parameter, trees[name], Field())
+            found[name] = read_parameter(parameter, trees[name], Field())
     return found

@@ -9,7 +9,7 @@ from math import isclose
 
 from kinegrade.problem.quantity import Quantity
 
-OFTEN = 0.9  # an ask that equals a given in nine instances out of ten is guessed by copying it
+_OFTEN = 0.9  # an ask that equals a given in nine instances out of ten is guessed by copying it
 
 
 @dataclass
@@ -43,6 +43,6 @@ class Spread:
         one.
         """
         for name, count in self.copies.most_common(1):
-            if count >= OFTEN * len(self.values):
+            if count >= _OFTEN * len(self.values):
                 return name
         return None

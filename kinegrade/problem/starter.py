@@ -12,7 +12,7 @@ from kinegrade.files import write_file
 from kinegrade.problem.reading import read_template
 
 
-def starter_text() -> str:
+def write_starter_text() -> str:
     """The starter as TOML."""
     return (files("kinegrade.problem") / "starter.toml").read_text(encoding="utf-8")
 
@@ -24,7 +24,7 @@ def write_starter(name: str, path: Path | None = None, *, force: bool = False) -
     Raises TemplateError for what cannot be a template's name, and for a path that does not end in
     it; OutputError where the file exists, unless `force`.
     """
-    text = starter_text()
+    text = write_starter_text()
     read_template(name, text)
     target = path if path is not None else Path(f"{name}.toml")
     if target.name != f"{name}.toml":

@@ -13,14 +13,14 @@ from dataclasses import dataclass
 
 from kinegrade.errors import TemplateError
 from kinegrade.exact.angle import Angle
-from kinegrade.exact.text import LATEX, angle_text
+from kinegrade.exact.text import LATEX, write_angle
 from kinegrade.language import LANGUAGES, Language
-from kinegrade.problem.holding import wording
+from kinegrade.problem.holding import choose_wording
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.slots import Slot, pieces, slots_in_formulas
+from kinegrade.problem.slots import Slot, find_slots_in_formulas, split_slots
 from kinegrade.problem.template import Template, Translated
 
-LONGEST = 20_000  # characters of a statement as it is printed: a page has 3,000
+_LONGEST = 20_000  # characters of a statement as it is printed: a page has 3,000
 
 
 @dataclass(frozen=True)
@@ -39,11 +39,11 @@ class Given:
         return f"${self.symbol} = {self.text}$"
 
 
-def with_unit(quantity: Quantity) -> str:
+def write_with_unit(quantity: Quantity) -> str:
     """A quantity in LaTeX math: number and upright unit."""
     unit = quantity.measure
     if isinstance(quantity.number, Angle) and quantity.number.parts:
-        return angle_text(quantity.number, degrees=False, form=LATEX)
+        return write_angle(quantity.number, degrees=False, form=LATEX)
     if unit.degrees:
         return f"{quantity.given_text}^\\circ"
     return (
@@ -51,30 +51,32 @@ def with_unit(quantity: Quantity) -> str:
     )
 
 
-def statement(template: Template, parameters: Mapping[str, Quantity], language: Language) -> str:
+def write_statement(
+    template: Template, parameters: Mapping[str, Quantity], language: Language
+) -> str:
     """The statement in one language at these parameters.
 
     Raises TemplateError where no wording of a text applies, and for a statement of more than
     LONGEST characters.
     """
     givens = {
-        name: Given(template.parameters[name].symbol, with_unit(quantity))
+        name: Given(template.parameters[name].symbol, write_with_unit(quantity))
         for name, quantity in parameters.items()
     }
     texts = {
-        name: filled(text.in_language(language), givens, {})
-        for name, text in applying(template, parameters)
+        name: _fill_slots(text.in_language(language), givens, {})
+        for name, text in _choose_wordings(template, parameters)
     }
-    text = filled(template.words.statement.in_language(language), givens, texts)
-    if len(text) > LONGEST:
+    text = _fill_slots(template.words.statement.in_language(language), givens, texts)
+    if len(text) > _LONGEST:
         raise TemplateError(
             f"{template.name}.toml: statement.{language}: {len(text)} characters once it is "
-            f"filled in: at most {LONGEST} are printed: shorten it"
+            f"filled in: at most {_LONGEST} are printed: shorten it"
         )
     return text
 
 
-def applying(
+def _choose_wordings(
     template: Template, parameters: Mapping[str, Quantity]
 ) -> Iterator[tuple[str, Translated]]:
     """The texts that depend on values, by name, each in the wording that applies. Raises
@@ -82,7 +84,7 @@ def applying(
     """
     given = {name: quantity.exact or quantity.certified for name, quantity in parameters.items()}
     for name in template.words.texts:
-        found = wording(template, name, given)
+        found = choose_wording(template, name, given)
         if found is None:
             values = ", ".join(f"{parameter} = {text}" for parameter, text in given.items())
             raise TemplateError(
@@ -92,32 +94,33 @@ def applying(
         yield name, found.text
 
 
-def filled(text: str, givens: Mapping[str, Given], texts: Mapping[str, str]) -> str:
+def _fill_slots(text: str, givens: Mapping[str, Given], texts: Mapping[str, str]) -> str:
     """A text with its slots filled in; the template was read, so every slot names a given or a
     text.
     """
     return "".join(
-        one if isinstance(one, str) else in_slot(one, givens, texts) for one in pieces(text)
+        one if isinstance(one, str) else _write_slot(one, givens, texts)
+        for one in split_slots(text)
     )
 
 
-def specimens(template: Template, language: Language) -> Iterator[tuple[str, str]]:
+def write_specimens(template: Template, language: Language) -> Iterator[tuple[str, str]]:
     """The statement and every wording in it, with their places: filled in as they are printed, at a
     value of 1.
 
-    Without those that `statement_faults` reports for a slot inside a formula.
+    Without those that `find_statement_faults` reports for a slot inside a formula.
     """
     givens = {name: Given(given.symbol, "1") for name, given in template.parameters.items()}
     first = {
-        name: filled(wordings[0].text.in_language(language), givens, {})
+        name: _fill_slots(wordings[0].text.in_language(language), givens, {})
         for name, wordings in template.words.texts.items()
     }
-    for where, text in written(template, language):
-        if not slots_in_formulas(text):
-            yield where, filled(text, givens, first)
+    for where, text in _list_written_texts(template, language):
+        if not find_slots_in_formulas(text):
+            yield where, _fill_slots(text, givens, first)
 
 
-def in_slot(slot: Slot, givens: Mapping[str, Given], texts: Mapping[str, str]) -> str:
+def _write_slot(slot: Slot, givens: Mapping[str, Given], texts: Mapping[str, str]) -> str:
     """The text that replaces a slot."""
     if slot.name in texts:
         return texts[slot.name]
@@ -126,28 +129,28 @@ def in_slot(slot: Slot, givens: Mapping[str, Given], texts: Mapping[str, str]) -
 
 
 def check_statements(template: Template) -> None:
-    """Raises TemplateError for all of `statement_faults`."""
-    faults = statement_faults(template)
+    """Raises TemplateError for all of `find_statement_faults`."""
+    faults = find_statement_faults(template)
     if faults:
         raise TemplateError(*faults)
 
 
-def statement_faults(template: Template) -> list[str]:
+def find_statement_faults(template: Template) -> list[str]:
     """What an author has to add to the statements before students can be given them."""
-    faults = unused_texts(template)
+    faults = _find_unused_texts(template)
     for language in LANGUAGES:
-        faults += left_out(template, language)
-        faults += in_formulas(template, language)
+        faults += _find_left_out(template, language)
+        faults += _find_cutting_slots(template, language)
     return faults
 
 
-def left_out(template: Template, language: Language) -> list[str]:
+def _find_left_out(template: Template, language: Language) -> list[str]:
     """The parameters that a statement does not give to the student, whatever wordings apply."""
-    given = named(template.words.statement.in_language(language))
+    given = _find_slot_names(template.words.statement.in_language(language))
     for name in given & set(template.words.texts):
         wordings = template.words.texts[name]
         given |= frozenset.intersection(
-            *(named(one.text.in_language(language)) for one in wordings)
+            *(_find_slot_names(one.text.in_language(language)) for one in wordings)
         )
     return [
         f"{template.name}.toml: statement.{language}: the parameter {name} is not given to the "
@@ -157,17 +160,17 @@ def left_out(template: Template, language: Language) -> list[str]:
     ]
 
 
-def in_formulas(template: Template, language: Language) -> list[str]:
+def _find_cutting_slots(template: Template, language: Language) -> list[str]:
     """The slots between dollar signs, which would cut a formula in two."""
     return [
         f"{template.name}.toml: {where}: {{{{ {slot.name} }}}} stands inside a formula: it brings "
         "dollar signs of its own, so write it outside"
-        for where, text in written(template, language)
-        for slot in slots_in_formulas(text)
+        for where, text in _list_written_texts(template, language)
+        for slot in find_slots_in_formulas(text)
     ]
 
 
-def written(template: Template, language: Language) -> Iterator[tuple[str, str]]:
+def _list_written_texts(template: Template, language: Language) -> Iterator[tuple[str, str]]:
     """The statement and the wordings of its texts, as the author wrote them, with their places."""
     for name, wordings in template.words.texts.items():
         for index, one in enumerate(wordings):
@@ -175,14 +178,14 @@ def written(template: Template, language: Language) -> Iterator[tuple[str, str]]
     yield f"statement.{language}", template.words.statement.in_language(language)
 
 
-def unused_texts(template: Template) -> list[str]:
+def _find_unused_texts(template: Template) -> list[str]:
     """The texts that no statement, or only that of the other language, uses."""
     faults = []
     for name in template.words.texts:
         lacking = [
             language
             for language in LANGUAGES
-            if name not in named(template.words.statement.in_language(language))
+            if name not in _find_slot_names(template.words.statement.in_language(language))
         ]
         if len(lacking) == len(LANGUAGES):
             faults.append(f"text.{name}: stands in no statement: write {{{{ {name} }}}} there")
@@ -195,6 +198,6 @@ def unused_texts(template: Template) -> list[str]:
     return [f"{template.name}.toml: {fault}" for fault in faults]
 
 
-def named(text: str) -> frozenset[str]:
+def _find_slot_names(text: str) -> frozenset[str]:
     """What the slots of a text name."""
-    return frozenset(one.name for one in pieces(text) if isinstance(one, Slot))
+    return frozenset(one.name for one in split_slots(text) if isinstance(one, Slot))

@@ -8,15 +8,15 @@ import re
 
 from kinegrade.errors import did_you_mean
 
-GREEK = re.findall(
+_GREEK = re.findall(
     "[A-Za-z]+",
     "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta kappa lambda mu nu xi pi "
     "rho varrho "
     "sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega",
 )
-COMMANDS = frozenset(
+_COMMANDS = frozenset(
     (
-        *GREEK,
+        *_GREEK,
         "mathrm",
         "mathbf",
         "boldsymbol",
@@ -39,7 +39,7 @@ _DANGLING = re.compile(
 _TWICE = re.compile(r"([_^])(?:\{[^{}]*\}|\\[A-Za-z]+|\w)\s*\1")
 
 
-def symbol_fault(symbol: str) -> str | None:
+def find_symbol_fault(symbol: str) -> str | None:
     """What is wrong with a symbol, or None: LaTeX math from the small alphabet, braces balanced."""
     if not symbol.strip():
         return "a blank symbol - write LaTeX math without dollar signs, such as '\\omega_{AB}'"
@@ -48,15 +48,15 @@ def symbol_fault(symbol: str) -> str | None:
             f"{symbol!r} has characters no symbol needs - use letters, digits, _ ^ {{ }} ' and "
             "LaTeX commands"
         )
-    unknown = sorted(set(re.findall(r"\\([A-Za-z]+)", symbol)) - COMMANDS)
+    unknown = sorted(set(re.findall(r"\\([A-Za-z]+)", symbol)) - _COMMANDS)
     if unknown:
-        return f"unknown LaTeX command \\{unknown[0]} - {did_you_mean(unknown[0], COMMANDS)}"
-    if not _complete(symbol):
+        return f"unknown LaTeX command \\{unknown[0]} - {did_you_mean(unknown[0], _COMMANDS)}"
+    if not _is_complete(symbol):
         return f"{symbol!r} is incomplete - close every brace, give every _ and ^ one thing"
     return None
 
 
-def _complete(symbol: str) -> bool:
+def _is_complete(symbol: str) -> bool:
     """Whether braces close, every script and every command has what it acts on, and no script comes
     twice.
     """

@@ -191,7 +191,7 @@ class Template:
     @property
     def angles(self) -> frozenset[str]:
         """The names of the parameters that are angles."""
-        return angles(self.parameters)
+        return list_angles(self.parameters)
 
     @property
     def combinations(self) -> int:
@@ -206,7 +206,7 @@ class Template:
         return tuple(name for name, ask in self.asks.items() if ask.points)
 
 
-def angles(parameters: Mapping[str, Parameter]) -> frozenset[str]:
+def list_angles(parameters: Mapping[str, Parameter]) -> frozenset[str]:
     """The names of those parameters that are angles."""
     return frozenset(
         name

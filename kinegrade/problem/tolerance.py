@@ -11,10 +11,10 @@ from math import floor, log10
 
 from kinegrade.exact.figures import figures_interval
 from kinegrade.mechanics.doubles import MotionInDoubles
-from kinegrade.problem.scale import scale
+from kinegrade.problem.scale import find_scale
 from kinegrade.units import Unit
 
-CARRIED = 3  # significant figures that every student carries through a calculation
+_CARRIED = 3  # significant figures that every student carries through a calculation
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class Tolerance:
         what is allowed.
         """
         share = float(max(self.share, self.absolute / abs(exact)) if exact else self.share)
-        figures = CARRIED
+        figures = _CARRIED
         while share and 5 / 10**figures >= share:
             figures += 1
         return figures
@@ -69,23 +69,25 @@ class Tolerance:
 ONE_PER_CENT = Tolerance(Fraction(1, 100), Fraction(0))
 
 
-def effective(tolerance: Tolerance, value: float, unit: Unit, motion: MotionInDoubles) -> Tolerance:
+def find_effective_tolerance(
+    tolerance: Tolerance, value: float, unit: Unit, motion: MotionInDoubles
+) -> Tolerance:
     """The tolerance for an answer of `value` units: where it is zero or next to it, the rule's
     share of the mechanism's scale is allowed. Next to zero means smaller than that.
     """
-    room = tolerance.share * own_scale(motion, unit)
+    room = tolerance.share * find_scale_of_mechanism(motion, unit)
     if abs(value) >= room:
         return tolerance
     return replace(tolerance, absolute=max(tolerance.absolute, room))
 
 
 @lru_cache(maxsize=1024)
-def own_scale(motion: MotionInDoubles, unit: Unit) -> Fraction:
+def find_scale_of_mechanism(motion: MotionInDoubles, unit: Unit) -> Fraction:
     """The mechanism's scale in a unit, to two significant figures."""
-    return two_figures(scale(motion, unit))
+    return round_to_two_figures(find_scale(motion, unit))
 
 
-def two_figures(size: float) -> Fraction:
+def round_to_two_figures(size: float) -> Fraction:
     """A size rounded to two significant figures, exactly; what doubles left of a tie is a tie."""
     if size <= 0:
         return Fraction(0)

@@ -9,31 +9,30 @@ from dataclasses import dataclass
 from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError
-from kinegrade.expression import Call, Expression, Name, Number, Operation, parts
+from kinegrade.expression import Call, Expression, Name, Number, Operation, list_parts
 from kinegrade.mechanics.joints import GROUND
-from kinegrade.mechanics.relations import Term, total
+from kinegrade.mechanics.relations import Term, add_vectors
 from kinegrade.mechanics.vector import Vector
-from kinegrade.mechanics.vector_equation import Level, term_parts
+from kinegrade.mechanics.vector_equation import Level, list_term_parts
 from kinegrade.problem.quantities import Quantities
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.numbers import absolute_value, bracketed, double, length, short, stated
-from kinegrade.worked.phrases import phrase
-from kinegrade.worked.points import (
-    Fact,
-    Findings,
-    Piece,
-    find_point,
-    key_of,
-    part_symbol,
-    point_symbol,
-    way,
+from kinegrade.worked.findings import Fact, Findings, Piece, make_key, write_point_symbol
+from kinegrade.worked.numbers import (
+    double,
+    length,
+    write_absolute_value,
+    write_bracketed,
+    write_number,
+    write_short,
 )
-from kinegrade.worked.scalars import turning, turning_value
+from kinegrade.worked.phrases import fill_phrase
+from kinegrade.worked.points import find_point, write_part_symbol, write_way
+from kinegrade.worked.scalars import find_rotation_value, write_rotation
 from kinegrade.worked.solution_case import LETTERS, Case
-from kinegrade.worked.summands import sum_line
+from kinegrade.worked.summands import write_sum_line
 
 Found = Generator[Block, None, Fact]
-LEVELS: dict[str, Level] = {
+_LEVELS: dict[str, Level] = {
     "velocity": "velocity",
     "acceleration": "acceleration",
     "relative_velocity": "velocity",
@@ -50,7 +49,7 @@ def is_vector_call(tree: Expression) -> bool:
     """
     if isinstance(tree, Operation) and tree.sign in "+-":
         return is_vector_call(tree.right)
-    return isinstance(tree, Call) and tree.function in LEVELS
+    return isinstance(tree, Call) and tree.function in _LEVELS
 
 
 @dataclass(frozen=True)
@@ -86,14 +85,14 @@ class Facts:
         names = [argument.name for argument in tree.arguments if isinstance(argument, Name)]
         function = tree.function
         if function in ("velocity", "acceleration"):
-            return (yield from self.of_point(names, LEVELS[function]))
+            return (yield from self._of_point(names, _LEVELS[function]))
         if function in ("relative_velocity", "relative_acceleration"):
-            return (yield from self.relative(names[0], names[1], names[2], LEVELS[function]))
+            return (yield from self.relative(names[0], names[1], names[2], _LEVELS[function]))
         if function == "coriolis":
             return (yield from self.coriolis(names[0], names[1], names[2]))
-        return (yield from self.about_base(function, names[0], names[1], names[2]))
+        return (yield from self._about_base(function, names[0], names[1], names[2]))
 
-    def of_point(self, names: list[str], level: Level) -> Found:
+    def _of_point(self, names: list[str], level: Level) -> Found:
         """The velocity or acceleration of a point of a body."""
         point, body = (
             names[0],
@@ -103,8 +102,8 @@ class Facts:
         yield from find_point(
             chain, self.symbol(point, body, level), self.case, level, self.findings
         )
-        nothing = Fact(point_symbol(point, level, self.case), Vector(0, 0), False)
-        return self.findings.facts.get(key_of(chain, level), nothing)
+        nothing = Fact(write_point_symbol(point, level, self.case), Vector(0, 0), False)
+        return self.findings.facts.get(make_key(chain, level), nothing)
 
     def symbol(self, point: str, body: str, level: Level) -> str:
         """The symbol of a point's vector; with the body where the point belongs to several that
@@ -114,7 +113,7 @@ class Facts:
             usual = self.quantities.owner(point, None)
         except ExpressionError:
             usual = ""
-        plain = point_symbol(point, level, self.case)
+        plain = write_point_symbol(point, level, self.case)
         same = usual and self.case.motion.frames.chain(
             usual, point
         ) == self.case.motion.frames.chain(body, point)
@@ -130,17 +129,19 @@ class Facts:
         number = self.findings.numbers.get(term.rate, "") if term else ""
         name = rf"{LETTERS[level]}_{{\mathrm{{r}}{number}}}"
         if term is None:
-            return (yield from self.left_over(point, body, frame, name, level))
+            return (yield from self._left_over(point, body, frame, name, level))
         if level == "velocity" or term.kind == "sliding":
             value = term.coefficient() * self.case.rates(level)[term.rate]
             return Fact(name, value, False, (Piece(name, term.coefficient(), value),))
         parts = [
-            (part_symbol(part, "a", number), part.value)
-            for part in term_parts(term, self.case.motion, tuple(self.case.motion.rates), level)
+            (write_part_symbol(part, "a", number), part.value)
+            for part in list_term_parts(
+                term, self.case.motion, tuple(self.case.motion.rates), level
+            )
             if part.role != "coriolis"
         ]
-        yield Display(tuple(sum_line(axis, name, parts, level) for axis in "xy"))
-        return Fact(name, total(value for _, value in parts), True)
+        yield Display(tuple(write_sum_line(axis, name, parts, level) for axis in "xy"))
+        return Fact(name, add_vectors(value for _, value in parts), True)
 
     def track(self, point: str, body: str, frame: str) -> Term | None:
         """The term of a point that is guided in the frame, None where no joint guides it."""
@@ -155,10 +156,10 @@ class Facts:
                     return term
         return None
 
-    def left_over(self, point: str, body: str, frame: str, name: str, level: Level) -> Found:
+    def _left_over(self, point: str, body: str, frame: str, name: str, level: Level) -> Found:
         """v_r = v_a - v_e, a_r = a_a - a_e - a_C, by components."""
-        absolute = yield from self.of_point([point, body], level)
-        transport = yield from self.of_point([point, frame], level)
+        absolute = yield from self._of_point([point, body], level)
+        transport = yield from self._of_point([point, frame], level)
         parts = [(absolute.symbol, absolute.value), (transport.symbol, transport.value)]
         if level == "acceleration":
             coriolis = yield from self.find(
@@ -166,15 +167,15 @@ class Facts:
             )
             parts.append((coriolis.symbol, coriolis.value))
         yield Prose(
-            phrase(
+            fill_phrase(
                 f"relative_left_{level}",
                 self.case.language,
                 point=self.case.naming.point(point),
                 frame=self.body(frame),
             )
         )
-        yield Display(tuple(sum_line(axis, name, parts, level, "-") for axis in "xy"))
-        return Fact(name, absolute.value - total(value for _, value in parts[1:]), True)
+        yield Display(tuple(write_sum_line(axis, name, parts, level, "-") for axis in "xy"))
+        return Fact(name, absolute.value - add_vectors(value for _, value in parts[1:]), True)
 
     def coriolis(self, point: str, body: str, frame: str) -> Found:
         """The Coriolis acceleration, twice the frame's angular velocity times the relative
@@ -184,24 +185,25 @@ class Facts:
             Call("relative_velocity", (Name(point), Name(body), Name(frame)))
         )
         value = self.case.motion.coriolis(point, body, frame)
-        omega = turning(frame, self.case, "velocity")
+        omega = write_rotation(frame, self.case, "velocity")
         term = self.track(point, body, frame)
         name = rf"a_{{\mathrm{{C}}{self.findings.numbers.get(term.rate, '') if term else ''}}}"
         numbers = (
-            rf"2\cdot {absolute_number(turning_value(frame, self.case, 'velocity'))}\cdot "
-            rf"{short(length(relative.value, self.case.arithmetic))}"
+            rf"2\cdot {_write_size(find_rotation_value(frame, self.case, 'velocity'))}\cdot "
+            rf"{write_short(length(relative.value, self.case.arithmetic))}"
         )
-        size = stated(length(value, self.case.arithmetic), "m/s^2")
+        size = write_number(length(value, self.case.arithmetic), "m/s^2")
         shown = f" = {numbers}" if any(map(double, value)) else ""
         yield Display(
             (
-                rf"{name} &= 2{absolute_value(omega)}{absolute_value(relative.symbol)}{shown} = "
-                f"{size}{way(value, self.case)}",
+                rf"{name} &= 2{write_absolute_value(omega)}"
+                rf"{write_absolute_value(relative.symbol)}{shown} = "
+                f"{size}{write_way(value, self.case)}",
             )
         )
         return Fact(name, value, False)
 
-    def about_base(self, function: str, point: str, base: str, body: str) -> Found:
+    def _about_base(self, function: str, point: str, base: str, body: str) -> Found:
         """The normal or tangential acceleration of a point about a base point of its body."""
         naming, motion = self.case.naming, self.case.motion
         arm = motion.points[point] - motion.points[base]
@@ -214,14 +216,14 @@ class Facts:
             if normal
             else arm.turned() * motion.alpha(body)
         )
-        size = short(length(arm, self.case.arithmetic))
+        size = write_short(length(arm, self.case.arithmetic))
         if normal:
             formula = rf"{letters}\cdot {naming.omega(body)}^{{2}}"
-            numbers = rf"{size}\cdot {bracketed(short(motion.omega(body)))}^{{2}}"
+            numbers = rf"{size}\cdot {write_bracketed(write_short(motion.omega(body)))}^{{2}}"
         else:
-            formula = rf"{letters}\cdot {absolute_value(naming.alpha(body))}"
-            numbers = rf"{size}\cdot {absolute_number(motion.alpha(body))}"
-        result = stated(length(value, self.case.arithmetic), "m/s^2")
+            formula = rf"{letters}\cdot {write_absolute_value(naming.alpha(body))}"
+            numbers = rf"{size}\cdot {_write_size(motion.alpha(body))}"
+        result = write_number(length(value, self.case.arithmetic), "m/s^2")
         yield Display((f"{name} &= {formula} = {numbers} = {result}",))
         return Fact(name, value, False)
 
@@ -238,49 +240,51 @@ class Facts:
                 )
             case _:
                 assert_never(tree.sign)
-        level = level_of(tree.right)
-        name = pair_symbol(left.symbol, right.symbol)
+        level = find_level(tree.right)
+        name = _write_pair_symbol(left.symbol, right.symbol)
         parts = [(left.symbol, left.value), (right.symbol, right.value)]
-        yield Display(tuple(sum_line(axis, name, parts, level, sign) for axis in "xy"))
+        yield Display(tuple(write_sum_line(axis, name, parts, level, sign) for axis in "xy"))
         return Fact(name, value, True)
 
     def body(self, name: str) -> str:
         """A body in prose."""
         return (
-            phrase("ground", self.case.language) if name == GROUND else self.case.naming.body(name)
+            fill_phrase("ground", self.case.language)
+            if name == GROUND
+            else self.case.naming.body(name)
         )
 
 
-def level_of(tree: Expression) -> Level:
+def find_level(tree: Expression) -> Level:
     """Whether a vector of the motion is a velocity or an acceleration; a sum is what its last
     summand is.
     """
     match tree:
         case Call(function=function):
-            return LEVELS[function]
+            return _LEVELS[function]
         case Operation(right=right):
-            return level_of(right)
+            return find_level(right)
         case Number() | Name():
             raise TypeError("a number or a name is not a vector of the motion")
         case _:
             assert_never(tree)
 
 
-def pair_symbol(left: str, right: str) -> str:
+def _write_pair_symbol(left: str, right: str) -> str:
     """v_C and v_B give v_{CB}."""
     head, _, first = left.partition("_{")
     return f"{head}_{{{first.removesuffix('}')}{right.partition('_{')[2].removesuffix('}')}}}"
 
 
-def absolute_number(value: Any) -> str:
+def _write_size(value: Any) -> str:
     """The absolute value of a number."""
-    return short(value).removeprefix("-")
+    return write_short(value).removeprefix("-")
 
 
-def prerequisites(tree: Expression, facts: Facts) -> Iterator[Block]:
+def explain_prerequisites(tree: Expression, facts: Facts) -> Iterator[Block]:
     """How every vector in an expression is found."""
     if is_vector_call(tree):
         yield from facts.find(tree)
         return
-    for part in parts(tree):
-        yield from prerequisites(part, facts)
+    for part in list_parts(tree):
+        yield from explain_prerequisites(part, facts)

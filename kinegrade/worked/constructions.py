@@ -10,19 +10,19 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import assert_never
 
-from kinegrade.expression import Call, Expression, Name, Number, Operation, parts
+from kinegrade.expression import Call, Expression, Name, Number, Operation, list_parts
 from kinegrade.language import Language
-from kinegrade.worked.coordinates import ZERO, Pair, Step, length_of, minus, over, plus, scaled
+from kinegrade.worked.coordinates import ZERO, Pair, Step, length_of, minus, over, plus, scale
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, Results, TermTable
-from kinegrade.worked.formula_text import quarter_turns
+from kinegrade.worked.formula_text import count_quarter_turns
 from kinegrade.worked.instance_formulas import Instance
-from kinegrade.worked.intersections import foot_blocks, meeting_blocks
-from kinegrade.worked.position_words import PositionWords, position_words
-from kinegrade.worked.vector_words import negated, vector_words
+from kinegrade.worked.intersections import explain_foot, explain_meeting
+from kinegrade.worked.position_words import PositionWords, load_position_words
+from kinegrade.worked.vector_words import describe_vector, negate
 
 
 @dataclass(frozen=True)
-class Coordinates:
+class _Coordinates:
     """Points given by their coordinates alone: one sentence with their equations."""
 
     points: tuple[str, ...]
@@ -35,31 +35,33 @@ class Coordinates:
         return Prose(written.format(points=points)), Display(self.lines)
 
 
-def chapter(steps: Iterable[Step], instance: Instance, language: Language) -> tuple[Block, ...]:
+def write_chapter(
+    steps: Iterable[Step], instance: Instance, language: Language
+) -> tuple[Block, ...]:
     """The blocks of all steps, the origin first; neighbouring points that are given by their
     coordinates share a sentence.
     """
-    words, blocks = position_words(language), list[Block | Coordinates]()
+    words, blocks = load_position_words(language), list[Block | _Coordinates]()
     for step in sorted(steps, key=lambda step: instance.axes.pair(step.tree) != (ZERO, ZERO)):
-        written = construction(step, instance, language)
+        written = _explain_construction(step, instance, language)
         before = blocks[-1] if blocks else None
-        if isinstance(written, Coordinates) and isinstance(before, Coordinates):
-            written = Coordinates(before.points + written.points, before.lines + written.lines)
+        if isinstance(written, _Coordinates) and isinstance(before, _Coordinates):
+            written = _Coordinates(before.points + written.points, before.lines + written.lines)
             blocks.pop()
         match written:
-            case Coordinates():
+            case _Coordinates():
                 blocks.append(written)
             case tuple():
                 blocks += written
             case _:
                 assert_never(written)
-    return tuple(part for block in blocks for part in written_out(block, words))
+    return tuple(part for block in blocks for part in _write_out(block, words))
 
 
-def written_out(block: Block | Coordinates, words: PositionWords) -> tuple[Block, ...]:
+def _write_out(block: Block | _Coordinates, words: PositionWords) -> tuple[Block, ...]:
     """A block unchanged; coordinates with their sentence."""
     match block:
-        case Coordinates():
+        case _Coordinates():
             return block.blocks(words)
         case Heading() | Prose() | Display() | TermTable() | Pictures() | Results():
             return (block,)
@@ -67,29 +69,32 @@ def written_out(block: Block | Coordinates, words: PositionWords) -> tuple[Block
             assert_never(block)
 
 
-def construction(
+def _explain_construction(
     step: Step, instance: Instance, language: Language
-) -> tuple[Block, ...] | Coordinates:
+) -> tuple[Block, ...] | _Coordinates:
     """The blocks of one step, or its coordinates where these are all there is to write."""
-    words, tree = position_words(language), step.tree
+    words, tree = load_position_words(language), step.tree
     if isinstance(tree, Call) and tree.function == "meet":
-        return meeting_blocks(step, instance, language)
+        return explain_meeting(step, instance, language)
     if isinstance(tree, Call) and tree.function == "foot":
-        return foot_blocks(step, instance, language)
+        return explain_foot(step, instance, language)
     if isinstance(tree, Call) and tree.function == "toward":
-        return toward_blocks(step, instance, words)
+        return _explain_toward(step, instance, words)
     pair = instance.axes.pair(tree) or (ZERO, ZERO)
     if pair == (ZERO, ZERO):
         return (Prose(words.origin.format(point=instance.symbols[step.point])),)
-    written, lines = sentence(step, instance, words), coordinate_lines(step.point, pair, instance)
+    written, lines = (
+        _write_sentence(step, instance, words),
+        _write_coordinate_lines(step.point, pair, instance),
+    )
     return (
         (Prose(written), Display(lines))
         if written
-        else Coordinates((instance.symbols[step.point],), lines)
+        else _Coordinates((instance.symbols[step.point],), lines)
     )
 
 
-def coordinate_lines(point: str, pair: Pair, instance: Instance) -> tuple[str, ...]:
+def _write_coordinate_lines(point: str, pair: Pair, instance: Instance) -> tuple[str, ...]:
     """x = ..., y = ... worked out."""
     name = instance.symbols[point]
     return tuple(
@@ -99,7 +104,7 @@ def coordinate_lines(point: str, pair: Pair, instance: Instance) -> tuple[str, .
     )
 
 
-def sentence(step: Step, instance: Instance, words: PositionWords) -> str:
+def _write_sentence(step: Step, instance: Instance, words: PositionWords) -> str:
     """Where the point of a step lies, for constructions whose coordinates follow at once; "" where
     the coordinates alone are enough.
     """
@@ -108,17 +113,17 @@ def sentence(step: Step, instance: Instance, words: PositionWords) -> str:
         case Name():
             return words.coincides.format(point=point, other=instance.symbols[tree.name])
         case Call(function="polar", arguments=(centre, radius, angle)):
-            return polar_sentence(point, (centre, radius, angle), instance, words)
+            return _write_polar_sentence(point, (centre, radius, angle), instance, words)
         case Call(function="midpoint", arguments=(Name(first), Name(second))):
             return words.midpoint.format(
                 point=point, first=instance.symbols[first], second=instance.symbols[second]
             )
         case Operation(sign="+" | "-", left=Name(base), right=right):
-            vector = {"+": right, "-": negated(right, instance)}[tree.sign]
+            vector = {"+": right, "-": negate(right, instance)}[tree.sign]
             return words.displaced.format(
                 point=point,
                 base=instance.symbols[base],
-                vector=vector_words(vector, instance, words),
+                vector=describe_vector(vector, instance, words),
             )
         case Number() | Operation() | Call():
             return ""
@@ -126,7 +131,7 @@ def sentence(step: Step, instance: Instance, words: PositionWords) -> str:
             assert_never(tree)
 
 
-def polar_sentence(
+def _write_polar_sentence(
     point: str,
     parts: tuple[Expression, Expression, Expression],
     instance: Instance,
@@ -136,7 +141,7 @@ def polar_sentence(
     direction.
     """
     centre, radius, angle = parts
-    quarters = quarter_turns(angle)
+    quarters = count_quarter_turns(angle)
     against = instance.sign(radius) < 0
     texts = {
         "point": point,
@@ -149,10 +154,10 @@ def polar_sentence(
     return (words.polar_against if against else words.polar).format(**texts)
 
 
-def toward_blocks(step: Step, instance: Instance, words: PositionWords) -> tuple[Block, ...]:
+def _explain_toward(step: Step, instance: Instance, words: PositionWords) -> tuple[Block, ...]:
     """A point at a distance from one point towards another, or along a vector."""
-    start, end, distance = parts(step.tree)
-    vector = way(start, end, instance)
+    start, end, distance = list_parts(step.tree)
+    vector = _write_way(start, end, instance)
     size, direction = length_of(vector, instance.axes), instance.axes.pair(vector)
     base = instance.axes.pair(start)
     texts = {
@@ -165,18 +170,18 @@ def toward_blocks(step: Step, instance: Instance, words: PositionWords) -> tuple
         case Name():
             written = words.toward.format(**texts)
         case Number() | Operation() | Call():
-            written = words.along.format(vector=vector_words(vector, instance, words), **texts)
+            written = words.along.format(vector=describe_vector(vector, instance, words), **texts)
         case _:
             assert_never(end)
     if base is None or direction is None:
         return (Prose(written),)
-    lines = length_lines(size, instance)
-    reached = scaled(direction, over(distance, size)) or (ZERO, ZERO)
+    lines = write_length_lines(size, instance)
+    reached = scale(direction, over(distance, size)) or (ZERO, ZERO)
     pair = plus(base[0], reached[0]), plus(base[1], reached[1])
-    return Prose(written), Display((*lines, *coordinate_lines(step.point, pair, instance)))
+    return Prose(written), Display((*lines, *_write_coordinate_lines(step.point, pair, instance)))
 
 
-def way(start: Expression, end: Expression, instance: Instance) -> Expression:
+def _write_way(start: Expression, end: Expression, instance: Instance) -> Expression:
     """The vector from one point to another; a vector that is added to the first point is itself the
     result.
     """
@@ -184,14 +189,14 @@ def way(start: Expression, end: Expression, instance: Instance) -> Expression:
         case Operation(sign="+", left=same, right=added) if same == start:
             return added
         case Operation(sign="-", left=same, right=taken) if same == start:
-            return negated(taken, instance)
+            return negate(taken, instance)
         case Number() | Name() | Operation() | Call():
             return Operation("-", end, start)
         case _:
             assert_never(end)
 
 
-def length_lines(size: Expression, instance: Instance) -> tuple[str, ...]:
+def write_length_lines(size: Expression, instance: Instance) -> tuple[str, ...]:
     """AB = the root of the sum of squares, worked out; nothing for a length that is not the
     distance of two points.
     """

@@ -18,18 +18,18 @@ from kinegrade.expression import (
     Name,
     Number,
     Operation,
+    find_names,
     is_literal_zero,
-    names,
-    read,
+    read_expression,
 )
 from kinegrade.problem.template import Template
-from kinegrade.worked.formula_text import quarter_turns
+from kinegrade.worked.formula_text import count_quarter_turns
 
 Pair = tuple[Expression, Expression]
-ZERO, ONE, TWO = read("0"), read("1"), read("2")
-CENTRED = frozenset({"polar", "foot", "toward", "circle", "line"})
+ZERO, ONE, TWO = read_expression("0"), read_expression("1"), read_expression("2")
+_CENTRED = frozenset({"polar", "foot", "toward", "circle", "line"})
 PLACED = frozenset({"polar", "meet", "foot", "midpoint", "toward"})
-QUARTERS: Mapping[int, tuple[int, int]] = {0: (1, 0), 1: (0, 1), 2: (-1, 0), 3: (0, -1)}
+_QUARTERS: Mapping[int, tuple[int, int]] = {0: (1, 0), 1: (0, 1), 2: (-1, 0), 3: (0, -1)}
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Step:
     tree: Expression
 
 
-def steps(template: Template) -> tuple[Step, ...]:
+def list_steps(template: Template) -> tuple[Step, ...]:
     """The template's points in its order, each after the auxiliary points that its construction
     needs.
     """
@@ -51,12 +51,12 @@ def steps(template: Template) -> tuple[Step, ...]:
     for point, tree in template.scheme.points.items():
         hoisted: list[Step] = []
         before = sum(step.point not in template.scheme.points for step in found)
-        plain = unnested(tree, hoisted, before, taken, top=True)
+        plain = unnest(tree, hoisted, before, taken, top=True)
         found += [*hoisted, Step(point, plain)]
     return tuple(found)
 
 
-def unnested(
+def unnest(
     tree: Expression, found: list[Step], before: int, taken: set[str], top: bool = False
 ) -> Expression:
     """The tree with inner constructions replaced by the names of auxiliary points, which are added
@@ -64,32 +64,36 @@ def unnested(
     """
     match tree:
         case Operation(sign=sign):
-            left, right = (unnested(part, found, before, taken) for part in (tree.left, tree.right))
+            left, right = (unnest(part, found, before, taken) for part in (tree.left, tree.right))
             return Operation(sign, left, right)
         case Number() | Name():
             return tree
         case Call():
-            return unnested_call(tree, found, before, taken, top)
+            return _unnest_call(tree, found, before, taken, top)
         case _:
             assert_never(tree)
 
 
-def unnested_call(
+def _unnest_call(
     tree: Call, found: list[Step], before: int, taken: set[str], top: bool
 ) -> Expression:
     """A call with inner constructions replaced likewise; where it places a point and is not `top`,
     it becomes a new point itself.
     """
     plain = Call(
-        tree.function, tuple(unnested(part, found, before, taken) for part in tree.arguments)
+        tree.function, tuple(unnest(part, found, before, taken) for part in tree.arguments)
     )
-    if tree.function in CENTRED and awkward(tree.function, plain.arguments[0]):
-        centre = auxiliary(plain.arguments[0], found, before, taken)
+    if tree.function in _CENTRED and _reads_awkwardly(tree.function, plain.arguments[0]):
+        centre = _add_auxiliary_point(plain.arguments[0], found, before, taken)
         plain = Call(tree.function, (centre, *plain.arguments[1:]))
-    return plain if top or tree.function not in PLACED else auxiliary(plain, found, before, taken)
+    return (
+        plain
+        if top or tree.function not in PLACED
+        else _add_auxiliary_point(plain, found, before, taken)
+    )
 
 
-def awkward(function: str, centre: Expression) -> bool:
+def _reads_awkwardly(function: str, centre: Expression) -> bool:
     """Whether a sentence would read badly with the point about which, or from which, something is
     constructed.
     """
@@ -97,7 +101,7 @@ def awkward(function: str, centre: Expression) -> bool:
     return pair or isinstance(centre, Operation)
 
 
-def auxiliary(tree: Expression, found: list[Step], before: int, taken: set[str]) -> Name:
+def _add_auxiliary_point(tree: Expression, found: list[Step], before: int, taken: set[str]) -> Name:
     """The name of an auxiliary point, whose step is added to `found`."""
     name = next(
         name
@@ -108,12 +112,12 @@ def auxiliary(tree: Expression, found: list[Step], before: int, taken: set[str])
     return Name(name)
 
 
-def needed(all_steps: tuple[Step, ...], wanted: Iterable[str]) -> tuple[Step, ...]:
+def select_needed(all_steps: tuple[Step, ...], wanted: Iterable[str]) -> tuple[Step, ...]:
     """The steps of the points wanted and of those they are constructed from, in order."""
     missing = set(wanted)
     for step in reversed(all_steps):
         if step.point in missing:
-            missing |= set(names(step.tree))
+            missing |= set(find_names(step.tree))
     return tuple(step for step in all_steps if step.point in missing)
 
 
@@ -163,11 +167,11 @@ class Axes:
             case Call(function="", arguments=(x, y)):
                 return x, y
             case Call(function="turned", arguments=(vector,)):
-                return turned(self.pair(vector))
+                return _turn_left(self.pair(vector))
             case Call(function="polar", arguments=(centre, radius, angle)):
-                return added("+", self.pair(centre), scaled(unit(angle), radius))
+                return _add("+", self.pair(centre), scale(_make_unit(angle), radius))
             case Call(function="midpoint", arguments=(first, second)):
-                return divided(added("+", self.pair(first), self.pair(second)), TWO)
+                return _divide(_add("+", self.pair(first), self.pair(second)), TWO)
             case Operation():
                 return self.combined(tree)
             case Number() | Call():
@@ -178,30 +182,30 @@ class Axes:
     def combined(self, tree: Operation) -> Pair | None:
         """Sums and multiples of vectors."""
         if is_negated(tree):
-            return added("-", (ZERO, ZERO), self.pair(tree.right))
+            return _add("-", (ZERO, ZERO), self.pair(tree.right))
         match tree.sign:
             case "+" | "-":
-                return added(tree.sign, self.pair(tree.left), self.pair(tree.right))
+                return _add(tree.sign, self.pair(tree.left), self.pair(tree.right))
             case "/":
-                return divided(self.pair(tree.left), tree.right)
+                return _divide(self.pair(tree.left), tree.right)
             case "*":
                 ends = (tree.left, tree.right)
                 vector, factor = ends if self.is_vector(tree.left) else ends[::-1]
-                return scaled(self.pair(vector), factor)
+                return scale(self.pair(vector), factor)
             case "**":
                 raise ValueError("a vector cannot be raised to a power")
             case _:
                 assert_never(tree.sign)
 
 
-def axes_of(all_steps: tuple[Step, ...]) -> Axes:
+def choose_axes(all_steps: tuple[Step, ...]) -> Axes:
     """The axes in which points are given, with the coordinates that each construction obviously
     makes zero.
     """
     axes = Axes(frozenset(step.point for step in all_steps), frozenset())
     for step in all_steps:
         leaves = (Call("x", (Name(step.point),)), Call("y", (Name(step.point),)))
-        pairs = [axes.pair(step.tree), *met_along_axes(step.tree, axes)]
+        pairs = [axes.pair(step.tree), *_find_meeting_coordinates(step.tree, axes)]
         zeros = {
             leaf
             for pair in pairs
@@ -213,7 +217,7 @@ def axes_of(all_steps: tuple[Step, ...]) -> Axes:
     return axes
 
 
-def met_along_axes(tree: Expression, axes: Axes) -> Iterator[Pair]:
+def _find_meeting_coordinates(tree: Expression, axes: Axes) -> Iterator[Pair]:
     """What lines parallel to the axes say about the point in which they meet something; ONE where
     they say nothing.
     """
@@ -221,46 +225,46 @@ def met_along_axes(tree: Expression, axes: Axes) -> Iterator[Pair]:
         return
     for shape in tree.arguments[:2]:
         if isinstance(shape, Call) and shape.function == "line":
-            start, direction = line_of(shape, axes)
+            start, direction = find_line(shape, axes)
             yield (
                 ONE if direction[0] != ZERO else start[0],
                 ONE if direction[1] != ZERO else start[1],
             )
 
 
-def line_of(shape: Call, axes: Axes) -> tuple[Pair, Pair]:
+def find_line(shape: Call, axes: Axes) -> tuple[Pair, Pair]:
     """A point of a line and the line's direction, a unit vector where the line is given by an
     angle.
     """
     start = axes.pair(shape.arguments[0]) or (ZERO, ZERO)
     if not axes.is_vector(shape.arguments[1]):
-        return start, unit(shape.arguments[1])
+        return start, _make_unit(shape.arguments[1])
     end = axes.pair(shape.arguments[1]) or (ZERO, ZERO)
     return start, (minus(end[0], start[0]), minus(end[1], start[1]))
 
 
-def unit(angle: Expression) -> Pair:
+def _make_unit(angle: Expression) -> Pair:
     """The unit vector in a direction; along an axis it is worked out."""
-    quarters = quarter_turns(angle)
+    quarters = count_quarter_turns(angle)
     if quarters is not None:
-        x, y = QUARTERS[quarters]
-        return integer(x), integer(y)
+        x, y = _QUARTERS[quarters]
+        return _make_integer(x), _make_integer(y)
     if is_negated(angle):
         return Call("cos", (angle.right,)), minus(ZERO, Call("sin", (angle.right,)))
     return Call("cos", (angle,)), Call("sin", (angle,))
 
 
-def integer(value: int) -> Expression:
+def _make_integer(value: int) -> Expression:
     """A small whole number as an expression."""
-    return read(str(value))
+    return read_expression(str(value))
 
 
-def turned(pair: Pair | None) -> Pair | None:
+def _turn_left(pair: Pair | None) -> Pair | None:
     """The vector turned by 90 degrees counter-clockwise."""
     return None if pair is None else (minus(ZERO, pair[1]), pair[0])
 
 
-def added(sign: Literal["+", "-"], first: Pair | None, second: Pair | None) -> Pair | None:
+def _add(sign: Literal["+", "-"], first: Pair | None, second: Pair | None) -> Pair | None:
     """The sum or difference of two vectors."""
     if first is None or second is None:
         return None
@@ -268,12 +272,12 @@ def added(sign: Literal["+", "-"], first: Pair | None, second: Pair | None) -> P
     return combine(first[0], second[0]), combine(first[1], second[1])
 
 
-def scaled(pair: Pair | None, factor: Expression) -> Pair | None:
+def scale(pair: Pair | None, factor: Expression) -> Pair | None:
     """A multiple of a vector."""
     return None if pair is None else (times(factor, pair[0]), times(factor, pair[1]))
 
 
-def divided(pair: Pair | None, divisor: Expression) -> Pair | None:
+def _divide(pair: Pair | None, divisor: Expression) -> Pair | None:
     """A part of a vector."""
     return None if pair is None else (over(pair[0], divisor), over(pair[1], divisor))
 

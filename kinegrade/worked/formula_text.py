@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from typing import Any, assert_never
 
 from kinegrade.exact.field import Field
-from kinegrade.exact.text import decimal_text
+from kinegrade.exact.text import write_decimal
 from kinegrade.expression import (
     Call,
     Expression,
@@ -23,98 +23,100 @@ from kinegrade.expression import (
     Number,
     Operation,
     evaluate,
-    every_part,
+    find_names,
     is_literal_zero,
-    names,
-    read,
+    read_expression,
+    walk,
 )
-from kinegrade.problem.notation import point_symbol, symbol
+from kinegrade.problem.notation import write_point_symbol, write_symbol
 from kinegrade.problem.quantity import is_short_decimal
 from kinegrade.problem.template import Template
 from kinegrade.worked.pieces import (
     INVERSE,
     TRIGONOMETRY,
     Piece,
-    applied,
-    bracketed,
-    following,
-    joined,
-    positive,
-    whole,
+    apply_function,
+    hold_together,
+    join_factors,
+    split_sign,
+    write_bracketed,
+    write_following,
 )
 
-ONE = read("1")
+_ONE = read_expression("1")
 
 
 Leaf = Callable[[Expression, bool], Piece | None]
 
 
-def latex_of(
+def write_latex(
     expression: Expression,
     symbols: Mapping[str, str],
     degrees: bool = False,
     points: Collection[str] = (),
 ) -> str:
     """LaTeX math (no dollar signs) of an expression; `symbols` gives the LaTeX of its names, see
-    `symbols_of`.
+    `collect_symbols`.
 
     `pi` prints as such, but in degrees within sines and cosines, and everywhere if the expression
     is an angle to be printed in `degrees`. A name without a symbol prints as
-    `problem.notation.symbol` gives it. The difference of two of the `points` prints as a vector
-    with an arrow.
+    `problem.notation.write_symbol` gives it. The difference of two of the `points` prints as a
+    vector with an arrow.
 
-    >>> from kinegrade.expression import read
-    >>> print(latex_of(read("-l_1*sin(psi)/sin(theta + pi/2)"), {}))
+    >>> from kinegrade.expression import read_expression
+    >>> print(write_latex(read_expression("-l_1*sin(psi)/sin(theta + pi/2)"), {}))
     -\\frac{l_{1} \\sin\\psi}{\\sin(\\theta + 90^\\circ)}
     """
-    return symbol_writer(symbols, points).write(expression, degrees).signed
+    return make_symbol_writer(symbols, points).write(expression, degrees).signed
 
 
-def symbol_writer(symbols: Mapping[str, str], points: Collection[str] = ()) -> Writer:
+def make_symbol_writer(symbols: Mapping[str, str], points: Collection[str] = ()) -> Writer:
     """The writer of formulas in symbols."""
     return Writer(
-        lambda tree, angular: vector_between(tree, points) or symbolic(tree, angular, symbols)
+        lambda tree, angular: (
+            _find_vector_between(tree, points) or _write_leaf(tree, angular, symbols)
+        )
     )
 
 
-def symbols_of(template: Template) -> dict[str, str]:
+def collect_symbols(template: Template) -> dict[str, str]:
     """The LaTeX symbols of everything that a template's expressions may name."""
     return {
-        **{name: point_symbol(name) for name in template.scheme.points},
-        **{name: symbol(name) for name in template.scheme.lengths},
+        **{name: write_point_symbol(name) for name in template.scheme.points},
+        **{name: write_symbol(name) for name in template.scheme.lengths},
         **{name: parameter.symbol for name, parameter in template.parameters.items()},
         "pi": r"\pi",
     }
 
 
-def symbolic(tree: Expression, angular: bool, symbols: Mapping[str, str]) -> Piece | None:
+def _write_leaf(tree: Expression, angular: bool, symbols: Mapping[str, str]) -> Piece | None:
     """The leaves of a formula in symbols: names, coordinates and distances of points, angles in
     whole degrees.
     """
-    if angular and (half_turns := constant_half_turns(tree)) is not None:
-        return Piece(decimal_text(abs(half_turns * 180), 6) + r"^\circ", "number", half_turns < 0)
+    if angular and (half_turns := _count_half_turns(tree)) is not None:
+        return Piece(write_decimal(abs(half_turns * 180), 6) + r"^\circ", "number", half_turns < 0)
     match tree:
         case Name(name=name):
-            return Piece(symbols.get(name, named(name)), "symbol")
+            return Piece(symbols.get(name, _write_name(name)), "symbol")
         case Call(function="x" | "y" | "distance" | "direction"):
-            return measured(tree, symbols)
+            return _write_measure(tree, symbols)
         case Number() | Operation() | Call():
             return None
         case _:
             assert_never(tree)
 
 
-def named(name: str) -> str:
+def _write_name(name: str) -> str:
     """The symbol of a name that has been given none."""
-    return r"\pi" if name == "pi" else symbol(name)
+    return r"\pi" if name == "pi" else write_symbol(name)
 
 
-def measured(tree: Call, symbols: Mapping[str, str]) -> Piece | None:
+def _write_measure(tree: Call, symbols: Mapping[str, str]) -> Piece | None:
     """x_A, y_A, the distance AB, the angle from the x axis to AB; None where the points are not
     named.
     """
     points = [
-        symbols.get(part.name, point_symbol(part.name))
+        symbols.get(part.name, write_point_symbol(part.name))
         for part in tree.arguments
         if isinstance(part, Name)
     ]
@@ -127,7 +129,7 @@ def measured(tree: Call, symbols: Mapping[str, str]) -> Piece | None:
     return Piece(f"{tree.function}_{{{points[0]}}}", "symbol")
 
 
-def vector_between(tree: Expression, points: Collection[str]) -> Piece | None:
+def _find_vector_between(tree: Expression, points: Collection[str]) -> Piece | None:
     """The difference of two points as the vector from the second to the first; None for any other
     expression.
     """
@@ -136,35 +138,35 @@ def vector_between(tree: Expression, points: Collection[str]) -> Piece | None:
     if not (isinstance(tree.left, Name) and isinstance(tree.right, Name)):
         return None
     ends = (tree.right.name, tree.left.name)
-    return Piece(arrow(*ends), "symbol") if set(ends) <= set(points) else None
+    return Piece(_write_arrow(*ends), "symbol") if set(ends) <= set(points) else None
 
 
-def arrow(start: str, end: str) -> str:
+def _write_arrow(start: str, end: str) -> str:
     """The vector from one named point to another, in LaTeX math."""
-    return rf"\overrightarrow{{{point_symbol(start)}{point_symbol(end)}}}"
+    return rf"\overrightarrow{{{write_point_symbol(start)}{write_point_symbol(end)}}}"
 
 
-def quarter_turns(tree: Expression) -> int | None:
+def count_quarter_turns(tree: Expression) -> int | None:
     """The number of right angles, 0 to 3, in an angle made of numbers and `pi`; None for any other
     angle.
     """
-    half_turns = constant_half_turns(tree)
+    half_turns = _count_half_turns(tree)
     quarters = None if half_turns is None else half_turns * 2
     return None if quarters is None or quarters != int(quarters) else int(quarters) % 4
 
 
-def constant_half_turns(tree: Expression) -> Any:
+def _count_half_turns(tree: Expression) -> Any:
     """An angle made of numbers and `pi` alone, divided by pi; None for any other expression."""
-    if set(names(tree)) - {"pi"} or has_call(tree):
+    if set(find_names(tree)) - {"pi"} or _has_call(tree):
         return None
     field = Field()
     value = evaluate(tree, {"pi": field.turns(1)}, {}, field)
     return getattr(value, "half_turns", value if value == 0 else None)
 
 
-def has_call(tree: Expression) -> bool:
+def _has_call(tree: Expression) -> bool:
     """Whether a function is called anywhere in an expression."""
-    return any(isinstance(part, Call) for part in every_part(tree))
+    return any(isinstance(part, Call) for part in walk(tree))
 
 
 @dataclass(frozen=True)
@@ -184,9 +186,9 @@ class Writer:
             return found
         match tree:
             case Number():
-                return literal(tree)
+                return _write_literal(tree)
             case Name():
-                return Piece(named(tree.name), "symbol")
+                return Piece(_write_name(tree.name), "symbol")
             case Call():
                 return self.call(tree)
             case Operation():
@@ -210,10 +212,11 @@ class Writer:
         """Terms with their signs; a unary minus belongs to the term after it."""
         terms = list(self.terms(tree, angular))
         if len(terms) == 1:
-            return whole(terms[0])
+            return hold_together(terms[0])
         return Piece(
             "".join(
-                following(piece) if place else piece.signed for place, piece in enumerate(terms)
+                write_following(piece) if place else piece.signed
+                for place, piece in enumerate(terms)
             ),
             "sum",
         )
@@ -229,7 +232,7 @@ class Writer:
                 yield from self.terms(tree.right, angular)
             case "-":
                 yield from () if is_literal_zero(tree) else self.terms(tree.left, angular)
-                piece = whole(self.write(tree.right, angular))
+                piece = hold_together(self.write(tree.right, angular))
                 yield replace(piece, negative=not piece.negative)
             case "*" | "/" | "**":
                 yield self.write(tree, angular)
@@ -238,12 +241,14 @@ class Writer:
 
     def product(self, tree: Operation, angular: bool) -> Piece:
         """Factors side by side, over the divisors if there are any, with all signs in front."""
-        above, below = ([positive(piece) for piece in part] for part in self.factors(tree, angular))
+        above, below = (
+            [split_sign(piece) for piece in part] for part in self.factors(tree, angular)
+        )
         negative = sum(piece.negative for piece in above + below) % 2 == 1
-        top = joined(above)
+        top = join_factors(above)
         if not below:
             return Piece(top, "product" if len(above) > 1 else above[0].kind, negative)
-        return Piece(rf"\frac{{{top}}}{{{joined(below)}}}", "fraction", negative)
+        return Piece(rf"\frac{{{top}}}{{{join_factors(below)}}}", "fraction", negative)
 
     def factors(self, tree: Expression, angular: bool) -> tuple[list[Piece], list[Piece]]:
         """The factors of the numerator and of the denominator."""
@@ -256,7 +261,7 @@ class Writer:
             case "+" | "-" | "**":
                 return [self.write(tree, angular)], []
             case "*":
-                if tree.left == ONE:
+                if tree.left == _ONE:
                     return self.factors(tree.right, angular)
                 above, below = self.factors(tree.left, angular)
                 more, under = self.factors(tree.right, angular)
@@ -287,7 +292,7 @@ class Writer:
             and "^" not in base.text
         )
         if not simple:
-            return Piece(f"{bracketed(base.signed)}^{{{exponent}}}", "closed")
+            return Piece(f"{write_bracketed(base.signed)}^{{{exponent}}}", "closed")
         return Piece(f"{base.text}^{{{exponent}}}", base.kind)
 
     def call(self, tree: Call) -> Piece:
@@ -297,18 +302,18 @@ class Writer:
         if tree.function == "abs" and len(tree.arguments) == 1:
             return Piece(rf"\left|{self.write(tree.arguments[0]).signed}\right|", "closed")
         if tree.function in TRIGONOMETRY or tree.function in INVERSE:
-            return applied(
+            return apply_function(
                 {**TRIGONOMETRY, **INVERSE}[tree.function],
                 self.write(tree.arguments[0], tree.function in TRIGONOMETRY),
             )
         inner = r",\ ".join(self.write(part).signed for part in tree.arguments)
         name = tree.function.replace("_", r"}\ \mathrm{")
-        return Piece((rf"\mathrm{{{name}}}" if name else "") + bracketed(inner), "closed")
+        return Piece((rf"\mathrm{{{name}}}" if name else "") + write_bracketed(inner), "closed")
 
 
-def literal(tree: Number) -> Piece:
+def _write_literal(tree: Number) -> Piece:
     """A number as it stands in a template: a short decimal, or a fraction."""
     size, negative = abs(tree.value), bool(tree.value < 0)
     if is_short_decimal(size):
-        return Piece(decimal_text(size, 12), "number", negative)
+        return Piece(write_decimal(size, 12), "number", negative)
     return Piece(rf"\frac{{{size.p}}}{{{size.q}}}", "fraction", negative)

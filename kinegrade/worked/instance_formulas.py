@@ -11,23 +11,23 @@ from typing import Any
 
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import PRECISIONS, Balls
-from kinegrade.exact.text import LATEX, decimal_text, exact_text
-from kinegrade.expression import Call, Expression, Name, Number, elementary, evaluate
-from kinegrade.mechanics.geometry import constructions
+from kinegrade.exact.text import LATEX, write_decimal, write_exact
+from kinegrade.expression import Call, Expression, Name, Number, evaluate, make_elementary_functions
+from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.quantity import Quantity, in_unit
+from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.problem.solving import Solution
 from kinegrade.units import Unit, read_unit
-from kinegrade.worked.coordinates import Axes, Step, axes_of, steps
-from kinegrade.worked.formula_text import Writer, symbol_writer, symbols_of
-from kinegrade.worked.formula_width import chained
-from kinegrade.worked.pieces import INVERSE, TRIGONOMETRY, Piece, numeral
+from kinegrade.worked.coordinates import Axes, Step, choose_axes, list_steps
+from kinegrade.worked.formula_text import Writer, collect_symbols, make_symbol_writer
+from kinegrade.worked.formula_width import chain_lines
+from kinegrade.worked.pieces import INVERSE, TRIGONOMETRY, Piece, make_numeral
 
-DIGITS = 4  # significant digits of every rounded decimal
-LONGEST_SUBSTITUTED = (
+_DIGITS = 4  # significant digits of every rounded decimal
+_LONGEST_SUBSTITUTED = (
     12  # characters of plain text: longer exact numbers, and parts of roots, become decimals
 )
-LONGEST_EXACT = (
+_LONGEST_EXACT = (
     30  # characters of plain text: a longer exact number is left out on the way to an answer
 )
 STRUCTURAL = frozenset({*TRIGONOMETRY, *INVERSE, "sqrt", "abs"})
@@ -70,38 +70,38 @@ class Instance:
         """
         try:
             with self.arithmetic.context():
-                return evaluated(tree, self.values, self.arithmetic)
+                return _evaluate_in(tree, self.values, self.arithmetic)
         except Inexact:
             balls = Balls(PRECISIONS[0])
             with balls.context():
-                return evaluated(
+                return _evaluate_in(
                     tree,
-                    {name: enclosed(value, balls) for name, value in self.values.items()},
+                    {name: _enclose(value, balls) for name, value in self.values.items()},
                     balls,
                 )
 
     def sign(self, tree: Expression) -> int:
         """The sign of an expression's value: -1, 0 or 1."""
         value = self.value(tree)
-        text = decimal_text(value, 1)
+        text = write_decimal(value, 1)
         return 0 if text == "0" else -1 if text.startswith("-") else 1
 
     def symbolic(self, tree: Expression, degrees: bool = False) -> str:
         """The formula in symbols."""
-        return symbol_writer(self.symbols, self.axes.points).write(tree, degrees).signed
+        return make_symbol_writer(self.symbols, self.axes.points).write(tree, degrees).signed
 
-    def numeric(self, tree: Expression, degrees: bool = False) -> str:
+    def _numeric(self, tree: Expression, degrees: bool = False) -> str:
         """The formula with numbers in place of symbols; angles are evaluated."""
         return Writer(self.number).write(tree, degrees).signed
 
     def number(self, tree: Expression, angular: bool) -> Piece | None:
         """The number that replaces a name, a coordinate or an angle."""
         if angular:
-            return numeral(self.degrees(self.value(tree)) + r"^\circ")
+            return make_numeral(self.degrees(self.value(tree)) + r"^\circ")
         if isinstance(tree, Name) and tree.name != "pi":
-            return numeral(substituted(self.value(tree)))
+            return make_numeral(_write_substituted(self.value(tree)))
         if isinstance(tree, Call) and tree.function not in STRUCTURAL:
-            return numeral(substituted(self.value(tree)))
+            return make_numeral(_write_substituted(self.value(tree)))
         return None
 
     def degrees(self, angle: Any) -> str:
@@ -109,32 +109,34 @@ class Instance:
         quantity = self.quantity(angle, DEGREE)
         if quantity.is_plain:
             return quantity.decimal(12)
-        return quantity.decimal(DIGITS + 1 if abs(quantity.value) >= 100 else DIGITS)
+        return quantity.decimal(_DIGITS + 1 if abs(quantity.value) >= 100 else _DIGITS)
 
     def quantity(self, value: Any, unit: Unit) -> Quantity:
         """A value in SI as a quantity; angles in degrees are multiples of this arithmetic's pi."""
         if isinstance(value, int):
-            return in_unit("", self.arithmetic.number(value), unit)
+            return express_in_unit("", self.arithmetic.number(value), unit)
         with Balls(PRECISIONS[0]).context():
-            return in_unit("", value, unit)
+            return express_in_unit("", value, unit)
 
     def proportion(self, left: str, tree: Expression, unit: Unit) -> tuple[str, ...]:
         """left, up to a factor, as the formula = the same with numbers = the value; a zero is
         written without a factor.
         """
-        results = result(self.quantity(self.value(tree), unit))
+        results = write_result(self.quantity(self.value(tree), unit))
         worked = (("=", self.symbolic(tree)), *self.worked_out(self.symbolic(tree), tree))
-        (_, first), *others = told_once(() if isinstance(tree, Number) else worked, results)
-        return chained(left, (("=" if first == "0" else r"\propto", first), *others))
+        (_, first), *others = drop_repetition(() if isinstance(tree, Number) else worked, results)
+        return chain_lines(left, (("=" if first == "0" else r"\propto", first), *others))
 
     def equation(self, left: str, tree: Expression, unit: Unit = METRE) -> tuple[str, ...]:
         """left = the formula = the same with numbers = the value."""
-        results = result(self.quantity(self.value(tree), unit))
-        return chained(left, told_once(self.worked_out(left, tree, unit.degrees), results))
+        results = write_result(self.quantity(self.value(tree), unit))
+        return chain_lines(
+            left, drop_repetition(self.worked_out(left, tree, unit.degrees), results)
+        )
 
     def worked_out(self, left: str, tree: Expression, degrees: bool = False) -> tuple[Part, ...]:
         """The formula and the same with numbers, each where it adds something."""
-        symbols, numbers = self.symbolic(tree, degrees), self.numeric(tree, degrees)
+        symbols, numbers = self.symbolic(tree, degrees), self._numeric(tree, degrees)
         plain = isinstance(tree, (Name, Number)) or (
             isinstance(tree, Call) and tree.function not in STRUCTURAL
         )
@@ -142,24 +144,24 @@ class Instance:
         return given if plain or numbers == symbols else (*given, ("=", numbers))
 
 
-def instance_of(solution: Solution) -> Instance:
+def make_instance(solution: Solution) -> Instance:
     """The instance of a solution, with its auxiliary points evaluated."""
     template = solution.template
     instance = Instance(
         solution,
         (),
         Axes(frozenset(), frozenset()),
-        symbols_of(template),
+        collect_symbols(template),
         dict(solution.assembly.values),
         solution.arithmetic.fork(),
     )
-    return with_steps(instance, steps(template))
+    return add_steps(instance, list_steps(template))
 
 
-def with_steps(instance: Instance, more: Iterable[Step]) -> Instance:
+def add_steps(instance: Instance, more: Iterable[Step]) -> Instance:
     """The instance with further points; those that the template does not name are evaluated."""
     all_steps = (*instance.steps, *more)
-    instance = replace(instance, steps=all_steps, axes=axes_of(all_steps))
+    instance = replace(instance, steps=all_steps, axes=choose_axes(all_steps))
     for step in all_steps:
         if step.point not in instance.values:
             place = instance.value(step.tree)
@@ -169,17 +171,17 @@ def with_steps(instance: Instance, more: Iterable[Step]) -> Instance:
     return instance
 
 
-def evaluated(tree: Expression, values: Mapping[str, Any], arithmetic: Any) -> Any:
+def _evaluate_in(tree: Expression, values: Mapping[str, Any], arithmetic: Any) -> Any:
     """The value of an expression in one arithmetic."""
     points = {name: value for name, value in values.items() if isinstance(value, Vector)}
     functions: dict[str, Callable[..., Any]] = {
-        **elementary(arithmetic),
-        **constructions(arithmetic, points),
+        **make_elementary_functions(arithmetic),
+        **make_constructions(arithmetic, points),
     }
     return evaluate(tree, values, functions, arithmetic)
 
 
-def enclosed(value: Any, balls: Balls) -> Any:
+def _enclose(value: Any, balls: Balls) -> Any:
     """An exact value as an enclosure."""
     if isinstance(value, Vector):
         return Vector(balls.number(value.x), balls.number(value.y))
@@ -188,24 +190,24 @@ def enclosed(value: Any, balls: Balls) -> Any:
     return value if isinstance(value, str) else balls.number(value)
 
 
-def substituted(value: Any) -> str:
+def _write_substituted(value: Any) -> str:
     """A number as it is substituted into a formula: exact where that is short, else rounded."""
-    quantity = in_unit("", value, PURE)
+    quantity = express_in_unit("", value, PURE)
     if isinstance(value, Angle):
-        return quantity.decimal(DIGITS)
+        return quantity.decimal(_DIGITS)
     if quantity.is_plain:
         return quantity.decimal(12)
     text = str(quantity.exact)
     if (
         quantity.is_exact
-        and len(text) <= LONGEST_SUBSTITUTED
+        and len(text) <= _LONGEST_SUBSTITUTED
         and not ("sqrt" in text and "/" in text)
     ):
-        return exact_text(value, LATEX)
-    return settled(quantity) or quantity.decimal(DIGITS)
+        return write_exact(value, LATEX)
+    return _write_settled(quantity) or quantity.decimal(_DIGITS)
 
 
-def settled(quantity: Quantity) -> str | None:
+def _write_settled(quantity: Quantity) -> str | None:
     """The decimal of an enclosure that, within its precision, is a number of few digits; None for
     any other.
     """
@@ -213,7 +215,7 @@ def settled(quantity: Quantity) -> str | None:
     return text if len(text.strip("-").lstrip("0.")) <= 6 else None
 
 
-def told_once(worked: tuple[Part, ...], results: tuple[Part, ...]) -> tuple[Part, ...]:
+def drop_repetition(worked: tuple[Part, ...], results: tuple[Part, ...]) -> tuple[Part, ...]:
     """All parts of an equation; the last step of the working is dropped where it differs from the
     result only in the unit.
     """
@@ -222,34 +224,34 @@ def told_once(worked: tuple[Part, ...], results: tuple[Part, ...]) -> tuple[Part
     return worked + results
 
 
-def result(quantity: Quantity, longest: int = LONGEST_EXACT) -> tuple[Part, ...]:
+def write_result(quantity: Quantity, longest: int = _LONGEST_EXACT) -> tuple[Part, ...]:
     """The value at the end of an equation: exact where it is short enough, then rounded where the
     exact form is not a decimal.
     """
     if quantity.is_zero:
         return (("=", "0"),)
     if quantity.is_plain:
-        return (("=", with_unit(quantity.decimal(12), quantity.measure)),)
-    if not quantity.is_exact and (short := settled(quantity)):
-        return (("=", with_unit(short, quantity.measure)),)
-    digits = DIGITS + 1 if quantity.measure.degrees and abs(quantity.value) >= 100 else DIGITS
-    decimal = ("\\approx", with_unit(quantity.decimal(digits), quantity.measure))
+        return (("=", _write_with_unit(quantity.decimal(12), quantity.measure)),)
+    if not quantity.is_exact and (short := _write_settled(quantity)):
+        return (("=", _write_with_unit(short, quantity.measure)),)
+    digits = _DIGITS + 1 if quantity.measure.degrees and abs(quantity.value) >= 100 else _DIGITS
+    decimal = ("\\approx", _write_with_unit(quantity.decimal(digits), quantity.measure))
     arctangent = isinstance(quantity.number, Angle) and quantity.measure.degrees
     long = quantity.closed_form is None or len(str(quantity.exact)) > longest
-    return (decimal,) if arctangent or long else (("=", exact_with_unit(quantity)), decimal)
+    return (decimal,) if arctangent or long else (("=", _write_exact_with_unit(quantity)), decimal)
 
 
-def exact_with_unit(quantity: Quantity) -> str:
+def _write_exact_with_unit(quantity: Quantity) -> str:
     """A closed form with its unit: a sum in brackets, an angle in radians without one."""
     text = str(quantity.closed_form)
     if isinstance(quantity.number, Angle) and not quantity.measure.degrees:
         return text
-    piece = numeral(text)
+    piece = make_numeral(text)
     bracketed = piece.kind == "sum" and quantity.measure.latex
-    return with_unit(rf"\left({text}\right)" if bracketed else text, quantity.measure)
+    return _write_with_unit(rf"\left({text}\right)" if bracketed else text, quantity.measure)
 
 
-def with_unit(text: str, unit: Unit) -> str:
+def _write_with_unit(text: str, unit: Unit) -> str:
     """A printed number with its unit."""
     if not unit.latex:
         return text

@@ -14,19 +14,38 @@ from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
 from kinegrade.problem.template import Method
-from kinegrade.worked.deductions import Stage, deduced, rotation_result, solved_lines
+from kinegrade.worked.deductions import (
+    Stage,
+    explain_deduction,
+    write_rotation_result,
+    write_solution,
+)
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.known_vectors import is_told_negative
-from kinegrade.worked.needed_rates import calls
-from kinegrade.worked.numbers import absolute_value, double, length, short, size, stated
-from kinegrade.worked.phrases import phrase
-from kinegrade.worked.points import Findings, point_symbol, way
-from kinegrade.worked.poles import pole_name
-from kinegrade.worked.projection import PARALLEL, deductions
+from kinegrade.worked.findings import Findings, write_point_symbol
+from kinegrade.worked.known_vectors import is_stated_negative
+from kinegrade.worked.needed_rates import find_calls
+from kinegrade.worked.numbers import (
+    double,
+    length,
+    size,
+    write_absolute_value,
+    write_number,
+    write_short,
+)
+from kinegrade.worked.phrases import fill_phrase
+from kinegrade.worked.points import write_way
+from kinegrade.worked.poles import name_pole
+from kinegrade.worked.projection import PARALLEL, find_deductions
 from kinegrade.worked.solution_case import Case
-from kinegrade.worked.steps import remarks, table
-from kinegrade.worked.vectors import arm, letters_of, magnitude_formula, symbol, vanishes
-from kinegrade.worked.wording import introduction
+from kinegrade.worked.steps import explain_remarks, make_term_table
+from kinegrade.worked.vectors import (
+    find_arm,
+    vanishes,
+    write_letters,
+    write_magnitude_formula,
+    write_symbol,
+)
+from kinegrade.worked.wording import write_introduction
 
 
 @dataclass(frozen=True)
@@ -44,28 +63,30 @@ class Coupler:
         return (self.rotation.unknown or "").removeprefix("omega ")
 
 
-def method_blocks(step: Step, stage: Stage, findings: Findings) -> Iterator[Block]:
+def explain_by_method(step: Step, stage: Stage, findings: Findings) -> Iterator[Block]:
     """The step by the method chosen, or nothing where a base point is to be used."""
-    coupler = coupler_of(stage)
+    coupler = find_coupler(stage)
     if coupler is None:
         return
-    method = method_for(coupler, stage.case)
+    method = choose_method(coupler, stage.case)
     if method == "projection":
-        yield from by_projection(coupler, step, stage)
+        yield from _explain_by_projection(coupler, step, stage)
     elif method == "pole":
-        yield from by_pole(coupler, stage, findings)
+        yield from _explain_by_pole(coupler, stage, findings)
 
 
-def method_title(stage: Stage) -> str | None:
+def write_method_title(stage: Stage) -> str | None:
     """The title of a step by another method than the base point's, else None."""
-    coupler = coupler_of(stage)
-    method = method_for(coupler, stage.case) if coupler else "base-point"
+    coupler = find_coupler(stage)
+    method = choose_method(coupler, stage.case) if coupler else "base-point"
     if coupler is None or method == "base-point":
         return None
-    return phrase(f"title_{method}", stage.case.language, body=stage.case.naming.body(coupler.body))
+    return fill_phrase(
+        f"title_{method}", stage.case.language, body=stage.case.naming.body(coupler.body)
+    )
 
 
-def method_for(coupler: Coupler, case: Case) -> Method:
+def choose_method(coupler: Coupler, case: Case) -> Method:
     """The method asked for; else the pole where an answer is about it, or where the body does not
     turn.
     """
@@ -74,14 +95,14 @@ def method_for(coupler: Coupler, case: Case) -> Method:
     asked = {
         call.arguments[0].name
         for name in case.solution.answers
-        for call in calls(case.template.asks[name].quantity)
+        for call in find_calls(case.template.asks[name].quantity)
         if call.function == "pole" and isinstance(call.arguments[0], Name)
     }
     still = case.arithmetic.is_zero(case.motion.omega(coupler.body))
     return "pole" if coupler.body in asked or still else "base-point"
 
 
-def coupler_of(stage: Stage) -> Coupler | None:
+def find_coupler(stage: Stage) -> Coupler | None:
     """The two points of a step of one velocity equation v_B = v_A + v_BA; None for any other
     step.
     """
@@ -108,19 +129,19 @@ def coupler_of(stage: Stage) -> Coupler | None:
     return Coupler(equation, known, sought, other[1])
 
 
-def by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterator[Block]:
+def _explain_by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterator[Block]:
     """The projection theorem for the point's speed, then the base point for the rotation."""
     case = stage.case
-    first, second = deductions(stage.equations, (), step.unknowns)
+    first, second = find_deductions(stage.equations, (), step.unknowns)
     if first.projections[0].dropped != coupler.rotation:
         first, second = second, first
     if first.projections[0].dropped != coupler.rotation or not first.projections[0].left:
         return
     projection = first.projections[0]
     base, point = case.naming.point(coupler.base.point), case.naming.point(coupler.point.point)
-    yield from base_speed(coupler, case)
+    yield from _explain_base_speed(coupler, case)
     yield Prose(
-        phrase(
+        fill_phrase(
             "method_projection",
             case.language,
             body=case.naming.body(coupler.body),
@@ -128,21 +149,21 @@ def by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterator[Block]
             second=point,
         )
     )
-    yield Display(tuple(solved_lines(stage, projection, (), first.unknowns[0])))
-    yield Prose(introduction(coupler.equation, case))
-    yield table(coupler.equation, case)
-    yield from remarks(coupler.equation, case)
-    yield from deduced(stage, second, set(first.unknowns))
+    yield Display(tuple(write_solution(stage, projection, (), first.unknowns[0])))
+    yield Prose(write_introduction(coupler.equation, case))
+    yield make_term_table(coupler.equation, case)
+    yield from explain_remarks(coupler.equation, case)
+    yield from explain_deduction(stage, second, set(first.unknowns))
 
 
-def by_pole(coupler: Coupler, stage: Stage, findings: Findings) -> Iterator[Block]:
+def _explain_by_pole(coupler: Coupler, stage: Stage, findings: Findings) -> Iterator[Block]:
     """The pole by its construction, the rotation about it, and the speed of the second point."""
     case, body = stage.case, coupler.body
-    name = pole_name(body, case)
+    name = name_pole(body, case)
     letter = case.naming.point(name)
     yield Prose(
-        phrase(
-            construction(coupler, case),
+        fill_phrase(
+            _choose_construction(coupler, case),
             case.language,
             body=case.naming.body(body),
             pole=letter,
@@ -151,32 +172,38 @@ def by_pole(coupler: Coupler, stage: Stage, findings: Findings) -> Iterator[Bloc
         )
     )
     if case.arithmetic.is_zero(case.motion.omega(body)):
-        yield from base_speed(coupler, case)
-        known = symbol(coupler.equation, coupler.base, case)
-        yield Display((f"{case.naming.omega(body)} &= 0", *found_speed(coupler, known, case)))
+        yield from _explain_base_speed(coupler, case)
+        known = write_symbol(coupler.equation, coupler.base, case)
+        yield Display(
+            (f"{case.naming.omega(body)} &= 0", *_write_found_speed(coupler, known, case))
+        )
         return
     pole = case.motion.pole(body, case.arithmetic)
     findings.poles[body] = name
-    yield from base_speed(coupler, case)
-    yield Display(tuple(pole_lines(coupler, pole, letter, stage, findings)))
+    yield from _explain_base_speed(coupler, case)
+    yield Display(tuple(_write_pole_lines(coupler, pole, letter, stage, findings)))
 
 
-def base_speed(coupler: Coupler, case: Case) -> Iterator[Block]:
+def _explain_base_speed(coupler: Coupler, case: Case) -> Iterator[Block]:
     """The speed of the point whose velocity is known, where it follows from a rotation about a
     fixed axis.
     """
-    formula = magnitude_formula(coupler.equation, coupler.base, case)
-    if formula and coupler.base.term and not is_told_negative(coupler.base.term, case, "velocity"):
+    formula = write_magnitude_formula(coupler.equation, coupler.base, case)
+    if (
+        formula
+        and coupler.base.term
+        and not is_stated_negative(coupler.base.term, case, "velocity")
+    ):
         value = coupler.base.value
         yield Display(
             (
-                f"{letters_of(coupler.equation, coupler.base, case)} &= {formula} = "
-                f"{stated(length(value, case.arithmetic), 'm/s')}{way(value, case)}",
+                f"{write_letters(coupler.equation, coupler.base, case)} &= {formula} = "
+                f"{write_number(length(value, case.arithmetic), 'm/s')}{write_way(value, case)}",
             )
         )
 
 
-def construction(coupler: Coupler, case: Case) -> str:
+def _choose_construction(coupler: Coupler, case: Case) -> str:
     """Which construction of a pole applies."""
     if case.arithmetic.is_zero(case.motion.omega(coupler.body)):
         return "method_pole_infinity"
@@ -185,45 +212,49 @@ def construction(coupler: Coupler, case: Case) -> str:
     return "method_pole_parallel" if parallel else "method_pole"
 
 
-def pole_lines(
+def _write_pole_lines(
     coupler: Coupler, pole: Vector, letter: str, stage: Stage, findings: Findings
 ) -> Iterator[str]:
     """The pole, its distances, and the velocities that follow from them."""
     case, points = stage.case, stage.case.motion.points
     base, point = coupler.base.point, coupler.point.point
-    yield rf"{letter} &: ({stated(pole.x, 'm')},\quad {stated(pole.y, 'm')})"
+    yield rf"{letter} &: ({write_number(pole.x, 'm')},\quad {write_number(pole.y, 'm')})"
     arms = {name: length(points[name] - pole, case.arithmetic) for name in (base, point)}
     yield from (
-        f"{letter}{case.naming.point(name)} &= {stated(size_, 'm')}" for name, size_ in arms.items()
+        f"{letter}{case.naming.point(name)} &= {write_number(size_, 'm')}"
+        for name, size_ in arms.items()
     )
-    speed = symbol(coupler.equation, coupler.base, case)
-    omega = absolute_value(case.naming.omega(coupler.body))
+    speed = write_symbol(coupler.equation, coupler.base, case)
+    omega = write_absolute_value(case.naming.omega(coupler.body))
     value = length(coupler.base.value, case.arithmetic)
     yield (
         rf"{omega} &= \frac{{{speed}}}{{{letter}{case.naming.point(base)}}} = "
-        rf"\frac{{{short(value)}}}{{{short(arms[base])}}}"
+        rf"\frac{{{write_short(value)}}}{{{write_short(arms[base])}}}"
     )
-    yield rotation_result(f"omega {coupler.body}", case, "velocity", "")
-    findings.sized.add(point_symbol(point, "velocity", case))
+    yield write_rotation_result(f"omega {coupler.body}", case, "velocity", "")
+    findings.sized.add(write_point_symbol(point, "velocity", case))
     how = (
         rf"{letter}{case.naming.point(point)}\cdot {omega} = "
-        rf"{short(arms[point])}\cdot {short(abs(case.motion.omega(coupler.body)))}"
+        rf"{write_short(arms[point])}\cdot {write_short(abs(case.motion.omega(coupler.body)))}"
     )
-    yield from found_speed(coupler, how, case)
+    yield from _write_found_speed(coupler, how, case)
 
 
-def found_speed(coupler: Coupler, how: str, case: Case) -> Iterator[str]:
+def _write_found_speed(coupler: Coupler, how: str, case: Case) -> Iterator[str]:
     """The magnitude and direction of the second point's velocity, and the body's rotation."""
     sought, term = coupler.point, coupler.point.term
     if term is None or sought.coefficient is None:
         return
     negative = double(sought.value.dot(sought.coefficient)) < 0
-    letters = letters_of(coupler.equation, sought, case)
-    speed = absolute_value(letters) if negative else letters
+    letters = write_letters(coupler.equation, sought, case)
+    speed = write_absolute_value(letters) if negative else letters
     yield (
         f"{speed} &= {how} = "
-        f"{stated(length(sought.value, case.arithmetic), 'm/s')}{way(sought.value, case)}"
+        f"{write_number(length(sought.value, case.arithmetic), 'm/s')}"
+        f"{write_way(sought.value, case)}"
     )
     if term.kind == "rotation":
-        fraction = rf"\frac{{{speed}}}{{{arm(sought, case)}}} = "
-        yield rotation_result(term.rate, case, "velocity", f"-{fraction}" if negative else fraction)
+        fraction = rf"\frac{{{speed}}}{{{find_arm(sought, case)}}} = "
+        yield write_rotation_result(
+            term.rate, case, "velocity", f"-{fraction}" if negative else fraction
+        )

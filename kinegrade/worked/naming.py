@@ -12,10 +12,10 @@ from typing import assert_never
 from kinegrade.expression import Call, Name
 from kinegrade.language import LANGUAGES, Language
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.notation import point_symbol
+from kinegrade.problem.notation import write_point_symbol
 from kinegrade.problem.template import Template
 
-BODIES = {  # the words that templates use for bodies
+_BODIES = {  # the words that templates use for bodies
     "crank": ("the crank", "曲柄"),
     "rocker": ("the rocker", "摇杆"),
     "rod": ("the rod", "杆"),
@@ -42,7 +42,7 @@ BODIES = {  # the words that templates use for bodies
     "roller": ("the roller", "滚子"),
 }
 # Named by their end points
-LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"})
+_LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"})
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class Naming:
 
     def point(self, name: str) -> str:
         """A point in LaTeX math."""
-        return point_symbol(name)
+        return write_point_symbol(name)
 
     def body(self, name: str) -> str:
         """A body in prose: the paper's letters, or the word for it."""
@@ -62,10 +62,10 @@ class Naming:
             head, _, letters = name.partition("_")
             if letters and head.islower():
                 return f"{self._word(head)} ${letters}$"
-            return self._wheel(name) if self._is_round(name) else f"${point_symbol(name)}$"
+            return self._wheel(name) if self._is_round(name) else f"${write_point_symbol(name)}$"
         kind = name.rstrip("0123456789")
-        ends = "".join(map(point_symbol, self._points(name)[:2]))
-        if kind in LINKS and len(self._points(name)) > 1:
+        ends = "".join(map(write_point_symbol, self._points(name)[:2]))
+        if kind in _LINKS and len(self._points(name)) > 1:
             return f"{self._word(kind)} ${ends}$"
         return f"{self._bare(kind)} {name[len(kind) :]}" if kind != name else self._word(kind)
 
@@ -88,7 +88,7 @@ class Naming:
         several = sum(self._is_round(other.name) for other in self.template.scheme.bodies) > 1
         roman = set(body) <= set("IV")
         return (
-            f"{self._bare(kind)} {body if roman else f'${point_symbol(body)}$'}"
+            f"{self._bare(kind)} {body if roman else f'${write_point_symbol(body)}$'}"
             if several or roman
             else self._word(kind)
         )
@@ -103,7 +103,7 @@ class Naming:
         )
 
     def _word(self, name: str) -> str:
-        words = BODIES.get(name)
+        words = _BODIES.get(name)
         return words[LANGUAGES.index(self.language)] if words else name
 
     def omega(self, body: str) -> str:
@@ -146,7 +146,9 @@ class Naming:
 
     def _own(self, body: str, points: tuple[str, ...], taken: set[str]) -> str:
         letters = (
-            point_symbol(body) if not body.islower() else "".join(map(point_symbol, points[:2]))
+            write_point_symbol(body)
+            if not body.islower()
+            else "".join(map(write_point_symbol, points[:2]))
         )
         symbol = rf"\omega_{{{letters}}}"
         return (

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from kinegrade.errors import MechanismError, message
-from kinegrade.expression import Call, Expression, Name, every_part
+from kinegrade.errors import MechanismError, write_message
+from kinegrade.expression import Call, Expression, Name, walk
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Step
-from kinegrade.mechanics.relations import Chain, omega_of
+from kinegrade.mechanics.relations import Chain, name_omega
 from kinegrade.problem.quantities import Quantities
 
-RELATIVE = ("relative_velocity", "relative_acceleration", "coriolis")
-ACCELERATIONS = frozenset(
+_RELATIVE = ("relative_velocity", "relative_acceleration", "coriolis")
+_ACCELERATIONS = frozenset(
     {"acceleration", "relative_acceleration", "alpha", "tangential_acceleration"}
 )
 
@@ -33,17 +33,17 @@ class Needs:
 NOTHING = Needs(frozenset(), frozenset())
 
 
-def calls(tree: Expression) -> Iterator[Call]:
+def find_calls(tree: Expression) -> Iterator[Call]:
     """All calls within an expression, outer ones first."""
-    return (part for part in every_part(tree) if isinstance(part, Call))
+    return (part for part in walk(tree) if isinstance(part, Call))
 
 
-def chains_of(call: Call, motion: Motion, quantities: Quantities) -> list[tuple[str, str]]:
+def find_chains(call: Call, motion: Motion, quantities: Quantities) -> list[tuple[str, str]]:
     """The (body, point) pairs whose motion a call refers to."""
     names = [argument.name for argument in call.arguments if isinstance(argument, Name)]
     match call.function:
         case "velocity" | "acceleration":
-            return [(body_of(names, quantities, motion), names[0])]
+            return [(_find_body(names, quantities, motion), names[0])]
         case "relative_velocity" | "relative_acceleration" | "coriolis":
             return [(names[1], names[0]), (names[2], names[0])]
         case "pole" | "circle_of_poles":
@@ -52,12 +52,12 @@ def chains_of(call: Call, motion: Motion, quantities: Quantities) -> list[tuple[
             return []  # a function of numbers, positions or rotations
 
 
-def body_of(names: list[str], quantities: Quantities, motion: Motion) -> str:
+def _find_body(names: list[str], quantities: Quantities, motion: Motion) -> str:
     """The body that a point belongs to."""
     return names[1] if len(names) > 1 else quantities.owner(names[0], None)
 
 
-def turning_bodies(call: Call) -> list[str]:
+def _find_turning_bodies(call: Call) -> list[str]:
     """The bodies whose rotation a call refers to."""
     names = [argument.name for argument in call.arguments if isinstance(argument, Name)]
     match call.function:
@@ -73,36 +73,36 @@ def turning_bodies(call: Call) -> list[str]:
             return []  # a function of numbers, positions or velocities
 
 
-def needs_of(tree: Expression, motion: Motion, quantities: Quantities) -> Needs:
+def find_needs(tree: Expression, motion: Motion, quantities: Quantities) -> Needs:
     """What the quantity of an ask needs."""
     needs = NOTHING
-    for call in calls(tree):
+    for call in find_calls(tree):
         rates = {
             term.rate
-            for body, point in chains_of(call, motion, quantities)
+            for body, point in find_chains(call, motion, quantities)
             for term in motion.frames.chain(body, point)
         }
-        rates |= {omega_of(body) for body in turning_bodies(call) if body != GROUND}
+        rates |= {name_omega(body) for body in _find_turning_bodies(call) if body != GROUND}
         rates &= set(motion.rates)
-        changes = rates if call.function in ACCELERATIONS else set()
+        changes = rates if call.function in _ACCELERATIONS else set()
         needs |= Needs(frozenset(rates), frozenset(changes))
     return needs
 
 
-def steps_needed(motion: Motion, needs: Needs) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
+def select_steps(motion: Motion, needs: Needs) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
     """The steps of the plan for velocities and for accelerations that the needs ask for, in the
     plan's order.
     """
-    changes = followed(motion, set(needs.changes))
+    changes = _follow_back(motion, set(needs.changes))
     rates = set(needs.rates)
     for step in changes:
         rates |= set(step.unknowns) | {
-            rate for index in step.relations for rate in speaking_of(motion, index)
+            rate for index in step.relations for rate in _find_rates(motion, index)
         }
-    return followed(motion, rates), changes
+    return _follow_back(motion, rates), changes
 
 
-def followed(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
+def _follow_back(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
     """The steps that lead to the wanted rates, traced from the last to the first and returned in
     order.
 
@@ -120,15 +120,15 @@ def followed(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
     missing = wanted - {rate for step in chosen for rate in step.unknowns}
     if missing:
         what = f"the plan does not give {', '.join(sorted(missing))}, which the answers need"
-        raise MechanismError(message("", what, do="solve the template again"))
+        raise MechanismError(write_message("", what, do="solve the template again"))
     return tuple(reversed(chosen))
 
 
-def speaking_of(motion: Motion, index: int) -> Iterable[str]:
+def _find_rates(motion: Motion, index: int) -> Iterable[str]:
     """The rates on which a relation's accelerations depend: those of the relation itself, and of
     its reference frames.
     """
     relation = motion.frames.relations[index]
     chains: list[Chain] = [relation.left, relation.right]
     frames = {term.frame for chain in chains for term in chain} | {relation.frame}
-    return {*relation.unknowns(), *(omega_of(frame) for frame in frames - {GROUND})}
+    return {*relation.unknowns(), *(name_omega(frame) for frame in frames - {GROUND})}

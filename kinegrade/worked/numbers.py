@@ -10,36 +10,36 @@ from typing import Any
 from kinegrade.exact.angle import Inexact
 from kinegrade.exact.balls import Undecided
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.quantity import Quantity, in_unit
+from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.units import read_unit
 
 DIGITS = 4
 NEGLIGIBLE = 1e-12  # in SI: less than this is what rounding leaves of zero
-LONGEST = 26  # characters of an exact value that is still easy to read within an equation
+_LONGEST = 26  # characters of an exact value that is still easy to read within an equation
 
 
-def stated(number: Any, unit: str) -> str:
+def write_number(number: Any, unit: str) -> str:
     """A number in SI as LaTeX math: exact, decimal, unit; the exact value only where it is short
     and adds something.
 
     >>> from kinegrade.exact.field import Field
     >>> field = Field()
-    >>> stated(field.sqrt(field.number(3)) / 2, "m/s")
+    >>> write_number(field.sqrt(field.number(3)) / 2, "m/s")
     '\\\\frac{\\\\sqrt{3}}{2} \\\\approx 0.866\\\\,\\\\unit{m/s}'
     """
     if isinstance(number, float):
-        return with_unit(f"{number:.{DIGITS}g}", unit)
-    return stated_quantity(in_unit("", number, read_unit(unit)))
+        return write_with_unit(f"{number:.{DIGITS}g}", unit)
+    return write_quantity(express_in_unit("", number, read_unit(unit)))
 
 
-def stated_quantity(quantity: Quantity) -> str:
-    """A quantity in its unit, as `stated`."""
-    decimal = with_unit(quantity.decimal(DIGITS), quantity.unit)
+def write_quantity(quantity: Quantity) -> str:
+    """A quantity in its unit, as `write_number`."""
+    decimal = write_with_unit(quantity.decimal(DIGITS), quantity.unit)
     if quantity.at_infinity:
         return r"\infty"
     if quantity.is_plain:
-        return with_unit(quantity.closed_form or quantity.decimal(DIGITS), quantity.unit)
-    if quantity.exact is None or quantity.latex is None or len(quantity.exact) > LONGEST:
+        return write_with_unit(quantity.closed_form or quantity.decimal(DIGITS), quantity.unit)
+    if quantity.exact is None or quantity.latex is None or len(quantity.exact) > _LONGEST:
         return decimal
     exact = (
         quantity.latex.removeprefix(r"\frac{180}{\pi}\,")
@@ -49,28 +49,28 @@ def stated_quantity(quantity: Quantity) -> str:
     return rf"{exact} \approx {decimal}"
 
 
-def with_unit(number: str, unit: str) -> str:
+def write_with_unit(number: str, unit: str) -> str:
     """A number and its unit in LaTeX math."""
     if unit == "deg":
         return rf"{number}^\circ"
     return number if unit == "1" else rf"{number}\,\unit{{{unit}}}"
 
 
-def short(number: Any) -> str:
+def write_short(number: Any) -> str:
     """A number in SI to four significant digits, without unit."""
     return (
         f"{number:.{DIGITS}g}"
         if isinstance(number, float)
-        else in_unit("", number, read_unit("1")).decimal(DIGITS)
+        else express_in_unit("", number, read_unit("1")).decimal(DIGITS)
     )
 
 
-def bracketed(text: str) -> str:
+def write_bracketed(text: str) -> str:
     """A number after an operator: in brackets where it is negative."""
     return f"({text})" if text.startswith("-") else text
 
 
-def absolute_value(symbol: str) -> str:
+def write_absolute_value(symbol: str) -> str:
     """The absolute value of an algebraic quantity, in LaTeX math."""
     return rf"\left|{symbol}\right|"
 
@@ -105,10 +105,10 @@ def tidy(angle: float) -> float:
     return whole if abs(angle - whole) < 1e-7 else angle
 
 
-def angle_text(angle: float) -> str:
+def write_angle(angle: float) -> str:
     """An angle given in degrees as LaTeX math: whole degrees without decimals, others with two.
 
-    >>> angle_text(30.0), angle_text(36.8699)
+    >>> write_angle(30.0), write_angle(36.8699)
     ('30^\\\\circ', '36.87^\\\\circ')
     """
     return f"{round(angle, 2):g}^\\circ"

@@ -6,11 +6,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from kinegrade.figure.pole_construction import Pole, pole_picture
-from kinegrade.figure.polygon import Arrow, polygon
-from kinegrade.figure.vectors import PointArrow, with_vectors
+from kinegrade.figure.pole_construction import Pole, draw_pole_construction
+from kinegrade.figure.polygon import Arrow, draw_polygon
+from kinegrade.figure.vectors import PointArrow, draw_with_vectors
 from kinegrade.mechanics.joints import GROUND, Roll
-from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
@@ -19,99 +19,105 @@ from kinegrade.problem.quantities import Quantities
 from kinegrade.problem.template import Ask
 from kinegrade.worked.deductions import Stage
 from kinegrade.worked.document import Picture, Pictures
-from kinegrade.worked.methods import coupler_of, method_for
-from kinegrade.worked.needed_rates import calls, chains_of
+from kinegrade.worked.methods import choose_method, find_coupler
+from kinegrade.worked.needed_rates import find_calls, find_chains
 from kinegrade.worked.numbers import NEGLIGIBLE
-from kinegrade.worked.phrases import phrase
-from kinegrade.worked.poles import pole_name
-from kinegrade.worked.scalars import speed, term_of
+from kinegrade.worked.phrases import fill_phrase
+from kinegrade.worked.poles import name_pole
+from kinegrade.worked.scalars import find_term, write_speed
 from kinegrade.worked.solution_case import Case
-from kinegrade.worked.vectors import letters_of
+from kinegrade.worked.vectors import write_letters
 
 
-def mechanism_picture(case: Case) -> Picture:
+def draw_mechanism(case: Case) -> Picture:
     """The mechanism with the letters of its points."""
-    mechanism = drawable_mechanism(case.motion.frames.mechanism)
-    scene = with_vectors(mechanism, case.template.figure, ())
-    return Picture(scene, phrase("picture_mechanism", case.language))
+    mechanism = convert_to_floats(case.motion.frames.mechanism)
+    scene = draw_with_vectors(mechanism, case.template.figure, ())
+    return Picture(scene, fill_phrase("picture_mechanism", case.language))
 
 
-def stage_pictures(step: Step, stage: Stage) -> Iterator[Pictures]:
+def draw_stage(step: Step, stage: Stage) -> Iterator[Pictures]:
     """The pictures of a step; none where nothing moves in it."""
     moving = [
         equation
         for equation in stage.equations
-        if any(is_seen(part.value) for part in equation.parts)
+        if any(_is_seen(part.value) for part in equation.parts)
     ]
     if not moving:
-        yield from picture_of_rotation(step, stage)
+        yield from _draw_rotation(step, stage)
         return
-    coupler = coupler_of(stage)
-    if coupler is not None and method_for(coupler, stage.case) == "pole":
-        rays = tuple(point_arrows((coupler.base, coupler.point), coupler.equation, stage.case))
-        yield Pictures((picture_of_pole(coupler.body, rays, stage.case),))
+    coupler = find_coupler(stage)
+    if coupler is not None and choose_method(coupler, stage.case) == "pole":
+        rays = tuple(
+            _find_point_arrows((coupler.base, coupler.point), coupler.equation, stage.case)
+        )
+        yield Pictures((_draw_pole(coupler.body, rays, stage.case),))
         return
-    polygons = [polygon_picture(equation, stage) for equation in moving if spans(equation)]
-    yield Pictures((vectors_picture(moving, stage), *polygons))
+    polygons = [_draw_equation(equation, stage) for equation in moving if _spans(equation)]
+    yield Pictures((_draw_vectors(moving, stage), *polygons))
 
 
-def spans(equation: VectorEquation) -> bool:
+def _spans(equation: VectorEquation) -> bool:
     """Whether the vectors of an equation make a polygon, rather than the same vector twice."""
-    return sum(is_seen(part.value) for part in equation.parts) > 2
+    return sum(_is_seen(part.value) for part in equation.parts) > 2
 
 
-def given_pictures(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Pictures]:
+def draw_given(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Pictures]:
     """The mechanism with the given rotations and motions of points; none where all of them are
     zero.
     """
     rates = [rate for step in steps for rate in step.unknowns]
-    found = turnings(rates, case, level)
+    found = _find_turnings(rates, case, level)
     values = case.rates(level)
     arrows = []
     for rate in rates:
         if not rate.startswith("omega "):
-            term = term_of(rate, case)
-            value = floats(term.coefficient() * values[rate])
-            if is_seen(value):
+            term = find_term(rate, case)
+            value = _make_floats(term.coefficient() * values[rate])
+            if _is_seen(value):
                 arrows.append(
                     PointArrow(
-                        speed(term, case, level), floats(case.motion.points[term.point]), value
+                        write_speed(term, case, level),
+                        _make_floats(case.motion.points[term.point]),
+                        value,
                     )
                 )
     if found or arrows:
-        mechanism = drawable_mechanism(case.motion.frames.mechanism)
-        scene = with_vectors(mechanism, case.template.figure, arrows, found)
-        yield Pictures((Picture(scene, phrase(f"picture_{level}", case.language)),))
+        mechanism = convert_to_floats(case.motion.frames.mechanism)
+        scene = draw_with_vectors(mechanism, case.template.figure, arrows, found)
+        yield Pictures((Picture(scene, fill_phrase(f"picture_{level}", case.language)),))
 
 
-def picture_of_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
+def _draw_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
     """The picture of a step without vectors: the rotation it gives, about the pole where a body
     rolls.
     """
-    case, roll = stage.case, rolling(step, stage.case)
+    case, roll = stage.case, _find_rolling(step, stage.case)
     if roll is not None and roll.of == GROUND and stage.level == "velocity":
         centre = roll.circle.centre
-        velocity = floats(case.motion.velocity(centre, roll.body))
-        if is_seen(velocity):
+        velocity = _make_floats(case.motion.velocity(centre, roll.body))
+        if _is_seen(velocity):
             ray = PointArrow(
-                f"v_{{{case.naming.point(centre)}}}", floats(case.motion.points[centre]), velocity
+                f"v_{{{case.naming.point(centre)}}}",
+                _make_floats(case.motion.points[centre]),
+                velocity,
             )
-            yield Pictures((picture_of_pole(roll.body, (ray,), case),))
+            yield Pictures((_draw_pole(roll.body, (ray,), case),))
         return
-    found = turnings(step.unknowns, case, stage.level)
+    found = _find_turnings(step.unknowns, case, stage.level)
     if found:
-        mechanism = drawable_mechanism(case.motion.frames.mechanism)
-        scene = with_vectors(mechanism, case.template.figure, (), found)
-        yield Pictures((Picture(scene, phrase(f"picture_{stage.level}", case.language)),))
+        mechanism = convert_to_floats(case.motion.frames.mechanism)
+        scene = draw_with_vectors(mechanism, case.template.figure, (), found)
+        yield Pictures((Picture(scene, fill_phrase(f"picture_{stage.level}", case.language)),))
 
 
-def rolling(step: Step, case: Case) -> Roll | None:
+def _find_rolling(step: Step, case: Case) -> Roll | None:
     """The rolling without slipping that a step is about."""
     sources = (case.motion.frames.relations[index].source for index in step.relations)
     return next((source for source in sources if isinstance(source, Roll)), None)
 
 
-def answer_pictures(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
+def draw_answer(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
     """The mechanism with the velocities, and with the accelerations, of the points that the asks
     name.
     """
@@ -120,60 +126,70 @@ def answer_pictures(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
         ("velocity", "picture_points"),
         ("acceleration", "picture_points_acceleration"),
     ):
-        arrows = {arrow.at: arrow for ask in asked for arrow in asked_arrows(ask, function, case)}
+        arrows = {
+            arrow.at: arrow for ask in asked for arrow in _find_asked_arrows(ask, function, case)
+        }
         if arrows:
-            mechanism = drawable_mechanism(case.motion.frames.mechanism)
-            scene = with_vectors(mechanism, case.template.figure, tuple(arrows.values()))
-            pictures.append(Picture(scene, phrase(key, case.language)))
+            mechanism = convert_to_floats(case.motion.frames.mechanism)
+            scene = draw_with_vectors(mechanism, case.template.figure, tuple(arrows.values()))
+            pictures.append(Picture(scene, fill_phrase(key, case.language)))
     if pictures:
         yield Pictures(tuple(pictures))
 
 
-def asked_arrows(ask: Ask, function: str, case: Case) -> Iterator[PointArrow]:
+def _find_asked_arrows(ask: Ask, function: str, case: Case) -> Iterator[PointArrow]:
     """The vectors of points that an ask names."""
     quantities = Quantities(case.motion, case.arithmetic)
-    for call in calls(ask.quantity):
+    for call in find_calls(ask.quantity):
         if call.function != function:
             continue
-        for body, point in chains_of(call, case.motion, quantities):
+        for body, point in find_chains(call, case.motion, quantities):
             motion = case.motion.velocity if function == "velocity" else case.motion.acceleration
-            value = floats(motion(point, body))
-            if is_seen(value):
+            value = _make_floats(motion(point, body))
+            if _is_seen(value):
                 letters = f"{function[0]}_{{{case.naming.point(point)}}}"
-                yield PointArrow(letters, floats(case.motion.points[point]), value, known=False)
+                yield PointArrow(
+                    letters, _make_floats(case.motion.points[point]), value, known=False
+                )
 
 
-def vectors_picture(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
+def _draw_vectors(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
     """The mechanism with all vectors of the step at their points, and the rotations that the step
     gives.
     """
     case = stage.case
-    mechanism = drawable_mechanism(case.motion.frames.mechanism)
+    mechanism = convert_to_floats(case.motion.frames.mechanism)
     arrows = {
         (arrow.symbol, arrow.at): arrow
         for equation in equations
-        for arrow in point_arrows(equation.parts, equation, case)
+        for arrow in _find_point_arrows(equation.parts, equation, case)
     }
     rates = dict.fromkeys(rate for equation in equations for rate in equation.unknowns)
-    scene = with_vectors(
-        mechanism, case.template.figure, tuple(arrows.values()), turnings(rates, case, stage.level)
+    scene = draw_with_vectors(
+        mechanism,
+        case.template.figure,
+        tuple(arrows.values()),
+        _find_turnings(rates, case, stage.level),
     )
-    return Picture(scene, phrase(f"picture_{stage.level}", case.language))
+    return Picture(scene, fill_phrase(f"picture_{stage.level}", case.language))
 
 
-def point_arrows(
+def _find_point_arrows(
     parts: Iterable[Part], equation: VectorEquation, case: Case
 ) -> Iterator[PointArrow]:
     """The parts that do not vanish, each at its point."""
     for part in parts:
-        if is_seen(part.value):
-            at = floats(case.motion.points[part.point])
+        if _is_seen(part.value):
+            at = _make_floats(case.motion.points[part.point])
             yield PointArrow(
-                letters_of(equation, part, case), at, floats(part.value), part.unknown is None
+                write_letters(equation, part, case),
+                at,
+                _make_floats(part.value),
+                part.unknown is None,
             )
 
 
-def turnings(rates: Iterable[str], case: Case, level: Level) -> tuple[Turning, ...]:
+def _find_turnings(rates: Iterable[str], case: Case, level: Level) -> tuple[Turning, ...]:
     """The rotations that a step gives, in their sense."""
     values = case.rates(level)
     found = []
@@ -185,39 +201,41 @@ def turnings(rates: Iterable[str], case: Case, level: Level) -> tuple[Turning, .
     return tuple(turning for turning in found if r"\text" not in turning.symbol)
 
 
-def polygon_picture(equation: VectorEquation, stage: Stage) -> Picture:
+def _draw_equation(equation: VectorEquation, stage: Stage) -> Picture:
     """The polygon of a vector equation, to a scale that its caption states."""
     case = stage.case
     left, right = (
         [
-            Arrow(letters_of(equation, part, case), floats(part.value), part.unknown is None)
+            Arrow(
+                write_letters(equation, part, case), _make_floats(part.value), part.unknown is None
+            )
             for part in side
-            if is_seen(part.value)
+            if _is_seen(part.value)
         ]
         for side in (equation.left, equation.right)
     )
-    scene = polygon(left, right)
+    scene = draw_polygon(left, right)
     return Picture(
-        scene, phrase(f"polygon_{stage.level}", case.language, scale=f"{1 / scene.scale:.3g}")
+        scene, fill_phrase(f"polygon_{stage.level}", case.language, scale=f"{1 / scene.scale:.3g}")
     )
 
 
-def picture_of_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
+def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
     """The construction of a pole from the velocities of points of the body."""
-    mechanism = drawable_mechanism(case.motion.frames.mechanism)
+    mechanism = convert_to_floats(case.motion.frames.mechanism)
     still = case.arithmetic.is_zero(case.motion.omega(body))
-    at = None if still else floats(case.motion.pole(body, case.arithmetic))
-    rotation = next(iter(turnings([f"omega {body}"], case, "velocity")), None)
-    pole = Pole(case.naming.point(pole_name(body, case)), at)
-    scene = pole_picture(mechanism, case.template.figure, pole, rays, rotation)
-    return Picture(scene, phrase("picture_pole", case.language, body=case.naming.body(body)))
+    at = None if still else _make_floats(case.motion.pole(body, case.arithmetic))
+    rotation = next(iter(_find_turnings([f"omega {body}"], case, "velocity")), None)
+    pole = Pole(case.naming.point(name_pole(body, case)), at)
+    scene = draw_pole_construction(mechanism, case.template.figure, pole, rays, rotation)
+    return Picture(scene, fill_phrase("picture_pole", case.language, body=case.naming.body(body)))
 
 
-def floats(vector: Vector) -> Vector:
+def _make_floats(vector: Vector) -> Vector:
     """A vector in doubles."""
     return Vector(float(vector.x), float(vector.y))
 
 
-def is_seen(vector: Vector) -> bool:
+def _is_seen(vector: Vector) -> bool:
     """Whether a vector is large enough to draw, and not the rounding error of a zero."""
     return max(abs(float(vector.x)), abs(float(vector.y))) > NEGLIGIBLE

@@ -9,8 +9,8 @@ from typing import Literal, assert_never
 Kind = Literal["number", "symbol", "function", "closed", "fraction", "product", "sum"]
 TRIGONOMETRY = {"sin": r"\sin", "cos": r"\cos", "tan": r"\tan"}
 INVERSE = {"asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan"}
-OPERATORS = (*TRIGONOMETRY.values(), *INVERSE.values())
-APART = ("(", "|", r"\sqrt", r"\cdot", *OPERATORS)  # marks of a product that needs brackets
+_OPERATORS = (*TRIGONOMETRY.values(), *INVERSE.values())
+_APART = ("(", "|", r"\sqrt", r"\cdot", *_OPERATORS)  # marks of a product that needs brackets
 
 
 @dataclass(frozen=True)
@@ -25,14 +25,14 @@ class Piece:
     def signed(self) -> str:
         """The text as it stands alone or first; a number keeps its minus sign."""
         if self.negative and self.text.startswith("-"):
-            return "-" + bracketed(self.text)
+            return "-" + write_bracketed(self.text)
         return ("-" if self.negative else "") + self.text
 
 
-def numeral(text: str) -> Piece:
+def make_numeral(text: str) -> Piece:
     """A number already printed in LaTeX math that replaces a symbol and keeps its minus sign."""
     body = text.removeprefix("-")
-    if is_sum(text):
+    if _is_sum(text):
         return Piece(text, "sum")
     return Piece(
         text,
@@ -40,7 +40,7 @@ def numeral(text: str) -> Piece:
     )
 
 
-def is_sum(text: str) -> bool:
+def _is_sum(text: str) -> bool:
     """Whether a printed number consists of several terms."""
     depth = 0
     for place, letter in enumerate(text):
@@ -50,38 +50,38 @@ def is_sum(text: str) -> bool:
     return False
 
 
-def positive(piece: Piece) -> Piece:
+def split_sign(piece: Piece) -> Piece:
     """A factor whose minus sign is moved to the product."""
     if piece.kind == "sum" or not piece.text.startswith("-"):
         return piece
     return replace(piece, text=piece.text[1:], negative=not piece.negative)
 
 
-def following(piece: Piece) -> str:
+def write_following(piece: Piece) -> str:
     """A term with the sign that joins it to those before; a negative number keeps its sign, in
     brackets.
     """
     if piece.text.startswith("-"):
-        return (" - " if piece.negative else " + ") + bracketed(piece.text)
+        return (" - " if piece.negative else " + ") + write_bracketed(piece.text)
     return (" - " if piece.negative else " + ") + piece.text
 
 
-def joined(factors: list[Piece]) -> str:
+def join_factors(factors: list[Piece]) -> str:
     """A product of magnitudes; the signs are left to the caller."""
     if len(factors) == 1:
         return factors[0].text
-    pieces = [whole(replace(piece, negative=False)) for piece in factors]
+    pieces = [hold_together(replace(piece, negative=False)) for piece in factors]
     text = pieces[0].text
     for before, piece in pairwise(pieces):
-        text += between(before, piece) + piece.text
+        text += _choose_product_sign(before, piece) + piece.text
     return text
 
 
-def between(before: Piece, piece: Piece) -> str:
+def _choose_product_sign(before: Piece, piece: Piece) -> str:
     """The separator of two factors: a dot where they would run into one another, else a thin space
     or nothing.
     """
-    operator = piece.text.startswith(OPERATORS)
+    operator = piece.text.startswith(_OPERATORS)
     if piece.kind == "number" or before.text == "1" or (before.kind == "function" and not operator):
         return r" \cdot "
     if before.kind in ("number", "fraction") and piece.kind == "fraction":
@@ -91,40 +91,40 @@ def between(before: Piece, piece: Piece) -> str:
     return r"\,"
 
 
-def applied(name: str, argument: Piece) -> Piece:
+def apply_function(name: str, argument: Piece) -> Piece:
     """A sine, cosine ... of its argument, in brackets unless the argument is simple."""
     signed = argument.signed.startswith("-")
     plain = argument.kind in ("number", "symbol", "fraction") and not signed
     if plain or (
         argument.kind == "product"
         and not signed
-        and not any(mark in argument.text for mark in APART)
+        and not any(mark in argument.text for mark in _APART)
     ):
-        return Piece(operated(name, argument.text), "function")
-    return Piece(name + bracketed(argument.signed), "closed")
+        return Piece(write_operator(name, argument.text), "function")
+    return Piece(name + write_bracketed(argument.signed), "closed")
 
 
-def operated(name: str, argument: str) -> str:
+def write_operator(name: str, argument: str) -> str:
     """A sine, cosine ... before an argument that needs no brackets."""
     return name + ("" if argument.startswith("\\") else " ") + argument
 
 
-def whole(piece: Piece) -> Piece:
+def hold_together(piece: Piece) -> Piece:
     """A piece that holds together next to others: a sum in brackets, anything else unchanged."""
     match piece.kind:
         case "sum":
-            return closed(piece)
+            return _enclose_in_brackets(piece)
         case "number" | "symbol" | "function" | "closed" | "fraction" | "product":
             return piece
         case _:
             assert_never(piece.kind)
 
 
-def closed(piece: Piece) -> Piece:
+def _enclose_in_brackets(piece: Piece) -> Piece:
     """A sum, or a negative number, in brackets."""
-    return Piece(bracketed(piece.signed), "closed")
+    return Piece(write_bracketed(piece.signed), "closed")
 
 
-def bracketed(text: str) -> str:
+def write_bracketed(text: str) -> str:
     """Text in brackets of sufficient height."""
     return rf"\left({text}\right)" if r"\frac" in text else f"({text})"

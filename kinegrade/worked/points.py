@@ -4,156 +4,42 @@ fixed axis, or from its base point.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Generator, Iterator
 from typing import assert_never
 
-from kinegrade.expression import Expression
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
-from kinegrade.mechanics.relations import Chain, Term, total
+from kinegrade.mechanics.relations import Chain, Term, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import (
     Level,
     Part,
-    VectorEquation,
-    is_whole,
-    term_parts,
-    term_value,
+    find_term_value,
+    list_term_parts,
 )
 from kinegrade.worked.deductions import UNITS
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.known_vectors import positive_sense, ways
+from kinegrade.worked.findings import Fact, Findings, Piece, make_key, write_point_symbol
+from kinegrade.worked.known_vectors import find_positive_sense
 from kinegrade.worked.numbers import (
-    absolute_value,
-    angle_text,
     bearing,
-    bracketed,
     double,
     length,
-    short,
-    stated,
+    write_absolute_value,
+    write_angle,
+    write_bracketed,
+    write_number,
+    write_short,
 )
-from kinegrade.worked.phrases import phrase
-from kinegrade.worked.senses import direction_words
+from kinegrade.worked.phrases import fill_phrase
+from kinegrade.worked.senses import describe_direction
 from kinegrade.worked.solution_case import LETTERS, Case
-from kinegrade.worked.summands import NUMBER, Summand, component, sum_line, sum_of
-from kinegrade.worked.vectors import letter, letters_of, number_of, subscript
-
-Key = tuple[Level, tuple[tuple[str, str, str], ...]]
+from kinegrade.worked.summands import NUMBER, Summand, write_component, write_sum, write_sum_line
 
 
-@dataclass(frozen=True)
-class Piece:
-    """A vector given by one number: its symbol, the direction in which that counts positive, its
-    value.
-    """
-
-    symbol: str
-    positive: Vector
-    value: Vector
-
-
-@dataclass(frozen=True)
-class Fact:
-    """A vector that the solution has found: its symbol, and whether by components or by magnitudes
-    and directions.
-
-    `pieces` are the vectors whose sum it is where it is given by magnitudes: itself, or a normal
-    and a tangential part.
-    """
-
-    symbol: str
-    value: Vector
-    by_components: bool
-    pieces: tuple[Piece, ...] = ()
-
-    @property
-    def parts(self) -> tuple[Piece, ...]:
-        """The pieces, or the vector itself where it is given by magnitude and direction."""
-        return self.pieces or (Piece(self.symbol, self.value, self.value),)
-
-
-@dataclass
-class Findings:
-    """What a solution has found so far, filled in as it is written.
-
-    `numbers` are those of the relative motions where a step has several, by the rate of each;
-    `sized` the symbols of vectors known by components whose magnitude has been given as well.
-    """
-
-    facts: dict[Key, Fact] = field(default_factory=dict)
-    answered: dict[Expression, Fact] = field(default_factory=dict)
-    poles: dict[str, str] = field(default_factory=dict)
-    numbers: dict[str, str] = field(default_factory=dict)
-    sized: set[str] = field(default_factory=set)
-
-    def note(self, equation: VectorEquation, case: Case) -> None:
-        """Record what a solved equation gives: the vector that stands alone on one side, which is
-        that of both chains, the vectors of points fixed only to the ground, and the numbers of its
-        relative motions.
-        """
-        for part in equation.compositions:
-            if part.term is not None:
-                self.numbers[part.term.rate] = number_of(equation, part)
-        relation = equation.relation
-        whole = next((side for side in (equation.left, equation.right) if is_whole(side)), None)
-        if whole is not None:
-            for chain in (relation.left, relation.right):
-                self.facts.setdefault(key_of(chain, equation.level), fact_of(whole, equation, case))
-        for chain in (relation.left, relation.right):
-            first = [
-                part
-                for part in equation.parts
-                if chain and part.term is chain[0] and part.role in ("absolute", "transport")
-            ]
-            if first:
-                self.facts.setdefault(
-                    key_of(chain[:1], equation.level), fact_of(first, equation, case)
-                )
-
-
-def fact_of(parts: Sequence[Part], equation: VectorEquation, case: Case) -> Fact:
-    """The vector of one point whose parts stand in an equation."""
-    pieces = tuple(
-        Piece(letters_of(equation, part, case), sense_of(part, case), part.value) for part in parts
-    )
-    transport = f"{letter(equation)}_{{{subscript(equation, parts[0], case)}}}"
-    first = parts[0]
-    match first.role:
-        case "transport":
-            symbol = transport
-        case "absolute" | "relative" | "rotation" | "coriolis":
-            symbol = point_symbol(first.point, equation.level, case)
-        case _:
-            assert_never(first.role)
-    return Fact(symbol, total(part.value for part in parts), False, pieces)
-
-
-def sense_of(part: Part, case: Case) -> Vector:
-    """The direction in which a part's number counts positive: the part's direction where only its
-    magnitude is given.
-    """
-    if part.coefficient is not None:
-        return part.coefficient
-    if part.term is None or part.part == "n" or part.term.kind == "rotation":
-        return part.value
-    return positive_sense(part.term, case)
-
-
-def key_of(chain: Chain, level: Level) -> Key:
-    """The key under which a chain's vector is kept."""
-    return level, ways(chain)
-
-
-def point_symbol(point: str, level: Level, case: Case) -> str:
-    """The symbol of a point's velocity or acceleration."""
-    return f"{LETTERS[level]}_{{{case.naming.point(point)}}}"
-
-
-def vector_of(chain: Chain, motion: Motion, level: Level) -> Vector:
+def find_vector(chain: Chain, motion: Motion, level: Level) -> Vector:
     """The vector of a chain."""
-    return total(term_value(term, motion, level) for term in chain)
+    return add_vectors(find_term_value(term, motion, level) for term in chain)
 
 
 def find_point(
@@ -162,24 +48,24 @@ def find_point(
     """How the vector of a chain is found, if that has not been written yet; `name` is its
     symbol.
     """
-    if key_of(chain, level) in findings.facts or not chain:
+    if make_key(chain, level) in findings.facts or not chain:
         return
-    last, value = chain[-1], vector_of(chain, case.motion, level)
+    last, value = chain[-1], find_vector(chain, case.motion, level)
     if all(term.kind == "sliding" and term.frame == GROUND for term in chain):
-        pieces = (Piece(name, positive_sense(last, case), value),) if len(chain) == 1 else ()
+        pieces = (Piece(name, find_positive_sense(last, case), value),) if len(chain) == 1 else ()
         fact = Fact(name, value, len(chain) > 1, pieces)
     elif len(chain) == 1 and level == "velocity":
-        yield from single(last, name, case)
-        fact = Fact(name, value, False, (Piece(name, way_of_one(last, value), value),))
+        yield from _explain_single(last, name, case)
+        fact = Fact(name, value, False, (Piece(name, _find_single_sense(last, value), value),))
     elif len(chain) == 1 and last.kind == "arc":
-        fact = yield from circling(last, name, case)
+        fact = yield from _explain_circling(last, name, case)
     else:
-        yield from added_up(chain, name, case, level, findings)
+        yield from _explain_sum(chain, name, case, level, findings)
         fact = Fact(name, value, True)
-    findings.facts[key_of(chain, level)] = fact
+    findings.facts[make_key(chain, level)] = fact
 
 
-def way_of_one(term: Term, value: Vector) -> Vector:
+def _find_single_sense(term: Term, value: Vector) -> Vector:
     """The direction in which the speed of a single term counts positive."""
     match term.kind:
         case "rotation":
@@ -190,20 +76,20 @@ def way_of_one(term: Term, value: Vector) -> Vector:
             assert_never(term.kind)
 
 
-def added_up(
+def _explain_sum(
     chain: Chain, name: str, case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
     """The components of a point's vector: its last term added to the terms before."""
     match chain[-1].kind:
         case "rotation":
-            yield from carried(chain, name, case, level, findings)
+            yield from _explain_carried(chain, name, case, level, findings)
         case "sliding" | "arc":
-            yield from composed(chain, name, case, level, findings)
+            yield from _explain_composed(chain, name, case, level, findings)
         case _:
             assert_never(chain[-1].kind)
 
 
-def single(term: Term, name: str, case: Case) -> Iterator[Block]:
+def _explain_single(term: Term, name: str, case: Case) -> Iterator[Block]:
     """The velocity of a point that turns about a fixed axis; nothing for a guided point, whose
     speed has been given.
     """
@@ -214,10 +100,10 @@ def single(term: Term, name: str, case: Case) -> Iterator[Block]:
     value = term.velocity(case.motion.rates)
     size = length(value, case.arithmetic)
     omega = case.naming.omega(body)
-    bars = omega if double(case.motion.rates[term.rate]) >= 0 else absolute_value(omega)
+    bars = omega if double(case.motion.rates[term.rate]) >= 0 else write_absolute_value(omega)
     yield Prose(
-        phrase(
-            f"known_point{place_of(term, case)}",
+        fill_phrase(
+            f"known_point{_find_place(term, case)}",
             case.language,
             point=point,
             base=base,
@@ -225,11 +111,16 @@ def single(term: Term, name: str, case: Case) -> Iterator[Block]:
         )
     )
     yield Display(
-        (rf"{name} &= {base}{point}\cdot {bars} = {stated(size, 'm/s')}{way(value, case)}",)
+        (
+            (
+                rf"{name} &= {base}{point}\cdot {bars} = "
+                rf"{write_number(size, 'm/s')}{write_way(value, case)}"
+            ),
+        )
     )
 
 
-def place_of(term: Term, case: Case) -> str:
+def _find_place(term: Term, case: Case) -> str:
     """Which sentence fits a point: another one where the point only coincides with one of the body
     that turns.
     """
@@ -238,51 +129,51 @@ def place_of(term: Term, case: Case) -> str:
     return "" if term.point in points else "_at"
 
 
-def circling(term: Term, name: str, case: Case) -> Generator[Block, None, Fact]:
+def _explain_circling(term: Term, name: str, case: Case) -> Generator[Block, None, Fact]:
     """The acceleration of a point on a fixed circle: the normal part from its speed, the tangential
     part as given.
     """
     point, centre = case.naming.point(term.point), case.naming.point(term.base)
-    yield Prose(phrase("known_circle", case.language, point=point, centre=centre))
+    yield Prose(fill_phrase("known_circle", case.language, point=point, centre=centre))
     normal, tangential = (
         term.normal(case.motion.rates),
         term.coefficient() * case.motion.changes[term.rate],
     )
-    speed = short(length(term.velocity(case.motion.rates), case.arithmetic))
+    speed = write_short(length(term.velocity(case.motion.rates), case.arithmetic))
     radius = length(term.vector, case.arithmetic)
     symbols = tuple(rf"{name}^{{\mathrm{{{part}}}}}" for part in "nt")
     yield Display(
         (
             rf"{symbols[0]} &= \frac{{v_{{{point}}}^{{2}}}}{{{centre}{point}}} = "
-            rf"\frac{{{speed}^{{2}}}}{{{short(radius)}}} = "
-            f"{stated(length(normal, case.arithmetic), 'm/s^2')}",
+            rf"\frac{{{speed}^{{2}}}}{{{write_short(radius)}}} = "
+            f"{write_number(length(normal, case.arithmetic), 'm/s^2')}",
         )
     )
     pieces = Piece(symbols[0], normal, normal), Piece(symbols[1], term.coefficient(), tangential)
     return Fact(name, normal + tangential, False, pieces)
 
 
-def way(vector: Vector, case: Case) -> str:
+def write_way(vector: Vector, case: Case) -> str:
     """The direction of a vector after its magnitude in an equation, "" for a zero vector."""
-    words = direction_words(vector, case)
+    words = describe_direction(vector, case)
     if "$" in words or not words:
-        return rf",\quad {angle_text(bearing(vector))}" if words else ""
+        return rf",\quad {write_angle(bearing(vector))}" if words else ""
     return rf"\quad\text{{({words})}}"
 
 
-def carried(
+def _explain_carried(
     chain: Chain, name: str, case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
     """The components of a point's vector from its base point: the base point's plus those of the
     rotation about it.
     """
     last, before = chain[-1], chain[:-1]
-    base_name = point_symbol(last.base, level, case)
+    base_name = write_point_symbol(last.base, level, case)
     yield from find_point(before, base_name, case, level, findings)
     point, base = case.naming.point(last.point), case.naming.point(last.base)
-    key = f"{'known_base' if before else 'known_point'}{place_of(last, case)}"
+    key = f"{'known_base' if before else 'known_point'}{_find_place(last, case)}"
     yield Prose(
-        phrase(
+        fill_phrase(
             key,
             case.language,
             point=point,
@@ -290,16 +181,19 @@ def carried(
             body=case.naming.body(last.rate.removeprefix("omega ")),
         )
     )
-    start = (base_name if before else "", vector_of(before, case.motion, level))
+    start = (base_name if before else "", find_vector(before, case.motion, level))
     yield Display(
         tuple(
-            f"{component(name, axis)} &= {carried_component(axis, start, last, case, level)}"
+            (
+                f"{write_component(name, axis)} &= "
+                f"{_write_carried_component(axis, start, last, case, level)}"
+            )
             for axis in "xy"
         )
     )
 
 
-def carried_component(
+def _write_carried_component(
     axis: str, start: tuple[str, Vector], term: Term, case: Case, level: Level
 ) -> str:
     """v_Ax - omega (y_P - y_A), or a_Ax - alpha (y_P - y_A) - omega^2 (x_P - x_A), with numbers and
@@ -310,17 +204,24 @@ def carried_component(
     """
     base_name, base = start
     along = 0 if axis == "x" else 1
-    summands = [Summand("+", component(base_name, axis), short(base[along]))] if base_name else []
-    summands += turning_summands(axis, term, case, level)
-    added = term_value(term, case.motion, level)
-    result = stated(base[along] + added[along], UNITS[level, False])
-    texts = (sum_of(summands, "symbol"), sum_of([one for one in summands if one.counts], "number"))
+    summands = (
+        [Summand("+", write_component(base_name, axis), write_short(base[along]))]
+        if base_name
+        else []
+    )
+    summands += _list_turning_summands(axis, term, case, level)
+    added = find_term_value(term, case.motion, level)
+    result = write_number(base[along] + added[along], UNITS[level, False])
+    texts = (
+        write_sum(summands, "symbol"),
+        write_sum([one for one in summands if one.counts], "number"),
+    )
     return " = ".join(
         [*(text for text in dict.fromkeys(texts) if not NUMBER.fullmatch(text)), result]
     )
 
 
-def turning_summands(axis: str, term: Term, case: Case, level: Level) -> Iterator[Summand]:
+def _list_turning_summands(axis: str, term: Term, case: Case, level: Level) -> Iterator[Summand]:
     """The terms that the rotation about a base point adds to a component; none where the rotation
     is zero.
     """
@@ -333,17 +234,23 @@ def turning_summands(axis: str, term: Term, case: Case, level: Level) -> Iterato
         yield Summand(
             sign,
             f"{letters}({other}_{{{point}}}-{other}_{{{base}}})",
-            rf"{bracketed(short(value))}\cdot {bracketed(short(term.vector[across]))}",
+            (
+                rf"{write_bracketed(write_short(value))}\cdot "
+                rf"{write_bracketed(write_short(term.vector[across]))}"
+            ),
         )
     if level == "acceleration" and double(rate):
         yield Summand(
             "-",
             f"{case.naming.omega(body)}^{{2}}({axis}_{{{point}}}-{axis}_{{{base}}})",
-            rf"{bracketed(short(rate))}^{{2}}\cdot {bracketed(short(term.vector[along]))}",
+            (
+                rf"{write_bracketed(write_short(rate))}^{{2}}\cdot "
+                rf"{write_bracketed(write_short(term.vector[along]))}"
+            ),
         )
 
 
-def composed(
+def _explain_composed(
     chain: Chain, name: str, case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
     """The components of a point that moves within a moving body: transport, relative and Coriolis
@@ -355,7 +262,7 @@ def composed(
     transport = rf"{head}_{{\mathrm{{e}}{number}}}"
     yield from find_point(before, transport, case, level, findings)
     yield Prose(
-        phrase(
+        fill_phrase(
             "known_relative",
             case.language,
             point=case.naming.point(last.point),
@@ -363,16 +270,16 @@ def composed(
         )
     )
     parts = [
-        (transport, vector_of(before, case.motion, level)),
+        (transport, find_vector(before, case.motion, level)),
         *(
-            (part_symbol(part, head, number), part.value)
-            for part in term_parts(last, case.motion, tuple(case.motion.rates), level)
+            (write_part_symbol(part, head, number), part.value)
+            for part in list_term_parts(last, case.motion, tuple(case.motion.rates), level)
         ),
     ]
-    yield Display(tuple(sum_line(axis, name, parts, level) for axis in "xy"))
+    yield Display(tuple(write_sum_line(axis, name, parts, level) for axis in "xy"))
 
 
-def part_symbol(part: Part, head: str, number: str = "") -> str:
+def write_part_symbol(part: Part, head: str, number: str = "") -> str:
     """The symbol of a relative or Coriolis part."""
     upper = rf"^{{\mathrm{{{part.part}}}}}" if part.part else ""
     match part.role:

@@ -8,52 +8,53 @@ from collections.abc import Iterator
 from kinegrade.expression import Call, Name
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.needed_rates import calls
-from kinegrade.worked.numbers import double, short, stated
-from kinegrade.worked.phrases import phrase
-from kinegrade.worked.points import Findings, find_point, point_symbol, vector_of
+from kinegrade.worked.findings import Findings, write_point_symbol
+from kinegrade.worked.needed_rates import find_calls
+from kinegrade.worked.numbers import double, write_number, write_short
+from kinegrade.worked.phrases import fill_phrase
+from kinegrade.worked.points import find_point, find_vector
 from kinegrade.worked.solution_case import Case
-from kinegrade.worked.summands import component
+from kinegrade.worked.summands import write_component
 
 
-def pole_name(body: str, case: Case) -> str:
+def name_pole(body: str, case: Case) -> str:
     """The letter of a body's pole: the one by which an ask names it, else P, or a letter that no
     point has.
     """
     for ask in case.template.asks.values():
         named = re.match(r"[xy]_\{?([A-Z])\}?$", ask.symbol)
-        if named and Call("pole", (Name(body),)) in calls(ask.quantity):
+        if named and Call("pole", (Name(body),)) in find_calls(ask.quantity):
             return named[1]
     letter = next((name for name in "PSQZ" if name not in case.motion.points), "P")
     bodies = sorted(
         {
             call.arguments[0].name
             for ask in case.template.asks.values()
-            for call in calls(ask.quantity)
+            for call in find_calls(ask.quantity)
             if call.function == "pole" and isinstance(call.arguments[0], Name)
         }
     )
     return f"{letter}{bodies.index(body) + 1}" if len(bodies) > 1 and body in bodies else letter
 
 
-def pole_blocks(body: str, case: Case, findings: Findings) -> Iterator[Block]:
+def explain_pole(body: str, case: Case, findings: Findings) -> Iterator[Block]:
     """Where the pole of a body lies; derived only once."""
     if body in findings.poles:
         return
-    name = findings.poles[body] = pole_name(body, case)
+    name = findings.poles[body] = name_pole(body, case)
     if case.arithmetic.is_zero(case.motion.omega(body)):
-        yield Prose(phrase("pole_far", case.language, body=case.naming.body(body)))
+        yield Prose(fill_phrase("pole_far", case.language, body=case.naming.body(body)))
         return
     base = case.motion.frames.bases[body]
-    symbol = point_symbol(base.point, "velocity", case)
+    symbol = write_point_symbol(base.point, "velocity", case)
     yield from find_point(base.chain, symbol, case, "velocity", findings)
     letter = case.naming.point(name)
-    yield Prose(phrase("pole_of", case.language, body=case.naming.body(body), pole=letter))
-    velocity = vector_of(base.chain, case.motion, "velocity")
-    yield Display(tuple(pole_line(axis, letter, body, velocity, case) for axis in "xy"))
+    yield Prose(fill_phrase("pole_of", case.language, body=case.naming.body(body), pole=letter))
+    velocity = find_vector(base.chain, case.motion, "velocity")
+    yield Display(tuple(_write_pole_line(axis, letter, body, velocity, case) for axis in "xy"))
 
 
-def pole_line(axis: str, letter: str, body: str, velocity: Vector, case: Case) -> str:
+def _write_pole_line(axis: str, letter: str, body: str, velocity: Vector, case: Case) -> str:
     """x_P = x_A - v_Ay / omega, y_P = y_A + v_Ax / omega, with the body's base point A and its
     velocity.
     """
@@ -61,10 +62,13 @@ def pole_line(axis: str, letter: str, body: str, velocity: Vector, case: Case) -
     base, rate = case.motion.frames.bases[body].point, case.motion.omega(body)
     point, at = case.naming.point(base), case.motion.points[base]
     pole = case.motion.pole(body, case.arithmetic)
-    moved = rf"{short(at[along])} {sign} \frac{{{short(velocity[across])}}}{{{short(rate)}}} = "
+    moved = (
+        rf"{write_short(at[along])} {sign} "
+        rf"\frac{{{write_short(velocity[across])}}}{{{write_short(rate)}}} = "
+    )
     numbers = moved if double(velocity[across]) else ""
-    speed = component(point_symbol(base, "velocity", case), other)
+    speed = write_component(write_point_symbol(base, "velocity", case), other)
     return (
         rf"{axis}_{{{letter}}} &= {axis}_{{{point}}} {sign} \frac{{{speed}}}"
-        rf"{{{case.naming.omega(body)}}} = {numbers}{stated(pole[along], 'm')}"
+        rf"{{{case.naming.omega(body)}}} = {numbers}{write_number(pole[along], 'm')}"
     )

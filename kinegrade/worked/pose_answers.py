@@ -11,13 +11,13 @@ from dataclasses import dataclass, replace
 from typing import assert_never
 
 from kinegrade.angular import ANGLES
-from kinegrade.expression import Call, Expression, Name, Number, Operation, every_part
+from kinegrade.expression import Call, Expression, Name, Number, Operation, walk
 from kinegrade.language import Language
 from kinegrade.problem.quantity import LONGEST_CLOSED_FORM, Quantity
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Ask
 from kinegrade.units import Unit
-from kinegrade.worked.constructions import chapter, length_lines
+from kinegrade.worked.constructions import write_chapter, write_length_lines
 from kinegrade.worked.coordinates import (
     ONE,
     PLACED,
@@ -26,15 +26,15 @@ from kinegrade.worked.coordinates import (
     Step,
     cross,
     dot,
+    find_line,
     length_of,
-    line_of,
     minus,
     over,
     times,
-    unnested,
+    unnest,
 )
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.formula_width import chained
+from kinegrade.worked.formula_width import chain_lines
 from kinegrade.worked.instance_formulas import (
     AREA,
     DEGREE,
@@ -43,30 +43,30 @@ from kinegrade.worked.instance_formulas import (
     STRUCTURAL,
     Instance,
     Part,
-    instance_of,
-    result,
-    told_once,
-    with_steps,
+    add_steps,
+    drop_repetition,
+    make_instance,
+    write_result,
 )
-from kinegrade.worked.pieces import operated
-from kinegrade.worked.pose_words import PoseWords, pose_words
+from kinegrade.worked.pieces import write_operator
+from kinegrade.worked.pose_words import PoseWords, load_pose_words
 
-MEASURES = frozenset({"distance", "magnitude", "along", "angle", "between", "direction"})
-POSITIONAL = MEASURES | PLACED | STRUCTURAL | ANGLES | {"", "x", "y", "turned", "line", "circle"}
-AXIS_X, AXIS_Y = (ONE, ZERO), (ZERO, ONE)
+_MEASURES = frozenset({"distance", "magnitude", "along", "angle", "between", "direction"})
+_POSITIONAL = _MEASURES | PLACED | STRUCTURAL | ANGLES | {"", "x", "y", "turned", "line", "circle"}
+_AXIS_X, _AXIS_Y = (ONE, ZERO), (ZERO, ONE)
 
 
 def is_positional(ask: Ask) -> bool:
     """Whether an answer follows from positions alone."""
-    return functions(ask.quantity) <= POSITIONAL
+    return _find_functions(ask.quantity) <= _POSITIONAL
 
 
-def functions(tree: Expression) -> frozenset[str]:
+def _find_functions(tree: Expression) -> frozenset[str]:
     """The functions that an expression calls."""
-    return frozenset(part.function for part in every_part(tree) if isinstance(part, Call))
+    return frozenset(part.function for part in walk(tree) if isinstance(part, Call))
 
 
-def pose_answers(
+def explain_pose_answers(
     solution: Solution, ask_names: Iterable[str], language: Language
 ) -> tuple[Block, ...]:
     """The workings of answers for which `is_positional` holds, in order, from coordinates to each
@@ -79,63 +79,69 @@ def pose_answers(
     found: frozenset[Expression] = frozenset()
     plain = False
     for name in ask_names:
-        more, found = one_answer(solution, name, language, found)
+        more, found = _explain_one_answer(solution, name, language, found)
         single = len(more) == 1
-        blocks = joined(blocks, more) if plain and single else blocks + more
+        blocks = _join_blocks(blocks, more) if plain and single else blocks + more
         plain = single
     return blocks
 
 
-def one_answer(
+def _explain_one_answer(
     solution: Solution, name: str, language: Language, found: frozenset[Expression]
 ) -> tuple[tuple[Block, ...], frozenset[Expression]]:
     """The working of one answer given the known lengths `found`, and the lengths known after it."""
     ask, answer, instance = (
         solution.template.asks[name],
         solution.answers[name],
-        instance_of(solution),
+        make_instance(solution),
     )
     inner: list[Step] = []
-    tree = unnested(
+    tree = unnest(
         ask.quantity,
         inner,
         len(instance.steps) - len(solution.template.scheme.points),
         set(instance.values),
     )
     symbol = ask.symbol if isinstance(tree, Call) else ""
-    start = Working(with_steps(instance, inner), pose_words(language), symbol, found)
+    start = _Working(add_steps(instance, inner), load_pose_words(language), symbol, found)
     final, working = start.reduced(tree)
-    last = (Display(last_line(ask.symbol, final, answer, working.instance)),)
-    return chapter(inner, start.instance, language) + joined(working.blocks, last), working.found
+    last = (Display(_write_last_line(ask.symbol, final, answer, working.instance)),)
+    return write_chapter(inner, start.instance, language) + _join_blocks(
+        working.blocks, last
+    ), working.found
 
 
-def joined(blocks: tuple[Block, ...], more: tuple[Block, ...]) -> tuple[Block, ...]:
+def _join_blocks(blocks: tuple[Block, ...], more: tuple[Block, ...]) -> tuple[Block, ...]:
     """Blocks in order; two adjacent displays become one."""
     if blocks and isinstance(blocks[-1], Display) and isinstance(more[0], Display):
         return (*blocks[:-1], Display(blocks[-1].lines + more[0].lines), *more[1:])
     return blocks + more
 
 
-def last_line(
+def _write_last_line(
     symbol: str, tree: Expression, answer: Quantity, instance: Instance
 ) -> tuple[str, ...]:
     """symbol = formula = numbers = the answer."""
     worked = instance.worked_out(symbol, tree, answer.measure.degrees)
     if answer.at_infinity:
-        return chained(symbol, (*worked, ("=", r"\infty")))
-    return chained(symbol, told_once(worked, in_both_units(tree, answer, instance)))
+        return chain_lines(symbol, (*worked, ("=", r"\infty")))
+    return chain_lines(
+        symbol, drop_repetition(worked, _write_in_both_units(tree, answer, instance))
+    )
 
 
-def in_both_units(tree: Expression, answer: Quantity, instance: Instance) -> tuple[Part, ...]:
+def _write_in_both_units(
+    tree: Expression, answer: Quantity, instance: Instance
+) -> tuple[Part, ...]:
     """The answer, a length in centimetres or millimetres also in metres, and an angle in radians
     also in degrees.
     """
-    written, unit = result(answer, LONGEST_CLOSED_FORM), answer.measure
+    written, unit = write_result(answer, LONGEST_CLOSED_FORM), answer.measure
     if answer.is_zero or not (
         unit.text == "rad" or (unit.length == 1 and unit.factor != METRE.factor)
     ):
         return written
-    other = result(
+    other = write_result(
         instance.quantity(answer.number * unit.factor, DEGREE if unit.text == "rad" else METRE)
     )[0]
     return (
@@ -146,7 +152,7 @@ def in_both_units(tree: Expression, answer: Quantity, instance: Instance) -> tup
 
 
 @dataclass(frozen=True)
-class Working:
+class _Working:
     """The blocks written so far, and the lengths found.
 
     `symbol` is that of the answer where the answer is itself the quantity worked out, else "".
@@ -158,7 +164,7 @@ class Working:
     found: frozenset[Expression] = frozenset()
     blocks: tuple[Block, ...] = ()
 
-    def extended(self, sentence: str, lines: tuple[str, ...]) -> Working:
+    def extended(self, sentence: str, lines: tuple[str, ...]) -> _Working:
         """The working with one more sentence and its equations."""
         blocks: tuple[Block, ...] = ((Prose(sentence),) if sentence else ()) + (
             (Display(lines),) if lines else ()
@@ -169,7 +175,7 @@ class Working:
         """The coordinates of a vector as formulas."""
         return self.instance.axes.pair(vector) or (ZERO, ZERO)
 
-    def reduced(self, tree: Expression) -> tuple[Expression, Working]:
+    def reduced(self, tree: Expression) -> tuple[Expression, _Working]:
         """The expression in coordinates, lengths and angles, and what had to be worked out for
         it.
         """
@@ -189,7 +195,7 @@ class Working:
             case Call(function="angle", arguments=(first, second)):
                 return self.angle(first, second)
             case Call(function="direction", arguments=(start, end)):
-                return self.angle(Call("", AXIS_X), Operation("-", end, start))
+                return self.angle(Call("", _AXIS_X), Operation("-", end, start))
             case Call(function="between", arguments=(first, second)):
                 return self.between(first, second)
             case Call():
@@ -199,7 +205,7 @@ class Working:
             case _:
                 assert_never(tree)
 
-    def function(self, tree: Call) -> tuple[Expression, Working]:
+    def function(self, tree: Call) -> tuple[Expression, _Working]:
         """An elementary function of its worked-out arguments."""
         parts: list[Expression] = []
         working = replace(self, symbol="")
@@ -208,17 +214,17 @@ class Working:
             parts.append(part)
         return Call(tree.function, tuple(parts)), working
 
-    def distance(self, point: Expression, other: Expression) -> tuple[Expression, Working]:
+    def distance(self, point: Expression, other: Expression) -> tuple[Expression, _Working]:
         """The distance of two points, or of a point from a line."""
         if not (isinstance(other, Call) and other.function == "line"):
             return self.length(Operation("-", other, point))
-        (base, along), place = line_of(other, self.instance.axes), self.pair(point)
+        (base, along), place = find_line(other, self.instance.axes), self.pair(point)
         apart = minus(place[0], base[0]), minus(place[1], base[1])
         given_by_angle = not self.instance.axes.is_vector(other.arguments[1])
         size = ONE if given_by_angle else length_of(Call("", along), self.instance.axes)
         return over(Call("abs", (cross(along, apart),)), size), self
 
-    def length(self, vector: Expression) -> tuple[Expression, Working]:
+    def length(self, vector: Expression) -> tuple[Expression, _Working]:
         """The length of a vector: as a formula where it is the answer, else worked out before."""
         size = length_of(vector, self.instance.axes)
         if self.symbol:
@@ -226,31 +232,31 @@ class Working:
         lines, working = self.sized(size)
         return size, working.extended("", lines)
 
-    def component(self, vector: Expression, direction: Expression) -> tuple[Expression, Working]:
+    def component(self, vector: Expression, direction: Expression) -> tuple[Expression, _Working]:
         """The scalar product divided by the length of the second vector."""
         size = length_of(direction, self.instance.axes)
-        axis = {AXIS_X: "x", AXIS_Y: "y"}.get(self.pair(vector))
+        axis = {_AXIS_X: "x", _AXIS_Y: "y"}.get(self.pair(vector))
         words = self.words.component if axis is None else self.words.axis_component
         sentence = words.format(
-            vector=self.phrase(vector), direction=self.phrase(direction), axis=axis
+            vector=self._phrase(vector), direction=self._phrase(direction), axis=axis
         )
         product = dot(self.pair(vector), self.pair(direction))
         lines, working = self.sized(size) if product != ZERO else ((), self)
         return over(product, size), working.extended(sentence, lines)
 
-    def sized(self, *sizes: Expression) -> tuple[tuple[str, ...], Working]:
+    def sized(self, *sizes: Expression) -> tuple[tuple[str, ...], _Working]:
         """The equations of lengths that are not known yet."""
         fresh = [size for size in dict.fromkeys(sizes) if size not in self.found]
-        lines = tuple(line for size in fresh for line in length_lines(size, self.instance))
+        lines = tuple(line for size in fresh for line in write_length_lines(size, self.instance))
         return lines, replace(self, found=self.found | set(fresh))
 
-    def phrase(self, vector: Expression, letter: str = "") -> str:
+    def _phrase(self, vector: Expression, letter: str = "") -> str:
         """A vector in a sentence, with the letter that denotes it."""
-        axis = {AXIS_X: self.words.x_axis, AXIS_Y: self.words.y_axis}.get(self.pair(vector))
+        axis = {_AXIS_X: self.words.x_axis, _AXIS_Y: self.words.y_axis}.get(self.pair(vector))
         if axis is not None and isinstance(vector, Call) and not vector.function:
             return axis
         if isinstance(vector, Call) and vector.function == "turned":
-            written = self.words.turned.format(vector=self.phrase(vector.arguments[0]))
+            written = self.words.turned.format(vector=self._phrase(vector.arguments[0]))
         else:
             written = self.words.vector.format(vector=self.instance.symbolic(vector))
         return self.words.called.format(vector=written, letter=letter) if letter else written
@@ -265,36 +271,36 @@ class Working:
             names.append(Name(name))
         return (names[0], names[1]), tuple(lines), instance
 
-    def angle(self, first: Expression, second: Expression) -> tuple[Expression, Working]:
+    def angle(self, first: Expression, second: Expression) -> tuple[Expression, _Working]:
         """The angle from one vector to another: its cosine and sine up to a factor, its tangent,
         its quadrant.
         """
-        if self.pair(first) in (AXIS_X, AXIS_Y):
+        if self.pair(first) in (_AXIS_X, _AXIS_Y):
             return self.angle_from_axis(first, second)
         start, lines, instance = self.lettered("u", first)
         end, more, instance = replace(self, instance=instance).lettered("v", second)
         sentence = self.words.angle.format(
-            first=self.phrase(first, "u"), second=self.phrase(second, "v")
+            first=self._phrase(first, "u"), second=self._phrase(second, "v")
         )
         label = self.symbol or r"\angle(\boldsymbol{u}, \boldsymbol{v})"
         return replace(self, instance=instance).settled(
             label, sentence, lines + more, (start, end), AREA
         )
 
-    def angle_from_axis(self, first: Expression, second: Expression) -> tuple[Expression, Working]:
+    def angle_from_axis(self, first: Expression, second: Expression) -> tuple[Expression, _Working]:
         """The angle from an axis: cosine and sine are proportional to coordinates of the other
         vector.
         """
         start, end = self.pair(first), self.pair(second)
-        axis = "x" if start == AXIS_X else "y"
+        axis = "x" if start == _AXIS_X else "y"
         simple = (
             isinstance(second, Operation)
             and isinstance(second.left, Name)
             and isinstance(second.right, Name)
         )
         other = self.instance.symbolic(second) if simple else r"\boldsymbol{v}"
-        phrase = self.phrase(second, "" if simple or self.symbol else "v")
-        sentence = self.words.angle_from_axis.format(first=self.phrase(first), second=phrase)
+        phrase = self._phrase(second, "" if simple or self.symbol else "v")
+        sentence = self.words.angle_from_axis.format(first=self._phrase(first), second=phrase)
         return self.settled(
             self.symbol or rf"\angle({axis}, {other})", sentence, (), (start, end), METRE
         )
@@ -306,14 +312,14 @@ class Working:
         lines: tuple[str, ...],
         vectors: tuple[Pair, Pair],
         unit: Unit,
-    ) -> tuple[Expression, Working]:
+    ) -> tuple[Expression, _Working]:
         """The angle from one vector to another, whose products have the given unit."""
         cosine, sine = dot(*vectors), cross(*vectors)
-        lines += self.instance.proportion(operated(r"\cos", label), cosine, unit)
-        lines += self.instance.proportion(operated(r"\sin", label), sine, unit)
+        lines += self.instance.proportion(write_operator(r"\cos", label), cosine, unit)
+        lines += self.instance.proportion(write_operator(r"\sin", label), sine, unit)
         signs = self.instance.sign(cosine), self.instance.sign(sine)
         if signs[0] and signs[1]:
-            lines += self.tangent(label, cosine, sine)
+            lines += self._tangent(label, cosine, sine)
         name = self.instance.free("angle")
         instance = self.instance.named(
             name, label, self.instance.value(Call("atan2", (sine, cosine)))
@@ -321,18 +327,20 @@ class Working:
         working = replace(self, instance=instance).extended(sentence, lines)
         return Name(name), working.extended(self.words.quadrants[signs], ())
 
-    def tangent(self, label: str, cosine: Expression, sine: Expression) -> tuple[str, ...]:
+    def _tangent(self, label: str, cosine: Expression, sine: Expression) -> tuple[str, ...]:
         """The tangent of an angle, from its sine and cosine up to their common factor."""
         names = self.instance.free("sine"), self.instance.free("cosine")
         instance = self.instance.named(
-            names[0], operated(r"\sin", label), self.instance.value(sine)
+            names[0], write_operator(r"\sin", label), self.instance.value(sine)
         )
-        instance = instance.named(names[1], operated(r"\cos", label), self.instance.value(cosine))
+        instance = instance.named(
+            names[1], write_operator(r"\cos", label), self.instance.value(cosine)
+        )
         return instance.equation(
-            operated(r"\tan", label), over(Name(names[0]), Name(names[1])), PURE
+            write_operator(r"\tan", label), over(Name(names[0]), Name(names[1])), PURE
         )
 
-    def between(self, first: Expression, second: Expression) -> tuple[Expression, Working]:
+    def between(self, first: Expression, second: Expression) -> tuple[Expression, _Working]:
         """The angle between two vectors, from its cosine."""
         pairs = self.pair(first), self.pair(second)
         sizes = [length_of(vector, self.instance.axes) for vector in (first, second)]
@@ -341,10 +349,10 @@ class Working:
         letters = ("", "") if self.symbol else ("u", "v")
         lines, working = self.sized(*sizes)
         lines += self.instance.equation(
-            operated(r"\cos", label), over(product, times(*sizes)), PURE
+            write_operator(r"\cos", label), over(product, times(*sizes)), PURE
         )
         sentence = self.words.between.format(
-            first=self.phrase(first, letters[0]), second=self.phrase(second, letters[1])
+            first=self._phrase(first, letters[0]), second=self._phrase(second, letters[1])
         )
         name = self.instance.free("angle")
         instance = self.instance.named(

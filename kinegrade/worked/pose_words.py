@@ -29,7 +29,7 @@ class PoseWords:
     quadrants: Mapping[Signs, str]
 
 
-ENGLISH = PoseWords(
+_ENGLISH = PoseWords(
     component="The component of {vector} in the direction of {direction} is their scalar product "
     "over the length of the latter:",
     axis_component="The ${axis}$ component of the unit vector in the direction of {direction}:",
@@ -65,7 +65,7 @@ ENGLISH = PoseWords(
         (0, -1): "The cosine is zero, the sine negative: the angle is $-90^\\circ$.",
     },
 )
-CHINESE = PoseWords(
+_CHINESE = PoseWords(
     component="{vector}在{direction}方向上的分量等于两者的标量积除以后者的长度：",
     axis_component="沿{direction}方向的单位矢量在 ${axis}$ 轴上的投影：",
     angle="该角由{first}逆时针转到{second}。其余弦、正弦分别与两矢量的标量积、矢量积成正比：",
@@ -89,13 +89,13 @@ CHINESE = PoseWords(
 )
 
 
-WORDS: Mapping[Language, PoseWords] = {"en": ENGLISH, "zh": CHINESE}
+_WORDS: Mapping[Language, PoseWords] = {"en": _ENGLISH, "zh": _CHINESE}
 
 
-def pose_words(language: Language) -> PoseWords:
+def load_pose_words(language: Language) -> PoseWords:
     """The sentences in one language.
 
-    >>> pose_words("zh").quadrants[1, 0]
+    >>> load_pose_words("zh").quadrants[1, 0]
     '正弦为零，余弦为正，该角为零。'
     """
-    return WORDS[language]
+    return _WORDS[language]

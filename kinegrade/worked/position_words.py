@@ -47,10 +47,9 @@ class PositionWords:
     circle: str
     triangle: str
     reached_along: str
-    lengths_and_directions: str
 
 
-ENGLISH = PositionWords(
+_ENGLISH = PositionWords(
     origin="${point}$ is the origin of the coordinates.",
     lengths="Lengths that follow from the givens:",
     coordinates="Coordinates of {points}:",
@@ -98,10 +97,8 @@ ENGLISH = PositionWords(
     "gives its angle at ${first}$:",
     reached_along="From ${first}$ the point ${point}$ is seen in the direction of "
     "${first}{second}$ turned through this angle {sense}:",
-    lengths_and_directions="Lengths and directions, angles counted counter-clockwise from the $x$ "
-    "axis:",
 )
-CHINESE = PositionWords(
+_CHINESE = PositionWords(
     origin="取 ${point}$ 为坐标原点。",
     lengths="由已知条件得下列长度：",
     coordinates="点 {points} 的坐标：",
@@ -147,26 +144,25 @@ CHINESE = PositionWords(
     circle="以 ${centre}$ 为圆心、${radius}$ 为半径的圆",
     triangle="三角形 ${first}{second}{point}$ 的三边已知，由余弦定理求 ${first}$ 处的角：",
     reached_along="将 ${first}{second}$ 的方向{sense}转过该角，即为由 ${first}$ 到 ${point}$ 的方向：",
-    lengths_and_directions="各段的长度和方向（角度由 $x$ 轴正向逆时针量取）：",
 )
-SENSES: Mapping[Language, tuple[str, str]] = {
+_SENSES: Mapping[Language, tuple[str, str]] = {
     "en": ("counter-clockwise", "clockwise"),
     "zh": ("逆时针", "顺时针"),
 }
 
 
-WORDS: Mapping[Language, PositionWords] = {"en": ENGLISH, "zh": CHINESE}
+_WORDS: Mapping[Language, PositionWords] = {"en": _ENGLISH, "zh": _CHINESE}
 
 
-def position_words(language: Language) -> PositionWords:
+def load_position_words(language: Language) -> PositionWords:
     """The sentences in one language.
 
-    >>> position_words("zh").midpoint.format(point="C", first="A", second="B")
+    >>> load_position_words("zh").midpoint.format(point="C", first="A", second="B")
     '点 $C$ 为 $AB$ 的中点：'
     """
-    return WORDS[language]
+    return _WORDS[language]
 
 
-def sense(language: Language, counter_clockwise: bool) -> str:
+def write_sense(language: Language, counter_clockwise: bool) -> str:
     """The word for a sense of rotation."""
-    return SENSES[language][0 if counter_clockwise else 1]
+    return _SENSES[language][0 if counter_clockwise else 1]

@@ -14,7 +14,7 @@ from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.numbers import bearing, size, tidy
-from kinegrade.worked.vectors import heading, vanishes
+from kinegrade.worked.vectors import find_heading, vanishes
 
 PARALLEL = 1e-9  # sine of the angle below which two directions count as parallel
 
@@ -52,9 +52,9 @@ class Projection:
 
     def _shares(self, parts: Sequence[Part]) -> Iterator[Share]:
         for part in parts:
-            if vanishes(part) or size(heading(part)) == 0:
+            if vanishes(part) or size(find_heading(part)) == 0:
                 continue
-            angle = abs((bearing(heading(part)) - self.axis + 180) % 360 - 180)
+            angle = abs((bearing(find_heading(part)) - self.axis + 180) % 360 - 180)
             if abs(angle - 90) > 1e-7:
                 yield Share(part, 1 if angle < 90 else -1, tidy(min(angle, 180 - angle)))
 
@@ -62,7 +62,7 @@ class Projection:
         """The coefficients of the unknown rates with everything on the left side."""
         axis = Vector(cos(radians(self.axis)), sin(radians(self.axis)))
         return {
-            rate: axis.dot(floats(self.equation.coefficient(rate)))
+            rate: axis.dot(_make_floats(self.equation.coefficient(rate)))
             for rate in self.equation.unknowns
         }
 
@@ -82,7 +82,7 @@ class Deduction:
     unknowns: tuple[str, ...]
 
 
-def deductions(
+def find_deductions(
     equations: Sequence[VectorEquation], scalars: Sequence[Relation], unknowns: Sequence[str]
 ) -> Iterator[Deduction]:
     """How the vector equations and scalar relations of a step give its unknown rates, one deduction
@@ -91,22 +91,24 @@ def deductions(
     An unknown that occurs in only one equation is first projected out of it; the shared unknowns
     are solved for together, then each of the others follows.
     """
-    unshared = {index: private(index, equations, scalars) for index in range(len(equations))}
+    unshared = {
+        index: _find_private_unknowns(index, equations, scalars) for index in range(len(equations))
+    }
     shared = [rate for rate in unknowns if not any(rate in rates for rates in unshared.values())]
     if shared:
         core = [
             projection
             for index, equation in enumerate(equations)
-            for projection in core_projections(equation, unshared[index])
+            for projection in _find_core_projections(equation, unshared[index])
         ]
-        yield Deduction(enough(core, scalars, shared), tuple(scalars), tuple(shared))
+        yield Deduction(_select_enough(core, scalars, shared), tuple(scalars), tuple(shared))
     for index, equation in enumerate(equations):
         for rate in unshared[index]:
             others = [other for other in unshared[index] if other != rate]
-            yield Deduction((toward(equation, rate, others),), (), (rate,))
+            yield Deduction((_project_toward(equation, rate, others),), (), (rate,))
 
 
-def private(
+def _find_private_unknowns(
     index: int, equations: Sequence[VectorEquation], scalars: Sequence[Relation]
 ) -> list[str]:
     """The unknowns that occur only in the equation at `index`; the rotation of a body comes
@@ -125,17 +127,23 @@ def private(
     )
 
 
-def core_projections(equation: VectorEquation, unshared: Sequence[str]) -> Iterator[Projection]:
+def _find_core_projections(
+    equation: VectorEquation, unshared: Sequence[str]
+) -> Iterator[Projection]:
     """The projections of an equation in which only unknowns that it shares with others remain."""
     if len(unshared) == 1:
-        yield normal_to(equation, unshared[0])
+        yield _project_normal_to(equation, unshared[0])
     elif not unshared:
         shared = equation.unknowns
-        yield normal_to(equation, shared[0])
-        yield normal_to(equation, shared[1]) if len(shared) > 1 else along(equation, shared[0])
+        yield _project_normal_to(equation, shared[0])
+        yield (
+            _project_normal_to(equation, shared[1])
+            if len(shared) > 1
+            else _project_along(equation, shared[0])
+        )
 
 
-def enough(
+def _select_enough(
     core: Sequence[Projection], scalars: Sequence[Relation], shared: Sequence[str]
 ) -> tuple[Projection, ...]:
     """As many of the projections as are needed besides the scalar relations."""
@@ -146,26 +154,32 @@ def enough(
     return tuple(telling[:needed])
 
 
-def toward(equation: VectorEquation, rate: str, others: Sequence[str]) -> Projection:
+def _project_toward(equation: VectorEquation, rate: str, others: Sequence[str]) -> Projection:
     """The projection that gives a rate: normal to the other unknown, else along the part of the
     rate itself.
     """
-    return normal_to(equation, others[0], rate) if others else along(equation, rate)
+    return (
+        _project_normal_to(equation, others[0], rate) if others else _project_along(equation, rate)
+    )
 
 
-def normal_to(equation: VectorEquation, rate: str, sought: str | None = None) -> Projection:
+def _project_normal_to(
+    equation: VectorEquation, rate: str, sought: str | None = None
+) -> Projection:
     """The projection on the axis normal to an unknown, oriented so that few parts are negative."""
-    axis = (bearing(floats(equation.coefficient(rate))) + 90) % 360
+    axis = (bearing(_make_floats(equation.coefficient(rate))) + 90) % 360
     dropped = next(part for part in equation.parts if part.unknown == rate)
-    return oriented(Projection(equation, axis, dropped), sought)
+    return _orient(Projection(equation, axis, dropped), sought)
 
 
-def along(equation: VectorEquation, rate: str) -> Projection:
+def _project_along(equation: VectorEquation, rate: str) -> Projection:
     """The projection on the direction of an unknown."""
-    return oriented(Projection(equation, bearing(floats(equation.coefficient(rate))), None), rate)
+    return _orient(
+        Projection(equation, bearing(_make_floats(equation.coefficient(rate))), None), rate
+    )
 
 
-def oriented(projection: Projection, sought: str | None) -> Projection:
+def _orient(projection: Projection, sought: str | None) -> Projection:
     """The projection, with its axis reversed where most parts are negative; in a tie the unknown
     sought decides.
     """
@@ -177,6 +191,6 @@ def oriented(projection: Projection, sought: str | None) -> Projection:
     return Projection(projection.equation, (projection.axis + 180) % 360, projection.dropped)
 
 
-def floats(vector: Vector) -> Vector:
+def _make_floats(vector: Vector) -> Vector:
     """A vector in doubles."""
     return Vector(float(vector.x), float(vector.y))

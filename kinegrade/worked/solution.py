@@ -19,7 +19,7 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities import Quantities
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Ask, Method
-from kinegrade.worked.answers import answer_blocks, result
+from kinegrade.worked.answers import explain_answer, state_result
 from kinegrade.worked.deductions import Stage
 from kinegrade.worked.document import (
     Block,
@@ -31,26 +31,26 @@ from kinegrade.worked.document import (
     TermTable,
     WorkedSolution,
 )
-from kinegrade.worked.kinds import kinds
-from kinegrade.worked.methods import method_blocks, method_title
-from kinegrade.worked.needed_rates import NOTHING, Needs, needs_of, steps_needed
-from kinegrade.worked.phrases import phrase
+from kinegrade.worked.findings import Findings
+from kinegrade.worked.kinds import describe_motions
+from kinegrade.worked.methods import explain_by_method, write_method_title
+from kinegrade.worked.needed_rates import NOTHING, Needs, find_needs, select_steps
+from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.pictures import (
-    answer_pictures,
-    given_pictures,
-    mechanism_picture,
-    stage_pictures,
+    draw_answer,
+    draw_given,
+    draw_mechanism,
+    draw_stage,
 )
-from kinegrade.worked.points import Findings
-from kinegrade.worked.pose_answers import is_positional, pose_answers
-from kinegrade.worked.positions import positions
-from kinegrade.worked.scalars import single_rate
+from kinegrade.worked.pose_answers import explain_pose_answers, is_positional
+from kinegrade.worked.positions import explain_positions
+from kinegrade.worked.scalars import imposes_single_rate
 from kinegrade.worked.solution_case import Case
-from kinegrade.worked.steps import stage_of, step_blocks
-from kinegrade.worked.wording import title
+from kinegrade.worked.steps import explain_step, find_stage
+from kinegrade.worked.wording import write_title
 
 
-def worked_solution(
+def write_worked_solution(
     solution: Solution, asks: Iterable[str], language: Language, method: Method | None = None
 ) -> WorkedSolution:
     """The worked solution for the asks named, by the given method where several apply (by default
@@ -58,110 +58,116 @@ def worked_solution(
     """
     case = Case(solution, language, method or solution.template.about.method)
     asked = tuple(solution.template.asks[name] for name in asks)
-    return WorkedSolution(tuple(begun(block) for block in blocks(case, asked)))
+    return WorkedSolution(tuple(_capitalise_prose(block) for block in _write_blocks(case, asked)))
 
 
-def begun(block: Block) -> Block:
+def _capitalise_prose(block: Block) -> Block:
     """The block with a capital letter at the start of its prose."""
     match block:
         case Prose(text=text):
-            return Prose(capitalised(text))
+            return Prose(_capitalise_title(text))
         case Heading() | Display() | TermTable() | Pictures() | Results():
             return block
         case _:
             assert_never(block)
 
 
-def blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
+def _write_blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
     """The chapters in order."""
     findings = Findings()
     if case.motion.rates:
-        yield Heading(phrase("kinds", case.language), 1)
-        yield from kinds(case)
-    yield from position_chapter(case, asked)
-    needs = all_needs(case, asked)
-    velocities, accelerations = steps_needed(case.motion, needs)
+        yield Heading(fill_phrase("kinds", case.language), 1)
+        yield from describe_motions(case)
+    yield from _write_position_chapter(case, asked)
+    needs = collect_needs(case, asked)
+    velocities, accelerations = select_steps(case.motion, needs)
     if velocities:
-        yield Heading(phrase("velocities", case.language), 1)
-        yield Prose(phrase("positive", case.language))
-        yield from level_chapter(velocities, case, "velocity", findings)
+        yield Heading(fill_phrase("velocities", case.language), 1)
+        yield Prose(fill_phrase("positive", case.language))
+        yield from _write_level_chapter(velocities, case, "velocity", findings)
     if accelerations:
-        yield Heading(phrase("accelerations", case.language), 1)
-        yield from level_chapter(accelerations, case, "acceleration", findings)
-    yield Heading(phrase("answers", case.language), 1)
-    yield from pose_answers(
+        yield Heading(fill_phrase("accelerations", case.language), 1)
+        yield from _write_level_chapter(accelerations, case, "acceleration", findings)
+    yield Heading(fill_phrase("answers", case.language), 1)
+    yield from explain_pose_answers(
         case.solution, (ask.name for ask in asked if is_positional(ask)), case.language
     )
     for ask in asked:
         if not is_positional(ask):
-            yield from answer_blocks(ask, case, findings)
-    yield from answer_pictures(asked, case)
-    yield Results(tuple(result(ask, case) for ask in asked))
+            yield from explain_answer(ask, case, findings)
+    yield from draw_answer(asked, case)
+    yield Results(tuple(state_result(ask, case) for ask in asked))
 
 
-def all_needs(case: Case, asked: Iterable[Ask]) -> Needs:
+def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:
     """The rates that all answers together need."""
     quantities = Quantities(case.motion, case.arithmetic)
     needs = NOTHING
     for ask in asked:
-        needs |= needs_of(ask.quantity, case.motion, quantities)
+        needs |= find_needs(ask.quantity, case.motion, quantities)
     return needs
 
 
-def position_chapter(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
+def _write_position_chapter(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
     """Where the points of the mechanism are; for a problem of positions alone the answers show
     it.
     """
-    yield Heading(phrase("positions", case.language), 1)
+    yield Heading(fill_phrase("positions", case.language), 1)
     if all(is_positional(ask) for ask in asked):
-        yield Pictures((mechanism_picture(case),))
-    yield from positions(case.solution, tuple(case.template.scheme.points), case.language)
+        yield Pictures((draw_mechanism(case),))
+    yield from explain_positions(case.solution, tuple(case.template.scheme.points), case.language)
 
 
-def level_chapter(
+def _write_level_chapter(
     steps: Sequence[Step], case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
     """The steps of velocities, or of accelerations, numbered; the given motions come first and
     count as one step.
     """
-    imposed = [step for step in steps if is_given(step, case)]
+    imposed = [step for step in steps if _is_given(step, case)]
     known: set[str] = {rate for step in imposed for rate in step.unknowns}
     number = 0
     if imposed:
         number = 1
-        given = capitalised(phrase("title_given", case.language))
-        yield Heading(phrase("step", case.language, number=1, title=given), 2)
+        given = _capitalise_title(fill_phrase("title_given", case.language))
+        yield Heading(fill_phrase("step", case.language, number=1, title=given), 2)
         for step in imposed:
-            yield from step_blocks(step, stage_of(step, case, level, set()), findings)
-        yield from given_pictures(imposed, case, level)
+            yield from explain_step(step, find_stage(step, case, level, set()), findings)
+        yield from draw_given(imposed, case, level)
     for step in steps:
         if step in imposed:
             continue
-        if not holds_still(step, case):
+        if not _holds_still(step, case):
             number += 1
-            yield from numbered_step(number, step, stage_of(step, case, level, known), findings)
+            yield from _write_numbered_step(
+                number, step, find_stage(step, case, level, known), findings
+            )
         known |= set(step.unknowns)
 
 
-def numbered_step(number: int, step: Step, stage: Stage, findings: Findings) -> Iterator[Block]:
+def _write_numbered_step(
+    number: int, step: Step, stage: Stage, findings: Findings
+) -> Iterator[Block]:
     """One step under its title: the equations, their results, the pictures."""
-    by_method = tuple(method_blocks(step, stage, findings))
-    name = (method_title(stage) if by_method else None) or title(step, stage)
-    yield Heading(phrase("step", stage.case.language, number=number, title=capitalised(name)), 2)
-    yield from by_method or step_blocks(step, stage, findings)
-    yield from stage_pictures(step, stage)
+    by_method = tuple(explain_by_method(step, stage, findings))
+    name = (write_method_title(stage) if by_method else None) or write_title(step, stage)
+    yield Heading(
+        fill_phrase("step", stage.case.language, number=number, title=_capitalise_title(name)), 2
+    )
+    yield from by_method or explain_step(step, stage, findings)
+    yield from draw_stage(step, stage)
     for equation in stage.equations:
         findings.note(equation, stage.case)
 
 
-def is_given(step: Step, case: Case) -> bool:
+def _is_given(step: Step, case: Case) -> bool:
     """Whether a step only says what a driver imposes on one rate."""
     relations = [case.motion.frames.relations[index] for index in step.relations]
     imposed = isinstance(relations[0].source, (Rotation, Component, Circulation))
-    return len(relations) == 1 and imposed and single_rate(relations[0])
+    return len(relations) == 1 and imposed and imposes_single_rate(relations[0])
 
 
-def holds_still(step: Step, case: Case) -> bool:
+def _holds_still(step: Step, case: Case) -> bool:
     """Whether a step only says that a body does not turn, which the first chapter has already
     said.
     """
@@ -170,6 +176,6 @@ def holds_still(step: Step, case: Case) -> bool:
     return len(relations) == 1 and held and len(relations[0].turning) == 1
 
 
-def capitalised(title_: str) -> str:
+def _capitalise_title(title_: str) -> str:
     """A title with a capital letter first, unless it begins with a symbol."""
     return title_[0].upper() + title_[1:]

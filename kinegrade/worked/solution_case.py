@@ -69,17 +69,19 @@ class Case:
         for sentence in self.template.scheme.joints:
             same = sentence.body == body and sentence.of == of
             if same and (
-                sentence.point == point or centre_of(sentence) == point or sentence.kind == "sleeve"
+                sentence.point == point
+                or _find_centre(sentence) == point
+                or sentence.kind == "sleeve"
             ):
                 return sentence
         return None
 
 
-def centre_of(sentence: JointSentence) -> str:
+def _find_centre(sentence: JointSentence) -> str:
     """The point about which a touching or rolling circle lies, "" where the joint has none."""
-    return first_name(sentence.circle) if sentence.circle else ""
+    return _find_first_name(sentence.circle) if sentence.circle else ""
 
 
-def first_name(call: Call) -> str:
+def _find_first_name(call: Call) -> str:
     """The name that stands first in the brackets of a line or a circle, "" where none does."""
     return call.arguments[0].name if call.arguments and isinstance(call.arguments[0], Name) else ""

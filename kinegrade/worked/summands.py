@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from kinegrade.mechanics.relations import total
+from kinegrade.mechanics.relations import add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.deductions import UNITS
-from kinegrade.worked.numbers import bracketed, short, stated
+from kinegrade.worked.numbers import write_bracketed, write_number, write_short
 
 NUMBER = re.compile(r"-?[0-9.]+")
 
@@ -30,7 +30,7 @@ class Summand:
         return not any(factor.strip("(){}") == "0" for factor in self.number.split(r"\cdot "))
 
 
-def sum_of(summands: Sequence[Summand], what: Literal["symbol", "number"]) -> str:
+def write_sum(summands: Sequence[Summand], what: Literal["symbol", "number"]) -> str:
     """Summands written one after the other, the first without a plus sign; 0 where there are
     none.
     """
@@ -38,7 +38,7 @@ def sum_of(summands: Sequence[Summand], what: Literal["symbol", "number"]) -> st
     return text[2:] if text.startswith("+") else "-" + text[2:] if text else "0"
 
 
-def component(name: str, axis: str) -> str:
+def write_component(name: str, axis: str) -> str:
     """The symbol of a component: v_{B} becomes v_{B,x}; a superscript stays."""
     head, _, rest = name.partition("_{")
     depth, end = 1, 0
@@ -48,7 +48,7 @@ def component(name: str, axis: str) -> str:
     return f"{head}_{{{rest[: end - 1]},{axis}}}{rest[end:]}"
 
 
-def sum_line(
+def write_sum_line(
     axis: str,
     name: str,
     parts: list[tuple[str, Vector]],
@@ -58,15 +58,15 @@ def sum_line(
     """One component of a sum of vectors, or of what remains of the first without the others."""
     along = 0 if axis == "x" else 1
     summands = [
-        Summand(sign if place else "+", component(symbol, axis), short(value[along]))
+        Summand(sign if place else "+", write_component(symbol, axis), write_short(value[along]))
         for place, (symbol, value) in enumerate(parts)
     ]
-    summands[1:] = [replace(one, number=bracketed(one.number)) for one in summands[1:]]
-    rest = total(value for _, value in parts[1:])[along]
+    summands[1:] = [replace(one, number=write_bracketed(one.number)) for one in summands[1:]]
+    rest = add_vectors(value for _, value in parts[1:])[along]
     whole = {"+": parts[0][1][along] + rest, "-": parts[0][1][along] - rest}[sign]
-    result = stated(whole, UNITS[level, False])
-    numbers = sum_of([one for one in summands if one.counts], "number")
+    result = write_number(whole, UNITS[level, False])
+    numbers = write_sum([one for one in summands if one.counts], "number")
     written = [] if NUMBER.fullmatch(numbers) else [numbers]
-    return f"{component(name, axis)} &= " + " = ".join(
-        [sum_of(summands, "symbol"), *written, result]
+    return f"{write_component(name, axis)} &= " + " = ".join(
+        [write_sum(summands, "symbol"), *written, result]
     )

@@ -12,7 +12,7 @@ from kinegrade.worked.instance_formulas import Instance
 from kinegrade.worked.position_words import PositionWords
 
 
-def negated(vector: Expression, instance: Instance) -> Expression:
+def negate(vector: Expression, instance: Instance) -> Expression:
     """The opposite of a vector; that of a pair and of a difference of points is worked out."""
     pair = instance.axes.pair(vector) if isinstance(vector, Call) and not vector.function else None
     if pair is not None:
@@ -20,10 +20,10 @@ def negated(vector: Expression, instance: Instance) -> Expression:
     return minus(ZERO, vector)
 
 
-def vector_words(vector: Expression, instance: Instance, words: PositionWords) -> str:
+def describe_vector(vector: Expression, instance: Instance, words: PositionWords) -> str:
     """A vector in a sentence."""
     if isinstance(vector, Call) and vector.function == "turned":
-        return words.turned.format(vector=vector_words(vector.arguments[0], instance, words))
+        return words.turned.format(vector=describe_vector(vector.arguments[0], instance, words))
     if (
         isinstance(vector, Operation)
         and vector.sign == "*"
@@ -34,12 +34,12 @@ def vector_words(vector: Expression, instance: Instance, words: PositionWords) -
             return rf"${factor}\,{instance.symbolic(vector.left)}$"
         vector = Operation("*", vector.right, vector.left)
     pair = instance.axes.pair(vector)
-    if pair is not None and not is_plain(vector, instance):
+    if pair is not None and not _is_plain(vector, instance):
         vector = Call("", pair)
     return f"${instance.symbolic(vector)}$"
 
 
-def is_plain(vector: Expression, instance: Instance) -> bool:
+def _is_plain(vector: Expression, instance: Instance) -> bool:
     """Whether a vector is printed unchanged: a pair, the vector from point to point, or a multiple
     of one.
     """
@@ -53,7 +53,7 @@ def is_plain(vector: Expression, instance: Instance) -> bool:
             return (
                 not instance.axes.is_vector(scalar)
                 and (vector.sign != "-" or is_negated(vector))
-                and is_plain(other, instance)
+                and _is_plain(other, instance)
             )
         case Number() | Name() | Operation() | Call():
             return False

@@ -8,7 +8,7 @@ from flint import arb, fmpq
 from hypothesis import strategies as st
 from mpmath import mp, mpf, sqrt
 
-from kinegrade.exact.surd import Surd, enclosure
+from kinegrade.exact.surd import Surd, enclose
 
 rationals = st.builds(fmpq, st.integers(-20, 20), st.integers(1, 9))
 Recipe = Any
@@ -58,7 +58,7 @@ def digits(number: Any) -> Any:
     """An exact number or a ball's midpoint as an mpf of 60 digits."""
     with mp.workdps(60):
         if isinstance(number, Surd):
-            number = enclosure(number, 320)
+            number = enclose(number, 320)
         if isinstance(number, arb):
             mantissa, exponent = number.mid().man_exp()
             return mpf(int(mantissa)) * mpf(2) ** int(exponent)

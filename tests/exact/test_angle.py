@@ -13,8 +13,8 @@ from mpmath import atan2, cos, mp, mpf, pi, sin
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import Balls
 from kinegrade.exact.field import Field
-from kinegrade.exact.text import LATEX, angle_text
-from kinegrade.expression import elementary, evaluate, read
+from kinegrade.exact.text import LATEX, write_angle
+from kinegrade.expression import evaluate, make_elementary_functions, read_expression
 from tests.exact.numbers import digits
 
 Q = fmpq
@@ -84,10 +84,15 @@ def test_the_text_of_an_angle_reads_back_as_the_same_angle(
     angle = field.arctangent(a, Q(-1)) * factor - field.arctangent(b, Q(1)) + degrees(nice)
     with balls.context():
         for unit, size in ((False, arb(1)), (True, 180 / arb.pi())):
-            text = angle_text(angle, unit)
-            back = evaluate(read(text), {"pi": balls.turns(1)}, elementary(balls), balls)
+            text = write_angle(angle, unit)
+            back = evaluate(
+                read_expression(text),
+                {"pi": balls.turns(1)},
+                make_elementary_functions(balls),
+                balls,
+            )
             assert abs(back - angle.ball() * size) < arb("1e-60")
-            latex = angle_text(angle, unit, LATEX)
+            latex = write_angle(angle, unit, LATEX)
             assert latex.count("{") == latex.count("}")
             assert latex.count("(") == latex.count(")")
 
@@ -111,8 +116,8 @@ def test_the_text_of_an_angle_reads_back_as_the_same_angle(
     ],
 )
 def test_angles_print_as_in_a_book(angle: Angle, radians: str, in_degrees: str) -> None:
-    assert angle_text(angle, degrees=False) == radians
-    assert angle_text(angle, degrees=True) == in_degrees
+    assert write_angle(angle, degrees=False) == radians
+    assert write_angle(angle, degrees=True) == in_degrees
 
 
 def test_equal_parts_are_added_up_and_vanish() -> None:

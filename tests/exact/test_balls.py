@@ -13,7 +13,7 @@ from mpmath import atan2, cos, mp, mpf, pi, sin, sqrt
 from kinegrade.exact.balls import Balls, Undecided
 from kinegrade.exact.elimination import Contradiction, Singular
 from kinegrade.exact.field import Field
-from kinegrade.problem.library import template_names
+from kinegrade.problem.library import find_template_names
 from kinegrade.problem.solving import solve_template
 from tests.exact.numbers import build, digits, rationals, towers
 from tests.laws.cases import arbitrary_values, drawn_values, shipped
@@ -55,7 +55,7 @@ def test_a_ball_of_an_exact_number_holds_it(recipe: Any) -> None:
 def test_answers_of_templates_are_certified_to_thirty_digits_whatever_the_values(
     data: st.DataObject,
 ) -> None:
-    template = shipped(data.draw(st.sampled_from(template_names())))
+    template = shipped(data.draw(st.sampled_from(find_template_names())))
     values = data.draw(st.one_of(drawn_values(template), arbitrary_values(template)))
     solution = solve_template(template, values)
     for answer in solution.answers.values():
@@ -67,7 +67,7 @@ def test_answers_of_templates_are_certified_to_thirty_digits_whatever_the_values
 
 @given(st.data())
 def test_answers_by_balls_hold_the_exact_answers(data: st.DataObject) -> None:
-    template = shipped(data.draw(st.sampled_from(template_names())))
+    template = shipped(data.draw(st.sampled_from(find_template_names())))
     values = data.draw(drawn_values(template))
     exact = solve_template(template, values)
     # an angle that is no nice one but equal to it to forty digits leaves no exact field

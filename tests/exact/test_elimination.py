@@ -9,7 +9,13 @@ from flint import fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exact.elimination import Contradiction, Singular, consistent, eliminate, null_vectors
+from kinegrade.exact.elimination import (
+    Contradiction,
+    Singular,
+    eliminate,
+    find_null_vectors,
+    is_consistent,
+)
 from kinegrade.exact.field import Field
 from kinegrade.exact.floats import Floats
 from tests.exact.numbers import rationals
@@ -47,14 +53,14 @@ def test_dependent_columns_are_told() -> None:
 
 def test_what_stays_free_is_told_by_its_components() -> None:
     # x + y = 0 leaves z free, and x against y
-    assert null_vectors(rows((1, 1, 0)), 3, zero) == [{0, 1}, {2}]
-    assert null_vectors(rows((1, 0), (0, 1)), 2, zero) == []
+    assert find_null_vectors(rows((1, 1, 0)), 3, zero) == [{0, 1}, {2}]
+    assert find_null_vectors(rows((1, 0), (0, 1)), 2, zero) == []
 
 
 def test_whether_equations_have_a_solution_at_all() -> None:
-    assert consistent(rows((1, 1), (2, 2)), [Q(1), Q(2)], zero)
-    assert not consistent(rows((1, 1), (2, 2)), [Q(1), Q(3)], zero)
-    assert consistent([], [], zero)
+    assert is_consistent(rows((1, 1), (2, 2)), [Q(1), Q(2)], zero)
+    assert not is_consistent(rows((1, 1), (2, 2)), [Q(1), Q(3)], zero)
+    assert is_consistent([], [], zero)
 
 
 @given(st.lists(rationals, min_size=9, max_size=9), st.lists(rationals, min_size=3, max_size=3))

@@ -15,10 +15,10 @@ from mpmath import mp, mpf
 
 from kinegrade.exact.angle import Inexact
 from kinegrade.exact.elimination import Contradiction
-from kinegrade.exact.field import MAX_LEVEL, Field, primitive, split_square
+from kinegrade.exact.field import MAX_LEVEL, Field, split_radicand, split_square
 from kinegrade.exact.surd import Surd, height
 from kinegrade.exact.surd import sign as surd_sign
-from kinegrade.exact.text import exact_text
+from kinegrade.exact.text import write_exact
 from tests.exact.numbers import build, digits, rationals, towers
 
 Q = fmpq
@@ -118,7 +118,7 @@ def test_sympy_agrees(a: Any, b: Any, first: int, second: int) -> None:
         * (sympy.Rational(int(b.p), int(b.q)) + sympy.sqrt(second))
         / (1 + sympy.sqrt(first * second))
     )
-    assert abs(sympy.N(sympy.sympify(exact_text(number)) - peer, 50)) < sympy.Float("1e-40")
+    assert abs(sympy.N(sympy.sympify(write_exact(number)) - peer, 50)) < sympy.Float("1e-40")
 
 
 @pytest.mark.parametrize(
@@ -146,7 +146,7 @@ def test_sympy_agrees(a: Any, b: Any, first: int, second: int) -> None:
     ],
 )
 def test_known_numbers_print_as_in_a_book(given: Any, text: str) -> None:
-    assert exact_text(given(Field())) == text
+    assert write_exact(given(Field())) == text
 
 
 def test_sqrt_six_beside_sqrt_two_adds_sqrt_three_alone() -> None:
@@ -202,7 +202,7 @@ def test_squares_are_drawn_out_of_the_radicand() -> None:
         3 * 1009**2,
     )  # only squares of small primes are looked for
     assert split_square(1009**2) == (1009, 1)
-    factor, radicand = primitive(Q(50, 27))  # sqrt(50/27) = 5/9 sqrt 6
+    factor, radicand = split_radicand(Q(50, 27))  # sqrt(50/27) = 5/9 sqrt 6
     assert factor**2 * radicand == Q(50, 27)
     assert radicand == 6
 

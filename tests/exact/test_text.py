@@ -16,8 +16,8 @@ from mpmath import mp, mpf, nstr
 
 from kinegrade.exact.angle import Angle
 from kinegrade.exact.field import Field
-from kinegrade.exact.text import LATEX, decimal_text, exact_text, pi_text
-from kinegrade.expression import elementary, evaluate, read
+from kinegrade.exact.text import LATEX, write_decimal, write_exact, write_multiple_of_pi
+from kinegrade.expression import evaluate, make_elementary_functions, read_expression
 from tests.exact.numbers import build, digits, rationals, towers
 
 Q = fmpq
@@ -27,18 +27,18 @@ Q = fmpq
 def test_exact_text_is_read_back_by_our_grammar_as_the_same_number(recipe: Any) -> None:
     field = Field()
     number = build(recipe, field)[0]
-    text = exact_text(number)
+    text = write_exact(number)
     assume(len(text) <= 400)
-    assert evaluate(read(text), {}, elementary(field), field) == number
+    assert evaluate(read_expression(text), {}, make_elementary_functions(field), field) == number
 
 
 @given(towers())
 def test_latex_is_balanced_and_holds_the_same_digits(recipe: Any) -> None:
     number = build(recipe, Field())[0]
-    latex = exact_text(number, LATEX)
+    latex = write_exact(number, LATEX)
     assert latex.count("{") == latex.count("}")
     assert re.fullmatch(r"(?:\\frac|\\sqrt|[{}\d+\- ])+", latex)
-    assert sorted(re.findall(r"\d+", latex)) == sorted(re.findall(r"\d+", exact_text(number)))
+    assert sorted(re.findall(r"\d+", latex)) == sorted(re.findall(r"\d+", write_exact(number)))
 
 
 @pytest.mark.parametrize(
@@ -62,8 +62,8 @@ def test_latex_is_balanced_and_holds_the_same_digits(recipe: Any) -> None:
     ],
 )
 def test_numbers_print_as_in_a_book(number: Any, plain: str, latex: str) -> None:
-    assert exact_text(number(Field())) == plain
-    assert exact_text(number(Field()), LATEX) == latex
+    assert write_exact(number(Field())) == plain
+    assert write_exact(number(Field()), LATEX) == latex
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,10 @@ def test_numbers_print_as_in_a_book(number: Any, plain: str, latex: str) -> None
     ],
 )
 def test_multiples_of_pi_print_as_in_a_book(half_turns: Any, text: str, latex: str) -> None:
-    assert (pi_text(half_turns), pi_text(half_turns, LATEX)) == (text, latex)
+    assert (write_multiple_of_pi(half_turns), write_multiple_of_pi(half_turns, LATEX)) == (
+        text,
+        latex,
+    )
 
 
 @given(towers(), st.integers(1, 40))
@@ -85,7 +88,7 @@ def test_decimals_of_exact_numbers_are_those_of_mpmath(recipe: Any, count: int) 
     with mp.workdps(60):
         exact = digits(number)
         assert (
-            abs(mpf(decimal_text(number, count)) - exact)
+            abs(mpf(write_decimal(number, count)) - exact)
             <= abs(exact) * mpf(10) ** (1 - count) / 2 + mpf(10) ** -55
         )
 
@@ -93,7 +96,7 @@ def test_decimals_of_exact_numbers_are_those_of_mpmath(recipe: Any, count: int) 
 @given(rationals, st.integers(1, 30))
 def test_decimals_of_rationals_are_rounded_half_to_even(number: Any, count: int) -> None:
     context = Context(prec=count, rounding=ROUND_HALF_EVEN)
-    assert Decimal(decimal_text(number, count)) == context.divide(
+    assert Decimal(write_decimal(number, count)) == context.divide(
         Decimal(int(number.p)), Decimal(int(number.q))
     )
 
@@ -106,8 +109,10 @@ def test_a_ball_is_given_to_the_digits_that_it_holds_and_no_more(
     with ctx.workprec(300):
         ball = arb(number, arb(10) ** -wide)
         ends = ball.lower().fmpq(), ball.upper().fmpq()
-    held = [n for n in range(1, count + 1) if decimal_text(ends[0], n) == decimal_text(ends[1], n)]
-    assert decimal_text(ball, count) == decimal_text(number, held[-1] if held else 1)
+    held = [
+        n for n in range(1, count + 1) if write_decimal(ends[0], n) == write_decimal(ends[1], n)
+    ]
+    assert write_decimal(ball, count) == write_decimal(number, held[-1] if held else 1)
 
 
 @pytest.mark.parametrize(
@@ -131,27 +136,27 @@ def test_a_ball_is_given_to_the_digits_that_it_holds_and_no_more(
     ],
 )
 def test_rationals_print_like_this(number: Any, count: int, text: str) -> None:
-    assert decimal_text(number, count) == text
+    assert write_decimal(number, count) == text
 
 
 def test_the_first_hundred_digits_of_root_two() -> None:
     with mp.workdps(130):
-        assert decimal_text(Field().sqrt(Q(2)), 100) == nstr(mpf(2) ** mpf("0.5"), 100)
+        assert write_decimal(Field().sqrt(Q(2)), 100) == nstr(mpf(2) ** mpf("0.5"), 100)
 
 
 def test_angles_print_in_radians_or_degrees() -> None:
-    assert decimal_text(Angle(Q(1, 3)), 6) == "1.0472"
-    assert decimal_text(Angle(Q(1, 3)), 6, degrees=True) == "60"
-    assert decimal_text(Angle(Q(0), ((Q(1), (Q(4), Q(3))),)), 8, degrees=True) == "36.869898"
-    assert decimal_text(Angle(Q(0)), 5) == "0"
+    assert write_decimal(Angle(Q(1, 3)), 6) == "1.0472"
+    assert write_decimal(Angle(Q(1, 3)), 6, degrees=True) == "60"
+    assert write_decimal(Angle(Q(0), ((Q(1), (Q(4), Q(3))),)), 8, degrees=True) == "36.869898"
+    assert write_decimal(Angle(Q(0)), 5) == "0"
 
 
 def test_nearly_a_tie_is_rounded_by_the_digits_that_follow() -> None:
     field = Field()
     below = Q(25, 10) - (field.sqrt(Q(2)) - Q(1)) / Q(10) ** 200
-    assert decimal_text(below, 1) == "2"
-    assert decimal_text(2 * Q(25, 10) - below, 1) == "3"
+    assert write_decimal(below, 1) == "2"
+    assert write_decimal(2 * Q(25, 10) - below, 1) == "3"
 
 
 def test_a_ball_about_zero_prints_as_zero() -> None:
-    assert decimal_text(arb(0, arb("1e-50")), 10) == "0"
+    assert write_decimal(arb(0, arb("1e-50")), 10) == "0"

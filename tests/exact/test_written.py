@@ -8,7 +8,7 @@ from time import perf_counter
 
 import pytest
 
-from kinegrade.exact.written import NumberError, written_number
+from kinegrade.exact.written import NumberError, read_number
 
 
 @pytest.mark.parametrize(
@@ -25,7 +25,7 @@ from kinegrade.exact.written import NumberError, written_number
     ],
 )
 def test_what_stands_there_is_the_value_exactly(found: object, value: Fraction) -> None:
-    assert written_number(found) == value
+    assert read_number(found) == value
 
 
 @pytest.mark.parametrize(
@@ -38,6 +38,6 @@ def test_what_stands_there_is_the_value_exactly(found: object, value: Fraction) 
 def test_anything_else_is_refused_at_once_and_briefly(found: object) -> None:
     start = perf_counter()
     with pytest.raises(NumberError, match="expected a number between -1e300 and 1e300") as caught:
-        written_number(found)
+        read_number(found)
     assert perf_counter() - start < 0.1
     assert len(str(caught.value)) < 120

@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import BankError, ExamError
-from kinegrade.exam.bank import MAX_BYTES, bank_path, read_bank, read_blueprint
+from kinegrade.exam.bank import MAX_BYTES, find_bank, read_bank, read_blueprint
 from kinegrade.exam.blueprint import Bank
 from kinegrade.fields.document import FileKind, parsed_table
-from kinegrade.problem.library import shipped
+from kinegrade.problem.library import find_shipped
 from kinegrade.problem.tolerance import Tolerance
 from kinegrade.stated_marking import read_credit
 from tests.problem.crank import crank_text
@@ -192,7 +192,7 @@ def test_a_template_that_is_not_there_or_faulty_is_told_with_its_place(tmp_path:
 
 
 def test_two_templates_of_one_name_cannot_be_kept_in_one_exam(tmp_path: Path) -> None:
-    text = (shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
+    text = (find_shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
     mine = HEAD + QUESTION + '[[questions]]\ntemplate = "slider-crank.toml"'
     (tmp_path / "slider-crank.toml").write_text(text, encoding="utf-8")
     assert len(bank(tmp_path, mine).questions) == 2
@@ -440,9 +440,9 @@ def test_a_part_of_what_a_template_asks_and_points_shared_out(tmp_path: Path) ->
 POINTS = {"demo": 34, "velocity-quiz": 30, "acceleration-midterm": 60, "final": 100}
 
 
-@pytest.mark.parametrize("name", sorted(path.stem for path in shipped("banks").glob("*.toml")))
+@pytest.mark.parametrize("name", sorted(path.stem for path in find_shipped("banks").glob("*.toml")))
 def test_shipped_banks_are_sound_and_found_by_name(name: str) -> None:
-    plan = read_blueprint(bank_path(Path(name)))
+    plan = read_blueprint(find_bank(Path(name)))
     for secret in ("spring", "autumn", "resit"):
         exam = plan.bank(secret)
         assert exam.title.en != exam.title.zh
@@ -454,12 +454,12 @@ def test_a_bank_is_found_by_path_or_by_name(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "demo").mkdir()  # a folder in the way is no bank
-    assert bank_path(Path("demo")) == shipped("banks") / "demo.toml"
+    assert find_bank(Path("demo")) == find_shipped("banks") / "demo.toml"
     (tmp_path / "final").write_text("mine", encoding="utf-8")
-    assert bank_path(Path("final")) == Path("final")
-    assert bank_path(Path("mine.toml")) == Path("mine.toml")
+    assert find_bank(Path("final")) == Path("final")
+    assert find_bank(Path("mine.toml")) == Path("mine.toml")
     with pytest.raises(BankError, match='no bank "fnial": did you mean "final"') as caught:
-        bank_path(Path("fnial"))
+        find_bank(Path("fnial"))
     assert caught.value.problems[0].endswith("; or give a bank file")
 
 

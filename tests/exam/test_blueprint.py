@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import BankError
 from kinegrade.exam.bank import read_blueprint
-from kinegrade.exam.blueprint import Bank, Blueprint, matched
+from kinegrade.exam.blueprint import Bank, Blueprint, match_slots
 from tests.exam.folder_of_cranks import write_shelf
 from tests.problem.crank import crank_text
 
@@ -217,7 +217,7 @@ WISHES = st.dictionaries(
 def test_as_many_slots_as_possible_are_served_each_with_a_wish_of_its_own(
     wanted: dict[str, list[str]],
 ) -> None:
-    chosen = matched(wanted)
+    chosen = match_slots(wanted)
     assert all(name in wanted[slot] for slot, name in chosen.items())
     assert len(set(chosen.values())) == len(chosen)
     best = max(

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.exam.class_printing import CHUNK, MOST, parts_of
+from kinegrade.exam.class_printing import CHUNK, MOST, split_class
 from tests.problem.crank import crank_text
 from tests.small_class import contents, generate, key_lines
 
@@ -55,7 +55,7 @@ def test_two_processes_write_the_same_bytes_as_one(folder: Path) -> None:
 @pytest.mark.parametrize("count", [1, CHUNK, CHUNK + 1, 300, 1001])
 @pytest.mark.parametrize("workers", [1, 2, 8])
 def test_the_parts_are_the_class_and_become_smaller(count: int, workers: int) -> None:
-    parts = list(parts_of(count, workers))
+    parts = list(split_class(count, workers))
     assert [place for part in parts for place in part] == list(range(count))
     sizes = list(map(len, parts))
     assert sizes == sorted(sizes, reverse=True)

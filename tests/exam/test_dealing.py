@@ -15,12 +15,12 @@ from kinegrade.exam.bank import read_bank
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.key_record import key_line
+from kinegrade.exam.key_record import make_key_line
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import set_paper
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
-from kinegrade.processes import Start, executor
+from kinegrade.processes import Start, open_executor
 from tests.problem.crank import crank_text
 from tests.small_class import contents, key_lines, kinegrade, write_class
 
@@ -140,9 +140,9 @@ def test_what_was_dealt_stands_in_the_key(tmp_path: Path) -> None:
 
 def test_a_paper_is_set_alone_as_in_its_class(bank: Bank) -> None:
     whole = deal_exam(bank, roster(*CLASS), FromWords("spring"))
-    together = [key_line(paper) for paper in whole.papers()]
+    together = [make_key_line(paper) for paper in whole.papers()]
     fresh = deal_exam(bank, roster("x"), FromWords("spring")).exam
-    alone = [key_line(set_paper(fresh, whole.dealt(each))) for each in whole.roster.students]
+    alone = [make_key_line(set_paper(fresh, whole.dealt(each))) for each in whole.roster.students]
     assert alone == together
 
 
@@ -159,7 +159,7 @@ def test_other_processes_deal_the_same(bank: Bank, start: Start) -> None:
     students = roster(*(str(number) for number in range(60)))
     bank = replace(bank, questions=(bank.questions[0], bank.questions[2]))
     here = deal_exam(bank, students, FromWords("spring"))
-    with executor(2, "generate", start) as workers:
+    with open_executor(2, "generate", start) as workers:
         there = deal_exam(bank, students, FromWords("spring"), workers)
     assert there.deals == here.deals
     assert list(map(there.dealt, students.students)) == list(map(here.dealt, students.students))

@@ -20,9 +20,9 @@ from kinegrade.exam.derivation import derive_question
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.folder.contradictions import REMEDY
 from kinegrade.exam.folder.records import KeyQuestion, StatedTolerance
-from kinegrade.exam.key_record import key_question
+from kinegrade.exam.key_record import make_key_question
 from kinegrade.exam.roster import read_roster
-from kinegrade.expression import read
+from kinegrade.expression import read_expression
 from tests.small_class import write_class
 
 WHERE = 'key.jsonl: student "007", q1'
@@ -40,7 +40,7 @@ def kept(bank: Bank, tmp_path_factory: pytest.TempPathFactory) -> tuple[KeyQuest
     folder = write_class(tmp_path_factory.mktemp("roster"))
     setting = deal_exam(bank, read_roster(folder / "roster.csv", odd_ids=True), FromWords("spring"))
     paper = next(iter(setting.papers()))
-    return tuple(key_question(question, {}) for question in paper.questions)
+    return tuple(make_key_question(question, {}) for question in paper.questions)
 
 
 def earlier(question: KeyQuestion) -> KeyQuestion:
@@ -79,7 +79,7 @@ def test_what_is_derived_again_is_the_key(
 ) -> None:
     for question, line in zip(bank.questions, kept, strict=True):
         derived = derive_question(question, form(line), WHERE)
-        assert earlier(key_question(derived, {})) == earlier(line)
+        assert earlier(make_key_question(derived, {})) == earlier(line)
         assert derived.question is question
 
 
@@ -194,7 +194,7 @@ def test_an_answer_at_infinity_is_refused(bank: Bank, kept: tuple[KeyQuestion, .
     """An edited template may ask for what is nowhere."""
     question = bank.questions[0]
     asks = question.template.asks
-    far = replace(asks["v_B"], quantity=read("x(pole(AB))"), unit=asks["v_B"].unit)
+    far = replace(asks["v_B"], quantity=read_expression("x(pole(AB))"), unit=asks["v_B"].unit)
     template = replace(question.template, asks={**asks, "v_B": far})
     with pytest.raises(ExamError, match=r"v_B is .* by the key"):
         derive_question(replace(question, template=template), kept[0], WHERE)

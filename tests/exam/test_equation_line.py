@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exam.equation_line import EquationLine, equation_line
+from kinegrade.exam.equation_line import EquationLine, split_equation_line
 
 
 @pytest.mark.parametrize(
@@ -31,11 +31,11 @@ from kinegrade.exam.equation_line import EquationLine, equation_line
 def test_breaks_stand_before_relations_and_signs(
     latex: str, left: str, pieces: tuple[str, ...]
 ) -> None:
-    assert equation_line(latex) == EquationLine(left, pieces)
+    assert split_equation_line(latex) == EquationLine(left, pieces)
 
 
 @given(st.text(alphabet=r"ab=+-&{}()\ 1", max_size=40))
 def test_nothing_is_lost(latex: str) -> None:
-    line = equation_line(latex)
+    line = split_equation_line(latex)
     kept = "".join((line.left, *line.pieces)).replace(" ", "").replace("&", "")
     assert kept == latex.replace(" ", "").replace("&", "")

@@ -16,9 +16,9 @@ from typing import Any
 
 import pytest
 
-from kinegrade.exam.exam_secret import ExamSecret, FromWords, RandomSecret, random_secret
+from kinegrade.exam.exam_secret import ExamSecret, FromWords, RandomSecret, draw_secret
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.exam.paper_codes import paper_code, paper_codes
+from kinegrade.exam.paper_codes import make_paper_code, make_paper_codes
 from tests.small_class import contents, generate, key_lines, kinegrade, table, write_class
 
 EARLIER = Path(__file__).parent.parent / "data" / "exam-of-0.1"
@@ -76,7 +76,7 @@ def test_the_same_label_twice_gives_other_numbers_and_other_codes(folder: Path) 
         assert re.fullmatch("[0-9a-f]{64}", kept["secret"])
         assert re.fullmatch("[0-9a-f]{64}", kept["codes"])
         assert (kept["secret"] != kept["codes"], kept["label"]) == (True, "spring")
-        assert paper_code("spring", "007") not in codes(exam)
+        assert make_paper_code("spring", "007") not in codes(exam)
 
 
 def test_the_secret_stands_in_exam_json_and_nowhere_else(folder: Path) -> None:
@@ -99,18 +99,20 @@ def test_codes_tell_nothing_of_the_secret_that_draws(folder: Path) -> None:
     written(folder, "EXAM")
     secret = kept_secret(folder / "EXAM")
     assert isinstance(secret, RandomSecret)
-    same_numbers = RandomSecret(secret.draws, random_secret().codes, secret.label)
+    same_numbers = RandomSecret(secret.draws, draw_secret().codes, secret.label)
     assert same_numbers.drawing == secret.drawing
-    assert paper_codes(same_numbers.coding, ["007"]) != paper_codes(secret.coding, ["007"])
-    other_numbers = RandomSecret(random_secret().draws, secret.codes)
+    assert make_paper_codes(same_numbers.coding, ["007"]) != make_paper_codes(
+        secret.coding, ["007"]
+    )
+    other_numbers = RandomSecret(draw_secret().draws, secret.codes)
     assert other_numbers.drawing != secret.drawing
-    assert list(paper_codes(other_numbers.coding, ["007", "012"]).values()) == codes(
+    assert list(make_paper_codes(other_numbers.coding, ["007", "012"]).values()) == codes(
         folder / "EXAM"
     )
 
 
 def test_another_label_gives_other_numbers_under_the_same_secret() -> None:
-    secret = random_secret("spring")
+    secret = draw_secret("spring")
     assert secret.drawing != RandomSecret(secret.draws, secret.codes, "autumn").drawing
     assert secret.drawing == RandomSecret(secret.draws, secret.codes, "spring").drawing
 
@@ -120,9 +122,9 @@ def test_no_two_papers_of_a_class_have_one_code(monkeypatch: pytest.MonkeyPatch)
         "kinegrade.exam.paper_codes.LETTERS", "AB" * 16
     )  # 256 codes instead of 2^40
     students = [str(number) for number in range(200)]
-    dealt = paper_codes("secret", students)
+    dealt = make_paper_codes("secret", students)
     assert len(set(dealt.values())) == len(students)
-    assert list(paper_codes("secret", students[:50]).items()) == list(dealt.items())[:50]
+    assert list(make_paper_codes("secret", students[:50]).items()) == list(dealt.items())[:50]
 
 
 def test_words_give_the_same_exam_anywhere_and_say_what_they_cost(folder: Path) -> None:

@@ -15,10 +15,10 @@ import pytest
 from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.exam_wording import ExamWording, exam_wording
+from kinegrade.exam.exam_wording import ExamWording, read_exam_wording
 from kinegrade.exam.feedback_pages import FeedbackPress
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
+from kinegrade.grading.feedback import FeedbackSheet, make_feedback_sheets
 from kinegrade.grading.feedback_folder import FeedbackWishes, write_feedback
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.grading.marked_folder import RIGHT, mark_class
@@ -35,7 +35,7 @@ def sheet_of(
     folder: Path, cells: tuple[str, ...], wording: ExamWording = WORDING, language: str = "en"
 ) -> FeedbackSheet:
     exam, marks = mark_class(folder, {"7": cells})
-    ((_, sheet),) = feedback_sheets(MarksFolder(marks), open_exam(exam), wording, language)  # type: ignore[arg-type]
+    ((_, sheet),) = make_feedback_sheets(MarksFolder(marks), open_exam(exam), wording, language)  # type: ignore[arg-type]
     return sheet
 
 
@@ -109,7 +109,7 @@ def test_words_that_cannot_be_typeset_are_told(tmp_path: Path, press: FeedbackPr
 
 
 def test_the_words_come_from_the_templates_of_the_exam(small_class: Path) -> None:
-    wording = exam_wording(open_exam(small_class / "EXAM"), "zh")
+    wording = read_exam_wording(open_exam(small_class / "EXAM"), "zh")
     assert wording.titles["q1"] == "曲柄滑块机构"
     assert wording.symbols["q3.omega_AB"] == r"\omega_{AB}"
     assert wording.meanings["q1.v_B"] == "滑块 $B$ 的速度大小"
@@ -122,7 +122,7 @@ def test_a_template_that_cannot_be_read_any_more_costs_its_words_only(
 ) -> None:
     exam = Path(shutil.copytree(small_class / "EXAM", tmp_path / "EXAM"))
     (exam / "templates" / "slider-crank.toml").unlink()
-    wording = exam_wording(open_exam(exam), "en")
+    wording = read_exam_wording(open_exam(exam), "en")
     assert (wording.titles.keys(), "q1.v_B" in wording.symbols) == ({"q2", "q3"}, False)
 
 
@@ -137,7 +137,7 @@ def test_a_whole_class_gets_its_sheets(
         open_exam(exam),
         MarksFolder(tmp_path / "MARKS"),
         tmp_path / "OUT",
-        exam_wording(open_exam(exam), "en"),
+        read_exam_wording(open_exam(exam), "en"),
         FeedbackWishes(press.feedback, "en"),
     )
     sheets = sorted(path.name for path in (tmp_path / "OUT" / "sheets").iterdir())

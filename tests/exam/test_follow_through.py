@@ -14,7 +14,7 @@ from kinegrade.errors import ExamError
 from kinegrade.exam.folder.contradictions import REMEDY
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.follow_through import KEPT, FollowThrough
-from kinegrade.problem.library import shipped
+from kinegrade.problem.library import find_shipped
 from tests.small_class import STUDENTS, key_lines
 
 GIVEN = {
@@ -48,7 +48,7 @@ def line(student: str, given: Mapping[str, str] = GIVEN) -> str:
 def write(folder: Path, *lines: str, template: str = "slider-crank") -> FollowThrough:
     """An exam folder of one question, as far as follow-through reads it."""
     (folder / "templates").mkdir()
-    text = (shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
+    text = (find_shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
     (folder / "templates" / f"{template}.toml").write_text(text, encoding="utf-8")
     (folder / "exam.json").write_text(json.dumps(HEAD), encoding="utf-8")
     (folder / "key.jsonl").write_bytes("\n".join(lines).encode())

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.formula import COMMANDS, formula, literal, unit_text
+from kinegrade.exam.formula import COMMANDS, convert_formula, write_literal, write_unit
 
 
 @pytest.mark.parametrize(
@@ -28,7 +28,7 @@ from kinegrade.exam.formula import COMMANDS, formula, literal, unit_text
     ],
 )
 def test_the_formulas_of_mechanics(latex: str, expected: str) -> None:
-    assert formula(latex, "q1") == expected
+    assert convert_formula(latex, "q1") == expected
 
 
 def test_every_supported_command_compiles() -> None:
@@ -40,7 +40,7 @@ def test_every_supported_command_compiles() -> None:
         r"\begin{cases} x = 1 \\ y = 2 \end{cases}",
         r"\begin{aligned} x &= 1 \\ y &= 2 \end{aligned}",
     ]
-    source = "\n".join(f"${formula(latex, 'all')}$" for latex in formulas)
+    source = "\n".join(f"${convert_formula(latex, 'all')}$" for latex in formulas)
     typst.compile(source.encode(), format="svg", ignore_system_fonts=True)
 
 
@@ -77,28 +77,28 @@ def test_every_supported_command_compiles() -> None:
 )
 def test_refusals_say_what_and_where(latex: str, message: str) -> None:
     with pytest.raises(TypesetError) as refusal:
-        formula(latex, "q1")
+        convert_formula(latex, "q1")
     assert any(message in problem for problem in refusal.value.problems)
 
 
 def test_all_faults_of_a_formula_are_told_at_once() -> None:
     with pytest.raises(TypesetError) as refusal:
-        formula(r"\foo + \bra # {", "q1")
+        convert_formula(r"\foo + \bra # {", "q1")
     assert len(refusal.value.problems) == 4
 
 
 def test_code_in_text_stays_text() -> None:
-    assert formula(r'\text{#read("/etc/passwd")}', "q1") == r'"#read(\"/etc/passwd\")"'
+    assert convert_formula(r'\text{#read("/etc/passwd")}', "q1") == r'"#read(\"/etc/passwd\")"'
 
 
 @settings(max_examples=60, deadline=None)
 @given(st.text(st.characters(exclude_categories=["Cc", "Cs", "Zl", "Zp"]), max_size=20))
 def test_a_literal_is_read_back_as_the_same_text(text: str) -> None:
-    assert json.loads(typst.eval(b"", literal(text))) == text
+    assert json.loads(typst.eval(b"", write_literal(text))) == text
 
 
 def test_control_characters_become_blanks() -> None:
-    assert literal("a\nb\x00c\u2028") == '"a b c "'
+    assert write_literal("a\nb\x00c\u2028") == '"a b c "'
 
 
 TOKENS = [f"\\{name} " for name in sorted(COMMANDS - {"begin", "end"})] + list(
@@ -110,7 +110,7 @@ TOKENS += [r"\text{#a}", r"\{", r"\\", r"\,", r"\begin{cases}", r"\end{cases}"]
 @given(st.lists(st.sampled_from(TOKENS), max_size=9).map("".join))
 def test_no_formula_becomes_code(latex: str) -> None:
     try:
-        source = formula(latex, "q1")
+        source = convert_formula(latex, "q1")
     except TypesetError:
         return
     code = re.sub(r'"(?:[^"\\]|\\.)*"', "", source)
@@ -121,4 +121,4 @@ def test_no_formula_becomes_code(latex: str) -> None:
 
 def test_units_are_printed_as_books_do() -> None:
     units = ["m/s^2", "rad/s", "deg", "1", "s^-1", "N*m"]
-    assert [unit_text(unit) for unit in units] == ["m/s²", "rad/s", "°", "–", "s⁻¹", "N·m"]
+    assert [write_unit(unit) for unit in units] == ["m/s²", "rad/s", "°", "–", "s⁻¹", "N·m"]

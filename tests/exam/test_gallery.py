@@ -13,7 +13,7 @@ from pypdf import PdfReader
 
 from kinegrade.language import Language
 from kinegrade.problem.library import load_template
-from kinegrade.problem.starter import starter_text
+from kinegrade.problem.starter import write_starter_text
 from tests.small_class import kinegrade
 
 NAMES = ("slider-crank", "bar-through-swivelling-sleeve")
@@ -21,7 +21,7 @@ NAMES = ("slider-crank", "bar-through-swivelling-sleeve")
 
 def write(folder: Path, name: str, *changes: tuple[str, str]) -> Path:
     """The starter with some texts replaced, as a file."""
-    text = starter_text()
+    text = write_starter_text()
     for old, new in changes:
         text = text.replace(old, new)
     path = folder / f"{name}.toml"

@@ -18,11 +18,11 @@ from openpyxl import load_workbook
 from pypdf import PdfReader
 
 from kinegrade.exact.balls import Balls
-from kinegrade.exact.text import decimal_text
+from kinegrade.exact.text import write_decimal
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.word import MISSING
-from kinegrade.expression import elementary, evaluate, read
-from kinegrade.problem.library import load_template, shipped
+from kinegrade.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.problem.library import find_shipped, load_template
 from tests.problem.crank import crank_text
 from tests.small_class import (
     BANK,
@@ -113,7 +113,7 @@ def test_a_shared_mechanism_is_kept_so_that_the_folder_stands_alone(folder: Path
 
 
 def test_two_mechanisms_of_one_name_are_refused(folder: Path) -> None:
-    own = shipped("templates")
+    own = find_shipped("templates")
     text = (own / "pose-four-bar-coupler.toml").read_text(encoding="utf-8")
     shared = (own / "mechanisms" / "four-bar-with-coupler.toml").read_text(encoding="utf-8")
     (folder / "mechanisms").mkdir()
@@ -217,9 +217,12 @@ def test_exact_texts_of_the_key_read_back_to_their_decimals(exam: Path) -> None:
     with arithmetic.context():
         for ask in asks_of(exam).values():
             number = evaluate(
-                read(ask["exact"]), {"pi": arithmetic.turns(1)}, elementary(arithmetic), arithmetic
+                read_expression(ask["exact"]),
+                {"pi": arithmetic.turns(1)},
+                make_elementary_functions(arithmetic),
+                arithmetic,
             )
-            read_back, kept = Fraction(decimal_text(number, 40)), Fraction(ask["decimal"])
+            read_back, kept = Fraction(write_decimal(number, 40)), Fraction(ask["decimal"])
             assert abs(read_back - kept) <= abs(kept) / 10**35
             assert ask["value"] == float(kept)
 

@@ -19,13 +19,13 @@ from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.document import Paper
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.latex import LatexPress
-from kinegrade.exam.pages import paper_pages
+from kinegrade.exam.pages import lay_out_paper
 from kinegrade.exam.press import Press
 from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.sample import sample_bank
+from kinegrade.exam.sample import make_sample_bank
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
 from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION, long_equation
 
@@ -120,7 +120,7 @@ def test_the_page_says_everything_in_the_same_bytes_every_time(
 
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_a_sample_of_every_template_can_be_printed(language: Language) -> None:
-    papers = {name: sample(name, language) for name in template_names()}
+    papers = {name: sample(name, language) for name in find_template_names()}
     printouts = LatexPress().papers(papers)
     assert list(printouts) == list(papers)
     for name in list(papers)[::10]:
@@ -130,8 +130,8 @@ def test_a_sample_of_every_template_can_be_printed(language: Language) -> None:
 
 def sample(name: str, language: Language) -> Paper:
     roster = Roster((Student(name, "Sample", "", name),), ())
-    setting = deal_exam(sample_bank(load_template(name)), roster, FromWords("latex"))
-    return paper_pages(setting.bank, next(setting.papers()), language)
+    setting = deal_exam(make_sample_bank(load_template(name)), roster, FromWords("latex"))
+    return lay_out_paper(setting.bank, next(setting.papers()), language)
 
 
 def test_letter_paper_is_wider_than_a4() -> None:
@@ -306,7 +306,7 @@ def test_tex_has_no_shell_and_no_files_of_others(tmp_path: Path) -> None:
         source = rf"\documentclass{{article}}\begin{{document}}{attack}\end{{document}}"
         outcome = latex_run.run(source, folder, 30)
         assert not (folder / "made").exists()
-        assert outcome.fault or "SECRET" not in "".join(pages_of(latex_run.pdf_of(folder)))
+        assert outcome.fault or "SECRET" not in "".join(pages_of(latex_run.make_pdf(folder)))
 
 
 def test_a_run_without_end_is_ended(tmp_path: Path) -> None:
@@ -323,7 +323,7 @@ def test_pages_that_were_never_typeset_are_no_pdf(tmp_path: Path) -> None:
         TypesetError,
         match=r"^latex: xdvipdfmx wrote no PDF \(.*pages.xdv.*\) - expected the pages that XeTeX",
     ):
-        latex_run.pdf_of(tmp_path, (1, 2))
+        latex_run.make_pdf(tmp_path, (1, 2))
 
 
 def test_nothing_to_print_is_nothing_printed() -> None:

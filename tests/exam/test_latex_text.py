@@ -10,16 +10,16 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.formula import COMMANDS
-from kinegrade.exam.latex_markup import line, prose
-from kinegrade.exam.latex_math import math
-from kinegrade.exam.latex_text import comment, plain, signed, unit
+from kinegrade.exam.latex_markup import write_line, write_prose
+from kinegrade.exam.latex_math import write_math
+from kinegrade.exam.latex_text import write_comment, write_plain, write_signed, write_unit
 
 OWN = re.compile(r"\\(?:text[a-z]+\{\}|[{}$&#%_,])|\$-\$|\{\[\}|\{\]\}|\{\}")
 
 
 @given(st.text(max_size=20))
 def test_plain_text_leaves_no_character_that_tex_obeys(text: str) -> None:
-    assert not set(OWN.sub("", plain(text)).replace("~", "")) & set("\\{}$&#%_^\0\n\r")
+    assert not set(OWN.sub("", write_plain(text)).replace("~", "")) & set("\\{}$&#%_^\0\n\r")
 
 
 @pytest.mark.parametrize(
@@ -33,22 +33,22 @@ def test_plain_text_leaves_no_character_that_tex_obeys(text: str) -> None:
     ],
 )
 def test_plain_text(text: str, expected: str) -> None:
-    assert plain(text) == expected
+    assert write_plain(text) == expected
 
 
 def test_units_and_numbers_are_printed_as_books_do() -> None:
-    assert [unit(text) for text in ("m/s^2", "deg", "1", "s^-1", "N*m")] == [
+    assert [write_unit(text) for text in ("m/s^2", "deg", "1", "s^-1", "N*m")] == [
         r"m/s\textsuperscript{2}",
         "°",
         "–",
         r"s\textsuperscript{$-$1}",
         "N·m",
     ]
-    assert signed("-1.5") == "$-$1.5"
+    assert write_signed("-1.5") == "$-$1.5"
 
 
 def test_a_comment_stays_on_its_line() -> None:
-    assert comment("a\nb") == "%% a·b"
+    assert write_comment("a\nb") == "%% a·b"
 
 
 @pytest.mark.parametrize(
@@ -66,13 +66,13 @@ def test_a_comment_stays_on_its_line() -> None:
     ],
 )
 def test_what_an_exam_needs(markdown: str, expected: str) -> None:
-    assert prose(markdown, "q1") == expected
+    assert write_prose(markdown, "q1") == expected
 
 
 @pytest.mark.parametrize("markdown", ["![a](b.png)", "<b>x</b>", "[a](b)", "`a`"])
 def test_what_it_does_not_need_is_refused(markdown: str) -> None:
     with pytest.raises(TypesetError, match="q1: .* cannot be printed - expected text"):
-        line(markdown, "q1")
+        write_line(markdown, "q1")
 
 
 @pytest.mark.parametrize(
@@ -99,15 +99,15 @@ def test_what_it_does_not_need_is_refused(markdown: str) -> None:
 )
 def test_math_beyond_the_closed_list_is_refused(latex: str, message: str) -> None:
     with pytest.raises(TypesetError) as refusal:
-        math(latex, "q1")
+        write_math(latex, "q1")
     assert any(message in problem for problem in refusal.value.problems)
 
 
 def test_text_inside_math_is_plain_text() -> None:
-    assert math(r"v = 1{,}5\,\text{m/s^2 \par & 5}", "q1") == (
+    assert write_math(r"v = 1{,}5\,\text{m/s^2 \par & 5}", "q1") == (
         r"v = 1{,}5\,\text{m/s\textsuperscript{2} \textbackslash{}par \& 5}"
     )
-    assert math(r"5\% \text{曲柄}", "q1") == r"5\% \text{曲柄}"
+    assert write_math(r"5\% \text{曲柄}", "q1") == r"5\% \text{曲柄}"
 
 
 TOKENS = [f"\\{name} " for name in sorted(COMMANDS - {"begin", "end"})] + list(
@@ -128,7 +128,7 @@ TOKENS += [
 @given(st.lists(st.sampled_from(TOKENS), max_size=9).map("".join))
 def test_no_formula_comments_or_codes(latex: str) -> None:
     try:
-        source = math(latex, "q1")
+        source = write_math(latex, "q1")
     except TypesetError:
         return
     assert "^^" not in source

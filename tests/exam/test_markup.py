@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.markup import line, prose
+from kinegrade.exam.markup import write_line, write_prose
 
 WORDS = {"box", "strong", "emph", "list", "enum", "start", "parbreak", "linebreak"}
 
@@ -30,7 +30,7 @@ WORDS = {"box", "strong", "emph", "list", "enum", "start", "parbreak", "linebrea
     ],
 )
 def test_what_an_exam_needs(markdown: str, expected: str) -> None:
-    assert prose(markdown, "q1").replace('";"', "") == expected.replace('";"', "")
+    assert write_prose(markdown, "q1").replace('";"', "") == expected.replace('";"', "")
 
 
 @pytest.mark.parametrize(
@@ -51,7 +51,7 @@ def test_what_an_exam_needs(markdown: str, expected: str) -> None:
 )
 def test_anything_else_is_refused_by_name(markdown: str, name: str) -> None:
     with pytest.raises(TypesetError) as refusal:
-        prose(markdown, "q1, statement")
+        write_prose(markdown, "q1, statement")
     expected = (
         f"q1, statement: {name} cannot be printed - expected text, **bold**, *emphasis*, "
         "lists and $math$"
@@ -61,7 +61,7 @@ def test_anything_else_is_refused_by_name(markdown: str, name: str) -> None:
 
 def test_all_faults_of_a_text_are_told_at_once() -> None:
     with pytest.raises(TypesetError) as refusal:
-        prose("# a\n\n`b` $\\foo$ $\\baz$", "q1")
+        write_prose("# a\n\n`b` $\\foo$ $\\baz$", "q1")
     assert len(refusal.value.problems) == 4
 
 
@@ -69,7 +69,7 @@ def test_all_faults_of_a_text_are_told_at_once() -> None:
 def test_no_text_becomes_code(text: str) -> None:
     """Outside of string literals and formulas there are only the words of `markup` itself."""
     try:
-        source = prose(text, "q1") + line(text, "q1")
+        source = write_prose(text, "q1") + write_line(text, "q1")
     except TypesetError:
         return
     code = re.sub(r'"(?:[^"\\]|\\.)*"', "", source)
@@ -80,21 +80,21 @@ def test_no_text_becomes_code(text: str) -> None:
 
 def test_a_chinese_colon_after_a_formula_does_not_begin_a_line() -> None:
     assert (
-        prose("长 $r$；角 $x$：甲；乙", "q1")
+        write_prose("长 $r$；角 $x$：甲；乙", "q1")
         == '{"长 ";box($r$);"\u2060；角 ";box($x$);"\u2060：甲；乙";}'
     )
 
 
 @pytest.mark.parametrize("formulas", [("a", "b"), ("0", "0"), (r"\frac{1}{2}", "x_1")])
 def test_a_text_read_before_takes_other_formulas(formulas: tuple[str, str]) -> None:
-    first, second = (prose(f"${latex}$", "q1").strip("{}") for latex in formulas)
-    assert prose(f"turn ${formulas[0]}$ by **${formulas[1]}$**; box(0);", "q1") == (
+    first, second = (write_prose(f"${latex}$", "q1").strip("{}") for latex in formulas)
+    assert write_prose(f"turn ${formulas[0]}$ by **${formulas[1]}$**; box(0);", "q1") == (
         '{"turn ";' + first + '" by ";strong({' + second + '});"; box(0);";}'
     )
 
 
 def test_a_fault_in_a_text_read_before_is_told_of_its_place() -> None:
-    prose("turn $a$ by $b$", "q1")
+    write_prose("turn $a$ by $b$", "q1")
     with pytest.raises(TypesetError) as caught:
-        prose(r"turn $\foo$ by $\baz$", "q2")
+        write_prose(r"turn $\foo$ by $\baz$", "q2")
     assert [problem.split(":")[0] for problem in caught.value.problems] == ["q2", "q2"]

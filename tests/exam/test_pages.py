@@ -12,10 +12,16 @@ from kinegrade.exam.bank import read_bank
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.pages import WARNING, interval, key_book, key_paper, paper_pages
+from kinegrade.exam.pages import (
+    WARNING,
+    lay_out_paper,
+    make_key_book,
+    make_key_paper,
+    write_interval,
+)
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import SetPaper
-from kinegrade.exam.typst_source import key_source, paper_source
+from kinegrade.exam.typst_source import write_key_source, write_paper_source
 from tests.small_class import write_class
 
 CLASS = Roster((Student("007", "王伟", "", "007"), Student("0012", "Zoë", "", "0012")), ())
@@ -34,7 +40,7 @@ def papers(bank: Bank) -> list[SetPaper]:
 
 def test_a_paper_holds_its_students_numbers(bank: Bank, papers: list[SetPaper]) -> None:
     for paper in papers:
-        sheet = paper_pages(bank, paper, "en").questions[0]
+        sheet = lay_out_paper(bank, paper, "en").questions[0]
         for quantity in paper.questions[0].drawn.solution.parameters.values():
             assert quantity.given_text in sheet.statement
         rows = [(row.symbol, row.unit, row.points) for row in sheet.rows]
@@ -46,7 +52,7 @@ def test_a_paper_holds_its_students_numbers(bank: Bank, papers: list[SetPaper]) 
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_no_paper_gives_an_answer_away(bank: Bank, papers: list[SetPaper], language: str) -> None:
     for paper in papers:
-        source = paper_source(paper_pages(bank, paper, language))  # type: ignore[arg-type]
+        source = write_paper_source(lay_out_paper(bank, paper, language))  # type: ignore[arg-type]
         answers = [ask.answer for question in paper.questions for ask in question.asks]
         digits = [answer.decimal(5).lstrip("-") for answer in answers]
         telling = [text for text in digits if len(text) > 5]
@@ -58,9 +64,9 @@ def test_no_paper_gives_an_answer_away(bank: Bank, papers: list[SetPaper], langu
 
 
 def test_the_key_holds_every_answer_and_warns(bank: Bank, papers: list[SetPaper]) -> None:
-    book = key_book(bank, [key_paper(paper, "en") for paper in papers], "en")
+    book = make_key_book(bank, [make_key_paper(paper, "en") for paper in papers], "en")
     assert book.warning == WARNING["en"]
-    source = key_source(book)
+    source = write_key_source(book)
     for paper in papers:
         assert paper.code in source
         for question in paper.questions:
@@ -69,7 +75,7 @@ def test_the_key_holds_every_answer_and_warns(bank: Bank, papers: list[SetPaper]
 
 
 def test_both_languages_carry_the_same_paper(bank: Bank, papers: list[SetPaper]) -> None:
-    english, chinese = (paper_pages(bank, papers[0], language) for language in ("en", "zh"))  # type: ignore[arg-type]
+    english, chinese = (lay_out_paper(bank, papers[0], language) for language in ("en", "zh"))  # type: ignore[arg-type]
     assert (english.title, chinese.title) == ("Midterm", "期中测验")
     assert english.code == chinese.code
     assert english.points == chinese.points == sum(question.points for question in bank.questions)
@@ -82,11 +88,11 @@ def test_both_languages_carry_the_same_paper(bank: Bank, papers: list[SetPaper])
 def test_the_interval_of_right_answers_is_the_printed_rule(papers: list[SetPaper]) -> None:
     for paper in papers:
         (v_B, _), (v_x, v_y), _ = (question.asks for question in paper.questions)
-        low, high = map(float, interval(v_B).strip("[]").split(", "))
+        low, high = map(float, write_interval(v_B).strip("[]").split(", "))
         assert [low, high] == pytest.approx(
             [v_B.answer.value * 0.99, v_B.answer.value * 1.01], 1e-5
         )
-        low, high = map(float, interval(v_x).strip("[]").split(", "))
+        low, high = map(float, write_interval(v_x).strip("[]").split(", "))
         assert low == -high == -float(v_x.tolerance.absolute)
-        low, high = map(float, interval(v_y).strip("[]").split(", "))
+        low, high = map(float, write_interval(v_y).strip("[]").split(", "))
         assert high - low == 0.5

@@ -8,17 +8,17 @@ import pytest
 from click.testing import CliRunner
 
 from kinegrade.cli import main
-from kinegrade.exam.printable import printing_faults
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.exam.printable import find_printing_faults
+from kinegrade.problem.library import find_template_names, load_template
 from tests.problem.crank import crank, crank_text
 
 ENGLISH = "above $O$."
 UP = (("draw = [1, 2]", 'draw = "1 .. 2 step 0.1"'), ('[0, "1/2", 3]', '"0.1 .. 0.9 step 0.1"'))
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_every_shipped_template_can_be_printed_in_every_language(name: str) -> None:
-    assert printing_faults(load_template(name)) == []
+    assert find_printing_faults(load_template(name)) == []
 
 
 @pytest.mark.parametrize(
@@ -49,7 +49,7 @@ def test_every_shipped_template_can_be_printed_in_every_language(name: str) -> N
 def test_a_text_that_no_paper_can_hold_is_found_before_the_papers(
     old: str, new: str, fault: str
 ) -> None:
-    [found] = [one for one in printing_faults(crank((old, new))) if "</b>" not in one]
+    [found] = [one for one in find_printing_faults(crank((old, new))) if "</b>" not in one]
     assert found.startswith(fault)
 
 

@@ -12,7 +12,7 @@ import pytest
 from pypdf import PdfReader
 
 from kinegrade.language import Language
-from kinegrade.question_numbers import bank_number, other_number
+from kinegrade.question_numbers import find_bank_number, find_other_number
 from tests.small_class import asks_of, generate, key_lines, kinegrade, table, write_class
 
 INTERNAL = re.compile(r"(?<![A-Za-z0-9])q[0-9]")
@@ -106,8 +106,12 @@ def test_no_page_that_latex_sets_does_either(tmp_path: Path) -> None:
 
 
 def test_a_number_is_told_apart_only_where_it_is_another() -> None:
-    assert (bank_number("q12"), bank_number("bonus"), bank_number("q")) == ("12", "bonus", "q")
-    assert (other_number("q12", 12), other_number("q12", 1)) == (None, "12")
+    assert (find_bank_number("q12"), find_bank_number("bonus"), find_bank_number("q")) == (
+        "12",
+        "bonus",
+        "q",
+    )
+    assert (find_other_number("q12", 12), find_other_number("q12", 1)) == (None, "12")
 
 
 def test_a_student_reads_the_numbers_of_the_own_paper_in_the_grade_file(tmp_path: Path) -> None:

@@ -19,23 +19,23 @@ from kinegrade.exam import quiz
 from kinegrade.exam.bank import read_bank
 from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.folder.exact_keys import key_line
+from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.records import KeyLine
-from kinegrade.exam.pages import paper_pages
+from kinegrade.exam.pages import lay_out_paper
 from kinegrade.exam.quiz import PLAIN, read_quiz
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
-from kinegrade.exam.quiz_paper import QuizWishes, quiz_paper, shown
+from kinegrade.exam.quiz_paper import QuizWishes, make_quiz_paper, show_instance
 from kinegrade.exam.quiz_source import read_quiz_source
 from kinegrade.exam.roster import read_roster
 from kinegrade.figure.svg import to_svg
 from kinegrade.language import Language
-from kinegrade.mechanics.numeric import drawable_mechanism
-from kinegrade.problem.library import load_template, template_names
-from kinegrade.problem.mistake_kinds import mistake_sentence
+from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.problem.library import find_template_names, load_template
+from kinegrade.problem.mistake_kinds import describe_mistake
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.statement import statement
-from kinegrade.processes import Start, executor
+from kinegrade.problem.statement import write_statement
+from kinegrade.processes import Start, open_executor
 from tests.small_class import STUDENTS, generate, write_class
 
 
@@ -68,7 +68,7 @@ def rewritten(exam: Path, line: dict[str, Any]) -> Path:
 
 
 def read_line(line: dict[str, Any]) -> KeyLine:
-    return key_line(json.dumps(line).encode())
+    return read_key_line(json.dumps(line).encode())
 
 
 def first_line(exam: Path) -> dict[str, Any]:
@@ -103,7 +103,7 @@ def test_statements_and_figures_are_those_of_the_paper(small_class: Path) -> Non
         bank, read_roster(small_class / "roster.csv", odd_ids=True), FromWords("spring")
     )
     for paper, put in zip(setting.papers(), papers(small_class / "EXAM"), strict=True):
-        page = paper_pages(bank, paper, "en")
+        page = lay_out_paper(bank, paper, "en")
         assert (put.code, put.student, put.name) == (page.code, page.student, page.name)
         for sheet, question in zip(page.questions, put.questions, strict=True):
             assert (question.statement, question.title) == (sheet.statement, sheet.title)
@@ -119,13 +119,15 @@ def test_statements_and_figures_are_those_of_the_paper(small_class: Path) -> Non
             )
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_what_is_shown_needs_no_solving(name: str) -> None:
     template = load_template(name)
     solution = solve_template(template, {})
-    parameters, mechanism = shown(template, {})
-    assert statement(template, parameters, "en") == statement(template, solution.parameters, "en")
-    assert mechanism == drawable_mechanism(solution.assembly.mechanism)
+    parameters, mechanism = show_instance(template, {})
+    assert write_statement(template, parameters, "en") == write_statement(
+        template, solution.parameters, "en"
+    )
+    assert mechanism == convert_to_floats(solution.assembly.mechanism)
 
 
 def test_identifiers_are_stable_and_tell_nothing_of_the_secret(small_class: Path) -> None:
@@ -156,7 +158,7 @@ def test_a_quiz_in_the_other_language(small_class: Path) -> None:
     assert paper.questions[1].title == "曲柄"
     assert "精确值" in paper.questions[0].rule
     mistake = paper.questions[0].asks[0].mistakes[0]
-    assert mistake.sentence == mistake_sentence(mistake.identifier, "zh")
+    assert mistake.sentence == describe_mistake(mistake.identifier, "zh")
     assert quiz_of(small_class / "EXAM").language == "en"
 
 
@@ -196,7 +198,7 @@ def test_a_mistake_within_what_is_right_is_none(small_class: Path, tmp_path: Pat
     ask = line["questions"][0]["asks"]["v_B"]
     ask["mistakes"] = {"wrong-pole": ask["decimal"], "of-tomorrow": "77"}
     source = read_quiz_source(open_exam(rewritten(exam, line)))
-    paper = quiz_paper(source, PLAIN, read_line(line))
+    paper = make_quiz_paper(source, PLAIN, read_line(line))
     assert [
         (mistake.identifier, mistake.sentence) for mistake in asks(paper)["q1.v_B"].mistakes
     ] == [("of-tomorrow", "of-tomorrow")]
@@ -272,8 +274,8 @@ def test_a_version_is_put_once_and_questions_in_the_order_in_which_responses_are
 def test_other_processes_make_the_same_papers(
     small_class: Path, monkeypatch: pytest.MonkeyPatch, start: Start
 ) -> None:
-    monkeypatch.setattr(quiz, "PART", 1)
-    with executor(2, "quiz", start) as workers:
+    monkeypatch.setattr(quiz, "_PART", 1)
+    with open_executor(2, "quiz", start) as workers:
         assert papers(small_class / "EXAM", workers=workers) == papers(small_class / "EXAM")
 
 
@@ -351,7 +353,7 @@ def test_a_broken_line_of_the_key_is_named(small_class: Path, tmp_path: Path) ->
         ExamError,
         match=r'the line of student "007" is broken \("points" is .* - expected a number\) - expect',
     ):
-        quiz_paper(source, PLAIN, read_line(line))
+        make_quiz_paper(source, PLAIN, read_line(line))
 
 
 @pytest.mark.parametrize(
@@ -374,7 +376,7 @@ def test_a_line_that_the_head_does_not_know_is_named(
     with pytest.raises(
         ExamError, match=rf"is broken \('{unknown}' is not in exam.json\) - expected it as"
     ):
-        quiz_paper(source, PLAIN, read_line(line))
+        make_quiz_paper(source, PLAIN, read_line(line))
 
 
 def test_a_value_that_builds_no_mechanism_is_told_with_its_paper(
@@ -384,7 +386,7 @@ def test_a_value_that_builds_no_mechanism_is_told_with_its_paper(
     source, line = read_quiz_source(open_exam(exam)), first_line(exam)
     line["questions"][1]["drawn"]["h"] = "99"
     with pytest.raises(KinegradeError, match=rf"EXAM: paper {line['paper']}, q2: points.A: "):
-        quiz_paper(source, PLAIN, read_line(line))
+        make_quiz_paper(source, PLAIN, read_line(line))
 
 
 def test_a_late_student_leaves_the_exam_s_identifier_as_it_is(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TableError
-from kinegrade.exam.roster import Roster, Student, file_names, parse_roster, read_roster
+from kinegrade.exam.roster import Roster, Student, make_file_names, parse_roster, read_roster
 
 
 def roster(text: str) -> Roster:
@@ -100,16 +100,16 @@ def test_a_student_without_a_name_gets_a_paper_and_a_complaint() -> None:
     ],
 )
 def test_file_names_are_safe_and_plain_ids_stay_plain(student: str, stem: str) -> None:
-    assert file_names([student]) == {student: stem}
+    assert make_file_names([student]) == {student: stem}
 
 
 def test_ids_that_differ_only_by_case_get_files_that_do_not() -> None:
-    assert file_names(["abc", "ABC", "X"]) == {"abc": "abc", "ABC": "%41%42%43", "X": "X"}
-    assert len({stem.lower() for stem in file_names(["con", "CON", "Con"]).values()}) == 3
+    assert make_file_names(["abc", "ABC", "X"]) == {"abc": "abc", "ABC": "%41%42%43", "X": "X"}
+    assert len({stem.lower() for stem in make_file_names(["con", "CON", "Con"]).values()}) == 3
 
 
 def test_long_ids_get_short_files() -> None:
-    stems = file_names(["x" * 500, "x" * 501, "X" * 500])
+    stems = make_file_names(["x" * 500, "x" * 501, "X" * 500])
     assert len({stem.lower() for stem in stems.values()}) == 3
     assert max(map(len, stems.values())) <= 100
 
@@ -118,7 +118,7 @@ def test_long_ids_get_short_files() -> None:
     st.sets(st.text(st.sampled_from("aA%cCoOnN.~-/2E é\0"), min_size=1, max_size=5), max_size=60)
 )
 def test_file_names_differ_on_every_file_system(students: set[str]) -> None:
-    stems = file_names(students).values()
+    stems = make_file_names(students).values()
     assert len({stem.lower() for stem in stems}) == len(students)
     assert all(
         stem.isascii() and not set(stem) & set("/\\: \0") and stem[0] != "." for stem in stems

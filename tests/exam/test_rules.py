@@ -11,7 +11,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.exam.bank import read_bank
-from kinegrade.exam.rules import decimals_rule, marking_rule, percent, plain, rules
+from kinegrade.exam.rules import (
+    write_decimals_rule,
+    write_marking_rule,
+    write_percent,
+    write_plain,
+    write_rules,
+)
 from kinegrade.problem.tolerance import Tolerance
 
 BANK = """
@@ -51,8 +57,8 @@ asks = { v_B = 1, a_B = { points = 2, tolerance = { absolute = 0.05 } } }
 )
 def test_the_rule_in_words(relative: str, absolute: str, english: str, chinese: str) -> None:
     tolerance = Tolerance(Fraction(relative), Fraction(absolute))
-    assert english in marking_rule(tolerance, "en")
-    assert chinese in marking_rule(tolerance, "zh")
+    assert english in write_marking_rule(tolerance, "en")
+    assert chinese in write_marking_rule(tolerance, "zh")
 
 
 @pytest.mark.parametrize(
@@ -85,8 +91,8 @@ def test_the_rule_in_words(relative: str, absolute: str, english: str, chinese: 
 def test_the_rule_of_significant_digits_in_words(
     tolerance: Tolerance, english: str, chinese: str
 ) -> None:
-    assert english in marking_rule(tolerance, "en")
-    assert chinese in marking_rule(tolerance, "zh")
+    assert english in write_marking_rule(tolerance, "en")
+    assert chinese in write_marking_rule(tolerance, "zh")
 
 
 @pytest.mark.parametrize(
@@ -113,15 +119,15 @@ def test_as_many_digits_are_wanted_as_the_tolerance_takes(
 ) -> None:
     file = tmp_path / "bank.toml"
     file.write_text(BANK.replace('relative = "1 %"', tolerance), encoding="utf-8")
-    assert english in rules(read_bank(file), "en")[0]
-    assert chinese in rules(read_bank(file), "zh")[0]
+    assert english in write_rules(read_bank(file), "en")[0]
+    assert chinese in write_rules(read_bank(file), "zh")[0]
 
 
 def test_an_ask_with_its_own_tolerance_is_named(tmp_path: Path) -> None:
     file = tmp_path / "bank.toml"
     file.write_text(BANK, encoding="utf-8")
     bank = read_bank(file)
-    english, chinese = rules(bank, "en"), rules(bank, "zh")
+    english, chinese = write_rules(bank, "en"), write_rules(bank, "zh")
     assert len(english) == len(chinese) == 4
     assert english[-1] == (
         "For question 1, $a_{B}$: an answer is right if it differs from the exact value by at "
@@ -138,7 +144,7 @@ def test_a_question_whose_asks_share_a_tolerance_is_named_once(tmp_path: Path) -
         ),
         encoding="utf-8",
     )
-    english = rules(read_bank(file), "en")
+    english = write_rules(read_bank(file), "en")
     assert len(english) == 4
     assert english[-1].startswith(
         "For question 1: an answer is right if it differs from the exact value by at most 2 %"
@@ -152,18 +158,21 @@ def test_a_question_whose_asks_share_a_tolerance_is_named_once(tmp_path: Path) -
 def test_an_answer_with_the_decimals_that_are_asked_for_is_right_whatever_its_size(
     allowed: Fraction, exact: Fraction
 ) -> None:
-    found = re.search(r"([0-9]+) decimals|(one decimal)|(before)", decimals_rule(allowed, "en"))
+    found = re.search(
+        r"([0-9]+) decimals|(one decimal)|(before)", write_decimals_rule(allowed, "en")
+    )
     assert found is not None
     count = int(found[1] or (1 if found[2] else 0))
     assert abs(round(exact, count) - exact) <= allowed
 
 
 def test_a_tolerance_of_nothing_in_a_damaged_key_asks_for_no_decimals_and_comes_to_an_end() -> None:
-    assert decimals_rule(Fraction(0), "en") == ""
+    assert write_decimals_rule(Fraction(0), "en") == ""
 
 
 def test_amounts_are_printed_without_powers_of_ten_and_exactly() -> None:
     assert [
-        plain(Fraction(text)) for text in ("1/8", "9999", "0.000000001", "1234.123456789", "5")
+        write_plain(Fraction(text))
+        for text in ("1/8", "9999", "0.000000001", "1234.123456789", "5")
     ] == ["0.125", "9999", "0.000000001", "1234.123456789", "5"]
-    assert percent(Fraction(1, 200)) == "0.5 %"
+    assert write_percent(Fraction(1, 200)) == "0.5 %"

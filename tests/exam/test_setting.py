@@ -14,7 +14,7 @@ from kinegrade.exam.bank import read_bank
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.paper_codes import paper_code
+from kinegrade.exam.paper_codes import make_paper_code
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import SetPaper
 from tests.small_class import BANK, write_class
@@ -78,9 +78,13 @@ def test_an_absolute_tolerance_of_the_bank_stands_where_it_is_the_wider(bank: Ba
 
 
 def test_paper_codes_depend_on_secret_and_student_alone() -> None:
-    assert paper_code("spring", "007") == "WJPK-SNPQ"  # printed on papers: to be the same for ever
+    assert (
+        make_paper_code("spring", "007") == "WJPK-SNPQ"
+    )  # printed on papers: to be the same for ever
     codes = {
-        paper_code(secret, str(number)) for secret in ("spring", "autumn") for number in range(500)
+        make_paper_code(secret, str(number))
+        for secret in ("spring", "autumn")
+        for number in range(500)
     }
     assert len(codes) == 1000
     assert all(re.fullmatch("[0-9A-HJKMNP-TV-Z]{4}-[0-9A-HJKMNP-TV-Z]{4}", code) for code in codes)

@@ -18,8 +18,8 @@ from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.document import PaperSize, SolutionSheet
-from kinegrade.exam.fonts import installed_fonts
-from kinegrade.exam.solution_source import solution_source
+from kinegrade.exam.fonts import find_installed_fonts
+from kinegrade.exam.solution_source import write_solution_source
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -50,7 +50,7 @@ def worked(*blocks: Block, sheet: SolutionSheet = ENGLISH_SOLUTION) -> SolutionS
 @pytest.fixture(scope="module")
 def compiler() -> typst.Compiler:
     layouts = str(files("kinegrade.exam") / "layouts")
-    return typst.Compiler(root=layouts, font_paths=installed_fonts(), ignore_system_fonts=True)
+    return typst.Compiler(root=layouts, font_paths=find_installed_fonts(), ignore_system_fonts=True)
 
 
 @pytest.fixture(scope="module")
@@ -59,7 +59,7 @@ def pages(compiler: typst.Compiler) -> Print:
 
     def read(sheet: SolutionSheet, size: PaperSize = "a4") -> list[str]:
         pdf = compiler.compile(
-            solution_source(sheet, size).encode(), format="pdf", pdf_standards=["a-2b"]
+            write_solution_source(sheet, size).encode(), format="pdf", pdf_standards=["a-2b"]
         )
         return [
             "".join(normalize("NFKC", page.extract_text()).split())
@@ -160,7 +160,7 @@ def test_nothing_sticks_out_of_the_page(compiler: typst.Compiler) -> None:
         Results((wide,)),
         Pictures((Picture(polygon_scene(), "a caption " * 30),) * 5),
     )
-    images = compiler.compile(solution_source(sheet).encode(), format="png", ppi=36)
+    images = compiler.compile(write_solution_source(sheet).encode(), format="png", ppi=36)
     assert len(images) >= 3
     for left, right, width in map(inked_columns, images):
         assert left >= 19 / 210 * width
@@ -168,7 +168,7 @@ def test_nothing_sticks_out_of_the_page(compiler: typst.Compiler) -> None:
 
 
 def test_a_long_line_goes_on_in_further_rows(compiler: typst.Compiler) -> None:
-    pdf = compiler.compile(solution_source(worked(Display((LONG,)))).encode(), format="pdf")
+    pdf = compiler.compile(write_solution_source(worked(Display((LONG,)))).encode(), format="pdf")
     rows: set[int] = set()
     PdfReader(BytesIO(pdf)).pages[0].extract_text(
         visitor_text=lambda text, now, at, font, size: (
@@ -211,7 +211,7 @@ def test_a_rounded_decimal_is_told_from_an_exact_one(pages: Print) -> None:
 
 
 def test_same_input_same_source() -> None:
-    assert solution_source(CHINESE_SOLUTION) == solution_source(CHINESE_SOLUTION)
+    assert write_solution_source(CHINESE_SOLUTION) == write_solution_source(CHINESE_SOLUTION)
 
 
 def test_plain_text_never_becomes_code(pages: Print) -> None:
@@ -231,7 +231,7 @@ def test_all_faults_are_told_at_once_with_their_question() -> None:
         Pictures((Picture(polygon_scene(), r"$\fee$"),)),
     )
     with pytest.raises(TypesetError) as refusal:
-        solution_source(bad)
+        write_solution_source(bad)
     problems = refusal.value.problems
     assert {problem.split(":")[0] for problem in problems} == {"q1, solution"}
     for word in (

@@ -13,7 +13,7 @@ from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.document import AnswerRow, Paper, PaperSize
-from kinegrade.exam.join import joined, page_count
+from kinegrade.exam.join import count_pages, join_pages
 from kinegrade.exam.typst import KEY_CHUNK, TypstPress
 from kinegrade.figure.scene import Scene
 from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
@@ -201,7 +201,7 @@ def test_a_figure_takes_its_room(press: TypstPress, width: float) -> None:
     figure = Scene(width=width, height=200.0, scale=1.0, primitives=())
     with_figure = replace(CHINESE_QUESTION, figure=figure)
     pdf = press.paper(replace(CHINESE, questions=(CHINESE_QUESTION, with_figure)))
-    assert page_count(pdf) == 2
+    assert count_pages(pdf) == 2
 
 
 def test_a_character_without_a_font_in_a_name_is_printed_as_its_code_point(
@@ -268,7 +268,7 @@ def test_the_key_gives_exact_and_decimal_and_warns_on_each_page(
 
 
 def test_an_empty_key_is_one_page(press: TypstPress) -> None:
-    assert page_count(press.key(key_book(0)).pdf) == 1
+    assert count_pages(press.key(key_book(0)).pdf) == 1
 
 
 def test_a_key_that_cannot_be_printed_says_why(press: TypstPress) -> None:
@@ -278,7 +278,7 @@ def test_a_key_that_cannot_be_printed_says_why(press: TypstPress) -> None:
 
 def test_papers_are_joined_in_order(press: TypstPress, tmp_path: Path) -> None:
     papers = [press.paper(replace(ENGLISH, name=name)) for name in ("Bo", "Al")]
-    whole = joined(papers)
+    whole = join_pages(papers)
     pages = pages_of(whole, tmp_path)
     assert ["Bo" in pages[0], "Al" in pages[1], len(pages)] == [True, True, 2]
-    assert joined(papers) == whole
+    assert join_pages(papers) == whole

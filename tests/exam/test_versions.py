@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from pypdf import PdfReader
 
-from kinegrade.exam.versions import version_letters, version_of
+from kinegrade.exam.versions import choose_version, list_version_letters
 from kinegrade.language import Language
 from kinegrade.problem.library import load_template
 from tests.small_class import contents, generate, key_lines, kinegrade, table
@@ -200,13 +200,13 @@ def test_too_few_combinations_for_the_versions_are_dealt_round(tmp_path: Path) -
 
 
 def test_every_round_of_the_deal_holds_each_version_once_in_an_order_of_its_own() -> None:
-    letters = version_letters(4)
-    dealt = [version_of("spring", place, letters) for place in range(200)]
+    letters = list_version_letters(4)
+    dealt = [choose_version("spring", place, letters) for place in range(200)]
     turns = [tuple(dealt[start : start + 4]) for start in range(0, 200, 4)]
     assert letters == ("A", "B", "C", "D")
     assert all(sorted(turn) == list(letters) for turn in turns)
     assert len(set(turns)) > 10
-    assert dealt != [version_of("autumn", place, letters) for place in range(200)]
+    assert dealt != [choose_version("autumn", place, letters) for place in range(200)]
 
 
 def test_a_shipped_bank_is_generated_by_its_name(tmp_path: Path) -> None:
@@ -225,7 +225,7 @@ def test_a_shipped_bank_is_generated_by_its_name(tmp_path: Path) -> None:
 
 
 def test_help_names_the_shipped_banks() -> None:
-    from kinegrade.problem.library import shipped
+    from kinegrade.problem.library import find_shipped
 
-    names = ", ".join(sorted(path.stem for path in shipped("banks").glob("*.toml")))
+    names = ", ".join(sorted(path.stem for path in find_shipped("banks").glob("*.toml")))
     assert names in " ".join(kinegrade("generate", "--help").stdout.split())

@@ -20,7 +20,7 @@ from kinegrade.errors import TypesetError
 from kinegrade.exam import word
 from kinegrade.exam.document import Paper
 from kinegrade.exam.formula import COMMANDS
-from kinegrade.exam.paper_tree import paper_tree
+from kinegrade.exam.paper_tree import write_paper_tree
 from kinegrade.exam.program_run import ProgramRun
 from kinegrade.exam.word import MISSING, PandocPress
 from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION
@@ -249,7 +249,7 @@ def test_all_faults_are_told_at_once_with_their_question() -> None:
     row = replace(ENGLISH_QUESTION.rows[0], symbol=r"\foo", meaning="`a`", sign="<i>")
     question = replace(ENGLISH_QUESTION, title="![a](b)", statement=r"$\bar{$", rows=(row,))
     with pytest.raises(TypesetError) as refusal:
-        paper_tree(replace(ENGLISH, rules=("<b>",), questions=(question,)), {})
+        write_paper_tree(replace(ENGLISH, rules=("<b>",), questions=(question,)), {})
     wheres = [problem.split(":")[0] for problem in refusal.value.problems]
     assert wheres == [
         "rules",

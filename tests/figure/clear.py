@@ -7,7 +7,7 @@ from __future__ import annotations
 from itertools import combinations
 
 from kinegrade.figure.obstacles import Obstacles
-from kinegrade.figure.scene import BOLD, Disc, Label, Outline, Pen, Scene, Strokes, box_of
+from kinegrade.figure.scene import BOLD, Box, Disc, Label, Outline, Pen, Scene, Strokes, find_box
 from kinegrade.mechanics.vector import Vector
 
 
@@ -17,7 +17,7 @@ def faults(scene: Scene, width: float, height: float) -> list[str]:
     found = [
         f"{one.symbol} on {other.symbol}"
         for one, other in pairs
-        if box_of(one).meets(box_of(other))
+        if overlap(find_box(one), find_box(other))
     ]
     lines = [part for part in scene.primitives if not isinstance(part, Label) and part.pen]
     bold = Obstacles.of(part for part in lines if part.pen and part.pen.width >= BOLD.width)
@@ -25,10 +25,16 @@ def faults(scene: Scene, width: float, height: float) -> list[str]:
         if bold.under_box(*label.centre, label.width, label.height):
             found.append(f"{label.symbol} on a bold line")
     for part in scene.primitives:
-        box = box_of(part)
+        box = find_box(part)
         if min(box.left, box.bottom) < -1e-6 or box.right > width + 1e-6 or box.top > height + 1e-6:
             found.append(f"{part} beyond the paper")
     return found
+
+
+def overlap(one: Box, other: Box) -> bool:
+    """Whether two boxes share any area."""
+    across = one.left < other.right and other.left < one.right
+    return across and one.bottom < other.top and other.bottom < one.top
 
 
 def symbols(scene: Scene) -> list[str]:

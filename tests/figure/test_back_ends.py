@@ -13,17 +13,17 @@ import typst
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.latex_run import run
-from kinegrade.figure.extent import symbol_size
+from kinegrade.figure.extent import measure_symbol
 from kinegrade.figure.scene import Label, Scene
 from kinegrade.figure.sketch import sketch
-from kinegrade.figure.tikz import to_tikz
-from kinegrade.figure.typst import to_typst
+from kinegrade.figure.tikz import write_tikz
+from kinegrade.figure.typst import write_typst
 from kinegrade.mechanics.vector import Vector
 from tests.figure.mechanisms import EIGHT
 from tests.figure.test_typst import SYMBOLS
 
 BackEnd = Callable[[Scene], str]
-BACK_ENDS = pytest.mark.parametrize("back_end", [to_typst, to_tikz])
+BACK_ENDS = pytest.mark.parametrize("back_end", [write_typst, write_tikz])
 
 
 def eight_scenes() -> list[Scene]:
@@ -36,7 +36,7 @@ def latex(body: str) -> str:
 
 def test_typst_draws_all_eight_figures() -> None:
     page = "#set page(width: auto, height: auto)\n" + "\n#pagebreak()\n".join(
-        map(to_typst, eight_scenes())
+        map(write_typst, eight_scenes())
     )
     assert typst.compile(page.encode(), format="pdf").startswith(b"%PDF")
 
@@ -45,7 +45,7 @@ def test_typst_draws_all_eight_figures() -> None:
 def test_latex_draws_all_eight_figures_in_boxes_of_their_size(tmp_path: Path) -> None:
     scenes = eight_scenes()
     boxes = (
-        rf"\setbox0\hbox{{{to_tikz(scene)}}}\typeout{{size \the\wd0 \space\the\ht0}}\box0\newpage"
+        rf"\setbox0\hbox{{{write_tikz(scene)}}}\typeout{{size \the\wd0 \space\the\ht0}}\box0\newpage"
         for scene in scenes
     )
     assert run(latex("".join(boxes)), tmp_path, 60).fault is None
@@ -69,7 +69,7 @@ def test_the_estimated_room_holds_every_symbol_latex_sets(tmp_path: Path) -> Non
         r"^size ([\d.]+)pt ([\d.]+)pt$", (tmp_path / "pages.log").read_text(), re.MULTILINE
     )
     for symbol, (width, height) in zip(SYMBOLS, sizes, strict=True):
-        room = symbol_size(symbol)
+        room = measure_symbol(symbol)
         assert float(width) * 25.4 / 72.27 <= room[0] + 0.05, symbol
         # TeX's root stands out a little
         assert float(height) * 25.4 / 72.27 <= room[1] + 0.8, symbol

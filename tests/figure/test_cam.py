@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.figure.cam import cam_profile
+from kinegrade.figure.cam import trace_cam_profile
 from kinegrade.figure.plane import length, polar
 from kinegrade.mechanics.vector import Vector
 
@@ -18,7 +18,7 @@ def test_the_profile_lies_below_the_face_touches_it_and_holds_the_pivot(
     r: float, theta: int, rho: float
 ) -> None:
     contact = polar(radians(90 - theta), r)
-    profile = cam_profile(Vector(0.0, 0.0), contact, contact - Vector(0.0, rho), rho)
+    profile = trace_cam_profile(Vector(0.0, 0.0), contact, contact - Vector(0.0, rho), rho)
     assert max(corner.y for corner in profile) == pytest.approx(contact.y, abs=1e-3 * rho)
     edges = list(zip(profile, profile[1:] + profile[:1], strict=True))
     assert all((end - start).cross(-start) > 0 for start, end in edges)
@@ -30,6 +30,6 @@ def test_the_profile_has_the_given_curvature_around_the_contact(
 ) -> None:
     contact = polar(radians(90 - theta), r)
     centre = contact - Vector(0.0, rho)
-    profile = cam_profile(Vector(0.0, 0.0), contact, centre, rho)
+    profile = trace_cam_profile(Vector(0.0, 0.0), contact, centre, rho)
     near = sorted(profile, key=lambda corner: length(corner - contact))[:5]
     assert all(length(corner - centre) == pytest.approx(rho, rel=1e-6) for corner in near)

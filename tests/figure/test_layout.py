@@ -8,7 +8,7 @@ import numpy as np
 
 from kinegrade.figure.layout import Layout
 from kinegrade.figure.obstacles import Segment
-from kinegrade.figure.place import Wish, around
+from kinegrade.figure.place import Wish, list_spots_around
 from kinegrade.figure.scene import BOLD, THIN, Label, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
@@ -62,10 +62,10 @@ def test_labels_still_to_come_are_spared() -> None:
 
 
 def test_a_letter_stands_as_near_as_what_is_drawn_lets_it() -> None:
-    free = Layout.of(()).written([Wish("A", around("A", Vector(0.0, 0.0)))]).labels[0]
+    free = Layout.of(()).written([Wish("A", list_spots_around("A", Vector(0.0, 0.0)))]).labels[0]
     crowded = (
         Layout.of((WALL,))
-        .written([Wish("A", around("A", Vector(0.0, 0.0), away=Vector(0.0, 1.0)))])
+        .written([Wish("A", list_spots_around("A", Vector(0.0, 0.0), away=Vector(0.0, 1.0)))])
         .labels[0]
     )
     assert abs(free.centre.x) < 3.0

@@ -9,7 +9,7 @@ import pytest
 
 from kinegrade.figure.bars import Bar, Rod
 from kinegrade.figure.layers import Drawing, draw
-from kinegrade.figure.paper import to_paper
+from kinegrade.figure.paper import scale_to_paper
 from kinegrade.figure.plates import Plate
 from kinegrade.figure.scene import FIRM, PITCH, THIN, Bow, Disc, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
@@ -24,7 +24,7 @@ ORIGIN = Vector(0.0, 0.0)
 
 
 def drawing_of(case: Case, scale: float = 100.0) -> Drawing:
-    return draw(to_paper(case[0], scale), case[1])
+    return draw(scale_to_paper(case[0], scale), case[1])
 
 
 def symbols(scene: Scene) -> set[str]:

@@ -9,10 +9,16 @@ from math import hypot, tan
 import pytest
 
 from kinegrade.figure.fitting import HEIGHT, WIDTH
-from kinegrade.figure.pole_construction import NORMAL, TALL, Pole, pointed, pole_picture
+from kinegrade.figure.pole_construction import (
+    NORMAL,
+    TALL,
+    Pole,
+    _shorten_normal,
+    draw_pole_construction,
+)
 from kinegrade.figure.scene import THIN, Bow, Disc, Outline, Scene
 from kinegrade.figure.vectors import PointArrow
-from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import Turning
 from kinegrade.problem.library import load_template
@@ -27,7 +33,7 @@ def crank(phi: float, pole: Vector | None, rotation: Turning | None = None) -> S
     a, b = mechanism.points["A"], mechanism.points["B"]
     above_a, above_b = (Vector(0.0, 1.0) if pole is None else pole - point for point in (a, b))
     rays = [PointArrow("v_A", a, -above_a.turned()), PointArrow("v_B", b, -above_b.turned())]
-    return pole_picture(mechanism, hints, Pole("P", pole), rays, rotation)
+    return draw_pole_construction(mechanism, hints, Pole("P", pole), rays, rotation)
 
 
 def pole_of_rod(phi: float) -> Vector:
@@ -78,11 +84,11 @@ def test_normals_to_a_pole_at_infinity_are_parallel_and_on_one_side() -> None:
 
 def test_a_normal_is_seen_beyond_the_bar_on_which_it_lies() -> None:
     up = Vector(0.0, 1.0)
-    assert pointed(Vector(0.0, 0.0), up, ()) == Vector(0.0, 20.0)
-    assert pointed(Vector(0.0, 0.0), up, [(Vector(0.0, 0.0), Vector(0.0, 35.0))]) == Vector(
+    assert _shorten_normal(Vector(0.0, 0.0), up, ()) == Vector(0.0, 20.0)
+    assert _shorten_normal(Vector(0.0, 0.0), up, [(Vector(0.0, 0.0), Vector(0.0, 35.0))]) == Vector(
         0.0, 45.0
     )
-    assert pointed(Vector(0.0, 0.0), up, [(Vector(0.0, 0.0), Vector(35.0, 1.0))]) == Vector(
+    assert _shorten_normal(Vector(0.0, 0.0), up, [(Vector(0.0, 0.0), Vector(35.0, 1.0))]) == Vector(
         0.0, 20.0
     )
 
@@ -90,12 +96,12 @@ def test_a_normal_is_seen_beyond_the_bar_on_which_it_lies() -> None:
 def wheel(points: str, **velocities: Vector) -> Scene:
     """A rolling wheel with its contact C as pole, and velocities of points of it."""
     template = load_template("rolling-wheel-pole-acceleration")
-    mechanism = drawable_mechanism(solve_template(template, {}).assembly.mechanism)
+    mechanism = convert_to_floats(solve_template(template, {}).assembly.mechanism)
     pole = Pole("P", mechanism.points["C"])
     rays = [
         PointArrow(f"v_{point}", mechanism.points[point], velocities[point]) for point in points
     ]
-    return pole_picture(mechanism, template.figure, pole, rays)
+    return draw_pole_construction(mechanism, template.figure, pole, rays)
 
 
 def test_a_rolling_wheel_has_its_pole_at_the_contact_without_any_velocity() -> None:

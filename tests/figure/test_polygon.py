@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinegrade.figure.fitting import HEIGHT, WIDTH
-from kinegrade.figure.polygon import ROUND, Arrow, polygon
+from kinegrade.figure.polygon import ROUND, Arrow, draw_polygon
 from kinegrade.figure.scene import FIRM, THIN, Scene
 from kinegrade.figure.vector_arrows import DASHED
 from kinegrade.mechanics.vector import Vector
@@ -36,13 +36,13 @@ def same(found: list[Vector], wanted: list[Vector]) -> bool:
 
 
 def test_both_sides_lead_from_one_origin_to_one_end() -> None:
-    scene = polygon(*TRIANGLE)
+    scene = draw_polygon(*TRIANGLE)
     assert same(tips(scene), [A, B, B])
     assert symbols(scene) == ["o", "v_A", "v_B", "v_{BA}"]
 
 
 def test_known_and_unknown_are_told_apart() -> None:
-    scene = polygon(*TRIANGLE)
+    scene = draw_polygon(*TRIANGLE)
     assert (len(lines(scene, FIRM)), len(lines(scene, DASHED))) == (1, 2)
     assert (len(heads(scene, "black")), len(heads(scene, "white"))) == (1, 2)
 
@@ -52,7 +52,7 @@ def test_the_scale_is_a_round_number_for_vectors_of_any_size(factor: float) -> N
     left, right = (
         [Arrow(arrow.symbol, arrow.value * factor) for arrow in side] for side in TRIANGLE
     )
-    scene = polygon(left, right)
+    scene = draw_polygon(left, right)
     figures = scene.scale / 10 ** int(log10(scene.scale) // 1)
     assert min(abs(figures - leading) for leading in ROUND) < 1e-6
     assert max(scene.width, scene.height) > 30.0
@@ -61,7 +61,7 @@ def test_the_scale_is_a_round_number_for_vectors_of_any_size(factor: float) -> N
 
 def test_what_is_zero_or_negligible_is_not_drawn_and_not_named() -> None:
     tiny = Vector(0.02, 0.03)
-    scene = polygon(
+    scene = draw_polygon(
         [Arrow("a_B", A + tiny)],
         [Arrow("a_1", A), Arrow("a_2", tiny), Arrow("a_3", Vector(0.0, 0.0))],
     )
@@ -69,14 +69,14 @@ def test_what_is_zero_or_negligible_is_not_drawn_and_not_named() -> None:
 
 
 def test_an_equation_of_zeros_is_its_origin() -> None:
-    scene = polygon([Arrow("v_B", Vector(0.0, 0.0))], [Arrow("v_A", Vector(0.0, 0.0))])
+    scene = draw_polygon([Arrow("v_B", Vector(0.0, 0.0))], [Arrow("v_A", Vector(0.0, 0.0))])
     assert symbols(scene) == ["o"]
     assert scene.scale == 1.0
     assert faults(scene, WIDTH, HEIGHT) == []
 
 
 def test_vectors_on_one_line_are_drawn_side_by_side_and_tied_to_their_places() -> None:
-    scene = polygon(
+    scene = draw_polygon(
         [Arrow("v_B", B)], [Arrow("v_A", B * 1.5), Arrow("v_1", B * -0.8), Arrow("v_2", B * 0.3)]
     )
     levels = sorted({round(start.y, 6) for start, _ in lines(scene, FIRM)})
@@ -92,7 +92,7 @@ def test_a_lengthy_equation_is_within_the_paper_with_all_its_symbols() -> None:
         for number in range(9)
     ]
     total = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
-    scene = polygon([Arrow("a_B", total)], right)
+    scene = draw_polygon([Arrow("a_B", total)], right)
     assert len(scene.labels) == 11
     assert faults(scene, WIDTH, HEIGHT) == []
 
@@ -105,4 +105,4 @@ def test_polygons_of_any_vectors_are_clear(polar: list[tuple[int, float]]) -> No
         for number, (turn, size) in enumerate(polar)
     ]
     total = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
-    assert faults(polygon([Arrow("v_B", total, False)], right), WIDTH, HEIGHT) == []
+    assert faults(draw_polygon([Arrow("v_B", total, False)], right), WIDTH, HEIGHT) == []

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kinegrade.figure.paper import to_paper
-from kinegrade.figure.similar_mechanisms import Subject, subject
+from kinegrade.figure.paper import scale_to_paper
+from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.hints import FigureHints
 from tests.figure.mechanisms import slider_crank
@@ -22,7 +22,7 @@ def driven(mechanism: Mechanism, factor: float) -> Mechanism:
 
 
 def shown(mechanism: Mechanism, hints: FigureHints) -> Subject:
-    return subject(mechanism, hints)[0]
+    return normalise_subject(mechanism, hints)[0]
 
 
 def told(hints: FigureHints) -> FigureHints:
@@ -34,7 +34,7 @@ MECHANISM, HINTS = slider_crank(0.2, 1.75, 60)
 
 
 def test_size_and_speed_do_not_show_and_shape_does() -> None:
-    assert shown(MECHANISM, HINTS) == shown(driven(to_paper(MECHANISM, 3.0), 2.0), HINTS)
+    assert shown(MECHANISM, HINTS) == shown(driven(scale_to_paper(MECHANISM, 3.0), 2.0), HINTS)
     assert shown(MECHANISM, HINTS) != shown(slider_crank(0.2, 1.75, 61)[0], HINTS)
 
 

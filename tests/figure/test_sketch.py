@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import TemplateError
 from kinegrade.figure.layers import draw
-from kinegrade.figure.paper import to_paper
+from kinegrade.figure.paper import scale_to_paper
 from kinegrade.figure.scene import (
     BOLD,
     FIRM,
@@ -85,7 +85,7 @@ def test_the_scale_is_true_for_both_axes() -> None:
 
 def test_gears_touch_and_are_drawn_by_their_pitch_circles() -> None:
     case = planetary_velocities(0.3, 0.2, 30)
-    drawing = draw(to_paper(case[0], 40.0), case[1])
+    drawing = draw(scale_to_paper(case[0], 40.0), case[1])
     sun, planet = drawing.rims
     assert (sun.kind, planet.kind) == ("gear", "gear")
     assert hypot(planet.at.x - sun.at.x, planet.at.y - sun.at.y) == pytest.approx(
@@ -95,7 +95,7 @@ def test_gears_touch_and_are_drawn_by_their_pitch_circles() -> None:
 
 def test_a_cam_is_a_closed_profile_not_its_circle_of_curvature() -> None:
     mechanism, hints = follower_curvature(0.3, 30, 0.25)
-    parts = draw(to_paper(mechanism, 60.0), hints).primitives
+    parts = draw(scale_to_paper(mechanism, 60.0), hints).primitives
     assert any(
         isinstance(part, Outline) and part.closed and len(part.corners) > 60 for part in parts
     )

@@ -11,7 +11,7 @@ from kinegrade.figure.scene import Scene
 from kinegrade.figure.similar_mechanisms import Subject
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.sketchbook import sketch_once
-from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 
@@ -23,12 +23,12 @@ def test_a_figure_from_the_book_is_the_figure(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     template = load_template(name)
-    mechanism = drawable_mechanism(solve_template(template, {}, []).assembly.mechanism)
+    mechanism = convert_to_floats(solve_template(template, {}, []).assembly.mechanism)
     expected = sketch(mechanism, template.figure)
     assert sketch_once(tmp_path, mechanism, template.figure) == expected
     assert len(list(tmp_path.iterdir())) == 1
-    sketchbook._kept.cache_clear()  # as another process has it
-    monkeypatch.setattr(sketchbook, "drawn", refuse)
+    sketchbook._read_kept.cache_clear()  # as another process has it
+    monkeypatch.setattr(sketchbook, "draw_unit_figure", refuse)
     assert repr(sketch_once(tmp_path, mechanism, template.figure)) == repr(expected)
 
 

@@ -10,14 +10,14 @@ from xml.etree import ElementTree
 import pytest
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.quiz_paper import shown
-from kinegrade.figure.extent import EM, symbol_size
+from kinegrade.exam.quiz_paper import show_instance
+from kinegrade.figure.extent import EM, measure_symbol
 from kinegrade.figure.scene import FIRM, Bow, Disc, Label, Outline, Primitive, Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.svg import to_svg
-from kinegrade.figure.symbol_runs import symbol_runs
+from kinegrade.figure.symbol_runs import split_symbol
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 from tests.figure.mechanisms import EIGHT
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -35,10 +35,10 @@ def texts(root: ElementTree.Element) -> list[str]:
     return ["".join(text.itertext()) for text in root.iter(f"{SVG}text")]
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_a_shipped_figure_is_whole_and_within_its_box(name: str) -> None:
     template = load_template(name)
-    scene = sketch(shown(template, {})[1], template.figure)
+    scene = sketch(show_instance(template, {})[1], template.figure)
     root = ElementTree.fromstring(to_svg(scene))
     left, top, width, height = numbers(root.attrib["viewBox"])
     assert (left, top) == (0, 0)
@@ -52,7 +52,7 @@ def test_a_shipped_figure_is_whole_and_within_its_box(name: str) -> None:
             assert -0.01 <= x <= width + 0.01, name
             assert -0.01 <= y <= height + 0.01, name
     for label, text in zip(scene.labels, root.iter(f"{SVG}text"), strict=True):
-        half = symbol_size(label.symbol)[0] / 2
+        half = measure_symbol(label.symbol)[0] / 2
         assert half - 0.01 <= float(text.attrib["x"]) <= width - half + 0.01, label.symbol
         assert 0 < float(text.attrib["y"]) <= height, label.symbol
 
@@ -118,22 +118,22 @@ def test_symbols_read_as_they_are_printed(symbol: str, letters: str) -> None:
 
 
 def test_letters_are_italic_and_digits_upright_scripts_small_and_shifted() -> None:
-    letter, index = symbol_runs("O_1")
+    letter, index = split_symbol("O_1")
     assert (letter.italic, index.italic) == (True, False)
     assert index.size < letter.size
     assert index.shift < letter.shift == 0
-    bold = symbol_runs(r"\boldsymbol{v}_{BA}")
+    bold = split_symbol(r"\boldsymbol{v}_{BA}")
     assert [(run.bold, run.italic) for run in bold] == [(True, True), (False, True)]
 
 
 def test_two_scripts_stand_one_above_the_other() -> None:
-    _, low, high = symbol_runs("a_{BA}^{t}")
+    _, low, high = split_symbol("a_{BA}^{t}")
     assert low.shift < 0 < high.shift
-    assert high.back == pytest.approx((symbol_size("{BA}")[0] / EM - 0.12) * low.size)
+    assert high.back == pytest.approx((measure_symbol("{BA}")[0] / EM - 0.12) * low.size)
 
 
 def test_a_prime_is_high_by_itself() -> None:
-    assert symbol_runs(r"B^\prime")[-1].shift == symbol_runs("B'")[-1].shift == 0
+    assert split_symbol(r"B^\prime")[-1].shift == split_symbol("B'")[-1].shift == 0
 
 
 def test_the_middle_of_the_letters_is_the_middle_of_the_box() -> None:

@@ -8,14 +8,14 @@ import re
 from math import hypot, pi
 
 from kinegrade.figure.scene import BOLD, PITCH, THIN, Bow, Disc, Label, Outline, Scene, Strokes
-from kinegrade.figure.tikz import to_tikz
+from kinegrade.figure.tikz import write_tikz
 from kinegrade.mechanics.vector import Vector
 
 ORIGIN = Vector(0.0, 0.0)
 
 
 def drawn(*primitives: Strokes | Outline | Disc | Bow | Label) -> str:
-    return to_tikz(Scene(30.0, 20.0, 1.0, primitives))
+    return write_tikz(Scene(30.0, 20.0, 1.0, primitives))
 
 
 def points_of(text: str) -> list[tuple[float, float]]:

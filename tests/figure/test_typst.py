@@ -12,8 +12,8 @@ import typst
 from numpy.typing import NDArray
 
 from kinegrade.errors import TypesetError
-from kinegrade.figure.extent import symbol_size
-from kinegrade.figure.names import point_symbol
+from kinegrade.figure.extent import measure_symbol
+from kinegrade.figure.names import write_point_symbol
 from kinegrade.figure.scene import (
     BOLD,
     FIRM,
@@ -26,7 +26,7 @@ from kinegrade.figure.scene import (
     Scene,
     Strokes,
 )
-from kinegrade.figure.typst import math_to_typst, to_typst, to_typst_picture
+from kinegrade.figure.typst import translate_symbol, write_typst, write_typst_picture
 from kinegrade.mechanics.vector import Vector
 
 SYMBOLS = [
@@ -58,17 +58,17 @@ SYMBOLS += [
 
 
 def test_the_box_has_the_size_of_the_scene() -> None:
-    source = to_typst(Scene(30.0, 20.0, 1.0, ()))
+    source = write_typst(Scene(30.0, 20.0, 1.0, ()))
     assert source.startswith("#box(width: 30mm, height: 20mm, {")
 
 
 def test_the_estimated_room_holds_every_symbol_typst_sets() -> None:
-    measured = ",".join(f"measure({math_to_typst(symbol)})" for symbol in SYMBOLS)
+    measured = ",".join(f"measure({translate_symbol(symbol)})" for symbol in SYMBOLS)
     sizes = f"({measured}).map(s => (s.width.mm(), s.height.mm()))"
     page = f"#set text(size: 9pt)\n#context [#metadata({sizes})<size>]"
     found = json.loads(typst.query(page.encode(), "<size>", field="value", one=True))
     for symbol, (width, height) in zip(SYMBOLS, found, strict=True):
-        room = symbol_size(symbol)
+        room = measure_symbol(symbol)
         assert width <= room[0] + 0.05, symbol
         assert height <= room[1] + 0.05, symbol
         assert room[0] < 1.7 * width + 1.0, symbol
@@ -78,11 +78,11 @@ def test_the_estimated_room_holds_every_symbol_typst_sets() -> None:
     ("name", "symbol"), [("O", "O"), ("O1", "O_{1}"), ("Op", "O'"), ("hub", r"\mathrm{hub}")]
 )
 def test_point_names_become_symbols(name: str, symbol: str) -> None:
-    assert point_symbol(name) == symbol
+    assert write_point_symbol(name) == symbol
 
 
 def test_primes_are_raised() -> None:
-    assert math_to_typst("O'") == "$O^(prime)$"
+    assert translate_symbol("O'") == "$O^(prime)$"
 
 
 def test_the_box_round_a_picture_prints_what_typst_draws_itself() -> None:
@@ -100,7 +100,7 @@ def test_the_box_round_a_picture_prints_what_typst_draws_itself() -> None:
             Label("O", Vector(23.0, 11.0), 3.0, 3.0),
         ),
     )
-    drawn, pictured = (image_of(back_end(scene)) for back_end in (to_typst, to_typst_picture))
+    drawn, pictured = (image_of(back_end(scene)) for back_end in (write_typst, write_typst_picture))
     assert drawn.min() == 0
     assert np.abs(blurred(drawn) - blurred(pictured)).max() < 64
 
@@ -108,12 +108,12 @@ def test_the_box_round_a_picture_prints_what_typst_draws_itself() -> None:
 def test_a_picture_refuses_a_label_that_is_no_symbol() -> None:
     scene = Scene(10.0, 10.0, 1.0, (Label(r"\input{x}", Vector(5.0, 5.0), 3.0, 3.0),))
     with pytest.raises(TypesetError, match="figure: label: "):
-        to_typst_picture(scene)
+        write_typst_picture(scene)
 
 
 def test_dashes_are_the_same_in_a_picture_and_in_typst() -> None:
     wheel = Scene(30.0, 30.0, 1.0, (Disc(Vector(15.0, 15.0), 14.0, PITCH),))
-    drawn, pictured = (image_of(back_end(wheel)) for back_end in (to_typst, to_typst_picture))
+    drawn, pictured = (image_of(back_end(wheel)) for back_end in (write_typst, write_typst_picture))
     assert abs((drawn < 128).mean() / (pictured < 128).mean() - 1) < 0.1
 
 

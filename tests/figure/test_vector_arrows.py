@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 import typst
 
-from kinegrade.figure.extent import symbol_size
+from kinegrade.figure.extent import measure_symbol
 from kinegrade.figure.place import CLEARANCE
 from kinegrade.figure.scene import FIRM, Outline, Strokes
-from kinegrade.figure.typst import math_to_typst
+from kinegrade.figure.typst import translate_symbol
 from kinegrade.figure.vector_arrows import (
     DASHED,
     VectorArrow,
     look_like_one,
-    nearer_to_lines,
-    side_by_side,
+    put_side_by_side,
+    rate_nearness_to_lines,
 )
 from kinegrade.mechanics.vector import Vector
 
@@ -66,7 +66,7 @@ def test_lines_look_like_one_when_they_run_close_over_a_stretch(
 def test_arrows_on_one_line_stand_side_by_side_on_its_upper_side_and_are_tied_to_their_places() -> (
     None
 ):
-    first, second, third = side_by_side(
+    first, second, third = put_side_by_side(
         [
             VectorArrow("a", HERE, X),
             VectorArrow("b", X, HERE),
@@ -83,14 +83,14 @@ def test_arrows_on_one_line_stand_side_by_side_on_its_upper_side_and_are_tied_to
 
 
 def test_an_arrow_leaves_a_bold_line() -> None:
-    (arrow,) = side_by_side(
+    (arrow,) = put_side_by_side(
         [VectorArrow("a", HERE, Vector(0.0, 8.0))], [(HERE, Vector(0.0, 30.0))], (1.5, -1.5)
     )
     assert arrow.line == (Vector(1.5, 0.0), Vector(1.5, 8.0))
 
 
 def test_without_any_room_an_arrow_stays_where_it_belongs() -> None:
-    (arrow,) = side_by_side(
+    (arrow,) = put_side_by_side(
         [VectorArrow("a", HERE, X)], [(HERE, X), (HERE, Vector(10.0, 0.5))], (0.3,)
     )
     assert arrow.aside == HERE
@@ -98,10 +98,10 @@ def test_without_any_room_an_arrow_stays_where_it_belongs() -> None:
 
 def test_a_symbol_is_to_be_nearer_to_its_own_arrow() -> None:
     spots = np.array([[5.0, 2.0], [5.0, 8.0], [5.0, 5.0]])
-    assert nearer_to_lines(
+    assert rate_nearness_to_lines(
         "v", spots, (HERE, X), [(Vector(0.0, 10.0), Vector(10.0, 10.0))]
     ).tolist() == [0.0, 1.0, 1.0]
-    assert nearer_to_lines("v", spots, (HERE, X), []).tolist() == [0.0, 0.0, 0.0]
+    assert rate_nearness_to_lines("v", spots, (HERE, X), []).tolist() == [0.0, 0.0, 0.0]
 
 
 SYMBOLS = [
@@ -124,14 +124,14 @@ SYMBOLS = [
 
 
 def test_the_room_estimated_for_vectors_holds_them_and_is_not_wasted() -> None:
-    measured = ",".join(f"measure({math_to_typst(symbol)})" for symbol in SYMBOLS)
+    measured = ",".join(f"measure({translate_symbol(symbol)})" for symbol in SYMBOLS)
     page = f"#set text(size: 9pt)\n#context [#metadata(({measured}).map(s => s.width.mm()))<size>]"
     found = json.loads(typst.query(page.encode(), "<size>", field="value", one=True))
     for symbol, width in zip(SYMBOLS, found, strict=True):
-        assert width <= symbol_size(symbol)[0] + CLEARANCE, symbol
-        assert symbol_size(symbol)[0] < 1.4 * width + 1.0, symbol
+        assert width <= measure_symbol(symbol)[0] + CLEARANCE, symbol
+        assert measure_symbol(symbol)[0] < 1.4 * width + 1.0, symbol
 
 
 def test_scripts_of_one_base_stand_above_each_other() -> None:
-    assert symbol_size(r"a_{BA}^{\mathrm{n}}")[0] == symbol_size("a_{BA}")[0]
-    assert symbol_size(r"a_{BA}^{\mathrm{n}}")[1] > symbol_size("a_{BA}")[1]
+    assert measure_symbol(r"a_{BA}^{\mathrm{n}}")[0] == measure_symbol("a_{BA}")[0]
+    assert measure_symbol(r"a_{BA}^{\mathrm{n}}")[1] > measure_symbol("a_{BA}")[1]

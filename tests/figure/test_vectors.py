@@ -10,14 +10,14 @@ import pytest
 
 from kinegrade.figure.fitting import HEIGHT, WIDTH
 from kinegrade.figure.layers import draw
-from kinegrade.figure.paper import to_paper
+from kinegrade.figure.paper import scale_to_paper
 from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Strokes
-from kinegrade.figure.typst import to_typst
-from kinegrade.figure.vectors import CROWDED, LONGEST, PointArrow, placed_arrows, with_vectors
-from kinegrade.mechanics.numeric import drawable_mechanism, in_floats
+from kinegrade.figure.typst import write_typst
+from kinegrade.figure.vectors import CROWDED, LONGEST, PointArrow, draw_with_vectors, place_arrows
+from kinegrade.mechanics.numeric import convert_to_floats, convert_value
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import Turning
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 from tests.figure.clear import faults, heads, symbols
 from tests.figure.mechanisms import slider_crank
 from tests.problem.draws import draw_filter, drawn
@@ -32,7 +32,7 @@ ARROWS = [
 
 
 def test_arrows_are_to_one_scale_and_start_at_their_points() -> None:
-    long, short = placed_arrows(ARROWS, 100.0, draw(to_paper(MECHANISM, 100.0), HINTS))
+    long, short = place_arrows(ARROWS, 100.0, draw(scale_to_paper(MECHANISM, 100.0), HINTS))
     assert (long.symbol, short.symbol) == ("v_A", "v_B")
     assert hypot(*(long.end - long.start)) == pytest.approx(LONGEST)
     assert hypot(*(short.end - short.start)) == pytest.approx(LONGEST / 2)
@@ -41,22 +41,20 @@ def test_arrows_are_to_one_scale_and_start_at_their_points() -> None:
 
 
 def test_the_letters_stay_and_the_givens_go() -> None:
-    scene = with_vectors(MECHANISM, HINTS, ARROWS)
+    scene = draw_with_vectors(MECHANISM, HINTS, ARROWS)
     assert symbols(scene) == ["A", "B", "O", "v_A", "v_B"]
     assert faults(scene, WIDTH, HEIGHT) == []
 
 
 def test_an_arrow_along_a_bar_is_drawn_beside_it() -> None:
-    drawing = draw(to_paper(MECHANISM, 100.0), HINTS)
-    (arrow,) = placed_arrows(
-        [PointArrow(r"a_{A}^{\mathrm{n}}", AT_A, ALONG * -3.0)], 100.0, drawing
-    )
+    drawing = draw(scale_to_paper(MECHANISM, 100.0), HINTS)
+    (arrow,) = place_arrows([PointArrow(r"a_{A}^{\mathrm{n}}", AT_A, ALONG * -3.0)], 100.0, drawing)
     assert hypot(*arrow.aside) == pytest.approx(1.5)
     assert arrow.aside.dot(ALONG) == pytest.approx(0.0, abs=1e-9)
 
 
 def test_arrows_come_out_from_under_the_pin_at_which_they_start() -> None:
-    parts = with_vectors(MECHANISM, HINTS, ARROWS).primitives
+    parts = draw_with_vectors(MECHANISM, HINTS, ARROWS).primitives
     last_shaft = max(
         place for place, part in enumerate(parts) if isinstance(part, Strokes) and part.pen == FIRM
     )
@@ -69,11 +67,11 @@ def test_what_is_zero_or_too_short_is_left_out() -> None:
         PointArrow("v_O", Vector(0.0, 0.0), Vector(0.0, 0.0)),
         PointArrow("v_D", AT_A, Vector(0.1, 0.0)),
     ]
-    assert symbols(with_vectors(MECHANISM, HINTS, arrows)) == ["A", "B", "O", "v_A", "v_B"]
+    assert symbols(draw_with_vectors(MECHANISM, HINTS, arrows)) == ["A", "B", "O", "v_A", "v_B"]
 
 
 def test_without_vectors_the_bare_mechanism_is_drawn() -> None:
-    assert symbols(with_vectors(MECHANISM, HINTS, [])) == ["A", "B", "O"]
+    assert symbols(draw_with_vectors(MECHANISM, HINTS, [])) == ["A", "B", "O"]
 
 
 def test_many_arrows_at_one_point_are_longer_and_all_named() -> None:
@@ -82,29 +80,29 @@ def test_many_arrows_at_one_point_are_longer_and_all_named() -> None:
         PointArrow(name, AT_A, Vector(1.0 - number, 1.0 + number))
         for number, name in enumerate(names)
     ]
-    longest = placed_arrows(arrows, 100.0, draw(to_paper(MECHANISM, 100.0), HINTS))[0]
+    longest = place_arrows(arrows, 100.0, draw(scale_to_paper(MECHANISM, 100.0), HINTS))[0]
     assert hypot(*(longest.end - longest.start)) == pytest.approx(CROWDED)
-    scene = with_vectors(MECHANISM, HINTS, arrows)
+    scene = draw_with_vectors(MECHANISM, HINTS, arrows)
     assert set(names) < set(symbols(scene))
     assert faults(scene, WIDTH, HEIGHT) == []
 
 
 @pytest.mark.parametrize("sense", ["ccw", "cw"])
 def test_a_rotation_has_its_sense(sense: str) -> None:
-    scene = with_vectors(MECHANISM, HINTS, ARROWS, [Turning(r"\omega_{AB}", "AB", sense)])  # type: ignore[arg-type]
+    scene = draw_with_vectors(MECHANISM, HINTS, ARROWS, [Turning(r"\omega_{AB}", "AB", sense)])  # type: ignore[arg-type]
     (bow,) = (part for part in scene.primitives if isinstance(part, Bow) and part.pen != THIN)
     assert (bow.sweep > 0) == (sense == "ccw")
     assert r"\omega_{AB}" in symbols(scene)
     assert len(heads(scene)) == 2
 
 
-@pytest.mark.parametrize("name", template_names()[::4])
+@pytest.mark.parametrize("name", find_template_names()[::4])
 def test_velocities_and_accelerations_of_shipped_templates_are_clear(name: str) -> None:
     template = load_template(name)
     motion = drawn(draw_filter(template), 1)[0].solution.motion
     if not motion.rates:
         pytest.skip("a problem of pose alone")
-    mechanism = drawable_mechanism(motion.frames.mechanism)
+    mechanism = convert_to_floats(motion.frames.mechanism)
     for letter, vector, rate in (
         ("v", motion.velocity, motion.omega),
         ("a", motion.acceleration, motion.alpha),
@@ -112,7 +110,7 @@ def test_velocities_and_accelerations_of_shipped_templates_are_clear(name: str) 
         bodies = {point: body.name for body in mechanism.bodies for point in body.points}
         arrows = [
             PointArrow(
-                f"{letter}_{{{point}}}", mechanism.points[point], in_floats(vector(point, body))
+                f"{letter}_{{{point}}}", mechanism.points[point], convert_value(vector(point, body))
             )
             for point, body in bodies.items()
         ]
@@ -122,6 +120,6 @@ def test_velocities_and_accelerations_of_shipped_templates_are_clear(name: str) 
         turnings = [
             Turning(r"\omega", body, "ccw" if size > 0 else "cw") for body, size in rates if size
         ]
-        scene = with_vectors(mechanism, template.figure, arrows, turnings)
+        scene = draw_with_vectors(mechanism, template.figure, arrows, turnings)
         assert faults(scene, WIDTH, HEIGHT) == []
-        assert to_typst(scene).startswith("#box(")
+        assert write_typst(scene).startswith("#box(")

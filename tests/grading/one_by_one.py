@@ -11,9 +11,9 @@ from itertools import groupby
 from kinegrade.exam.folder.keys import Exam, Examinee
 from kinegrade.grading.accepted import Alternatives
 from kinegrade.grading.answers import read
-from kinegrade.grading.decimal_style import FileStyle, file_style
-from kinegrade.grading.decision import decide, voided
-from kinegrade.grading.follow import Decided, Follows, follow_through
+from kinegrade.grading.decimal_style import FileStyle, find_file_style
+from kinegrade.grading.decision import decide, void
+from kinegrade.grading.follow import Decided, Follows, follow_answers
 from kinegrade.grading.marks import Mark
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.sheet import Entry, Sheet
@@ -27,7 +27,7 @@ def marks_one_by_one(
     follows: Follows | None = None,
 ) -> list[Mark]:
     """All marks of a class."""
-    styles = file_style(entries[-1].responses for entries in sheet.entries.values())
+    styles = find_file_style(entries[-1].responses for entries in sheet.entries.values())
     marks = []
     for examinee in exam.examinees:
         rows = [
@@ -68,7 +68,7 @@ def _row(
         better = {
             f"{question}.{name}": decision
             for question, group in groupby(decided, lambda each: each.ask.question)
-            for name, decision in follow_through(examinee.student, list(group), follows).items()
+            for name, decision in follow_answers(examinee.student, list(group), follows).items()
         }
     return [_mark(examinee, entry, each, better) for each in decided]
 
@@ -76,6 +76,6 @@ def _row(
 def _mark(examinee: Examinee, entry: Entry, each: Decided, better: Mapping[str, object]) -> Mark:
     verdict, share = better.get(each.ask.column, each.decision)  # type: ignore[misc]
     if each.ruling.void:
-        verdict, share = voided((verdict, share), each.ruling, handed_in=entry.line is not None)
+        verdict, share = void((verdict, share), each.ruling, handed_in=entry.line is not None)
     now = each.ruling.ask(each.ask)
     return Mark(examinee.student, now, each.reading, verdict, share * now.points)

@@ -10,7 +10,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, rule
+from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, make_rule
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.class_sheet import read_sheet
@@ -22,8 +22,8 @@ from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.tables import parse_table
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 
-ONE_PER_CENT = rule(Fraction(1, 100), Fraction(0))
-ZERO = rule(Fraction(1, 100), Fraction(1, 500))
+ONE_PER_CENT = make_rule(Fraction(1, 100), Fraction(0))
+ZERO = make_rule(Fraction(1, 100), Fraction(1, 500))
 ASKS = (
     Ask("q1", "v_B", "m/s", Fraction(4)), Ask("q1", "omega_AB", "rad/s", Fraction(3), "counter-clockwise positive"),
     Ask("q2", "phi", "deg", Fraction(5, 2)),

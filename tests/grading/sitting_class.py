@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
 
-from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Key, rule
+from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Key, make_rule
 from kinegrade.marks_folder.rows import MarkedAnswer
 
 ASKS = {
@@ -26,7 +26,7 @@ FACTORS = {
     "diameter-for-radius": 2,
 }
 WRONG = tuple(map(float, FACTORS.values()))
-ONE_PER_CENT = rule(Fraction(1, 100), Fraction(0))
+ONE_PER_CENT = make_rule(Fraction(1, 100), Fraction(0))
 Numbers = Mapping[tuple[str, str], Fraction]  # by question and what is drawn
 Typing = Callable[[int], Mapping[str, Fraction]]  # what a student answers wrongly, by column
 

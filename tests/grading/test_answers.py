@@ -15,13 +15,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.grading.answers import Reading, decimal_text, read
-from kinegrade.grading.decimal_style import file_style
+from kinegrade.grading.decimal_style import find_file_style
 from kinegrade.grading.number_text import DecimalStyle
 
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899")
 FULL_WIDTH = str.maketrans({chr(code): chr(code + 0xFEE0) for code in range(0x21, 0x7F)})
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
-STYLES = {",": file_style([], "comma").style, ".": file_style([], "point").style}
+STYLES = {",": find_file_style([], "comma").style, ".": find_file_style([], "point").style}
 GROUPS = {",": [".", " ", "'", "\u2009", "\u202f"], ".": [",", " ", "\u2019", "\u00a0", "\uff0c"]}
 UNITS = {  # the ask's unit -> what may be typed for it, and what that is worth
     "m/s": {"": 1, "m/s": 1, "m·s⁻¹": 1, "mm/s": Fraction(1, 1000), "cm s^-1": Fraction(1, 100),

@@ -174,7 +174,7 @@ def test_the_size_of_blocks_changes_nothing(
     (tmp_path / "policy.toml").write_text(POLICIES[3], encoding="utf-8")
     texts = []
     for number, size in enumerate((1, 7, 1000)):
-        monkeypatch.setattr(marking, "BLOCK", size)
+        monkeypatch.setattr(marking, "_BLOCK", size)
         folder = tmp_path / f"MARKS{number}"
         grade(
             open_exam(tmp_path),

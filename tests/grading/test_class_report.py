@@ -14,7 +14,7 @@ from kinegrade.exam.exam_wording import ExamWording
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.class_report import class_report
 from kinegrade.grading.class_tally import ClassTally, tally
-from kinegrade.grading.math_html import prose_html, symbol_html
+from kinegrade.grading.math_html import write_prose_html, write_symbol_html
 from kinegrade.grading.report_words import CHINESE, ENGLISH
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.grading.marked_folder import RIGHT, Answers, Page, mark_class
@@ -219,8 +219,8 @@ def test_marks_of_students_with_different_asks_are_refused(tmp_path: Path) -> No
     ],
 )
 def test_symbols_become_letters_with_indices(latex: str, html: str) -> None:
-    assert symbol_html(latex) == f'<span class="math">{html}</span>'
+    assert write_symbol_html(latex) == f'<span class="math">{html}</span>'
 
 
 def test_prose_with_an_odd_dollar_sign_is_left_as_it_is() -> None:
-    assert prose_html("costs $5 <b>") == "costs 5 &lt;b&gt;"
+    assert write_prose_html("costs $5 <b>") == "costs 5 &lt;b&gt;"

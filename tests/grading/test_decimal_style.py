@@ -7,7 +7,7 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.grading.answers import PAPERS_RULE, Reading, read
-from kinegrade.grading.decimal_style import Mark, evidence, file_style
+from kinegrade.grading.decimal_style import Mark, find_file_style, gather_evidence
 
 
 @pytest.mark.parametrize(("cells", "decimal", "groups"), [
@@ -18,7 +18,7 @@ from kinegrade.grading.decimal_style import Mark, evidence, file_style
     (["1,234×10^3"], ",", ""), ([","], "", ""), (["9" * 300 + ",5"], "", ""),
 ])  # fmt: skip
 def test_only_cells_beyond_doubt_count(cells: list[str], decimal: str, groups: str) -> None:
-    found = evidence(cells)
+    found = gather_evidence(cells)
     assert (found.decimal, found.groups) == (set(decimal), set(groups))
 
 
@@ -27,7 +27,7 @@ def reading(
 ) -> Reading:
     """`typed` by a student with the answers `own`, in a file with `others`."""
     rows = [[typed, *own], *others]
-    return read(typed, "m", file_style(rows, declared).of_row(rows[0]))
+    return read(typed, "m", find_file_style(rows, declared).of_row(rows[0]))
 
 
 @pytest.mark.parametrize(("typed", "own", "others", "declared", "value", "said"), [

@@ -13,7 +13,12 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from kinegrade.errors import TableError
-from kinegrade.grading.comparison import HEADER, compare, comparison_csv, comparison_text
+from kinegrade.grading.comparison import (
+    HEADER,
+    compare,
+    write_comparison_csv,
+    write_comparison_text,
+)
 from kinegrade.grading.kept_totals import never_lower
 from kinegrade.lms import moodle
 from kinegrade.marks_folder.folder import MarksFolder
@@ -68,15 +73,15 @@ def test_a_marking_does_not_differ_from_itself(answered: Path) -> None:
     marks = regraded(answered, "MARKS", POLICY)
     comparison = compare(MarksFolder(marks), MarksFolder(marks))
     assert comparison.changes == ()
-    assert comparison_csv(comparison).decode("utf-8-sig") == ",".join(HEADER) + "\n"
-    assert comparison_text(comparison) == (
+    assert write_comparison_csv(comparison).decode("utf-8-sig") == ",".join(HEADER) + "\n"
+    assert write_comparison_text(comparison) == (
         "0 up, 0 down, 4 unchanged; mean change 0 points, 0 percentage points"
     )
 
 
 def test_who_changes_by_how_much_and_why(answered: Path) -> None:
     first, second = regraded(answered, "MARKS"), regraded(answered, "MARKS2", POLICY)
-    assert comparison_text(compare(MarksFolder(first), MarksFolder(second))) == TABLE
+    assert write_comparison_text(compare(MarksFolder(first), MarksFolder(second))) == TABLE
     back = compare(MarksFolder(second), MarksFolder(first))
     assert (back.up, back.down, back.mean_points) == (2, 1, Fraction(1, 8))
     assert [change.student for change in back.changes] == ["007", "0012", "S9", "12"]
@@ -125,7 +130,7 @@ def test_cells_of_the_file_do_not_run_in_a_spreadsheet(answered: Path) -> None:
     )
     rows = list(
         csv.DictReader(
-            comparison_csv(compare(MarksFolder(first), MarksFolder(second)))
+            write_comparison_csv(compare(MarksFolder(first), MarksFolder(second)))
             .decode("utf-8-sig")
             .splitlines()
         )
@@ -152,7 +157,7 @@ def test_students_and_asks_of_one_marking_only_are_told(answered: Path) -> None:
         ("12", "q2.a_B"),
         ("0013", "q1.v_B", "q1.omega_AB", "q2.a_B"),
     ]
-    text = comparison_text(comparison)
+    text = write_comparison_text(comparison)
     assert text.endswith(
         "0 up, 0 down, 2 unchanged; 3 in one of the two only; "
         "mean change 0 points, 0 percentage points"
@@ -168,7 +173,7 @@ def test_students_and_asks_of_one_marking_only_are_told(answered: Path) -> None:
 def test_an_answer_of_another_row_is_shown(answered: Path) -> None:
     with (answered.parent / "answers.csv").open("a", encoding="utf-8") as stream:
         stream.write("12,Ann,1.73,\x1b[31m,\n")
-    text = comparison_text(
+    text = write_comparison_text(
         compare(
             MarksFolder(regraded(answered, "MARKS", "attempts = 'first'")),
             MarksFolder(regraded(answered, "MARKS2")),
@@ -201,7 +206,7 @@ def test_nobody_falls_below_an_earlier_total(answered: Path) -> None:
         "earlier total kept: 5.5 of 9.5 before, 2.5 of 6.5 by this marking",
     ]
     assert [row["name"] for row in kept] == ["王伟", "O'Neil, Zoë", "'=HYPERLINK(1)"]
-    assert "earlier total kept: 3 of 9.5 before, 0 of 6.5 by this marking" in comparison_text(
+    assert "earlier total kept: 3 of 9.5 before, 0 of 6.5 by this marking" in write_comparison_text(
         compare(MarksFolder(first), MarksFolder(second))
     )
     assert (

@@ -67,7 +67,6 @@ def asks(paper: dict[str, Any], question: int = 0) -> dict[str, Any]:
 
 
 CHANGES: list[tuple[Change, str]] = [
-    (lambda head, _: head.update(format=3), "exam.json:1: format: 3 - expected 1 or 2"),
     (lambda head, _: head.pop("format"), "exam.json: format: missing - expected 1 or 2"),
     (
         lambda head, _: head.pop("questions"),

@@ -17,11 +17,11 @@ from kinegrade.errors import ExamError, OutputError, TableError
 from kinegrade.exam.exam_wording import ExamWording
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.class_tally import tally
-from kinegrade.grading.feedback import FeedbackRow, FeedbackSheet, feedback_sheets, right_text
+from kinegrade.grading.feedback import FeedbackRow, FeedbackSheet, make_feedback_sheets, write_right
 from kinegrade.grading.feedback_folder import FeedbackWishes, Text, write_feedback
-from kinegrade.grading.feedback_html import feedback_html
-from kinegrade.grading.feedback_markdown import feedback_markdown
-from kinegrade.grading.hints import Hint, hint
+from kinegrade.grading.feedback_html import write_feedback_html
+from kinegrade.grading.feedback_markdown import write_feedback_markdown
+from kinegrade.grading.hints import Hint, find_hint
 from kinegrade.grading.paper_record import PaperRecords, RightAnswer
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.grading.marked_folder import RIGHT, Page, mark_class
@@ -42,7 +42,7 @@ def sheets(folder: Path, *rows: tuple[str, ...], language: str = "en") -> list[F
     exam, marks = mark_class(folder, {str(place): row for place, row in enumerate(rows)})
     return [
         sheet
-        for _, sheet in feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, language)
+        for _, sheet in make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, language)
     ]  # type: ignore[arg-type]
 
 
@@ -70,7 +70,7 @@ def sheets(folder: Path, *rows: tuple[str, ...], language: str = "en") -> list[F
 def test_a_number_tells_what_probably_went_wrong(
     typed: str, unit: str, expected: Hint | None
 ) -> None:
-    found = hint(
+    found = find_hint(
         Fraction(typed),
         Fraction("2.5"),
         Fraction("0.025"),
@@ -81,8 +81,8 @@ def test_a_number_tells_what_probably_went_wrong(
 
 
 def test_nothing_is_guessed_where_zero_is_right_and_a_wide_tolerance_does_not_guess_more() -> None:
-    assert hint(Fraction(3), Fraction(0), Fraction(1), "m/s", {}) is None
-    assert hint(Fraction("-2.2"), Fraction("2.5"), Fraction(1), "m/s", {}) is None
+    assert find_hint(Fraction(3), Fraction(0), Fraction(1), "m/s", {}) is None
+    assert find_hint(Fraction("-2.2"), Fraction("2.5"), Fraction(1), "m/s", {}) is None
 
 
 @pytest.mark.parametrize(
@@ -100,7 +100,7 @@ def test_nothing_is_guessed_where_zero_is_right_and_a_wide_tolerance_does_not_gu
 def test_a_right_answer_is_exact_where_that_is_short(
     exact: str, decimal: str, unit: str, expected: str
 ) -> None:
-    assert right_text(RightAnswer(Fraction(decimal), exact, unit, Fraction(0))) == expected
+    assert write_right(RightAnswer(Fraction(decimal), exact, unit, Fraction(0))) == expected
 
 
 def test_a_sheet_says_what_was_typed_how_it_was_read_what_is_right_and_why(tmp_path: Path) -> None:
@@ -196,7 +196,7 @@ def row_marked_as(marked: str, folder: Path, language: Literal["en", "zh"]) -> F
     lines = file.read_text(encoding="utf-8").splitlines()
     lines[1] = f"7,q1,v_B,1,1,m/s,{marked}"
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    ((_, sheet),) = feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, language)
+    ((_, sheet),) = make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, language)
     return sheet.questions[0].rows[0]
 
 
@@ -204,10 +204,10 @@ def test_a_total_that_was_kept_is_told(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"7": ("1", "2", "3")})
     grades = (marks / "grades.csv").read_text(encoding="utf-8")
     (marks / "grades.csv").write_text(grades.replace(",0,9.5,0", ",8,9.5,84.21"), encoding="utf-8")
-    ((_, sheet),) = feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en")
+    ((_, sheet),) = make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en")
     assert (sheet.total, sheet.kept) == ("8 / 9.5", True)
-    assert sheet.words.kept in feedback_markdown(sheet)
-    assert sheet.words.kept in feedback_html(sheet)
+    assert sheet.words.kept in write_feedback_markdown(sheet)
+    assert sheet.words.kept in write_feedback_html(sheet)
 
 
 def test_questions_follow_as_on_the_paper(tmp_path: Path) -> None:
@@ -216,7 +216,7 @@ def test_questions_follow_as_on_the_paper(tmp_path: Path) -> None:
     (exam / "key.jsonl").write_text(
         json.dumps(record | {"printed": ["q2", "q1"]}), encoding="utf-8"
     )
-    ((_, sheet),) = feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en")
+    ((_, sheet),) = make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en")
     assert [question.heading for question in sheet.questions] == [
         "Question 1 (no. 2 in the answer sheet)",
         "Question 2 (no. 1 in the answer sheet)",
@@ -229,14 +229,14 @@ def test_chinese_sheets_are_chinese(tmp_path: Path) -> None:
     assert [row.verdict for row in rows] == ["错误", "单位不符", "无法识别"]
     assert [row.reason for row in rows] == ["", "", ""]
     assert rows[0].remark.startswith("等于正确值的两倍：可能")
-    assert '<html lang="zh-CN">' in feedback_html(sheet)
+    assert '<html lang="zh-CN">' in write_feedback_html(sheet)
 
 
 def test_nothing_a_student_typed_becomes_a_tag(tmp_path: Path) -> None:
     (plain,) = sheets(tmp_path / "1", ("a", "b", "c"))
     (sheet,) = sheets(tmp_path / "2", HOSTILE)
-    page = Page(feedback_html(sheet))
-    assert page.tags == Page(feedback_html(plain)).tags
+    page = Page(write_feedback_html(sheet))
+    assert page.tags == Page(write_feedback_html(plain)).tags
     assert page.tags.isdisjoint({"script", "a", "img", "link", "iframe"})
     for typed in HOSTILE:
         assert typed in page.text
@@ -245,7 +245,9 @@ def test_nothing_a_student_typed_becomes_a_tag(tmp_path: Path) -> None:
 def test_nothing_a_student_typed_becomes_markdown(tmp_path: Path) -> None:
     (sheet,) = sheets(tmp_path, HOSTILE)
     rendered = (
-        MarkdownIt("commonmark", {"html": True}).enable("table").render(feedback_markdown(sheet))
+        MarkdownIt("commonmark", {"html": True})
+        .enable("table")
+        .render(write_feedback_markdown(sheet))
     )
     page = Page(rendered)
     assert page.tags <= {
@@ -356,7 +358,7 @@ def test_marks_of_another_exam_are_refused(tmp_path: Path) -> None:
         ExamError,
         match='student "8" is not in exam.json and grades.csv - expected the marks of this',
     ):
-        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
+        list(make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
     with pytest.raises(
         ExamError, match='no paper of student "8" - expected one for every student who is marked'
     ):
@@ -377,7 +379,7 @@ def test_marks_of_another_exam_with_the_same_students_are_refused_by_feedback_an
         "this exam - name the exam folder by which they were made"
     )
     with pytest.raises(ExamError, match=message):
-        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
+        list(make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
     with pytest.raises(ExamError, match=message):
         tally(MarksFolder(marks), open_exam(exam))
 
@@ -439,12 +441,12 @@ def test_a_broken_key_is_told(tmp_path: Path, line: str) -> None:
     exam, marks = mark_class(tmp_path, {"7": RIGHT})
     (exam / "key.jsonl").write_text(line + "\n", encoding="utf-8")
     with pytest.raises(ExamError, match=r"key.jsonl.* is broken .* - restore the exam folder"):
-        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
+        list(make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
     (exam / "key.jsonl").unlink()
     with pytest.raises(
         ExamError, match=r"key.jsonl: cannot be read .* - expected an exam folder made by kinegrade"
     ):
-        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
+        list(make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
 
 
 def test_a_broken_exam_is_told(tmp_path: Path) -> None:
@@ -453,7 +455,7 @@ def test_a_broken_exam_is_told(tmp_path: Path) -> None:
     with pytest.raises(
         ExamError, match=r"exam.json: format: missing - .* - restore the exam folder"
     ):
-        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
+        list(make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
     (exam / "exam.json").unlink()
     with pytest.raises(ExamError, match=r"exam.json: cannot be read"):
-        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
+        list(make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))

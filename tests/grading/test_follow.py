@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.exam.folder.keys import Ask, rule
+from kinegrade.exam.folder.keys import Ask, make_rule
 from kinegrade.grading.answers import read
 from kinegrade.grading.decision import Decision, decide
-from kinegrade.grading.follow import Decided, Follows, follow_through
+from kinegrade.grading.follow import Decided, Follows, follow_answers
 from kinegrade.grading.judge import Verdict
 from kinegrade.grading.policy import Ruling
 from kinegrade.stated_marking import StatedTolerance
@@ -19,7 +19,7 @@ from tests.grading.policies import policy_of
 
 ASKS = {"omega_AB": "rad/s", "alpha_AB": "rad/s^2", "a_B": "m/s^2", "phi": "deg"}
 KEYS = {"omega_AB": Fraction(2), "alpha_AB": Fraction(8), "a_B": Fraction(24), "phi": Fraction(350)}
-RULE = rule(Fraction(1, 100), Fraction(0))
+RULE = make_rule(Fraction(1, 100), Fraction(0))
 NOTHING: Mapping[str, Fraction] = {}
 AS_PRINTED = Ruling()
 
@@ -64,7 +64,7 @@ def decided(
 
 
 def followed(ruling: Ruling = AS_PRINTED, **typed: str) -> dict[str, Decision]:
-    return follow_through("007", decided(typed, ruling), follows)
+    return follow_answers("007", decided(typed, ruling), follows)
 
 
 def test_an_answer_that_follows_from_the_own_earlier_one_gets_all_points_and_a_reason() -> None:
@@ -117,7 +117,7 @@ def test_nothing_follows_from_what_is_missing_zero_or_beyond_any_sense(omega: st
         return Fraction(5)
 
     assert (
-        follow_through("007", decided({"omega_AB": omega, "alpha_AB": "5"}), Follows(asked)) == {}
+        follow_answers("007", decided({"omega_AB": omega, "alpha_AB": "5"}), Follows(asked)) == {}
     )
     assert seen == []
 
@@ -125,9 +125,9 @@ def test_nothing_follows_from_what_is_missing_zero_or_beyond_any_sense(omega: st
 def test_an_answer_follows_from_those_before_it_only() -> None:
     assert followed(alpha_AB="18", omega_AB="") == {}
     backwards = list(reversed(decided({"omega_AB": "3", "alpha_AB": "18"})))
-    assert follow_through("007", backwards, follows) == {}
+    assert follow_answers("007", backwards, follows) == {}
     in_plan_order = Follows(consequence, lambda question, asks: sorted(asks, key=list(ASKS).index))
-    assert list(follow_through("007", backwards, in_plan_order)) == ["alpha_AB"]
+    assert list(follow_answers("007", backwards, in_plan_order)) == ["alpha_AB"]
 
 
 def test_an_error_is_charged_once_however_far_it_goes() -> None:
@@ -170,7 +170,7 @@ def test_a_right_answer_in_between_stays_right() -> None:
         value = 10 * omega + own.get("alpha_AB", 2 * omega**2)
         return value if later == "phi" and {"omega_AB", "alpha_AB"} & own.keys() else None
 
-    found = follow_through(
+    found = follow_answers(
         "007", decided({"omega_AB": "3", "alpha_AB": "7.99", "phi": "37.99"}), Follows(by_both)
     )
     assert found["phi"][0].reason == (
@@ -178,7 +178,7 @@ def test_a_right_answer_in_between_stays_right() -> None:
         "difference 0, allowed 0.3799"
     )
     assert (
-        follow_through(
+        follow_answers(
             "007", decided({"a_B": "9", "alpha_AB": "7.95", "phi": "27.95"}), Follows(by_both)
         )
         == {}
@@ -203,7 +203,7 @@ def test_the_best_credit_counts() -> None:
         )
         answers = decided({"omega_AB": "3", "alpha_AB": "18"}, ruling, mistakes)
         assert answers[1].decision[0].kind == "mistake"
-        assert list(follow_through("007", answers, follows)) == kinds
+        assert list(follow_answers("007", answers, follows)) == kinds
 
 
 def test_a_tolerance_of_the_policy_holds_for_what_follows_too() -> None:
@@ -222,7 +222,7 @@ def test_a_void_answer_stays_as_it_is() -> None:
         answers[1].ruling,
         (Verdict("void", ""), Fraction(0)),
     )
-    assert follow_through("007", [answers[0], void], follows) == {}
+    assert follow_answers("007", [answers[0], void], follows) == {}
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.amounts import amount_text
+from kinegrade.amounts import write_amount
 from kinegrade.errors import ExamError, OutputError, TableError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.grade import grade
@@ -337,7 +337,7 @@ def test_a_faulty_exam_leaves_the_old_marks(exam_folder: Path) -> None:
     [("0", "0"), ("10", "10"), ("2.50", "2.5"), ("1/3", "0.3333"), ("1/20000", "0.0001")],
 )
 def test_points_are_shown_short(amount: str, text: str) -> None:
-    assert amount_text(Fraction(amount)) == text
+    assert write_amount(Fraction(amount)) == text
 
 
 def test_the_sheet_of_another_exam_is_refused(exam_folder: Path) -> None:

@@ -10,20 +10,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.grading.equal_hardness import (
-    holm,
-    kruskal_wallis,
-    parameter_trends,
-    ranks,
-    spearman,
-    thirds,
+    adjust_p_values,
+    compare_groups,
+    correlate_ranks,
+    find_parameter_trends,
+    rank_values,
+    split_in_thirds,
 )
 from kinegrade.grading.item_statistics import (
-    correlation,
-    discriminations,
-    facilities,
-    histogram,
-    reliability,
-    summary,
+    correlate,
+    find_discriminations,
+    find_facilities,
+    find_reliability,
+    make_histogram,
+    summarise,
 )
 
 SHARES = st.lists(st.floats(0, 100), max_size=60)
@@ -32,19 +32,19 @@ FEW_LEVELS = st.lists(st.integers(0, 4), min_size=3, max_size=40)
 
 def test_facility_is_the_mean_share_of_the_points() -> None:
     points = np.array([[4.0, 0.0], [2.0, 0.0], [0.0, 0.0]])
-    assert facilities(points, np.array([4.0, 0.0])) == (0.5, None)
-    assert facilities(np.empty((0, 2)), np.array([4.0, 3.0])) == (None, None)
+    assert find_facilities(points, np.array([4.0, 0.0])) == (0.5, None)
+    assert find_facilities(np.empty((0, 2)), np.array([4.0, 3.0])) == (None, None)
 
 
 def test_discrimination_leaves_the_ask_itself_out_of_the_total() -> None:
     points = np.array([[1.0, 3.0, 2.0], [0.0, 1.0, 2.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
     rest = [5.0, 3.0, 0.0, 1.0]
     expected = np.corrcoef([1.0, 0.0, 1.0, 0.0], rest)[0, 1]
-    assert discriminations(points)[0] == pytest.approx(expected)
-    assert discriminations(np.array([[1.0, 1.0], [0.0, 0.0], [1.0, 1.0]])) == pytest.approx(
+    assert find_discriminations(points)[0] == pytest.approx(expected)
+    assert find_discriminations(np.array([[1.0, 1.0], [0.0, 0.0], [1.0, 1.0]])) == pytest.approx(
         (1.0, 1.0)
     )
-    assert discriminations(np.array([[1.0, 0.0], [0.0, 1.0], [1.0, 0.0]])) == pytest.approx(
+    assert find_discriminations(np.array([[1.0, 0.0], [0.0, 1.0], [1.0, 0.0]])) == pytest.approx(
         (-1.0, -1.0)
     )
 
@@ -53,20 +53,20 @@ def test_discrimination_leaves_the_ask_itself_out_of_the_total() -> None:
     "points", [np.empty((0, 2)), np.ones((1, 2)), np.eye(2), np.ones((5, 2)), np.full((7, 2), 0.1)]
 )
 def test_what_too_few_or_too_equal_students_cannot_tell_is_none(points: np.ndarray) -> None:
-    assert discriminations(points) == (None, None)
-    assert reliability(points) is None
+    assert find_discriminations(points) == (None, None)
+    assert find_reliability(points) is None
 
 
 def test_asks_that_agree_are_reliable_and_asks_that_do_not_are_not() -> None:
     alike = np.array([[1.0, 1.0], [0.0, 0.0], [1.0, 1.0]])
-    assert reliability(alike) == pytest.approx(1)
+    assert find_reliability(alike) == pytest.approx(1)
     unlike = np.array([[1.0, 1.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]])
-    assert reliability(unlike) == pytest.approx(0)
+    assert find_reliability(unlike) == pytest.approx(0)
 
 
 def test_a_summary_of_none_one_and_two() -> None:
-    assert summary([]) is None
-    one, two = summary([40.0]), summary([40.0, 60.0])
+    assert summarise([]) is None
+    one, two = summarise([40.0]), summarise([40.0, 60.0])
     assert one
     assert two
     assert (one.count, one.mean, one.sd, one.lower, one.upper) == (1, 40, None, 40, 40)
@@ -76,19 +76,19 @@ def test_a_summary_of_none_one_and_two() -> None:
 
 @given(SHARES)
 def test_a_histogram_counts_everybody_once_from_nought_to_a_hundred(percents: list[float]) -> None:
-    shown = histogram(percents)
+    shown = make_histogram(percents)
     assert sum(shown.counts) == len(percents)
     assert (shown.edges[0], shown.edges[-1], len(shown.counts)) == (0, 100, len(shown.edges) - 1)
 
 
 def test_a_value_on_an_edge_counts_to_the_right_and_bonus_points_to_the_last_class() -> None:
-    assert histogram([20.0, 100.0, 104.0]).counts == (0, 1, 0, 0, 2)
-    assert histogram([29.999999999999996] * 30).counts[3] == 30
+    assert make_histogram([20.0, 100.0, 104.0]).counts == (0, 1, 0, 0, 2)
+    assert make_histogram([29.999999999999996] * 30).counts[3] == 30
 
 
 @given(FEW_LEVELS)
 def test_ranks_of_equals_are_the_mean_of_their_places(values: list[int]) -> None:
-    ranked = ranks(np.array(values, dtype=float))
+    ranked = rank_values(np.array(values, dtype=float))
     for value, rank in zip(values, ranked, strict=True):
         places = [place for place, other in enumerate(sorted(values), 1) if other == value]
         assert rank == sum(places) / len(places)
@@ -99,8 +99,8 @@ def test_h_is_the_share_of_the_ranks_variance_between_the_groups(
     values: list[int], groups: int
 ) -> None:
     names = [f"{place % groups}" for place in range(len(values))]
-    test = kruskal_wallis(np.array(values, dtype=float), names)
-    ranked = ranks(np.array(values, dtype=float))
+    test = compare_groups(np.array(values, dtype=float), names)
+    ranked = rank_values(np.array(values, dtype=float))
     whole = ((ranked - ranked.mean()) ** 2).sum()
     if whole == 0:
         assert test is None
@@ -114,34 +114,34 @@ def test_h_is_the_share_of_the_ranks_variance_between_the_groups(
 
 def test_p_is_that_of_all_permutations_and_always_the_same() -> None:
     apart = np.array([1.0, 2.0, 3.0, 7.0, 8.0, 9.0])
-    test = kruskal_wallis(apart, list("AAABBB"))
-    assert test == kruskal_wallis(apart, list("AAABBB"))
+    test = compare_groups(apart, list("AAABBB"))
+    assert test == compare_groups(apart, list("AAABBB"))
     assert test
     assert test.p == pytest.approx(2 / 20, abs=0.01)
     steps = np.arange(5.0)
-    monotone = spearman(steps, steps**3)
+    monotone = correlate_ranks(steps, steps**3)
     assert monotone
     assert monotone.statistic == pytest.approx(1)
     assert monotone.p == pytest.approx(2 / 120, abs=0.004)
 
 
 def test_one_version_and_equal_points_have_no_test() -> None:
-    assert kruskal_wallis(np.arange(9.0), ["A"] * 9) is None
-    assert kruskal_wallis(np.ones(9), list("ABCABCABC")) is None
-    assert spearman(np.ones(9), np.arange(9.0)) is None
-    assert correlation(np.full(9, 0.1), np.arange(9.0)) is None
+    assert compare_groups(np.arange(9.0), ["A"] * 9) is None
+    assert compare_groups(np.ones(9), list("ABCABCABC")) is None
+    assert correlate_ranks(np.ones(9), np.arange(9.0)) is None
+    assert correlate(np.full(9, 0.1), np.arange(9.0)) is None
 
 
 def test_many_tests_are_adjusted_for() -> None:
-    assert holm([]) == ()
-    assert holm([0.01, 0.04, 0.04]) == pytest.approx((0.03, 0.08, 0.08))
-    assert holm([0.9, 0.95]) == (1.0, 1.0)
+    assert adjust_p_values([]) == ()
+    assert adjust_p_values([0.01, 0.04, 0.04]) == pytest.approx((0.03, 0.08, 0.08))
+    assert adjust_p_values([0.9, 0.95]) == (1.0, 1.0)
 
 
 @given(st.lists(st.integers(0, 9), min_size=3, max_size=50))
 def test_thirds_hold_everybody_and_keep_equal_numbers_together(numbers: list[int]) -> None:
     shares = np.linspace(0, 1, len(numbers))
-    groups = thirds(np.array(numbers, dtype=float), shares)
+    groups = split_in_thirds(np.array(numbers, dtype=float), shares)
     assert sum(group.count for group in groups) == len(numbers)
     assert sum(group.count * group.share for group in groups) == pytest.approx(shares.sum())
     assert all(left.highest < right.lowest for left, right in pairwise(groups))
@@ -151,7 +151,7 @@ def test_a_number_that_makes_papers_harder_stands_first_and_one_that_does_not_va
     None
 ):
     numbers = np.arange(40.0)
-    found = parameter_trends(
+    found = find_parameter_trends(
         {
             ("q1", "k"): np.tile([1.0, 2.0], 20),
             ("q1", "r"): numbers,

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import PolicyError
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.exam.folder.keys import rule
+from kinegrade.exam.folder.keys import make_rule
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.decision import decide
 from kinegrade.grading.grade import grade as mark_class
@@ -234,7 +234,7 @@ def unread(typed: str) -> Reading:
 def test_no_mistake_within_the_tolerance_is_overlooked(
     typed: Fraction, wrong: Fraction, figures: int | None, relative: str, absolute: str
 ) -> None:
-    stated = rule(Fraction(relative), Fraction(absolute), figures)
+    stated = make_rule(Fraction(relative), Fraction(absolute), figures)
     bounds = [*stated.key(wrong).interval, typed]
     for value in bounds:
         reading = Reading("number", "x", value)

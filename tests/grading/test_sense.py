@@ -6,8 +6,8 @@ from typing import get_args
 
 import pytest
 
-from kinegrade.grading.number_text import Unreadable, folded
-from kinegrade.grading.sense import Sense, direction, without_sense
+from kinegrade.grading.number_text import Unreadable, fold
+from kinegrade.grading.sense import Sense, find_direction, split_sense
 
 WORDS: dict[Sense, tuple[str, ...]] = {
     "ccw": ("ccw", "CCW", "c.c.w.", "acw", "counter-clockwise", "Counter clockwise", "anticlockwise", "逆时针",
@@ -35,7 +35,7 @@ FORMS = (
 def test_every_word_is_taken_off_before_and_behind(sense: Sense) -> None:
     for word in WORDS[sense]:
         for form in FORMS:
-            rest, found = without_sense(folded(form.format(word)))
+            rest, found = split_sense(fold(form.format(word)))
             assert (rest.strip(), found) == ("12 m/s" if "m/s" in form else "12", sense), (
                 form.format(word)
             )
@@ -45,7 +45,7 @@ def test_every_word_is_taken_off_before_and_behind(sense: Sense) -> None:
     "typed", ["12 m/s", "12 rad/s", "12 mcw", "scw 12", "12 upper", "上 12", "12 rightful", ""]
 )
 def test_what_is_no_such_word_stays(typed: str) -> None:
-    assert without_sense(typed) == (typed, None)
+    assert split_sense(typed) == (typed, None)
 
 
 @pytest.mark.parametrize(("convention", "positive", "negative"), [
@@ -61,14 +61,18 @@ def test_what_is_no_such_word_stays(typed: str) -> None:
     ("+x", "right", "left"), ("-x", "left", "right"), ("+y", "up", "down"), ("-y", "down", "up"),
 ])  # fmt: skip
 def test_the_convention_makes_it_a_sign(convention: str, positive: Sense, negative: Sense) -> None:
-    assert direction(positive, "", convention) == direction(positive, "+", convention) == (1, "")
-    assert direction(negative, "", convention) == (-1, "")
+    assert (
+        find_direction(positive, "", convention)
+        == find_direction(positive, "+", convention)
+        == (1, "")
+    )
+    assert find_direction(negative, "", convention) == (-1, "")
     for sign, sense in (("-", positive), ("-", negative), ("+", negative)):
         with pytest.raises(Unreadable, match="together can mean either way; write one of the two"):
-            direction(sense, sign, convention)
+            find_direction(sense, sign, convention)
     for sense in set(get_args(Sense)) - {positive, negative}:
         with pytest.raises(Unreadable, match="does not determine the sign of this answer"):
-            direction(sense, "", convention)
+            find_direction(sense, "", convention)
 
 
 @pytest.mark.parametrize(
@@ -82,14 +86,14 @@ def test_the_convention_makes_it_a_sign(convention: str, positive: Sense, negati
 )
 def test_words_tell_nothing_where_the_convention_is_another(convention: str) -> None:
     with pytest.raises(Unreadable, match="does not determine the sign of this answer"):
-        direction("ccw", "", convention)
+        find_direction("ccw", "", convention)
 
 
 @pytest.mark.parametrize(
     "convention", ["magnitude, not negative", "magnitude", "between 0° and 180°", "unsigned"]
 )
 def test_words_are_left_out_where_there_is_no_sign(convention: str) -> None:
-    assert direction("cw", "", convention) == (
+    assert find_direction("cw", "", convention) == (
         1,
         "a sense (clockwise) is not asked for; it was left out",
     )

@@ -19,10 +19,10 @@ from click.testing import CliRunner, Result
 
 from kinegrade.cli.sharing import sharing as command
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.keys import rule
-from kinegrade.grading.sharing import MOST, Pair, sharing, tail
-from kinegrade.grading.sharing_fits import windows
-from kinegrade.grading.sharing_report import HEADER, NOTE, sharing_csv, sharing_text
+from kinegrade.exam.folder.keys import make_rule
+from kinegrade.grading.sharing import MOST, Pair, find_pairs, find_tail
+from kinegrade.grading.sharing_fits import find_windows
+from kinegrade.grading.sharing_report import HEADER, NOTE, write_sharing_csv, write_sharing_text
 from tests.grading.marked_folder import mark_class
 from tests.grading.sitting_class import ONE_PER_CENT, SittingClass, honest_slips, sitting_class
 
@@ -37,7 +37,7 @@ def planted(
     """
     slips, copies = honest_slips(sitting, 7), dict(sharers)
     return list(
-        sharing(
+        find_pairs(
             sitting.exam,
             sitting.answers(
                 lambda place: {
@@ -68,7 +68,7 @@ def test_sharers_are_found_in_their_direction_with_what_is_expected_beside_it() 
 def test_the_mistakes_of_another_paper_are_copied_too() -> None:
     sitting = sitting_class(100, 2)
     doubled = {ask.column: 2 * sitting.key(9, ask.column) for ask in sitting.exam.asks}
-    (pair,) = sharing(
+    (pair,) = find_pairs(
         sitting.exam, sitting.answers(lambda place: doubled if place == 4 else {})
     ).reported
     assert (pair.student.student, pair.other.student, len(pair.answers)) == (
@@ -82,7 +82,7 @@ def test_the_mistakes_of_another_paper_are_copied_too() -> None:
 @pytest.mark.parametrize("seed", range(10))
 def test_an_honest_class_shows_nothing(seed: int) -> None:
     sitting = sitting_class(100, seed)
-    found = sharing(sitting.exam, sitting.answers(honest_slips(sitting, seed)))
+    found = find_pairs(sitting.exam, sitting.answers(honest_slips(sitting, seed)))
     assert (found.reported, found.found, found.pairs) == ((), 0, 100 * 99)
 
 
@@ -94,26 +94,26 @@ def test_one_misread_number_is_no_hint() -> None:
 def test_right_blank_explained_and_zero_answers_are_never_counted() -> None:
     sitting = sitting_class(100, 3)
     answers = list(sitting.answers(lambda place: sitting.copied(8, *HALF) if place == 2 else {}))
-    assert len(sharing(sitting.exam, answers).reported) == 1
+    assert len(find_pairs(sitting.exam, answers).reported) == 1
     for verdict in ("right", "blank", "mistake", "accepted", "unreadable", "wrong unit", "void"):
-        assert not sharing(
+        assert not find_pairs(
             sitting.exam, [replace(answer, verdict=verdict) for answer in answers]
         ).reported
     for text in ("", "0.000", "1e999"):
-        assert not sharing(
+        assert not find_pairs(
             sitting.exam, [replace(answer, read_as=text) for answer in answers]
         ).reported
 
 
 def test_equal_papers_are_no_hint_and_the_report_says_so() -> None:
     sitting = sitting_class(100, 4, paper=lambda place: place % 4)
-    found = sharing(
+    found = find_pairs(
         sitting.exam, sitting.answers(lambda place: sitting.copied(9, *HALF) if place == 4 else {})
     )
     assert (found.reported, found.papers) == ((), 4)
     assert (
         "100 students had 4 different papers: answers passed on between identical papers leave no trace"
-        in sharing_text(found)
+        in write_sharing_text(found)
     )
 
 
@@ -124,22 +124,22 @@ def test_the_level_is_that_of_the_whole_class() -> None:
             lambda place: sitting.copied(9, "q1.v", "q1.a", "q2.v") if place == 4 else {}
         )
     )
-    (pair,) = sharing(sitting.exam, answers, 1).reported[:1]
+    (pair,) = find_pairs(sitting.exam, answers, 1).reported[:1]
     mean = pair.as_key_expected
     assert pair.chance == pytest.approx(
-        min(1, 2 * 100 * 99 * min(tail(3, mean), tail(3, pair.expected)))
+        min(1, 2 * 100 * 99 * min(find_tail(3, mean), find_tail(3, pair.expected)))
     )
-    assert sharing(sitting.exam, answers, pair.chance / 2).reported == ()
+    assert find_pairs(sitting.exam, answers, pair.chance / 2).reported == ()
 
 
 def test_no_more_pairs_are_told_than_a_person_can_look_at(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("kinegrade.grading.sharing.MOST", 5)
     sitting = sitting_class(60, 6)
-    found = sharing(
+    found = find_pairs(
         sitting.exam, sitting.answers(lambda place: sitting.copied(0, *HALF) if place else {})
     )
     assert (found.found, len(found.reported)) == (59, 5)
-    assert f"The file has the {MOST:,} most striking ones." in sharing_text(
+    assert f"The file has the {MOST:,} most striking ones." in write_sharing_text(
         replace(found, found=MOST + 1)
     )
 
@@ -155,7 +155,7 @@ def test_a_class_of_two_thousand_in_seconds() -> None:
 
 @pytest.mark.parametrize(("count", "mean"), [(1, 0.2), (3, 0.05), (7, 2.5), (4, 3.9)])
 def test_the_tail_of_the_poisson_distribution(count: int, mean: float) -> None:
-    assert tail(count, mean) == pytest.approx(
+    assert find_tail(count, mean) == pytest.approx(
         1 - sum(exp(-mean) * mean**each / factorial(each) for each in range(count))
     )
 
@@ -163,11 +163,11 @@ def test_the_tail_of_the_poisson_distribution(count: int, mean: float) -> None:
 def test_what_fits_is_what_would_be_right_there() -> None:
     keys = [
         ONE_PER_CENT.key(Fraction(2)),
-        rule(Fraction(0), Fraction(0), 3).key(Fraction("2.034")),
-        rule(Fraction(1, 100), Fraction(1, 2)).key(Fraction("0.4")),
+        make_rule(Fraction(0), Fraction(0), 3).key(Fraction("2.034")),
+        make_rule(Fraction(1, 100), Fraction(1, 2)).key(Fraction("0.4")),
         ONE_PER_CENT.key(Fraction(0)),
     ]
-    found = windows(keys, mistakes=False)
+    found = find_windows(keys, mistakes=False)
     assert [
         found.papers(number) for number in (2.0199, 2.0201, 2.0251, 2.0349, 2.0351, 0.4, 0.0)
     ] == [{0}, set(), {1}, {1}, set(), set(), set()]
@@ -175,7 +175,7 @@ def test_what_fits_is_what_would_be_right_there() -> None:
 
 def test_angles_are_compared_without_full_turns() -> None:
     keys = [ONE_PER_CENT.key(Fraction(value), Fraction(360)) for value in (359, -90, 20)]
-    found = windows(keys, mistakes=False)
+    found = find_windows(keys, mistakes=False)
     assert [found.papers(number) for number in (1.0, -1.0, 270.0, -450.0, 740.1)] == [
         {0},
         {0},
@@ -191,14 +191,14 @@ def test_marks_of_another_exam_are_refused() -> None:
         ExamError,
         match=r'^marks.csv: student "s3" is not in the exam - expected marks made from this',
     ):
-        sharing(sitting.exam, larger.answers(lambda place: {}))
+        find_pairs(sitting.exam, larger.answers(lambda place: {}))
 
 
 def test_marks_that_are_not_as_written_are_refused_with_all_faults_at_once() -> None:
     sitting = sitting_class(3, 1)
     first, second, *others = sitting.answers(lambda place: {})
     with pytest.raises(ExamError) as caught:
-        sharing(sitting.exam, [replace(first, read_as="=1"), replace(second, ask="x"), *others])
+        find_pairs(sitting.exam, [replace(first, read_as="=1"), replace(second, ask="x"), *others])
     assert caught.value.problems == (
         'marks.csv: student "s0", q1.v: "=1" stands where a number should - expected the file as '
         "kinegrade grade wrote "
@@ -211,10 +211,10 @@ def test_marks_that_are_not_as_written_are_refused_with_all_faults_at_once() -> 
 
 def test_nobody_is_accused_and_no_cell_runs() -> None:
     sitting = sitting_class(60, 9, name=lambda place: f"=HYPERLINK({place})")
-    found = sharing(
+    found = find_pairs(
         sitting.exam, sitting.answers(lambda place: sitting.copied(1, *HALF) if place == 2 else {})
     )
-    header, row = csv.reader(io.StringIO(sharing_csv(found).decode("utf-8-sig")))
+    header, row = csv.reader(io.StringIO(write_sharing_csv(found).decode("utf-8-sig")))
     told = dict(zip(header, row, strict=True))
     assert tuple(header) == HEADER
     assert (told["student"], told["name"], told["other"], told["other_name"]) == (
@@ -230,23 +230,23 @@ def test_nobody_is_accused_and_no_cell_runs() -> None:
         float(told["expected_by_chance"]) < 2,
     ) == ("6", "6", True)
     assert told["answers"].startswith("q1.v ")
-    text = sharing_text(found)
+    text = write_sharing_text(found)
     assert text.startswith(
         "1 pair is worth a look, of 3,540: more of a student's wrong answers fit the other's paper"
     )
     assert "not evidence of anything by itself" in text
     for word in ("cheat", "copied", "suspect", "fraud", "guilty", "dishonest"):
-        assert word not in text.lower() + sharing_csv(found).decode("utf-8-sig").lower()
+        assert word not in text.lower() + write_sharing_csv(found).decode("utf-8-sig").lower()
 
 
 def test_an_id_is_a_key_and_stays_as_it_is() -> None:
     sitting = sitting_class(60, 9)
-    found = sharing(
+    found = find_pairs(
         sitting.exam, sitting.answers(lambda place: sitting.copied(1, *HALF) if place == 2 else {})
     )
     (pair,) = found.reported
     odd = replace(pair, student=replace(pair.student, student="=2"))
-    _, row = csv.reader(io.StringIO(sharing_csv(replace(found, reported=(odd,))).decode()))
+    _, row = csv.reader(io.StringIO(write_sharing_csv(replace(found, reported=(odd,))).decode()))
     assert (row[0], row[2]) == ("=2", "s1")
 
 

@@ -14,7 +14,7 @@ import pytest
 import sympy
 
 from kinegrade.grading.answers import Reading, read
-from kinegrade.grading.decimal_style import file_style
+from kinegrade.grading.decimal_style import find_file_style
 from kinegrade.grading.number_text import DecimalStyle
 
 TABLE = Path(__file__).with_name("typed_answers.tsv")
@@ -24,8 +24,8 @@ CONVENTIONS = {
     "+x": "positive in the direction of $+x$", "+y": "positive in the direction of $+y$",
 }  # fmt: skip
 STYLES = {
-    "comma": file_style([], "comma").style, "point": file_style([], "point").style,
-    "undecided": file_style([]).of_row(["0,5", "1,234.5"]),
+    "comma": find_file_style([], "comma").style, "point": find_file_style([], "point").style,
+    "undecided": find_file_style([]).of_row(["0,5", "1,234.5"]),
 }  # fmt: skip
 DIGITS = 60
 

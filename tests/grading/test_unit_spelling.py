@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.grading.number_text import Unreadable
-from kinegrade.grading.unit_spelling import Conversion, WrongUnit, conversion, written_unit
+from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion, read_unit
 
 SAME = Conversion()
 
@@ -26,8 +26,8 @@ SAME = Conversion()
     ("", None),
 ])  # fmt: skip
 def test_spellings(typed: str, unit: str | None) -> None:
-    assert written_unit(typed) == (None if unit is None else written_unit(unit))
-    assert unit is None or written_unit(unit) is not None
+    assert read_unit(typed) == (None if unit is None else read_unit(unit))
+    assert unit is None or read_unit(unit) is not None
 
 
 @pytest.mark.parametrize(("typed", "unit", "factor", "pi"), [
@@ -38,7 +38,7 @@ def test_spellings(typed: str, unit: str | None) -> None:
     ("(m/s)", "m/s", 1, 0), ("[1]", "1", 1, 0), ("*m", "m", 1, 0), ("dm", "m", Fraction(1, 10), 0), ("N", "N", 1, 0),
 ])  # fmt: skip
 def test_conversions_are_exact(typed: str, unit: str, factor: Fraction, pi: int) -> None:
-    assert conversion(typed, unit) == Conversion(Fraction(factor), pi)
+    assert find_conversion(typed, unit) == Conversion(Fraction(factor), pi)
 
 
 @pytest.mark.parametrize(("typed", "unit", "reason"), [
@@ -53,7 +53,7 @@ def test_conversions_are_exact(typed: str, unit: str, factor: Fraction, pi: int)
 ])  # fmt: skip
 def test_another_dimension_is_told(typed: str, unit: str, reason: str) -> None:
     with pytest.raises(WrongUnit) as told:
-        conversion(typed, unit)
+        find_conversion(typed, unit)
     assert str(told.value) == reason
 
 
@@ -64,7 +64,7 @@ def test_another_dimension_is_told(typed: str, unit: str, reason: str) -> None:
 ])  # fmt: skip
 def test_an_unknown_unit_is_told(typed: str, unit: str, reason: str) -> None:
     with pytest.raises(Unreadable) as told:
-        conversion(typed, unit)
+        find_conversion(typed, unit)
     assert str(told.value) == reason
 
 
@@ -75,7 +75,7 @@ def test_an_unknown_unit_is_told(typed: str, unit: str, reason: str) -> None:
 def test_any_text_is_converted_or_refused(typed: str, unit: str) -> None:
     told = ""
     try:
-        conversion(typed, unit)
+        find_conversion(typed, unit)
     except (Unreadable, WrongUnit) as refusal:
         told = str(refusal)
     assert not told or unit in told or '"' in told

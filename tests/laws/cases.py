@@ -18,12 +18,12 @@ from kinegrade.errors import MechanismError
 from kinegrade.exact.balls import Undecided
 from kinegrade.exact.field import Field
 from kinegrade.exact.floats import Floats
-from kinegrade.expression import elementary, evaluate, read
+from kinegrade.expression import evaluate, make_elementary_functions, read_expression
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.motion import Motion, solve
+from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.assemble import parameter_value
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.assemble import read_parameter
+from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import Parameter, Template
 from tests.laws.growing import mechanisms
@@ -51,7 +51,7 @@ class Case:
 
     def solved(self, mechanism: Mechanism) -> Motion:
         """The motion of a changed mechanism in the same arithmetic."""
-        return solve(mechanism, self.arithmetic)
+        return solve_motion(mechanism, self.arithmetic)
 
     def marked(self) -> list[tuple[str, str]]:
         """Every marked point with its body."""
@@ -87,7 +87,7 @@ def with_numbers(mechanism: Mechanism, change: Any) -> Mechanism:
 @cache
 def moving_templates() -> tuple[str, ...]:
     """The names of the shipped templates that have an input; a pose has no motion."""
-    return tuple(name for name in template_names() if shipped(name).scheme.drivers)
+    return tuple(name for name in find_template_names() if shipped(name).scheme.drivers)
 
 
 @cache
@@ -136,18 +136,20 @@ def first_fulfilling(template: Template, choose: Callable[[Parameter], str]) -> 
 
 def number(text: str) -> Any:
     """A drawable value in its own unit, as a double."""
-    return evaluate(read(text), {"pi": 3.141592653589793}, elementary(FLOATS), FLOATS)
+    return evaluate(
+        read_expression(text), {"pi": 3.141592653589793}, make_elementary_functions(FLOATS), FLOATS
+    )
 
 
 def fulfils(template: Template, values: Mapping[str, str]) -> bool:
     """Whether values fulfil a template's conditions, by doubles and clear of the border."""
     known = {
-        name: parameter_value(parameter, read(values[name]), FLOATS)
+        name: read_parameter(parameter, read_expression(values[name]), FLOATS)
         for name, parameter in template.parameters.items()
     } | {"pi": FLOATS.turns(1)}
     return all(
-        evaluate(condition.left, known, elementary(FLOATS), FLOATS) + 1e-9
-        < evaluate(condition.right, known, elementary(FLOATS), FLOATS)
+        evaluate(condition.left, known, make_elementary_functions(FLOATS), FLOATS) + 1e-9
+        < evaluate(condition.right, known, make_elementary_functions(FLOATS), FLOATS)
         for condition in template.scheme.conditions
     )
 
@@ -170,7 +172,7 @@ def grown_cases(draw: Any) -> Case:
     """
     mechanism, field = draw(mechanisms()), Field()
     try:
-        return Case(mechanism, field, solve(mechanism, field))
+        return Case(mechanism, field, solve_motion(mechanism, field))
     except (MechanismError, Undecided):
         assume(False)
         raise

@@ -19,7 +19,7 @@ import numpy as np
 from flint import arb
 from mpmath import atan2, cos, mp, mpf, sin
 
-from kinegrade.exact.surd import Surd, enclosure
+from kinegrade.exact.surd import Surd, enclose
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import (
     GROUND,
@@ -48,7 +48,7 @@ Pose = tuple[Any, Any, Any]  # how far the body has moved along x and y, and tur
 def precise(number: Any) -> Any:
     """An exact number, a ball or a double as an mpf."""
     if isinstance(number, Surd):
-        return precise(enclosure(number, 320))
+        return precise(enclose(number, 320))
     if isinstance(number, arb):
         mantissa, exponent = number.mid().man_exp()
         return mpf(int(mantissa)) * mpf(2) ** int(exponent)

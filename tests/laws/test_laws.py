@@ -15,11 +15,11 @@ from kinegrade.errors import MechanismError
 from kinegrade.exact.balls import Balls
 from kinegrade.exact.field import Field
 from kinegrade.exact.floats import Floats
-from kinegrade.exact.surd import Surd, enclosure
+from kinegrade.exact.surd import Surd, enclose
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.joints import Circle, Line, Pin
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.motion import Motion, solve
+from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.mechanics.vector import Vector
 from tests.laws.cases import (
     Case,
@@ -246,7 +246,7 @@ def test_a_mechanism_is_refused_exactly_where_positions_do_not_determine_its_mot
     mechanism: Mechanism,
 ) -> None:
     try:
-        solve(mechanism, Field())
+        solve_motion(mechanism, Field())
         refused = False
     except MechanismError:
         refused = True
@@ -276,7 +276,7 @@ def test_many_instances_at_once_in_doubles_agree_with_each_one_exactly(case: Cas
             ),
         )
         with floats.context():
-            motion = solve(mechanism, floats, exact.plan)
+            motion = solve_motion(mechanism, floats, exact.plan)
         scale = size(exact)
         for point, body in case.marked():
             for coordinate in (0, 1):
@@ -296,7 +296,7 @@ def test_many_instances_at_once_in_doubles_agree_with_each_one_exactly(case: Cas
 def test_balls_hold_the_exact_motion_and_are_narrow(case: Case) -> None:
     balls = Balls(256)
     with balls.context():
-        motion = solve(with_numbers(case.mechanism, balls.number), balls)
+        motion = solve_motion(with_numbers(case.mechanism, balls.number), balls)
         for body in case.turning():
             assert encloses(motion.omega(body), case.motion.omega(body))
             assert encloses(motion.alpha(body), case.motion.alpha(body))
@@ -305,7 +305,7 @@ def test_balls_hold_the_exact_motion_and_are_narrow(case: Case) -> None:
 @given(template_cases())
 def test_the_plan_of_one_instance_serves_every_other(case: Case) -> None:
     with case.context():
-        motion = solve(case.mechanism, case.arithmetic, case.motion.plan)
+        motion = solve_motion(case.mechanism, case.arithmetic, case.motion.plan)
         assert motion.plan is case.motion.plan
         compare(case, motion, vector=lambda v: v, turn=lambda w: w, change=lambda a: a)
 
@@ -363,6 +363,6 @@ def size(motion: Motion) -> float:
 
 def encloses(ball: Any, exact: Any) -> bool:
     """Whether a ball meets the exact number and is narrower than 1e-30 of it."""
-    value = enclosure(exact, 400) if isinstance(exact, Surd) else arb(fmpq(exact))
+    value = enclose(exact, 400) if isinstance(exact, Surd) else arb(fmpq(exact))
     narrow = ball.rad() < arb("1e-30") if value == 0 else ball.rel_accuracy_bits() > 100
     return bool(ball.overlaps(value)) and narrow

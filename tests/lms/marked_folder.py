@@ -8,7 +8,7 @@ import json
 from collections.abc import Mapping
 from pathlib import Path
 
-from kinegrade.csv_writing import csv_text
+from kinegrade.csv_writing import write_csv_text
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.lms.cells import Cell, read_cells
 from kinegrade.lms.dialect import Dialect, ExportOptions
@@ -62,9 +62,11 @@ def write_marks(folder: Path, *, students: Mapping[str, str] | None = None) -> P
         "reason",
     )
     texts = {
-        "grades": csv_text(("student", "name", "q1", "q2", "total", "out_of", "percent"), grades),
-        "marks": csv_text(header, marks),
-        "complaints": csv_text(
+        "grades": write_csv_text(
+            ("student", "name", "q1", "q2", "total", "out_of", "percent"), grades
+        ),
+        "marks": write_csv_text(header, marks),
+        "complaints": write_csv_text(
             ("file", "line", "column", "content", "problem", "done"),
             [("a.csv", "7", "q1.v_B", "'@x", "unreadable", "no points")],
         ),

@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 
 from kinegrade.exam.quiz_document import Language
-from kinegrade.lms.quiz.html import unit_html
+from kinegrade.lms.quiz.html import write_unit_html
 from kinegrade.lms.responses.asked_units import asked_unit, in_unit, on_the_line
-from kinegrade.problem.kept_decimals import units
+from kinegrade.problem.kept_decimals import list_finer_units
 from tests.lms.quiz.packages import bare, files_of
 from tests.lms.quiz.test_canvas_class import SPEED, STUDENTS, right_answers, set_exam
 from tests.lms.response_files import cells, csv_text, responses
@@ -78,12 +78,12 @@ def test_the_student_that_canvas_invents_is_passed_over_and_a_real_one_is_not(
 
 @pytest.mark.parametrize("unit", ["m", "km", "cm/s", "m/s^2", "km/s", "cm/s^2"])
 def test_the_unit_is_found_in_the_text_with_or_without_tags(unit: str) -> None:
-    for finer, factor in units(unit):
-        shown = f"Mind the unit: {unit_html(finer)} here, not {unit_html(unit)}."
+    for finer, factor in list_finer_units(unit):
+        shown = f"Mind the unit: {write_unit_html(finer)} here, not {write_unit_html(unit)}."
         expected = finer if factor > 1 else ""
         assert asked_unit(f"101: speed {shown}", unit) == expected
         assert asked_unit(f"101:\nspeed {TAG.sub('', shown)}\n", unit) == expected
-        assert on_the_line(finer) == TAG.sub("", unit_html(finer))
+        assert on_the_line(finer) == TAG.sub("", write_unit_html(finer))
 
 
 @pytest.mark.parametrize(

@@ -8,11 +8,11 @@ from flint import fmpq
 from kinegrade.exact.field import Field
 from kinegrade.exact.rounding import Rounded
 from kinegrade.mechanics.by_hand import WrittenTerm, solve_by_hand
-from kinegrade.mechanics.doubles import in_doubles
+from kinegrade.mechanics.doubles import convert_to_doubles
 from kinegrade.mechanics.drivers import Rotation
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
-from kinegrade.mechanics.motion import Motion, pose, solve
+from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.vector import Vector
 
 
@@ -32,12 +32,14 @@ def slotted_rocker() -> Motion:
         Slide("A", "crank", slot, "rocker"),
     )
     bodies = (Body("crank", ("O", "A")), Body("rocker", ("C",)))
-    return solve(Mechanism(points, bodies, joints, (Rotation("crank", fmpq(2), fmpq(0)),)), Field())
+    return solve_motion(
+        Mechanism(points, bodies, joints, (Rotation("crank", fmpq(2), fmpq(0)),)), Field()
+    )
 
 
 def test_doubles_say_what_the_exact_motion_says() -> None:
     exact = slotted_rocker()
-    doubles = in_doubles(exact)
+    doubles = convert_to_doubles(exact)
     assert doubles.rates == {name: float(rate) for name, rate in exact.rates.items()}
     for body in ("crank", "rocker"):
         found, expected = doubles.acceleration("A", body), exact.acceleration("A", body)
@@ -46,7 +48,7 @@ def test_doubles_say_what_the_exact_motion_says() -> None:
 
 def test_with_all_figures_the_plan_gives_the_exact_motion_again() -> None:
     exact = slotted_rocker()
-    worked = solve_by_hand(in_doubles(exact), Rounded(14))
+    worked = solve_by_hand(convert_to_doubles(exact), Rounded(14))
     assert worked.rates == pytest.approx(
         {name: float(rate) for name, rate in exact.rates.items()}, rel=1e-12
     )
@@ -56,7 +58,7 @@ def test_with_all_figures_the_plan_gives_the_exact_motion_again() -> None:
 
 
 def test_every_rate_and_every_term_is_written_down() -> None:
-    worked = solve_by_hand(in_doubles(slotted_rocker()), Rounded(3))
+    worked = solve_by_hand(convert_to_doubles(slotted_rocker()), Rounded(3))
     assert worked.omega("rocker") == 0.31  # 2 * 0.09 / 0.58 = 0.31034
     assert worked.velocity("A", "rocker") == (-0.093, 0.217)  # 0.31 * 0.3, 0.31 * 0.7
     term = WrittenTerm("arc", "rate", Vector(0.123, 0.456), "A", "O", "rocker", rounded=Rounded(2))
@@ -70,7 +72,7 @@ def test_every_rate_and_every_term_is_written_down() -> None:
 
 
 def test_a_relative_motion_that_was_solved_for_is_no_difference_of_rounded_vectors() -> None:
-    worked = solve_by_hand(in_doubles(slotted_rocker()), Rounded(2))
+    worked = solve_by_hand(convert_to_doubles(slotted_rocker()), Rounded(2))
     (rate,) = (rate for name, rate in worked.rates.items() if name.startswith("slide"))
     relative = worked.relative_velocity("A", "crank", "rocker")
     assert relative == pytest.approx((0.7 * rate, 0.3 * rate), rel=0.05)
@@ -83,5 +85,5 @@ def test_a_relative_motion_that_was_solved_for_is_no_difference_of_rounded_vecto
 
 
 def test_a_pose_has_nothing_to_be_worked_out() -> None:
-    still = pose(slotted_rocker().frames.mechanism, Field())
-    assert solve_by_hand(in_doubles(still), Rounded(3)).rates == {}
+    still = pose_mechanism(slotted_rocker().frames.mechanism, Field())
+    assert solve_by_hand(convert_to_doubles(still), Rounded(3)).rates == {}

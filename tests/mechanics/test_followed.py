@@ -11,11 +11,11 @@ from kinegrade.errors import MechanismError
 from kinegrade.exact.floats import Floats
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.drivers import Rotation
-from kinegrade.mechanics.followed import FollowedMotion, OwnValue, followed
-from kinegrade.mechanics.frames import build
+from kinegrade.mechanics.followed import FollowedMotion, OwnValue, follow_values
+from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
-from kinegrade.mechanics.own_terms import coriolis_share, normal_share
+from kinegrade.mechanics.own_terms import name_coriolis_share, name_normal_share
 from kinegrade.mechanics.vector import Vector
 
 ROOT = sqrt(3)
@@ -51,9 +51,9 @@ def slotted_rocker() -> Mechanism:
 
 def follow(mechanism: Mechanism, *own: OwnValue) -> FollowedMotion:
     floats = Floats()
-    frames = build(mechanism, floats)
+    frames = build_frames(mechanism, floats)
     equations = [relation.equations() for relation in frames.relations]
-    return followed(frames, plans.find(frames.relations, equations, floats), own, floats)
+    return follow_values(frames, plans.find_plan(frames.relations, equations, floats), own, floats)
 
 
 def when(read: Read) -> Callable[[FollowedMotion], float | None]:
@@ -118,7 +118,7 @@ def test_the_rocker_goes_on_from_an_own_angular_velocity_and_an_own_coriolis_acc
     turning = OwnValue(when(lambda m: m.rates["omega CA"]), 0.5, "velocity")
     assert follow(slotted_rocker(), turning).alpha("CA") == pytest.approx(-0.42 / 0.58)
     right = follow(slotted_rocker())
-    part = coriolis_share("A", "CA")
+    part = name_coriolis_share("A", "CA")
     halved = OwnValue(
         when(lambda m: size(m.coriolis("A", "OA", "CA"))),
         size(right.coriolis("A", "OA", "CA")) / 2,
@@ -133,7 +133,7 @@ def test_the_rocker_goes_on_from_an_own_angular_velocity_and_an_own_coriolis_acc
 
 def test_an_own_normal_part_leaves_the_angular_velocity_alone() -> None:
     # twice the normal part of AB: a_B = -2 omega^2 as if omega^2 were 2/9, although omega is 1/3
-    part = normal_share("B", "A")
+    part = name_normal_share("B", "A")
     own = OwnValue(
         when(lambda m: ROOT * m.omega("AB") ** 2 * m.share(part)),
         2 * ROOT / 9,

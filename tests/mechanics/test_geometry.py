@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.exact.field import Field
-from kinegrade.expression import elementary, evaluate, read
-from kinegrade.mechanics.geometry import BRANCHES, constructions
+from kinegrade.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.mechanics.geometry import BRANCHES, make_constructions
 from kinegrade.mechanics.vector import Vector
 from tests.exact.numbers import rationals
 from tests.laws.growing import DIRECTIONS, RADII
@@ -20,11 +20,11 @@ def construct(text: str, field: Field | None = None) -> Any:
     """What a construction comes to with O, A = (3, 0), B = (0, 4) and phi = 30 degrees."""
     field = field or Field()
     points: dict[str, Vector] = {}
-    functions = {**elementary(field), **constructions(field, points)}
+    functions = {**make_elementary_functions(field), **make_constructions(field, points)}
     values: dict[str, Any] = {"pi": field.turns(1), **{branch: branch for branch in BRANCHES}}
     for name, place in {"O": "(0, 0)", "A": "(3, 0)", "B": "(0, 4)", "phi": "pi/6"}.items():
-        values[name] = evaluate(read(place), values, functions, field)
-    return evaluate(read(text), values, functions, field)
+        values[name] = evaluate(read_expression(place), values, functions, field)
+    return evaluate(read_expression(text), values, functions, field)
 
 
 @pytest.mark.parametrize(
@@ -81,7 +81,7 @@ def test_both_common_points_of_a_line_and_a_circle_lie_on_both(
     x: Any, y: Any, along: Vector, radius: Any, depth: Any
 ) -> None:
     field = Field()
-    build = constructions(field, {})
+    build = make_constructions(field, {})
     centre = Vector(x, y)
     through = centre + along.turned() * (radius * depth / (depth + 1))
     line, circle = build["line"](through, through + along), build["circle"](centre, radius)
@@ -103,7 +103,7 @@ def test_the_named_turn_is_the_side_of_the_way_from_the_first_centre_to_the_seco
     x: Any, y: Any, along: Vector, radius: Any, turn: str
 ) -> None:
     field = Field()
-    build = constructions(field, {})
+    build = make_constructions(field, {})
     first, second = Vector(x, y), Vector(x, y) + along * radius
     point = build["meet"](build["circle"](first, radius), build["circle"](second, radius), turn)
     assert (point - first).squared() == radius * radius == (point - second).squared()

@@ -15,7 +15,7 @@ from kinegrade.mechanics.joints import (
     Sleeve,
     Slide,
 )
-from kinegrade.mechanics.motion import solve
+from kinegrade.mechanics.motion import solve_motion
 from tests.laws.position import moving
 from tests.mechanics.writing import Paper
 
@@ -464,7 +464,7 @@ def test_redundant_joints_that_agree_the_elliptic_trammel_with_both_slots_and_it
         ],
         [p.turns("OM", 2, 1)],
     )
-    motion = solve(mechanism, p.field)
+    motion = solve_motion(mechanism, p.field)
     assert motion.omega("AB") == -2
     assert motion.alpha("AB") == -1
     assert motion.velocity("A", "AB") == (-16, 0)

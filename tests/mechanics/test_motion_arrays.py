@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinegrade.mechanics.motion_arrays import stacked, stacked_numbers, structure
+from kinegrade.mechanics.motion_arrays import describe_structure, stack_motions, stack_numbers
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 
@@ -17,8 +17,8 @@ def test_a_stack_holds_the_numbers_of_each() -> None:
         first.doubles,
         *(solve_template(template, {"phi": phi}, None, plan).doubles for phi in ("60", "105")),
     ]
-    assert len({structure(motion) for motion in motions}) == 1
-    whole = stacked(motions)
+    assert len({describe_structure(motion) for motion in motions}) == 1
+    whole = stack_motions(motions)
     for place, motion in enumerate(motions):
         for name, rate in motion.rates.items():
             assert np.broadcast_to(whole.rates[name], 3)[place] == rate
@@ -34,9 +34,9 @@ def test_a_stack_holds_the_numbers_of_each() -> None:
 def test_poses_are_stacked_too() -> None:
     template = load_template("pose-four-bar-coupler")
     motion = solve_template(template, {}).doubles
-    assert structure(stacked([motion, motion])) == structure(motion)
+    assert describe_structure(stack_motions([motion, motion])) == describe_structure(motion)
 
 
 def test_what_is_the_same_in_all_stays_one_number_down_to_the_sign_of_zero() -> None:
-    assert stacked_numbers([0.5, 0.5]) == 0.5
-    assert stacked_numbers([0.0, -0.0]).tolist() == [0.0, -0.0]
+    assert stack_numbers([0.5, 0.5]) == 0.5
+    assert stack_numbers([0.0, -0.0]).tolist() == [0.0, -0.0]

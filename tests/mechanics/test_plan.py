@@ -6,9 +6,9 @@ import pytest
 
 from kinegrade.exact.elimination import Singular
 from kinegrade.mechanics import plan
-from kinegrade.mechanics.frames import build
+from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.joints import GROUND, Pin, Roll, Slide
-from kinegrade.mechanics.motion import Motion, solve
+from kinegrade.mechanics.motion import Motion, solve_motion
 from tests.mechanics.writing import Paper
 
 X = (1, 0)
@@ -146,7 +146,7 @@ def test_a_plan_that_does_not_fit_is_replaced() -> None:
         {"O": (0, 0), "A": (1, 0)}, {"OA": "O A"}, [Pin("O", ("OA", GROUND))], [p.turns("OA", 2)]
     )
     wrong = plan.Plan((plan.Step((0,), ("omega OA", "omega AB")),))
-    assert solve(mechanism, p.field, wrong).omega("OA") == 2
+    assert solve_motion(mechanism, p.field, wrong).omega("OA") == 2
 
 
 def test_no_plan_is_found_for_relations_that_leave_a_motion_free() -> None:
@@ -157,8 +157,8 @@ def test_no_plan_is_found_for_relations_that_leave_a_motion_free() -> None:
         [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB"))],
         [p.turns("OA", 2, of="AB")],
     )
-    frames = build(mechanism, p.field)
+    frames = build_frames(mechanism, p.field)
     with pytest.raises(Singular, match="the relations do not determine the motion"):
-        plan.find(
+        plan.find_plan(
             frames.relations, [relation.equations() for relation in frames.relations], p.field
         )

@@ -26,7 +26,7 @@ from kinegrade.mechanics.joints import (
     Slide,
 )
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.motion import solve
+from kinegrade.mechanics.motion import solve_motion
 from tests.laws.cases import with_numbers
 from tests.mechanics.writing import Paper
 from tests.small_class import kinegrade
@@ -41,7 +41,7 @@ CRANK = [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB"))]
 def problem(mechanism: Mechanism) -> str:
     """The refusal of a mechanism, all its lines."""
     with pytest.raises(MechanismError) as refusal:
-        solve(mechanism, P.field)
+        solve_motion(mechanism, P.field)
     assert all("\n" not in line for line in refusal.value.problems)
     return str(refusal.value)
 
@@ -381,13 +381,13 @@ def test_the_same_refusals_in_balls() -> None:
             ),
         ]:
             with pytest.raises(MechanismError, match=message):
-                solve(with_numbers(written(joints, drivers), balls.number), balls)
+                solve_motion(with_numbers(written(joints, drivers), balls.number), balls)
 
 
 def test_doubles_refuse_a_loose_mechanism_too() -> None:
     floats = Floats()
     with pytest.raises(MechanismError, match="body AB can still turn"):
-        solve(with_numbers(written(CRANK, [P.turns("OA", 1)]), floats.number), floats)
+        solve_motion(with_numbers(written(CRANK, [P.turns("OA", 1)]), floats.number), floats)
 
 
 def ground_line(y: Any) -> Line:
@@ -473,4 +473,4 @@ def test_a_ball_that_may_be_a_dead_point_is_undecided_rather_than_wrong() -> Non
         )
         points = {**mechanism.points, "A": mechanism.points["A"]._replace(y=arb(0, arb("1e-30")))}
         with pytest.raises(Undecided):
-            solve(replace(mechanism, points=points), balls)
+            solve_motion(replace(mechanism, points=points), balls)

@@ -15,9 +15,9 @@ from kinegrade.exact.field import Field
 from kinegrade.exact.floats import Floats
 from kinegrade.mechanics.joints import GROUND, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.mistaken import MistakenMotion, Unsuspecting, mistaken
-from kinegrade.mechanics.motion import solve
-from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.mechanics.mistaken import MistakenMotion, Unsuspecting, make_mistaken_motion
+from kinegrade.mechanics.motion import solve_motion
+from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.mechanics.slips import Slips
 from tests.mechanics.writing import Paper
 
@@ -25,8 +25,8 @@ X, Y = (1, 0), (0, 1)
 
 
 def slipped(mechanism: Mechanism, arithmetic: Any, **shares: Any) -> MistakenMotion:
-    plan = solve(mechanism, arithmetic).plan
-    return mistaken(mechanism, arithmetic, plan, Slips(**shares))
+    plan = solve_motion(mechanism, arithmetic).plan
+    return make_mistaken_motion(mechanism, arithmetic, plan, Slips(**shares))
 
 
 def slot() -> tuple[Paper, Mechanism]:
@@ -96,9 +96,9 @@ def test_coriolis_and_normal_terms_of_a_point_in_a_turning_slot(
 
 def test_one_run_of_arrays_gives_what_single_runs_give() -> None:
     _, mechanism = slot()
-    plan = solve(mechanism, Field()).plan
-    motion = mistaken(
-        drawable_mechanism(mechanism),
+    plan = solve_motion(mechanism, Field()).plan
+    motion = make_mistaken_motion(
+        convert_to_floats(mechanism),
         Floats(),
         plan,
         Slips(
@@ -242,10 +242,12 @@ def test_a_relative_turning_for_an_absolute_one_and_the_other_way_about() -> Non
 
 def test_stirred_velocities_show_what_a_term_is_for() -> None:
     p, mechanism = crank_and_rod()  # the rod does not turn: its normal term is zero
-    plan = solve(mechanism, p.field).plan
+    plan = solve_motion(mechanism, p.field).plan
     for perturbed, differs in ((False, False), (True, True)):
         right, wrong = (
-            mistaken(mechanism, p.field, plan, Slips(relative_normal=share), perturbed=perturbed)
+            make_mistaken_motion(
+                mechanism, p.field, plan, Slips(relative_normal=share), perturbed=perturbed
+            )
             for share in (1, 0)
         )
         assert (right.alpha("AB") != wrong.alpha("AB")) is differs

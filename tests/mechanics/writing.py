@@ -7,11 +7,11 @@ from typing import Any
 from flint import fmpq
 
 from kinegrade.exact.field import Field
-from kinegrade.expression import elementary, evaluate, read
+from kinegrade.expression import evaluate, make_elementary_functions, read_expression
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import Circle, Joint, Line
 from kinegrade.mechanics.mechanism import Body, Mechanism
-from kinegrade.mechanics.motion import Motion, solve
+from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.mechanics.vector import Vector
 
 
@@ -25,7 +25,10 @@ class Paper:
         """A whole number, or an expression as text."""
         if isinstance(value, str):
             return evaluate(
-                read(value), {"pi": self.field.turns(1)}, elementary(self.field), self.field
+                read_expression(value),
+                {"pi": self.field.turns(1)},
+                make_elementary_functions(self.field),
+                self.field,
             )
         return fmpq(value) if isinstance(value, int) else value
 
@@ -78,4 +81,4 @@ class Paper:
 
     def motion(self, *parts: Any) -> Motion:
         """The exact motion of a mechanism."""
-        return solve(self.mechanism(*parts), self.field)
+        return solve_motion(self.mechanism(*parts), self.field)

@@ -7,7 +7,7 @@ from functools import partial
 
 from kinegrade.exam.setting import Drawn
 from kinegrade.problem.deal import Deal, deal, look_here
-from kinegrade.problem.deck import template_deck
+from kinegrade.problem.deck import make_deck
 from kinegrade.problem.draw_filter import DrawFilter
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
@@ -21,7 +21,7 @@ def draw_filter(
     asks: tuple[str, ...] | None = None,
 ) -> DrawFilter:
     """The filter of a question "q1" that asks what the template asks, if nothing else is said."""
-    deck = template_deck(template, secret, "q1", fixed or {})
+    deck = make_deck(template, secret, "q1", fixed or {})
     return DrawFilter(template, asks or template.asked(), deck, tolerances or {})
 
 

@@ -11,11 +11,11 @@ import pytest
 from click.testing import CliRunner
 
 from kinegrade.cli import main
-from kinegrade.problem.checking import Report, check, drawable
-from kinegrade.problem.library import load_template, template_names
-from kinegrade.problem.neighbours import probed
+from kinegrade.problem.checking import Report, check, choose_drawable
+from kinegrade.problem.library import find_template_names, load_template
+from kinegrade.problem.neighbours import list_probed
 from kinegrade.problem.reading import read_template
-from kinegrade.problem.reporting import report_lines
+from kinegrade.problem.reporting import write_report
 from tests.problem.crank import crank, crank_text
 
 SLIDER = load_template("slider-crank").file.text
@@ -27,7 +27,7 @@ def checked(old: str, new: str) -> Report:
     return check(read_template("slider-crank", SLIDER.replace(old, new)), sample=2)
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_shipped_templates_are_sound(name: str) -> None:
     report = check(load_template(name), sample=40)
     assert report.faults == []
@@ -121,7 +121,7 @@ def test_no_acceptable_instance_is_a_fault() -> None:
 
 
 def test_the_report_says_what_was_found() -> None:
-    lines = list(report_lines(check(crank(), sample=200)))
+    lines = list(write_report(check(crank(), sample=200)))
     assert lines[:3] == [
         "crank: FAULTY",
         "  published results proved exactly: 5",
@@ -205,7 +205,9 @@ def test_an_ask_with_points_that_fails_is_one_fault() -> None:
 
 def test_another_secret_looks_at_other_instances() -> None:
     template = load_template("slider-crank")
-    first, again, other = (list(drawable(template, 20, secret)) for secret in ("a", "a", "b"))
+    first, again, other = (
+        list(choose_drawable(template, 20, secret)) for secret in ("a", "a", "b")
+    )
     assert first == again != other
     report = check(template, 20, "b")
     assert (report.secret, report.faults) == ("b", [])
@@ -262,7 +264,7 @@ def test_a_template_whose_asks_are_all_on_request_is_checked(tmp_path: Path) -> 
 )
 def test_only_drawable_values_and_their_neighbours_are_probed(draw: str, values: list[str]) -> None:
     template = crank(("draw = [1, 2]", f"draw = {draw}"))
-    assert probed(template, template.parameters["r"]) == values
+    assert list_probed(template, template.parameters["r"]) == values
 
 
 def test_no_value_breaks_a_template_that_could_never_be_drawn() -> None:

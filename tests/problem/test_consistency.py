@@ -11,14 +11,23 @@ import pytest
 
 from kinegrade.errors import TemplateError
 from kinegrade.exact.field import Field
-from kinegrade.expression import elementary, read
-from kinegrade.mechanics.geometry import constructions
+from kinegrade.expression import make_elementary_functions, read_expression
+from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.problem.centrode import Centrodes
 from kinegrade.problem.dimension import LENGTH, SPEED
-from kinegrade.problem.kinds import Arrow, BodyKind, Kind, Ring, Scalar, Side, Straight, in_words
+from kinegrade.problem.kinds import (
+    Arrow,
+    BodyKind,
+    Kind,
+    Ring,
+    Scalar,
+    Side,
+    Straight,
+    describe_kind,
+)
 from kinegrade.problem.meaning import Scope
-from kinegrade.problem.quantities import quantities
-from kinegrade.problem.radians import radians_slip
+from kinegrade.problem.quantities import make_quantities
+from kinegrade.problem.radians import require_no_radians
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES
 from tests.problem.crank import crank, crank_text
@@ -314,13 +323,13 @@ def test_one_point_or_ask_that_cannot_be_read_is_one_fault() -> None:
 
 def test_signatures_are_there_for_every_function_and_for_no_other() -> None:
     field, nothing = Field(), {}
-    values = elementary(field)
-    places = {**values, **constructions(field, nothing)}
+    values = make_elementary_functions(field)
+    places = {**values, **make_constructions(field, nothing)}
     motion: Any = None
     of_poles = Centrodes(crank(), nothing, None).functions(field)
     assert set(ELEMENTARY) == set(values)
     assert set(CONSTRUCTIONS) == set(places)
-    assert set(QUANTITIES) == {*places, *quantities(motion, field), *of_poles}
+    assert set(QUANTITIES) == {*places, *make_quantities(motion, field), *of_poles}
 
 
 SCOPE = Scope(
@@ -356,12 +365,12 @@ SCOPE = Scope(
     ],
 )
 def test_the_kind_of_an_expression(text: str, kind: Kind) -> None:
-    assert SCOPE.kind(read(text)) == kind
+    assert SCOPE.kind(read_expression(text)) == kind
 
 
 def test_kinds_in_words() -> None:
     kinds: tuple[Kind, ...] = (Straight(), Ring(), BodyKind(), Side(), Arrow(None), Scalar(None))
-    assert [in_words(kind) for kind in kinds] == [
+    assert [describe_kind(kind) for kind in kinds] == [
         "a line",
         "a circle",
         "a body",
@@ -373,7 +382,7 @@ def test_kinds_in_words() -> None:
 
 @pytest.mark.parametrize("text", ["0", "pi/3", "phi", "phi + pi", "2*3 - 6", "1/0", "2**2"])
 def test_what_is_no_plain_number_is_no_slip(text: str) -> None:
-    radians_slip(read(text))
+    require_no_radians(read_expression(text))
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinegrade.problem.deck import Deck, template_deck
+from kinegrade.problem.deck import Deck, make_deck
 from tests.problem.crank import crank
 
 DOMAINS = {"r": ("1", "2", "3"), "h": ("0", "1/2"), "omega": ("2", "sqrt(2)", "3", "4")}
@@ -40,7 +40,7 @@ def test_a_template_without_a_choice_has_one_combination() -> None:
 
 
 def test_the_domains_of_a_template_are_replaced_by_name() -> None:
-    deck = template_deck(crank(), "spring", "q1", {"h": ("7",)})
+    deck = make_deck(crank(), "spring", "q1", {"h": ("7",)})
     assert deck.domains == {"r": ("1", "2"), "h": ("7",), "omega": ("2", "1000000", "20000000")}
     assert {values["h"] for values in deck.first(6)} == {"7"}
     assert len(deck.first(100)) == deck.size == 6

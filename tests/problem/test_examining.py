@@ -10,7 +10,7 @@ from kinegrade.problem.examining import (
     Refused,
     examine,
 )
-from kinegrade.problem.holding import holds
+from kinegrade.problem.holding import condition_holds
 from kinegrade.problem.template import Template
 from tests.problem.crank import crank
 
@@ -88,5 +88,8 @@ def test_the_bounds_of_sensible_answers_are_sensible_themselves() -> None:
 def test_conditions_are_decided_exactly_at_their_bounds(condition: str, held: bool) -> None:
     template = crank(("omega < 10000000", condition), kept=True)
     assert (
-        holds(template, template.scheme.conditions[0], {"r": "2", "h": "1/2", "omega": "1"}) is held
+        condition_holds(
+            template, template.scheme.conditions[0], {"r": "2", "h": "1/2", "omega": "1"}
+        )
+        is held
     )

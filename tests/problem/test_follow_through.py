@@ -15,24 +15,24 @@ from kinegrade.errors import MechanismError
 from kinegrade.exact.elimination import Singular
 from kinegrade.exact.floats import Floats
 from kinegrade.mechanics.joints import GROUND
-from kinegrade.mechanics.mistaken import mistaken
-from kinegrade.mechanics.relations import omega_of
+from kinegrade.mechanics.mistaken import make_mistaken_motion
+from kinegrade.mechanics.relations import name_omega
 from kinegrade.mechanics.slips import Slips
 from kinegrade.problem.follow_through import (
     Follower,
-    connections,
-    followed,
-    generic_plan,
-    generic_values,
-    in_plan_order,
+    choose_generic_values,
+    find_connections,
+    find_generic_plan,
+    follow_through,
+    order_by_plan,
 )
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.mistake_kinds import MISTAKES, Mistake
-from kinegrade.problem.mistakes import Mistakes, as_float
-from kinegrade.problem.own_quantities import LEVELS, motion_calls, named, share_of
+from kinegrade.problem.mistakes import Mistakes, convert_number
+from kinegrade.problem.own_quantities import LEVELS, find_motion_calls, find_name, name_share
 from kinegrade.problem.solving import solve_template
 
-MOVING = [name for name in template_names() if load_template(name).scheme.drivers]
+MOVING = [name for name in find_template_names() if load_template(name).scheme.drivers]
 POLES = {"wrong-pole", "centre-for-pole", "transport-for-absolute"}  # slips in the velocities alone
 TERMS = {"coriolis-halved", "coriolis-reversed"}  # slips in the Coriolis terms alone
 Answers = dict[str, float]
@@ -41,10 +41,10 @@ Answers = dict[str, float]
 @cache
 def followers(name: str) -> tuple[Follower, ...]:
     """Two instances of a template, drawn at large."""
-    template, plan = load_template(name), generic_plan(load_template(name))
+    template, plan = load_template(name), find_generic_plan(load_template(name))
     found = []
     for number in range(1, 8):
-        follower = Follower(template, generic_values(template, number), plan)
+        follower = Follower(template, choose_generic_values(template, number), plan)
         with suppress(MechanismError):
             if follower.right_motion is not None and len(found) < 2:
                 found.append(follower)
@@ -59,7 +59,9 @@ def near(found: float | None, expected: float) -> bool:
 def test_from_the_right_answers_the_right_ones_follow(name: str) -> None:
     template = load_template(name)
     solution = solve_template(template, {})
-    values = {given: as_float(solution.assembly.values[given]) for given in template.parameters}
+    values = {
+        given: convert_number(solution.assembly.values[given]) for given in template.parameters
+    }
     right = {
         ask: answer.value for ask, answer in solution.answers.items() if not answer.at_infinity
     }
@@ -87,7 +89,7 @@ def test_an_own_answer_is_what_is_then_read_or_changes_nothing(name: str) -> Non
 def asked_of(follower: Follower) -> Iterator[tuple[str, Any]]:
     """The asks that are read off one moving thing, with what they call."""
     for ask, quantity in follower.quantities.items():
-        calls = set(motion_calls(quantity))
+        calls = set(find_motion_calls(quantity))
         if len(calls) == 1:
             yield ask, calls.pop()
 
@@ -96,9 +98,9 @@ def rates_asked_for(follower: Follower) -> dict[str, str]:
     """For the rates of the plan that an ask is about, and about nothing else, that ask."""
     frames, found = follower.motion({}).frames, {}  # type: ignore[union-attr]
     for ask, call in asked_of(follower):
-        parts = [named(argument) for argument in call.arguments]
+        parts = [find_name(argument) for argument in call.arguments]
         if call.function == "omega" and len(parts) == 1:
-            found[omega_of(parts[0])] = ask
+            found[name_omega(parts[0])] = ask
         elif call.function == "relative_velocity" and (parts[0], parts[2]) in frames.relative:
             found[frames.relative[parts[0], parts[2]].rate] = ask
         elif call.function == "velocity":
@@ -116,7 +118,7 @@ def led_by_velocities(follower: Follower, mistake: Mistake, leads: Answers) -> A
     shares = {name: float(floats.number(share)) for name, share in mistake.shares.items()}
     with floats.context():
         try:
-            wrong = mistaken(
+            wrong = make_mistaken_motion(
                 follower.assembly.mechanism, floats, follower.plan, Slips(**shares)
             ).rates
         except Singular:
@@ -152,7 +154,7 @@ def led_by_coriolis(follower: Follower, leads: Answers) -> Answers | None:
         if term.frame != GROUND
     }
     asked = {
-        (named(call.arguments[0]), named(call.arguments[2])): ask
+        (find_name(call.arguments[0]), find_name(call.arguments[2])): ask
         for ask, call in asked_of(follower)
         if call.function == "coriolis"
     }
@@ -190,7 +192,7 @@ def compared(follower: Follower) -> Iterator[tuple[str, str, float | None, float
             )
             if (
                 LEVELS.get(call.function) == "acceleration"
-                and not share_of(call)
+                and not name_share(call)
                 and not read_with_slip
                 and later in leads
             ):
@@ -230,7 +232,7 @@ def crank(**earlier: float) -> Mapping[str, float | None]:
     template = load_template("slider-crank")
     values = solve_template(template, {}).assembly.values
     given = {name: values[name] for name in template.parameters}
-    return {later: followed(template, given, earlier, later) for later in template.asks}
+    return {later: follow_through(template, given, earlier, later) for later in template.asks}
 
 
 def test_a_slider_crank_worked_out_by_hand() -> None:
@@ -257,12 +259,12 @@ def test_nothing_follows_where_that_would_be_zero_or_the_same_whatever_was_answe
 
 def test_nothing_follows_in_a_pose_or_where_the_configuration_cannot_be() -> None:
     pose = load_template("pose-cam-tappet")
-    values = generic_values(pose, 0)
+    values = choose_generic_values(pose, 0)
     asks = list(pose.asks)
-    assert followed(pose, values, {asks[0]: 1.0}, asks[1]) is None
+    assert follow_through(pose, values, {asks[0]: 1.0}, asks[1]) is None
     template = load_template("slider-crank")
-    impossible = {**generic_values(template, 0), "k": 0.1}
-    assert followed(template, impossible, {"omega_AB": 1.0}, "a_B") is None
+    impossible = {**choose_generic_values(template, 0), "k": 0.1}
+    assert follow_through(template, impossible, {"omega_AB": 1.0}, "a_B") is None
 
 
 def test_relative_speed_of_two_points_of_a_body_is_its_rotation() -> None:
@@ -270,27 +272,27 @@ def test_relative_speed_of_two_points_of_a_body_is_its_rotation() -> None:
     name = next(
         name for name, ask in asks.items() if "velocity" in str(ask.quantity) and "v_BA" in name
     )
-    assert ("omega_AB", name) in connections(load_template("elliptic-trammel-end-driven"))
+    assert ("omega_AB", name) in find_connections(load_template("elliptic-trammel-end-driven"))
 
 
 def test_which_asks_are_connected() -> None:
-    assert connections(load_template("slider-crank")) == {
+    assert find_connections(load_template("slider-crank")) == {
         ("omega_AB", "alpha_AB"),
         ("omega_AB", "a_B"),
     }
-    assert {("omega_GE", "alpha_GD"), ("v_G", "omega_AB")} <= connections(
+    assert {("omega_GE", "alpha_GD"), ("v_G", "omega_AB")} <= find_connections(
         load_template("stone-crusher")
     )
-    rocker = connections(load_template("slotted-rocker-and-slider-two-drivers"))
+    rocker = find_connections(load_template("slotted-rocker-and-slider-two-drivers"))
     assert {("v_rel", "a_cor"), ("a_cor", "alpha_AB"), ("omega_AB", "alpha_AB")} <= rocker
     assert ("omega_AB", "v_rel") not in rocker
     assert not [
         pair for pair in rocker if pair[0].startswith("a") and pair[1].startswith(("v", "o"))
     ]
-    assert connections(load_template("pose-cam-tappet")) == frozenset()
+    assert find_connections(load_template("pose-cam-tappet")) == frozenset()
 
 
 def test_the_plan_comes_to_velocities_first() -> None:
     template = load_template("slotted-rocker-and-slider-two-drivers")
     asks = ("alpha_AB", "a_cor", "v_rel", "omega_AB")
-    assert in_plan_order(template, asks) == ("v_rel", "omega_AB", "a_cor", "alpha_AB")
+    assert order_by_plan(template, asks) == ("v_rel", "omega_AB", "a_cor", "alpha_AB")

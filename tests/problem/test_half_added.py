@@ -13,11 +13,11 @@ from click.testing import CliRunner
 
 from kinegrade.cli import main
 from kinegrade.exact.floats import Floats
-from kinegrade.figure.paper import to_paper
-from kinegrade.figure.rims import rims
-from kinegrade.figure.similar_mechanisms import subject
+from kinegrade.figure.paper import scale_to_paper
+from kinegrade.figure.rims import find_rims
+from kinegrade.figure.similar_mechanisms import normalise_subject
 from kinegrade.mechanics.configuration import require_assembled
-from kinegrade.mechanics.frames import build, describe, guided
+from kinegrade.mechanics.frames import build_frames, describe_element, find_guided
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -88,13 +88,13 @@ def test_no_answers_come_of_a_sentence_that_only_the_list_of_inputs_knows(
 @pytest.mark.parametrize(
     "uses",
     [
-        lambda belt: guided(mechanism(belt), belt),
-        lambda belt: build(mechanism(belt), Floats()),
+        lambda belt: find_guided(mechanism(belt), belt),
+        lambda belt: build_frames(mechanism(belt), Floats()),
         lambda belt: require_assembled(mechanism(belt), Floats()),
-        describe,
-        lambda belt: to_paper(mechanism(belt), 1000.0),
-        lambda belt: subject(mechanism(belt), FigureHints()),
-        lambda belt: rims(mechanism(belt), {}),
+        describe_element,
+        lambda belt: scale_to_paper(mechanism(belt), 1000.0),
+        lambda belt: normalise_subject(mechanism(belt), FigureHints()),
+        lambda belt: find_rims(mechanism(belt), {}),
     ],
 )
 def test_a_joint_that_is_only_a_value_is_neither_solved_nor_drawn(uses: object) -> None:
@@ -105,9 +105,9 @@ def test_a_joint_that_is_only_a_value_is_neither_solved_nor_drawn(uses: object) 
 @pytest.mark.parametrize(
     "uses",
     [
-        lambda spin: build(mechanism(drivers=(spin,)), Floats()),
+        lambda spin: build_frames(mechanism(drivers=(spin,)), Floats()),
         lambda spin: require_assembled(mechanism(drivers=(spin,)), Floats()),
-        describe,
+        describe_element,
     ],
 )
 def test_a_driver_that_is_only_a_value_moves_nothing(uses: object) -> None:

@@ -11,20 +11,20 @@ from math import isclose, radians
 import pytest
 
 from kinegrade.exact.rounding import Rounded, Sparing
-from kinegrade.mechanics.doubles import in_doubles
-from kinegrade.problem.checking import check, drawable
+from kinegrade.mechanics.doubles import convert_to_doubles
+from kinegrade.problem.checking import check, choose_drawable
 from kinegrade.problem.examining import Refused, examine
 from kinegrade.problem.honest_rounding import (
     Stray,
     Target,
-    by_arms,
-    by_coordinates,
-    nearest_turn,
-    stray,
-    target,
-    workings,
+    find_nearest_turn,
+    find_stray,
+    find_target,
+    work_by_arms,
+    work_by_coordinates,
+    work_honestly,
 )
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
@@ -48,26 +48,26 @@ def tolerance(
 
 
 def test_by_coordinates_the_point_is_written_down_and_used_further() -> None:
-    found = by_coordinates(solved(crank(), h="1.2345", omega="1"), Rounded(3))
+    found = work_by_coordinates(solved(crank(), h="1.2345", omega="1"), Rounded(3))
     assert found["v_x"] == -1.23  # A is put down at y = 1.23
     assert found["v_y"] == 1.58  # and at x = sqrt(4 - 1.23 squared) = 1.577
 
 
 def test_by_arms_the_point_stays_in_the_calculator() -> None:
     solution = solved(crank(), h="1.2345", omega="1")
-    found = by_arms(solution, in_doubles(solution.motion), Rounded(3))
+    found = work_by_arms(solution, convert_to_doubles(solution.motion), Rounded(3))
     assert found == {"v_x": -1.23, "v_y": 1.57}  # sqrt(4 - 1.2345 squared) = 1.5735
 
 
 def test_sparingly_only_the_solved_rate_is_written_down() -> None:
     solution = solved(crank(), h="1.2345", omega="1.2345")
-    found = by_arms(solution, in_doubles(solution.motion), Sparing(3))
+    found = work_by_arms(solution, convert_to_doubles(solution.motion), Sparing(3))
     assert found["v_x"] == pytest.approx(-1.23 * 1.2345, rel=1e-14)
 
 
 def test_a_small_difference_of_written_values_strays() -> None:
     solution = solved(crank(DIFFERENCE), h="1.9", omega="1.77")
-    found = stray(solution, {})
+    found = find_stray(solution, {})
     assert found is not None
     assert (found.ask, found.figures) == ("v_x", 3)
     assert found.answer == pytest.approx(3.54 - 3.36)  # 1.77 (2 - 1.9) = 0.177
@@ -77,7 +77,7 @@ def test_a_small_difference_of_written_values_strays() -> None:
 def test_what_cannot_be_found_strays_too() -> None:
     # A is put down at y = 1.01: the crank does not reach it
     solution = solved(crank(), r="1.0065", h="1.006")
-    assert stray(solution, {}) == Stray("v_x", 3, None)
+    assert find_stray(solution, {}) == Stray("v_x", 3, None)
     assert (
         str(Stray("v_x", 3, None)) == "v_x: cannot be found when 3 significant figures are carried"
     )
@@ -108,7 +108,7 @@ def test_what_cannot_be_found_strays_too() -> None:
 def test_the_tolerance_of_the_ask_decides(
     rules: dict[str, Tolerance], h: str, omega: str, figures: int | None
 ) -> None:
-    found = stray(
+    found = find_stray(
         solve_template(crank(DIFFERENCE), {"r": "2", "h": h, "omega": omega}, ["v_x"]), rules
     )
     assert (found and found.figures) == figures
@@ -136,14 +136,14 @@ def test_an_answer_may_be_typed_with_more_figures_than_were_carried() -> None:
 
 
 def test_angles_are_compared_without_full_turns() -> None:
-    assert nearest_turn(-179.9, 180.0, 360.0) == pytest.approx(180.1)
-    assert nearest_turn(radians(3), radians(1), 0.0) == radians(3)
-    assert nearest_turn(725.0, 4.0, 360.0) == 5.0
+    assert find_nearest_turn(-179.9, 180.0, 360.0) == pytest.approx(180.1)
+    assert find_nearest_turn(radians(3), radians(1), 0.0) == radians(3)
+    assert find_nearest_turn(725.0, 4.0, 360.0) == 5.0
 
 
 def test_a_centrode_is_known_in_closed_form() -> None:
     solution = solve_template(load_template("rod-ground-incline-fixed-centrode"), {}, ["rho"])
-    assert by_coordinates(solution, Rounded(3)) == {"rho": solution["rho"].value}
+    assert work_by_coordinates(solution, Rounded(3)) == {"rho": solution["rho"].value}
 
 
 def test_what_an_honest_student_would_get_wrong_is_not_dealt() -> None:
@@ -153,7 +153,7 @@ def test_what_an_honest_student_would_get_wrong_is_not_dealt() -> None:
     wide = replace(narrow, tolerances=tolerance("1/2"))
     for one in drawn(narrow, 12):
         exact = one.solution["v_x"].value
-        honest = by_coordinates(one.solution, Rounded(3))["v_x"]
+        honest = work_by_coordinates(one.solution, Rounded(3))["v_x"]
         assert abs(honest - exact) <= exact / 100
     refused, fewer = (dealt(each, 12).refused.get("rounding", 0) for each in (narrow, wide))
     assert refused > fewer
@@ -184,13 +184,13 @@ def test_check_tells_the_author_which_answer_often_strays() -> None:
     )
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_whoever_rounds_nothing_finds_the_exact_answers(name: str) -> None:
     """The work of the honest student is the mechanics of the key, in other arithmetic and from
     rounded terms.
     """
     template, all_figures = load_template(name), Rounded(14)
-    for values in drawable(template, 40)[:3]:
+    for values in choose_drawable(template, 40)[:3]:
         try:
             solution = examine(
                 template,
@@ -201,15 +201,15 @@ def test_whoever_rounds_nothing_finds_the_exact_answers(name: str) -> None:
             )
         except Refused:
             continue
-        motion = in_doubles(solution.motion)
+        motion = convert_to_doubles(solution.motion)
         for worked in (
-            by_coordinates(solution, all_figures),
-            by_arms(solution, motion, all_figures),
+            work_by_coordinates(solution, all_figures),
+            work_by_arms(solution, motion, all_figures),
         ):
             for ask, answer in solution.answers.items():
-                aim = target(template.asks[ask], answer, ONE_PER_CENT, motion)
+                aim = find_target(template.asks[ask], answer, ONE_PER_CENT, motion)
                 assert isclose(
-                    nearest_turn(worked[ask], aim.exact, aim.turn),
+                    find_nearest_turn(worked[ask], aim.exact, aim.turn),
                     aim.exact,
                     rel_tol=1e-7,
                     abs_tol=1e-7,
@@ -219,11 +219,11 @@ def test_whoever_rounds_nothing_finds_the_exact_answers(name: str) -> None:
 def test_accepted_draws_leave_every_honest_student_right() -> None:
     template = load_template("slotted-bar-between-two-rods")
     for solution in (one.solution for one in drawn(draw_filter(template), 12)):
-        motion = in_doubles(solution.motion)
+        motion = convert_to_doubles(solution.motion)
         aims = {
-            ask: target(template.asks[ask], answer, ONE_PER_CENT, motion)
+            ask: find_target(template.asks[ask], answer, ONE_PER_CENT, motion)
             for ask, answer in solution.answers.items()
         }
-        for worked in workings(solution, motion, 3, every=True):
+        for worked in work_honestly(solution, motion, 3, every=True):
             assert all(aims[ask].met(number, 3) for ask, number in worked.items())
             assert worked.keys() == aims.keys()

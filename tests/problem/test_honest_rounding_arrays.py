@@ -8,9 +8,9 @@ import re
 
 import pytest
 
-from kinegrade.problem.deck import template_deck
-from kinegrade.problem.examining import Refused, examine, examine_together, sensible
-from kinegrade.problem.honest_rounding import stray
+from kinegrade.problem.deck import make_deck
+from kinegrade.problem.examining import Refused, examine, examine_together, solve_sensible
+from kinegrade.problem.honest_rounding import find_stray
 from kinegrade.problem.honest_rounding_arrays import surely_honest
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import Solution
@@ -31,10 +31,10 @@ NAMES = (
 
 def solutions(template: Template, count: int) -> list[Solution]:
     found: list[Solution] = []
-    for values in template_deck(template, "spring", "q1").first(count):
+    for values in make_deck(template, "spring", "q1").first(count):
         try:
             found.append(
-                sensible(
+                solve_sensible(
                     template,
                     values,
                     template.asked(),
@@ -50,7 +50,7 @@ def solutions(template: Template, count: int) -> list[Solution]:
 def test_whoever_is_surely_right_together_is_right_alone(name: str) -> None:
     found = solutions(load_template(name), 60)
     sure = surely_honest(found, {})
-    right = [stray(solution, {}) is None for solution in found]
+    right = [find_stray(solution, {}) is None for solution in found]
     assert not [number for number, flag in enumerate(sure) if flag and not right[number]]
     assert sum(sure) >= sum(right) / 3
 
@@ -73,7 +73,7 @@ def test_an_instance_that_cannot_be_found_spoils_nobody_else() -> None:
     values = [{"r": "2", "h": "1/2", "omega": str(number)} for number in range(2, 8)]
     # Put down at y = 1.01: the crank does not reach it
     values.insert(2, {"r": "1.0065", "h": "1.006", "omega": "2"})
-    found = [sensible(template, given, template.asks, None) for given in values]
+    found = [solve_sensible(template, given, template.asks, None) for given in values]
     sure = surely_honest(found, {})
     assert not sure[2]
     assert sum(sure) >= 5
@@ -82,7 +82,7 @@ def test_an_instance_that_cannot_be_found_spoils_nobody_else() -> None:
 def test_examined_together_is_examined_alone() -> None:
     template = load_template("slotted-bar-between-two-rods")
     tolerances = dict[str, Tolerance]()
-    draws = template_deck(template, "spring", "q1").first(40)
+    draws = make_deck(template, "spring", "q1").first(40)
     together = examine_together(template, draws, template.asked(), None, tolerances)
     assert {type(one) for one in together} == {Solution, Refused}
     for values, one in zip(draws, together, strict=True):

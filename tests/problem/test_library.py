@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.problem.library import load_template, shipped, template_names
+from kinegrade.problem.library import find_shipped, find_template_names, load_template
 from kinegrade.problem.sections.keys import MAX_CHARACTERS
 from tests.problem.crank import crank_text
 
@@ -22,9 +22,9 @@ def refusal(name: str | Path, folder: Path | None = None) -> str:
 
 
 def test_the_shipped_templates_are_found_by_name() -> None:
-    assert {"slider-crank", "bar-through-swivelling-sleeve"} <= set(template_names())
-    assert all(load_template(name).name == name for name in template_names())
-    text = (shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
+    assert {"slider-crank", "bar-through-swivelling-sleeve"} <= set(find_template_names())
+    assert all(load_template(name).name == name for name in find_template_names())
+    text = (find_shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
     assert load_template("slider-crank").file.text == text
 
 
@@ -45,8 +45,8 @@ def test_an_unknown_name_is_refused_with_the_nearest_ones(name: str) -> None:
 
 def test_a_name_like_no_other_lists_three_of_fifty() -> None:
     message = refusal("")
-    assert message.endswith(f" and {len(template_names()) - 3} more")
-    assert sum(name in message for name in template_names()) == 3
+    assert message.endswith(f" and {len(find_template_names()) - 3} more")
+    assert sum(name in message for name in find_template_names()) == 3
 
 
 def test_a_file_that_cannot_be_read_says_why(tmp_path: Path) -> None:

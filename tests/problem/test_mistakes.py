@@ -15,32 +15,37 @@ import pytest
 
 import kinegrade
 from kinegrade.exact.angle import Angle, Inexact
-from kinegrade.mechanics.doubles import in_doubles
+from kinegrade.mechanics.doubles import convert_to_doubles
 from kinegrade.problem.checking import check
 from kinegrade.problem.draw_filter import DrawFilter
 from kinegrade.problem.library import load_template
 from kinegrade.problem.mistake_kinds import (
     IDENTIFIERS,
-    candidates,
-    degrees_as_radians,
-    mistake_sentence,
-    sentences,
+    describe_mistake,
+    find_candidates,
+    load_sentences,
+    take_degrees_as_radians,
 )
 from kinegrade.problem.mistakes import (
     RIGHT,
-    as_float,
-    in_floats,
-    known_mistakes,
-    outcomes,
-    way_of,
+    choose_way,
+    convert_number,
+    convert_parameters,
+    find_known_mistakes,
+    find_outcomes,
     work_out,
 )
 from kinegrade.problem.reading import read_template
-from kinegrade.problem.reporting import report_lines
-from kinegrade.problem.separation import apart, columns
-from kinegrade.problem.solving import certified, parameter_values, read_values, solve_template
+from kinegrade.problem.reporting import write_report
+from kinegrade.problem.separation import collect_columns, measure_distance
+from kinegrade.problem.solving import (
+    find_parameter_values,
+    read_values,
+    solve_certified,
+    solve_template,
+)
 from kinegrade.problem.template import Template
-from kinegrade.problem.tolerance import ONE_PER_CENT, effective
+from kinegrade.problem.tolerance import ONE_PER_CENT, find_effective_tolerance
 from tests.problem.crank import crank, crank_text
 from tests.problem.draws import dealt, draw_filter, drawn
 
@@ -67,11 +72,11 @@ def turning(**values: str) -> Mapping[str, float]:
 
 
 def test_every_mistake_has_a_sentence_in_both_languages_and_a_plain_name() -> None:
-    assert set(sentences()) == set(IDENTIFIERS)
+    assert set(load_sentences()) == set(IDENTIFIERS)
     for name in IDENTIFIERS:
         assert re.fullmatch("[a-z]+(-[a-z]+)*", name)
-        assert mistake_sentence(name, "en").endswith(".")
-        assert re.search(r"[\u4e00-\u9fff].*。$", mistake_sentence(name, "zh"))
+        assert describe_mistake(name, "en").endswith(".")
+        assert re.search(r"[\u4e00-\u9fff].*。$", describe_mistake(name, "zh"))
 
 
 def test_identifiers_are_a_promise_to_banks() -> None:
@@ -153,10 +158,12 @@ def answers_in(
     template: Template, values: Mapping[str, str], kind: Any, plan: Any, arithmetic: Any
 ) -> dict[str, float]:
     asks = {name: template.asks[name] for name in template.asked()}
-    given = parameter_values(template, read_values(template, values), arithmetic)
-    found = work_out(template, asks, way_of(kind, template, given, arithmetic), plan, arithmetic)
+    given = find_parameter_values(template, read_values(template, values), arithmetic)
+    found = work_out(
+        template, asks, choose_way(kind, template, given, arithmetic), plan, arithmetic
+    )
     return {
-        name: as_float(value)
+        name: convert_number(value)
         * (180 / pi if isinstance(value, Angle) and asks[name].unit.degrees else 1)
         for name, value in found.items()
     }
@@ -179,13 +186,13 @@ def test_doubles_say_what_certified_arithmetic_says(name: str) -> None:
     (one,) = drawn(draw_filter(template, "mistakes"), 1)
     plan = one.solution.motion.plan
     asks = {ask: template.asks[ask] for ask in template.asked()}
-    kinds = (RIGHT, *candidates(template, asks))
+    kinds = (RIGHT, *find_candidates(template, asks))
     numbers = {
-        given: as_float(one.solution.assembly.values[given]) for given in template.parameters
+        given: convert_number(one.solution.assembly.values[given]) for given in template.parameters
     }
-    doubles = outcomes(template, asks, kinds[1:], numbers, plan).answers
+    doubles = find_outcomes(template, asks, kinds[1:], numbers, plan).answers
     for row, kind in enumerate(kinds):
-        exact = certified(
+        exact = solve_certified(
             lambda arithmetic, kind=kind: answers_in(template, one.values, kind, plan, arithmetic)
         )
         assert {ask: float(doubles[ask][row]) for ask in exact} == pytest.approx(
@@ -197,8 +204,11 @@ def test_a_class_at_once_gives_what_each_instance_gives() -> None:
     template = load_template("bar-through-swivelling-sleeve")
     several = drawn(draw_filter(template, "mistakes"), 5)
     asks = {name: template.asks[name] for name in template.asked()}
-    table = known_mistakes(
-        template, asks, columns([one.values for one in several]), several[0].solution.motion.plan
+    table = find_known_mistakes(
+        template,
+        asks,
+        collect_columns([one.values for one in several]),
+        several[0].solution.motion.plan,
     )
     for place, one in enumerate(several):
         for ask in asks:
@@ -209,7 +219,7 @@ def test_a_class_at_once_gives_what_each_instance_gives() -> None:
 def test_an_angle_of_radians_is_no_exact_angle() -> None:
     template = read_template("crank", TURNING)
     with pytest.raises(Inexact, match="a number of radians"):
-        degrees_as_radians(template, {"h": Angle(1)}, None)
+        take_degrees_as_radians(template, {"h": Angle(1)}, None)
 
 
 DECKS = [
@@ -231,8 +241,8 @@ def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None
     for solution in (one.solution for one in drawn(draws, 8)):
         for ask in template.asked():
             answer = solution[ask]
-            allowed = effective(
-                ONE_PER_CENT, answer.value, answer.measure, in_doubles(solution.motion)
+            allowed = find_effective_tolerance(
+                ONE_PER_CENT, answer.value, answer.measure, convert_to_doubles(solution.motion)
             )
             low, high = allowed.interval(Fraction(answer.value))
             for mistake, value in answer.mistakes.items():
@@ -286,7 +296,7 @@ def test_terms_that_vanish_identically_are_told() -> None:
 
 
 def test_the_report_of_a_check_tells_them() -> None:
-    lines = list(report_lines(check(load_template("parallelogram-with-sliding-rod"), sample=20)))
+    lines = list(write_report(check(load_template("parallelogram-with-sliding-rod"), sample=20)))
     told = "cannot be distinguished from the right answer: coriolis-dropped, coriolis-halved, coriolis-reversed"
     assert f"  a_rel: {told}" in lines
     assert not [line for line in lines if line.startswith("  omega_AB: cannot")]
@@ -298,7 +308,9 @@ def test_the_report_of_a_check_tells_them() -> None:
 )
 def test_a_text_that_is_no_number_confuses_nothing(text: str, value: float) -> None:
     template = load_template("slider-crank")
-    assert in_floats(template, {"phi": [text]})["phi"] == pytest.approx([value], nan_ok=True)
+    assert convert_parameters(template, {"phi": [text]})["phi"] == pytest.approx(
+        [value], nan_ok=True
+    )
     separation = slider_crank().separation
     assert separation is not None
     values = {**{name: ["1"] for name in template.parameters}, "k": ["2"], "phi": [text]}
@@ -308,4 +320,6 @@ def test_a_text_that_is_no_number_confuses_nothing(text: str, value: float) -> N
 def test_angles_that_turn_round_are_compared_without_full_turns() -> None:
     ask = load_template("triangle-pose-three-frames").asks["theta_2"]
     assert ask.cyclic
-    assert apart(np.array([radians(359)]), np.array([0.0]), ask) == pytest.approx([radians(1)])
+    assert measure_distance(np.array([radians(359)]), np.array([0.0]), ask) == pytest.approx(
+        [radians(1)]
+    )

@@ -6,7 +6,7 @@ import pytest
 
 import kinegrade
 from kinegrade.errors import TemplateError
-from kinegrade.problem.describing import describe
+from kinegrade.problem.describing import describe_template
 from kinegrade.problem.problem import Problem
 from tests.problem.crank import crank
 
@@ -32,14 +32,14 @@ def test_the_front_door_is_the_package_itself() -> None:
 
 
 def test_a_description_tells_domains_points_and_conventions() -> None:
-    text = describe(crank(), "en")
+    text = describe_template(crank(), "en")
     assert "1, 2 (2)" in text
     assert "0, 1/2, 3 (3)" in text
     assert "2 points" in text
     assert "on request" in text
-    assert "曲柄的长度" in describe(crank(), "zh")
+    assert "曲柄的长度" in describe_template(crank(), "zh")
     with pytest.raises(TemplateError, match="the parameter h is not given to the student"):
-        describe(crank(("{{ h.value }} above", "above")), "en")
+        describe_template(crank(("{{ h.value }} above", "above")), "en")
 
 
 def test_a_negative_length_is_refused_and_a_negative_coordinate_is_not() -> None:

@@ -14,8 +14,8 @@ from mpmath import mpf
 
 from kinegrade.errors import MechanismError
 from kinegrade.exact.angle import Angle
-from kinegrade.expression import elementary, evaluate, read
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import Published, Template
 
@@ -25,7 +25,7 @@ REFERENCE = json.loads(
 )
 PUBLISHED = [
     pytest.param(name, index, id=f"{name}-{index}")
-    for name in template_names()
+    for name in find_template_names()
     for index in range(len(load_template(name).published))
 ]
 
@@ -56,9 +56,12 @@ def difference(solution: Solution, name: str, published: Published) -> Any:
         "pi": field.turns(1),
         **{key: given.number for key, given in solution.parameters.items()},
     }
-    expected = evaluate(published.gives[name], quoted, elementary(field), field)
+    expected = evaluate(published.gives[name], quoted, make_elementary_functions(field), field)
     found = evaluate(
-        read(str(solution[name].exact)), {"pi": field.turns(1)}, elementary(field), field
+        read_expression(str(solution[name].exact)),
+        {"pi": field.turns(1)},
+        make_elementary_functions(field),
+        field,
     )
     if isinstance(expected, Angle):
         found = (
@@ -89,7 +92,7 @@ def test_published_results_hold_with_zero_difference_in_the_field(name: str, ind
                         "pi": solution.arithmetic.turns(1),
                         **{key: given.number for key, given in solution.parameters.items()},
                     },
-                    elementary(solution.arithmetic),
+                    make_elementary_functions(solution.arithmetic),
                     solution.arithmetic,
                 )
                 assert (answer.number - degrees).direction(solution.arithmetic) == (1, 0)
@@ -98,14 +101,14 @@ def test_published_results_hold_with_zero_difference_in_the_field(name: str, ind
 
 
 def test_every_template_has_published_results() -> None:
-    for name in template_names():
+    for name in find_template_names():
         assert load_template(name).published, name
 
 
 def test_a_published_result_that_is_wrong_in_the_thirtieth_digit_is_seen() -> None:
     template = load_template("slider-crank")
     published = template.published[0]
-    wrong = read("(2*sqrt(3)/3 + 1e-30)*omega*r")
+    wrong = read_expression("(2*sqrt(3)/3 + 1e-30)*omega*r")
     solution = instances(template, published)[0]
     assert (
         difference(

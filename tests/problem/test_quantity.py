@@ -9,14 +9,14 @@ from flint import arb, ctx, fmpq
 
 from kinegrade.exact.angle import Angle
 from kinegrade.exact.field import Field
-from kinegrade.problem.quantity import Quantity, in_unit
+from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.units import read_unit
 
 ROOT_3 = "1.732050807568877293527446341505872366943"
 
 
 def quantity(number: object, unit: str = "m/s") -> Quantity:
-    return in_unit("v", number, read_unit(unit))
+    return express_in_unit("v", number, read_unit(unit))
 
 
 def test_a_surd_is_exact_in_every_notation() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.problem.scale import scale
+from kinegrade.problem.scale import find_scale
 from kinegrade.problem.solving import solve_template
 from kinegrade.units import read_unit
 from tests.problem.crank import crank
@@ -29,10 +29,10 @@ ACCELERATED = ('velocity = "omega"', 'velocity = "omega", acceleration = "-7*ome
 )
 def test_a_uniform_crank_of_five_metres_turning_at_two(unit: str, size: float) -> None:
     motion = solve_template(crank(), {"r": "5", "h": "3", "omega": "-2"}).motion
-    assert scale(motion, read_unit(unit)) == pytest.approx(size, rel=1e-12)
+    assert find_scale(motion, read_unit(unit)) == pytest.approx(size, rel=1e-12)
 
 
 def test_angular_acceleration_counts_where_it_is_the_larger() -> None:
     motion = solve_template(crank(ACCELERATED), {"r": "5", "h": "3", "omega": "2"}).motion
-    assert scale(motion, read_unit("rad/s^2")) == pytest.approx(28.0)
-    assert scale(motion, read_unit("m/s^2")) == pytest.approx(20 * 50**0.5)
+    assert find_scale(motion, read_unit("rad/s^2")) == pytest.approx(28.0)
+    assert find_scale(motion, read_unit("m/s^2")) == pytest.approx(20 * 50**0.5)

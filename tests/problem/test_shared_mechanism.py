@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.problem.library import load_template, shipped, template_names
+from kinegrade.problem.library import find_shipped, find_template_names, load_template
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.sections.keys import MAX_CHARACTERS
 from kinegrade.problem.solving import solve_template
@@ -280,17 +280,17 @@ def test_a_text_alone_has_no_mechanisms_beside_it() -> None:
 def test_a_mechanism_is_found_beside_its_template_and_is_no_template(tmp_path: Path) -> None:
     file = with_files(tmp_path, arm=MECHANISM)
     assert load_template(str(file)) == load_template("crank", tmp_path) == sharing()
-    mechanisms = {path.stem for path in (shipped("templates") / "mechanisms").glob("*.toml")}
+    mechanisms = {path.stem for path in (find_shipped("templates") / "mechanisms").glob("*.toml")}
     assert mechanisms
-    assert not mechanisms & set(template_names())
+    assert not mechanisms & set(find_template_names())
 
 
 def test_every_shipped_mechanism_is_shared() -> None:
     shared = [
         template.file.mechanism.name
-        for template in map(load_template, template_names())
+        for template in map(load_template, find_template_names())
         if template.file.mechanism
     ]
-    files = {path.stem for path in (shipped("templates") / "mechanisms").iterdir()}
+    files = {path.stem for path in (find_shipped("templates") / "mechanisms").iterdir()}
     assert set(shared) == files
     assert all(shared.count(name) >= 2 for name in files)

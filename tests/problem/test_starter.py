@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.problem.sections.keys import NEEDED, OPTIONAL
-from kinegrade.problem.starter import starter_text
+from kinegrade.problem.starter import write_starter_text
 from tests.small_class import kinegrade
 
 KEYS = (*NEEDED, *OPTIONAL)
@@ -31,14 +31,14 @@ def test_new_writes_a_template_into_the_current_folder_that_check_accepts(
     result = kinegrade("new", "my-first")
     assert (result.exit_code, result.stdout) == (0, "")
     assert result.stderr == "my-first.toml: written; prove it with: kinegrade check my-first.toml\n"
-    assert (tmp_path / "my-first.toml").read_text(encoding="utf-8") == starter_text()
+    assert (tmp_path / "my-first.toml").read_text(encoding="utf-8") == write_starter_text()
     proof = kinegrade("check", "my-first.toml", "--sample", "60")
     assert (proof.exit_code, proof.stdout.splitlines()[0]) == (0, "my-first: sound")
 
 
 def test_every_table_is_there_and_explained_in_the_lines_above_it() -> None:
-    assert set(tomllib.loads(starter_text())) == set(KEYS)
-    lines = starter_text().splitlines()
+    assert set(tomllib.loads(write_starter_text())) == set(KEYS)
+    lines = write_starter_text().splitlines()
     first_table = lines.index("[title]")
     starts = [
         index
@@ -56,7 +56,7 @@ def test_a_file_that_is_there_is_kept_unless_forced(tmp_path: Path) -> None:
     assert "exists" in refusal("my-first", "-o", path)
     assert path.read_text(encoding="utf-8") == "mine"
     assert kinegrade("new", "my-first", "-o", path, "--force").exit_code == 0
-    assert path.read_text(encoding="utf-8") == starter_text()
+    assert path.read_text(encoding="utf-8") == write_starter_text()
 
 
 @pytest.mark.parametrize("name", ["My-First", "my first", "../x", "x.toml", "-", "曲柄"])

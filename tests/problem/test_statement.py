@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.statement import check_statements, statement
+from kinegrade.problem.statement import check_statements, write_statement
 from tests.problem.crank import crank
 
 ENGLISH = "en = '''The crank {{ r }} turns with {{ omega }}; $A$ is {{ h.value }} above $O$.'''"
@@ -15,7 +15,7 @@ ENGLISH = "en = '''The crank {{ r }} turns with {{ omega }}; $A$ is {{ h.value }
 
 def printed(**values: str) -> str:
     template = crank()
-    return statement(template, solve_template(template, values).parameters, "en")
+    return write_statement(template, solve_template(template, values).parameters, "en")
 
 
 def faults(english: str) -> tuple[str, ...]:
@@ -43,7 +43,7 @@ def test_numbers_are_printed_as_textbooks_print_them() -> None:
 )
 def test_degrees_are_printed_as_degrees(value: str, expected: str) -> None:
     template = load_template("slider-crank")
-    assert expected in statement(
+    assert expected in write_statement(
         template, solve_template(template, {"phi": value}).parameters, "en"
     )
 
@@ -52,13 +52,13 @@ def test_the_languages_carry_the_same_numbers() -> None:
     template = crank()
     parameters = solve_template(template, {"r": "0.25", "h": "1/8"}).parameters
     for language in ("en", "zh"):
-        text = statement(template, parameters, language)
+        text = write_statement(template, parameters, language)
         assert r"$r = 0.25\,\unit{m}$" in text
         assert r"$0.125\,\unit{m}$" in text
     assert text.startswith("曲柄")
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_shipped_statements_are_sound(name: str) -> None:
     check_statements(load_template(name))
 
@@ -133,11 +133,11 @@ def test_a_parameter_that_a_student_is_not_given_is_reported_for_each_language()
 def test_braces_of_latex_are_text() -> None:
     template = crank(("The crank", r"$\frac{a}{b_{c}}$ the crank"))
     parameters = solve_template(template, {"h": "1/2"}).parameters
-    assert statement(template, parameters, "en").startswith(r"$\frac{a}{b_{c}}$ the crank $r")
+    assert write_statement(template, parameters, "en").startswith(r"$\frac{a}{b_{c}}$ the crank $r")
 
 
 def test_a_statement_that_would_fill_a_book_is_refused_instead_of_typeset() -> None:
     template = crank(("The crank", "The crank {{ r }}" * 1500))
     parameters = solve_template(template, {"h": "1/2"}).parameters
     with pytest.raises(TemplateError, match=r"characters once it is filled in: at most 20000 are"):
-        statement(template, parameters, "en")
+        write_statement(template, parameters, "en")

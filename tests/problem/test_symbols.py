@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.problem.symbols import symbol_fault
+from kinegrade.problem.symbols import find_symbol_fault
 
 
 @pytest.mark.parametrize(
@@ -12,7 +12,7 @@ from kinegrade.problem.symbols import symbol_fault
     ["l", "k r", r"\omega_{AB}", r"\varphi", "O_1'", r"\mathrm{II}", r"\sqrt{3} r", r"\frac{l}{2}"],
 )
 def test_what_statements_use_is_a_symbol(symbol: str) -> None:
-    assert symbol_fault(symbol) is None
+    assert find_symbol_fault(symbol) is None
 
 
 @pytest.mark.parametrize(
@@ -36,4 +36,4 @@ def test_what_statements_use_is_a_symbol(symbol: str) -> None:
     ],
 )
 def test_what_could_lead_a_typesetter_astray_is_none(symbol: str) -> None:
-    assert symbol_fault(symbol) is not None
+    assert find_symbol_fault(symbol) is not None

@@ -9,7 +9,12 @@ from fractions import Fraction
 import pytest
 
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective, two_figures
+from kinegrade.problem.tolerance import (
+    ONE_PER_CENT,
+    Tolerance,
+    find_effective_tolerance,
+    round_to_two_figures,
+)
 from tests.problem.crank import crank
 
 
@@ -93,7 +98,7 @@ def test_an_answer_next_to_zero_gets_room_from_the_mechanisms_scale(
     template = crank()
     # The fastest point has 10 m/s
     motion = solve_template(template, {"r": "5", "h": "3", "omega": "2"}).doubles
-    rule = effective(ONE_PER_CENT, value, template.asks["v_x"].unit, motion)
+    rule = find_effective_tolerance(ONE_PER_CENT, value, template.asks["v_x"].unit, motion)
     assert rule == tolerance("1/100", absolute)
 
 
@@ -113,4 +118,4 @@ def test_an_answer_next_to_zero_gets_room_from_the_mechanisms_scale(
     ],
 )
 def test_scales_are_rounded_to_two_figures(size: float, rounded: str | int) -> None:
-    assert two_figures(size) == Fraction(rounded)
+    assert round_to_two_figures(size) == Fraction(rounded)

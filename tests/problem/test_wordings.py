@@ -11,7 +11,7 @@ from kinegrade.language import Language
 from kinegrade.problem.checking import check
 from kinegrade.problem.examining import Refused, examine
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.statement import check_statements, statement
+from kinegrade.problem.statement import check_statements, write_statement
 from kinegrade.problem.template import Template
 from tests.problem.crank import crank
 
@@ -43,7 +43,7 @@ def placed(*changes: tuple[str, str]) -> Template:
 
 
 def printed(template: Template, language: Language = "en", **values: str) -> str:
-    return statement(template, solve_template(template, values).parameters, language)
+    return write_statement(template, solve_template(template, values).parameters, language)
 
 
 @pytest.mark.parametrize(

@@ -10,10 +10,10 @@ from pathlib import Path
 
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import HEIGHT, WIDTH, sketch
-from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.solving import Solution
 from kinegrade.worked.document import Pictures
-from kinegrade.worked.solution import worked_solution
+from kinegrade.worked.solution import write_worked_solution
 from tests.figure.clear import faults
 from tests.prove.draws import seeded_solution
 
@@ -22,7 +22,7 @@ def hold(seed: int, _: Path) -> None:
     """Draw the figure and the pictures of the instance of a seed."""
     solution = seeded_solution(seed)
     template = solution.template
-    mechanism = drawable_mechanism(solution.motion.frames.mechanism)
+    mechanism = convert_to_floats(solution.motion.frames.mechanism)
     figure = sketch(mechanism, template.figure)
     assert figure.width <= WIDTH, template.name
     assert figure.height <= HEIGHT, template.name
@@ -33,6 +33,6 @@ def hold(seed: int, _: Path) -> None:
 
 def _pictures(solution: Solution) -> Iterator[tuple[str, Scene]]:
     """The pictures of the worked solution with their captions."""
-    for block in worked_solution(solution, solution.template.asked(), "en").blocks:
+    for block in write_worked_solution(solution, solution.template.asked(), "en").blocks:
         if isinstance(block, Pictures):
             yield from ((picture.caption, picture.scene) for picture in block.pictures)

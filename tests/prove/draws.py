@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Template
 from tests.problem.draws import draw_filter, drawn
@@ -14,7 +14,7 @@ def seeded_template(seed: int) -> Template:
     """A shipped template: as many seeds that follow each other as there are templates give each of
     them once.
     """
-    names = template_names()
+    names = find_template_names()
     return load_template(names[STRIDE * seed % len(names)])
 
 

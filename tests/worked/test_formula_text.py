@@ -12,22 +12,22 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import ExpressionError
 from kinegrade.exact.floats import Floats
-from kinegrade.exam.formula import formula
+from kinegrade.exam.formula import convert_formula
 from kinegrade.expression import (
     Call,
     Expression,
     Name,
     Number,
     Operation,
-    elementary,
     evaluate,
-    names,
-    read,
+    find_names,
+    make_elementary_functions,
+    read_expression,
 )
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.template import Template
-from kinegrade.worked.coordinates import axes_of, steps
-from kinegrade.worked.formula_text import latex_of, symbols_of
+from kinegrade.worked.coordinates import choose_axes, list_steps
+from kinegrade.worked.formula_text import collect_symbols, write_latex
 from tests.worked.latex_value import value_of
 
 POINTS = {"A": "A", "B": "B", "O1": "O_{1}"}
@@ -62,15 +62,16 @@ POINTS = {"A": "A", "B": "B", "O1": "O_{1}"}
     ],
 )
 def test_a_formula_looks_as_in_a_textbook(text: str, latex: str) -> None:
-    assert latex_of(read(text), POINTS) == latex
-    assert formula(latex, "test")
+    assert write_latex(read_expression(text), POINTS) == latex
+    assert convert_formula(latex, "test")
 
 
 def test_angles_print_in_degrees_where_that_is_asked_and_vectors_with_an_arrow() -> None:
-    assert latex_of(read("phi - pi/2"), {}, degrees=True) == r"\varphi - 90^\circ"
-    assert latex_of(read("phi - pi/2"), {}) == r"\varphi - \frac{\pi}{2}"
+    assert write_latex(read_expression("phi - pi/2"), {}, degrees=True) == r"\varphi - 90^\circ"
+    assert write_latex(read_expression("phi - pi/2"), {}) == r"\varphi - \frac{\pi}{2}"
     assert (
-        latex_of(read("lam*(B - A)"), POINTS, points=("A", "B")) == r"\lambda\,\overrightarrow{AB}"
+        write_latex(read_expression("lam*(B - A)"), POINTS, points=("A", "B"))
+        == r"\lambda\,\overrightarrow{AB}"
     )
 
 
@@ -83,21 +84,26 @@ def expressions(template: Template) -> Iterator[Expression]:
         yield from (condition.left, condition.right)
     for published in template.published:
         yield from published.gives.values()
-    axes = axes_of(steps(template))
-    for step in steps(template):
+    axes = choose_axes(list_steps(template))
+    for step in list_steps(template):
         yield from axes.pair(step.tree) or ()
 
 
 def both_values(tree: Expression, start: float = 0.3, step: float = 0.617) -> tuple[float, float]:
     """The value of an expression, and of what is printed for it, at some values of its names."""
     leaves = {
-        name: start + step * count % 1.1 for count, name in enumerate(dict.fromkeys(names(tree)))
+        name: start + step * count % 1.1
+        for count, name in enumerate(dict.fromkeys(find_names(tree)))
     }
     numbers = {name: math.pi if name == "pi" else value for name, value in leaves.items()}
     symbols = {name: f"v_{{{count}}}" for count, name in enumerate(leaves)} | {"pi": r"\pi"}
-    functions = {**elementary(Floats()), "x": lambda value: value, "y": lambda value: value + 1}
-    printed = latex_of(flat(tree), symbols)
-    assert formula(printed, "test")
+    functions = {
+        **make_elementary_functions(Floats()),
+        "x": lambda value: value,
+        "y": lambda value: value + 1,
+    }
+    printed = write_latex(flat(tree), symbols)
+    assert convert_formula(printed, "test")
     values = {symbol: numbers[name] for name, symbol in symbols.items() if name in numbers}
     with Floats().context():
         return float(evaluate(tree, numbers, functions, Floats())), value_of(printed, values)
@@ -111,32 +117,36 @@ def flat(tree: Expression) -> Expression:
         return Operation(tree.sign, flat(tree.left), flat(tree.right))
     if isinstance(tree, Call):
         if tree.function in ("x", "y"):
-            one = Number(read("1").value) if tree.function == "y" else Number(read("0").value)  # type: ignore[union-attr]
+            one = (
+                Number(read_expression("1").value)
+                if tree.function == "y"
+                else Number(read_expression("0").value)
+            )  # type: ignore[union-attr]
             return Operation("+", tree.arguments[0], one)
         return Call(tree.function, tuple(flat(part) for part in tree.arguments))
     return tree
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_every_expression_of_every_template_is_printed_with_its_own_value(name: str) -> None:
     template = load_template(name)
     for tree in expressions(template):
-        assert formula(latex_of(tree, symbols_of(template)), name)
+        assert convert_formula(write_latex(tree, collect_symbols(template)), name)
         for start, step in ((0.3, 0.617), (1.0, -0.02)):
             with suppress(ValueError):  # the root of a negative number, at these values
                 value, printed = both_values(tree, start, step)
-                assert printed == pytest.approx(value, rel=1e-9), latex_of(tree, {})
+                assert printed == pytest.approx(value, rel=1e-9), write_latex(tree, {})
 
 
 LEAVES = st.sampled_from(["a", "b", "c", "phi", "2", "0.5", "1", "3/2"]).map(
-    read
+    read_expression
 ) | st.sampled_from("abc").map(Name)
 TREES = st.recursive(
     LEAVES,
     lambda inner: (
         st.builds(Operation, st.sampled_from("+-*/"), inner, inner)
-        | st.builds(lambda tree: Operation("-", read("0"), tree), inner)
-        | st.builds(lambda tree: Operation("**", tree, read("2")), inner)
+        | st.builds(lambda tree: Operation("-", read_expression("0"), tree), inner)
+        | st.builds(lambda tree: Operation("**", tree, read_expression("2")), inner)
         | st.builds(
             lambda function, tree: Call(function, (tree,)),
             st.sampled_from(["sin", "cos", "abs"]),
@@ -154,4 +164,4 @@ def test_any_expression_is_printed_with_its_own_value(tree: Expression) -> None:
     except (ArithmeticError, ValueError, ExpressionError):
         return
     if math.isfinite(value) and 1e-6 < abs(value) < 1e6:
-        assert printed == pytest.approx(value, rel=1e-6), latex_of(tree, {})
+        assert printed == pytest.approx(value, rel=1e-6), write_latex(tree, {})

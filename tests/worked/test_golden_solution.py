@@ -10,7 +10,7 @@ from kinegrade.language import Language
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import Method
-from kinegrade.worked.solution import worked_solution
+from kinegrade.worked.solution import write_worked_solution
 from tests.golden_files import Hold
 from tests.worked.telling import lines
 
@@ -27,6 +27,6 @@ def test_a_worked_solution_as_text(
     name: str, language: Language, method: Method | None, hold: Hold
 ) -> None:
     template = load_template(name)
-    told = worked_solution(solve_template(template, {}), template.asked(), language, method)
+    told = write_worked_solution(solve_template(template, {}), template.asked(), language, method)
     kind = f"-{method}" if method else ""
     hold(f"{name}{kind}-{language}.solution.txt", "\n".join(lines(told.blocks)) + "\n")

@@ -6,8 +6,8 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.expression import read
-from kinegrade.worked.asked_vectors import level_of
+from kinegrade.expression import read_expression
+from kinegrade.worked.asked_vectors import find_level
 
 
 @pytest.mark.parametrize(
@@ -21,9 +21,9 @@ from kinegrade.worked.asked_vectors import level_of
 def test_components_of_an_acceleration_are_never_told_in_metres_per_second(
     text: str, level: str
 ) -> None:
-    assert level_of(read(text)) == level
+    assert find_level(read_expression(text)) == level
 
 
 def test_a_number_is_neither() -> None:
     with pytest.raises(TypeError, match="a number or a name is not a vector of the motion"):
-        level_of(read("2"))
+        find_level(read_expression("2"))

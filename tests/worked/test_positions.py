@@ -9,16 +9,16 @@ from functools import cache
 
 import pytest
 
-from kinegrade.exam.formula import formula
-from kinegrade.exam.markup import prose
+from kinegrade.exam.formula import convert_formula
+from kinegrade.exam.markup import write_prose
 from kinegrade.language import LANGUAGES, Language
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.formula_width import WIDEST, width
-from kinegrade.worked.pose_answers import is_positional, pose_answers
-from kinegrade.worked.positions import lengths_and_directions, positions
+from kinegrade.worked.formula_width import WIDEST, measure_width
+from kinegrade.worked.pose_answers import explain_pose_answers, is_positional
+from kinegrade.worked.positions import explain_positions
 from tests.problem.draws import draw_filter
 from tests.problem.draws import drawn as draws_of
 from tests.worked.chains import chains, disagreements, part_value
@@ -60,11 +60,11 @@ def sentences(blocks: Iterable[Block]) -> list[str]:
 
 def require_printable(blocks: Iterable[Block], where: str) -> None:
     for text in sentences(blocks):
-        assert prose(text, where)
+        assert write_prose(text, where)
     for line in lines(blocks):
         assert line.count("&") == 1
         assert "--" not in line
-        assert formula(line.replace("&", " "), where)
+        assert convert_formula(line.replace("&", " "), where)
 
 
 @cache
@@ -76,31 +76,25 @@ def drawn(name: str) -> tuple[Solution, ...]:
 
 
 def whole_chapter(solution: Solution, language: Language) -> tuple[Block, ...]:
-    """Positions of all points, lengths along all bodies, and the answers that are positions."""
+    """Positions of all points, and the answers that are positions."""
     template = solution.template
-    pairs = [
-        (body.points[0], body.points[-1]) for body in template.scheme.bodies if len(body.points) > 1
-    ]
     asks = [name for name, ask in template.asks.items() if is_positional(ask)]
     return (
-        *positions(solution, template.scheme.points, language),
-        *lengths_and_directions(solution, pairs, language),
-        *pose_answers(solution, asks, language),
+        *explain_positions(solution, template.scheme.points, language),
+        *explain_pose_answers(solution, asks, language),
     )
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_every_template_is_told_in_both_languages_and_its_numbers_agree(name: str) -> None:
     for solution in drawn(name):
         for language in LANGUAGES:
             blocks = whole_chapter(solution, language)
             require_printable(blocks, name)
-            count, wrong = disagreements(blocks)
-            assert wrong == []
+            assert disagreements(blocks)[1] == []
         told = dict(chains(blocks))
         for point in solution.template.scheme.points:
             require_coordinates(solution, point, told)
-        assert count > 0 or all(len(parts) < 2 for parts in told.values())
 
 
 def require_coordinates(solution: Solution, point: str, told: dict[str, list[str]]) -> None:
@@ -121,7 +115,7 @@ def require_coordinates(solution: Solution, point: str, told: dict[str, list[str
 
 ANSWERS = [
     (name, ask)
-    for name in template_names()
+    for name in find_template_names()
     for ask, asked in load_template(name).asks.items()
     if is_positional(asked)
 ]
@@ -131,7 +125,7 @@ ANSWERS = [
 def test_the_last_line_ends_with_the_answer_of_the_key(name: str, ask: str) -> None:
     for solution in drawn(name):
         answer = solution[ask]
-        symbol, parts = list(chains(pose_answers(solution, (ask,), "en")))[-1]
+        symbol, parts = list(chains(explain_pose_answers(solution, (ask,), "en")))[-1]
         assert symbol == solution.template.asks[ask].symbol
         assert parts[-1].split(r"\,\mathrm")[0] in (answer.decimal(4), answer.decimal(12))
         if answer.closed_form is not None:
@@ -145,7 +139,7 @@ def test_a_pose_asks_for_nothing_but_positions(name: str) -> None:
 
 def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
     solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "30"})
-    blocks = positions(solution, ["B"], "en")
+    blocks = explain_positions(solution, ["B"], "en")
     assert sentences(blocks) == [
         "$O$ is the origin of the coordinates.",
         r"$A$ lies at the distance $r$ from $O$ in the direction $\varphi$, counted "
@@ -164,47 +158,31 @@ def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
         r"0.1^{2}} = \left(\frac{\sqrt{3}}{10} + \frac{\sqrt{15}}{10}\right)\,\mathrm{m} \approx "
         r"0.5605\,\mathrm{m}",
     ]
-    assert sentences(positions(solution, ["A"], "zh"))[-1] == (
+    assert sentences(explain_positions(solution, ["A"], "zh"))[-1] == (
         r"点 $A$ 到 $O$ 的距离为 $r$，由 $x$ 轴正向逆时针转到 $OA$ 的角为 $\varphi$："
     )
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_a_line_is_broken_at_a_relation_sign_where_it_grows_too_wide(name: str) -> None:
     for line in lines(whole_chapter(drawn(name)[1], "en")):
         relations = line.count("=") + line.count(r"\approx") + line.count(r"\propto")
-        assert relations == 1 or width(line) <= WIDEST + 4
+        assert relations == 1 or measure_width(line) <= WIDEST + 4
 
 
 def test_only_the_points_wanted_and_those_they_need_are_told() -> None:
     solution = solve_template(load_template("slider-crank"), {})
-    assert {left for left, _ in chains(positions(solution, ["A"], "en"))} == {"x_{A}", "y_{A}"}
+    assert {left for left, _ in chains(explain_positions(solution, ["A"], "en"))} == {
+        "x_{A}",
+        "y_{A}",
+    }
 
 
 def test_an_angle_without_a_field_gives_decimals_that_say_they_are_rounded() -> None:
     solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "37"})
-    assert lines(positions(solution, ["A"], "en"))[0] == (
+    assert lines(explain_positions(solution, ["A"], "en"))[0] == (
         r"x_{A} &= r \cos\varphi = 0.2 \cos 37^\circ \approx 0.1597\,\mathrm{m}"
     )
-
-
-def test_lengths_are_those_of_the_construction_and_directions_are_counted_from_the_first_point() -> (
-    None
-):
-    solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "30"})
-    pairs = [("A", "O"), ("O", "A"), ("A", "B"), ("O", "B"), ("A", "A")]
-    assert lines(lengths_and_directions(solution, pairs, "en")) == [
-        r"AO &= r = 0.2\,\mathrm{m}",
-        r"\angle(x, \overrightarrow{AO}) &= -150^\circ",
-        r"OA &= r = 0.2\,\mathrm{m}",
-        r"\angle(x, \overrightarrow{OA}) &= \varphi = 30^\circ",
-        r"AB &= k\,r = 2 \cdot 0.2 = 0.4\,\mathrm{m}",
-        r"\angle(x, \overrightarrow{AB}) &\approx -14.48^\circ",
-        r"OB &= \left|x_{B}\right| = \left|0.5605\right| = \left(\frac{\sqrt{3}}{10} + "
-        r"\frac{\sqrt{15}}{10}\right)\,\mathrm{m} \approx 0.5605\,\mathrm{m}",
-        r"\angle(x, \overrightarrow{OB}) &= 0",
-        "AA &= 0",
-    ]
 
 
 @pytest.mark.parametrize(
@@ -259,10 +237,10 @@ def test_every_construction_is_told_with_numbers_that_agree(construction: str, t
     )
     for values in ({"r": "2", "phi": "30"}, {"r": "2", "phi": "37"}):
         solution = solve_template(read_template("test", text), values)
-        blocks = positions(solution, ["C"], "en")
+        blocks = explain_positions(solution, ["C"], "en")
         assert told in " ".join(sentences(blocks))
         require_printable(blocks, construction)
-        require_printable(positions(solution, ["C"], "zh"), construction)
+        require_printable(explain_positions(solution, ["C"], "zh"), construction)
         assert disagreements(blocks)[1] == []
         require_coordinates(solution, "C", dict(chains(blocks)))
 
@@ -293,9 +271,9 @@ def test_every_measure_of_a_pose_ends_with_its_answer(quantity: str, unit: str, 
     )
     for values in ({"r": "2", "phi": "30"}, {"r": "2", "phi": "37"}):
         solution = solve_template(read_template("test", text), values)
-        blocks = pose_answers(solution, ("q",), "en")
+        blocks = explain_pose_answers(solution, ("q",), "en")
         require_printable(blocks, quantity)
-        require_printable(pose_answers(solution, ("q",), "zh"), quantity)
+        require_printable(explain_pose_answers(solution, ("q",), "zh"), quantity)
         assert disagreements(blocks)[1] == []
         symbol, parts = list(chains(blocks))[-1]
         assert symbol == "q"
@@ -309,7 +287,7 @@ def test_every_measure_of_a_pose_ends_with_its_answer(quantity: str, unit: str, 
 
 def test_a_length_that_several_answers_need_is_found_once() -> None:
     solution = solve_template(load_template("pose-four-bar-coupler"), {})
-    told = [left for left, _ in chains(pose_answers(solution, ["A11", "A12", "A21"], "en"))]
+    told = [left for left, _ in chains(explain_pose_answers(solution, ["A11", "A12", "A21"], "en"))]
     assert told == ["BC", "A_{11}", "A_{12}", "A_{21}"]
 
 
@@ -335,4 +313,4 @@ def test_the_quadrant_of_an_angle_is_told_from_the_signs_of_its_cosine_and_sine(
         f"1, vanishes = true, means = {TEXTS} }}"
     )
     solution = solve_template(read_template("test", text), {"r": "2", "phi": phi})
-    assert told in sentences(pose_answers(solution, ("q",), "en"))[-1]
+    assert told in sentences(explain_pose_answers(solution, ("q",), "en"))[-1]

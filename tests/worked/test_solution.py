@@ -14,25 +14,25 @@ import numpy as np
 import pytest
 
 from kinegrade.errors import MechanismError, TemplateError
-from kinegrade.exam.formula import formula
-from kinegrade.exam.markup import prose
+from kinegrade.exam.formula import convert_formula
+from kinegrade.exam.markup import write_prose
 from kinegrade.language import Language
 from kinegrade.mechanics.plan import Plan
-from kinegrade.mechanics.relations import Relation, total
+from kinegrade.mechanics.relations import Relation, add_vectors
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import METHODS, Method
-from kinegrade.worked.deductions import Stage, along_direction
+from kinegrade.worked.deductions import Stage, measure_along_direction
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Results
-from kinegrade.worked.methods import coupler_of
-from kinegrade.worked.needed_rates import steps_needed
-from kinegrade.worked.projection import Projection, Share, deductions
-from kinegrade.worked.solution import all_needs, worked_solution
+from kinegrade.worked.methods import find_coupler
+from kinegrade.worked.needed_rates import select_steps
+from kinegrade.worked.projection import Projection, Share, find_deductions
+from kinegrade.worked.solution import collect_needs, write_worked_solution
 from kinegrade.worked.solution_case import Case
-from kinegrade.worked.steps import stage_of
-from kinegrade.worked.wording import scalars_of
+from kinegrade.worked.steps import find_stage
+from kinegrade.worked.wording import select_scalars
 from tests.laws.cases import moving_templates
 from tests.problem.draws import draw_filter
 from tests.problem.draws import drawn as draws_of
@@ -63,12 +63,12 @@ def stages(name: str, place: int) -> tuple[Told, ...]:
 
 def stages_of(solution: Solution) -> Iterator[Told]:
     case = Case(solution, "en")
-    chosen = steps_needed(solution.motion, all_needs(case, solution.template.asks.values()))
+    chosen = select_steps(solution.motion, collect_needs(case, solution.template.asks.values()))
     levels: tuple[Level, Level] = ("velocity", "acceleration")
     for level, steps in zip(levels, chosen, strict=True):
         known: set[str] = set()
         for step in steps:
-            yield stage_of(step, case, level, known), scalars_of(step, case), step.unknowns
+            yield find_stage(step, case, level, known), select_scalars(step, case), step.unknowns
             known |= set(step.unknowns)
 
 
@@ -79,7 +79,7 @@ def all_stages(name: str) -> Iterator[Told]:
 def told(
     solution: Solution, method: Method | None = None, language: Language = "en"
 ) -> tuple[Block, ...]:
-    return worked_solution(solution, solution.template.asks, language, method).blocks
+    return write_worked_solution(solution, solution.template.asks, language, method).blocks
 
 
 @cache
@@ -96,11 +96,11 @@ def every_telling(name: str) -> Iterator[tuple[Block, ...]]:
     """
     yield from (kept(name, place) for place in range(len(drawn(name))))
     yield kept(name, language="zh")
-    if any(coupler_of(stage) for stage, _, _ in stages(name, 0)):
+    if any(find_coupler(stage) for stage, _, _ in stages(name, 0)):
         yield from (kept(name, 0, method) for method in METHODS if method != "base-point")
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_the_last_lines_are_the_key(name: str) -> None:
     for place, solution in enumerate(drawn(name)):
         *_, last = kept(name, place)
@@ -117,16 +117,16 @@ def test_the_last_lines_are_the_key(name: str) -> None:
 
 @cache
 def typeset(latex: str) -> None:
-    formula(latex, "worked")
+    convert_formula(latex, "worked")
 
 
 @cache
 def set_in_prose(text: str) -> None:
     assert not re.search(r"<\w+>", text)
-    prose(text, "worked")
+    write_prose(text, "worked")
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_every_formula_and_sentence_can_be_typeset(name: str) -> None:
     for blocks in every_telling(name):
         for latex in mathematics(blocks):
@@ -135,14 +135,14 @@ def test_every_formula_and_sentence_can_be_typeset(name: str) -> None:
             set_in_prose(text)
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_what_is_printed_between_the_signs_of_equality_is_equal(name: str) -> None:
     for blocks in every_telling(name):
         _, wrong = disagreements(blocks)
         assert not wrong
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_nothing_superfluous_is_printed(name: str) -> None:
     """No product with zero, no sign before a bracketed negative number alone, no number said to be
     itself.
@@ -156,7 +156,7 @@ def test_nothing_superfluous_is_printed(name: str) -> None:
             assert not re.search(r"(?:^|= )([-\d.]+) = \1(?:$|\\,)", line)
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_no_symbol_is_its_own_opposite(name: str) -> None:
     for blocks in every_telling(name):
         for left, parts in chains(blocks):
@@ -167,7 +167,7 @@ def test_no_symbol_is_its_own_opposite(name: str) -> None:
             )
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", find_template_names())
 def test_nothing_is_told_twice(name: str) -> None:
     lines = [
         line
@@ -183,7 +183,7 @@ def test_nothing_is_told_twice(name: str) -> None:
 def test_both_sides_of_every_vector_equation_agree(name: str) -> None:
     for stage, _, _ in all_stages(name):
         for equation in stage.equations:
-            rest = total(part.value for part in equation.left) - total(
+            rest = add_vectors(part.value for part in equation.left) - add_vectors(
                 part.value for part in equation.right
             )
             assert stage.case.arithmetic.is_zero(rest.x)
@@ -193,7 +193,7 @@ def test_both_sides_of_every_vector_equation_agree(name: str) -> None:
 @pytest.mark.parametrize("name", moving_templates())
 def test_every_projected_equation_holds_with_the_cosines_that_are_printed(name: str) -> None:
     for stage, scalars, unknowns in all_stages(name):
-        for deduction in deductions(stage.equations, scalars, unknowns):
+        for deduction in find_deductions(stage.equations, scalars, unknowns):
             for projection in deduction.projections:
                 left, right = (
                     sum(amount(share, stage) for share in side)
@@ -206,7 +206,7 @@ def amount(share: Share, stage: Stage) -> float:
     """A share with its sign: an unknown one by its algebraic value along its positive sense."""
     part = share.part
     if part.unknown and part.term:
-        size = float(along_direction(part.term, stage.case, stage.level))
+        size = float(measure_along_direction(part.term, stage.case, stage.level))
     else:
         size = hypot(float(part.value.x), float(part.value.y))
     return share.sign * size * cos(radians(share.angle))
@@ -223,7 +223,7 @@ def test_the_deductions_of_a_step_determine_each_of_its_unknowns_once(name: str)
     for stage, scalars, unknowns in all_stages(name):
         if not stage.equations:
             continue
-        given = list(deductions(stage.equations, scalars, unknowns))
+        given = list(find_deductions(stage.equations, scalars, unknowns))
         assert sorted(rate for deduction in given for rate in deduction.unknowns) == sorted(
             unknowns
         )
@@ -244,13 +244,13 @@ def test_the_deductions_of_a_step_determine_each_of_its_unknowns_once(name: str)
 @pytest.mark.parametrize("name", moving_templates())
 def test_without_any_one_step_of_the_plan_there_is_no_solution(name: str) -> None:
     solution = drawn(name)[0]
-    needs = all_needs(Case(solution, "en"), solution.template.asks.values())
-    for step in {step for steps in steps_needed(solution.motion, needs) for step in steps}:
+    needs = collect_needs(Case(solution, "en"), solution.template.asks.values())
+    for step in {step for steps in select_steps(solution.motion, needs) for step in steps}:
         steps = tuple(other for other in solution.motion.plan.steps if other != step)
         with pytest.raises(
             MechanismError, match="the plan does not give .*, which the answers need - solve the "
         ):
-            steps_needed(replace(solution.motion, plan=Plan(steps)), needs)
+            select_steps(replace(solution.motion, plan=Plan(steps)), needs)
 
 
 def test_a_vector_equation_has_its_table_and_its_pictures() -> None:
@@ -322,7 +322,7 @@ def test_certified_values_are_told_like_exact_ones() -> None:
 
 
 def lines_of(name: str, method: Method | None = None) -> list[str]:
-    blocks = worked_solution(
+    blocks = write_worked_solution(
         solve_template(load_template(name), {}), load_template(name).asked(), "en", method
     ).blocks
     return [line for block in blocks if isinstance(block, Display) for line in block.lines]

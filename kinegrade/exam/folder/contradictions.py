@@ -12,11 +12,11 @@ REMEDY = (
 )
 
 
-def contradicted(where: str, differences: Iterable[str]) -> ExamError:
+def explain_contradiction(where: str, differences: Iterable[str]) -> ExamError:
     """The refusal to derive anything that differs from the key in these ways."""
     return ExamError(*(f"{where}: {difference} - {REMEDY}" for difference in differences))
 
 
-def other_value(name: str, found: object, derived: str) -> str:
+def describe_difference(name: str, found: object, derived: str) -> str:
     """The difference between a value that the key states and the one derived."""
     return f"{name} is {found} by the key, but {derived} follows from the values drawn"

@@ -13,16 +13,16 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kinegrade.errors import ExamError, message
+from kinegrade.errors import ExamError, write_message
 from kinegrade.exam.folder.contents import BANK, HEAD, KEY, POOL, SOLUTIONS, TEMPLATES
-from kinegrade.exam.folder.exact_keys import key_line
-from kinegrade.exam.folder.faults import decoding, unreadable
+from kinegrade.exam.folder.exact_keys import read_key_line
+from kinegrade.exam.folder.faults import decoding, explain_unreadable
 from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.folder.key_decoding import PaperDecoder
-from kinegrade.exam.folder.key_index import KeyIndex, index_of
-from kinegrade.exam.folder.key_stream import papers_in_roster_order
-from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, questions
-from kinegrade.exam.folder.printed_orders import printed_orders
+from kinegrade.exam.folder.key_index import KeyIndex, make_index
+from kinegrade.exam.folder.key_stream import stream_papers
+from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, list_questions
+from kinegrade.exam.folder.printed_orders import read_printed_orders
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedNumber
 from kinegrade.language import Language
 
@@ -52,7 +52,7 @@ class ExamFolder:
     @property
     def questions(self) -> tuple[str, ...]:
         """The questions in the order of the bank."""
-        return questions(self.asks)
+        return list_questions(self.asks)
 
     @property
     def students(self) -> tuple[str, ...]:
@@ -84,7 +84,7 @@ class ExamFolder:
 
         Raises ExamError with all faults of the key, after the last line is read.
         """
-        return papers_in_roster_order(self.key, self.asks, self.head.candidates)
+        return stream_papers(self.key, self.asks, self.head.candidates)
 
     def papers_of(self, students: Collection[str]) -> Mapping[str, Paper]:
         """The papers of these students, by student. Raises ExamError where one is missing."""
@@ -111,7 +111,7 @@ class ExamFolder:
 
         Raises ExamError.
         """
-        return printed_orders(self.key, self.questions)
+        return read_printed_orders(self.key, self.questions)
 
     def line_of(self, student: str) -> KeyLine:
         """The key of a student's paper, or that of a pool's variant for a student who left the
@@ -146,19 +146,19 @@ class ExamFolder:
 
     def read_line(self, number: int, text: bytes) -> KeyLine:
         """The key on a line of `texts`. Raises ExamError."""
-        return _record(self.key, number, text)
+        return _read_record(self.key, number, text)
 
     def texts(self) -> Iterator[tuple[int, bytes]]:
         """The lines of the key as they stand, with their numbers. Raises ExamError."""
-        return _texts(self.key)
+        return _read_texts(self.key)
 
     def pool_lines(self) -> Iterator[KeyLine]:
         """The keys of a pool's variants, none where no pool was made. Raises ExamError."""
-        return (_record(self.pool, *line) for line in self.pool_texts())
+        return (_read_record(self.pool, *line) for line in self.pool_texts())
 
     def pool_texts(self) -> Iterator[tuple[int, bytes]]:
         """The lines of a pool as they stand, with their numbers. Raises ExamError."""
-        return _texts(self.pool) if self.has_pool else iter(())
+        return _read_texts(self.pool) if self.has_pool else iter(())
 
     @cached_property
     def templates(self) -> KeptTemplates:
@@ -175,7 +175,7 @@ class ExamFolder:
         try:
             return path.read_text(encoding="utf-8")
         except (OSError, UnicodeDecodeError) as fault:
-            raise unreadable(path, fault) from fault
+            raise explain_unreadable(path, fault) from fault
 
     def solution(self, stem: str) -> bytes:
         """The worked solutions of a student whose files have that stem, as PDF. Raises
@@ -193,7 +193,11 @@ class ExamFolder:
     @cached_property
     def _indices(self) -> tuple[KeyIndex, ...]:
         """The indices in which lines are looked up: the key's, then the pool's."""
-        return (index_of(self.key), index_of(self.pool)) if self.has_pool else (index_of(self.key),)
+        return (
+            (make_index(self.key), make_index(self.pool))
+            if self.has_pool
+            else (make_index(self.key),)
+        )
 
     @cached_property
     def _decoder(self) -> PaperDecoder:
@@ -207,14 +211,14 @@ class ExamFolder:
         index = self._index(student)
         if index is None:
             return None
-        with decoding(index.path, _whose(student)):
-            return key_line(index.text(student))
+        with decoding(index.path, _name_owner(student)):
+            return read_key_line(index.text(student))
 
     def _paper(self, student: str) -> Paper:
         index = self._index(student)
         if index is None:
             raise self._no_paper(student)
-        with decoding(index.path, _whose(student)):
+        with decoding(index.path, _name_owner(student)):
             return self._decoder.paper(index.text(student), str(index.path))
 
     def _index(self, student: str) -> KeyIndex | None:
@@ -223,7 +227,7 @@ class ExamFolder:
 
     def _no_paper(self, student: str) -> ExamError:
         return ExamError(
-            message(
+            write_message(
                 str(self.key),
                 f'no paper of student "{student}"',
                 "one for every student who is marked",
@@ -241,18 +245,18 @@ def open_exam(path: Path) -> ExamFolder:
     return ExamFolder(path, read_head(path))
 
 
-def _texts(path: Path) -> Iterator[tuple[int, bytes]]:
+def _read_texts(path: Path) -> Iterator[tuple[int, bytes]]:
     try:
         with path.open("rb") as lines:
             yield from ((number, line) for number, line in enumerate(lines, 1) if line.strip())
     except OSError as fault:
-        raise unreadable(path, fault) from fault
+        raise explain_unreadable(path, fault) from fault
 
 
-def _record(path: Path, number: int, text: bytes) -> KeyLine:
+def _read_record(path: Path, number: int, text: bytes) -> KeyLine:
     with decoding(path, f"line {number}"):
-        return key_line(text)
+        return read_key_line(text)
 
 
-def _whose(student: str) -> str:
+def _name_owner(student: str) -> str:
     return f'the paper of student "{student}"'

@@ -6,19 +6,19 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from kinegrade.errors import ExamError, FieldError, message
+from kinegrade.errors import ExamError, FieldError, write_message
 
 AS_GENERATED = "expected it as kinegrade generate wrote it"
 REMEDY = "restore the exam folder as it was generated"
 
 
-def broken(where: Path | str, faults: Iterable[str]) -> ExamError:
+def explain_broken(where: Path | str, faults: Iterable[str]) -> ExamError:
     """The refusal of a file, or a line of it, with these faults; each says what was expected."""
-    return ExamError(*(message(str(where), fault, do=REMEDY) for fault in faults))
+    return ExamError(*(write_message(str(where), fault, do=REMEDY) for fault in faults))
 
 
-def damaged(fault: Exception) -> str:
-    """A fault of form, as `broken` takes it."""
+def describe_damage(fault: Exception) -> str:
+    """A fault of form, as `explain_broken` takes it."""
     return f"is broken ({fault}) - {AS_GENERATED}"
 
 
@@ -28,12 +28,12 @@ def decoding(path: Path, where: str) -> Iterator[None]:
     try:
         yield
     except FieldError as fault:
-        raise broken(path, [f"{where}: {fault}"]) from fault
+        raise explain_broken(path, [f"{where}: {fault}"]) from fault
     except UnicodeDecodeError as fault:
-        raise unreadable(path, fault) from fault
+        raise explain_unreadable(path, fault) from fault
 
 
-def unreadable(path: Path, fault: OSError | UnicodeDecodeError) -> ExamError:
+def explain_unreadable(path: Path, fault: OSError | UnicodeDecodeError) -> ExamError:
     """The refusal of a file that cannot be read at all."""
     reason = fault.strerror if isinstance(fault, OSError) else "not UTF-8"
     return ExamError(

@@ -16,10 +16,10 @@ import msgspec
 
 from kinegrade.errors import ExamError, FieldError
 from kinegrade.exam.folder.contents import HEAD
-from kinegrade.exam.folder.faults import REMEDY, damaged
-from kinegrade.exam.folder.numbers import not_negative
+from kinegrade.exam.folder.faults import REMEDY, describe_damage
+from kinegrade.exam.folder.numbers import require_not_negative
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
-from kinegrade.exam.roster import student_key
+from kinegrade.exam.roster import make_student_key
 from kinegrade.fields.document import FileKind, json_table, read_text
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import Read, found
@@ -27,7 +27,7 @@ from kinegrade.language import LANGUAGES, Language
 from kinegrade.marks_folder.layout import GRADES
 
 FORMAT = 2  # the one that this version writes
-FORMATS = (1, FORMAT)  # those that it reads
+_FORMATS = (1, FORMAT)  # those that it reads
 _NEWER = "use a kinegrade at least as new as the one that made the folder"
 _MOST_BYTES = 10**9  # a class of any size
 _HEAD_FILE = FileKind("an exam folder made by kinegrade generate", ExamError, _MOST_BYTES, REMEDY)
@@ -39,17 +39,19 @@ def read_head(folder: Path) -> ExamHead:
     """The head of an exam folder. Raises ExamError with all its faults."""
     path = folder / HEAD
     table = json_table(str(path), read_text(path, _HEAD_FILE), _HEAD_FILE)
-    table.required("format", _format)
+    table.required("format", _read_format)
     table.faults.require_none()  # what another format holds is not known
-    questions = _listed(table, "questions", _question)
-    students = _listed(table, "students", _candidate)
+    questions = _read_list(table, "questions", _read_question)
+    students = _read_list(table, "students", _read_candidate)
     columns = (ask.column for question in questions for ask in question.asks)
     _require_once(table, "questions", "ask", columns)
-    _require_once(table, "students", "student", (student_key(each.student) for each in students))
-    language = table.required("language", _language) or LANGUAGES[0]
+    _require_once(
+        table, "students", "student", (make_student_key(each.student) for each in students)
+    )
+    language = table.required("language", _read_language) or LANGUAGES[0]
     rest = {**table.content, "questions": [], "students": [], "language": language}
     try:
-        head = _converted(rest, ExamHead)
+        head = _convert(rest, ExamHead)
     except FieldError as fault:
         table.faults.note_error(table.place, fault)
         raise table.faults.raised() from fault
@@ -57,17 +59,17 @@ def read_head(folder: Path) -> ExamHead:
     return msgspec.structs.replace(head, questions=questions, students=students)
 
 
-def _format(value: object) -> int:
+def _read_format(value: object) -> int:
     """The number of a format that is known."""
-    for known in FORMATS:
+    for known in _FORMATS:
         if value == known and not isinstance(value, bool):
             return known
-    expected = f"{' or '.join(map(str, FORMATS))}, the only ones this kinegrade reads"
+    expected = f"{' or '.join(map(str, _FORMATS))}, the only ones this kinegrade reads"
     newer = isinstance(value, int) and value > FORMAT
     raise FieldError(found(value), expected, _NEWER if newer else "")
 
 
-def _language(value: object) -> Language:
+def _read_language(value: object) -> Language:
     """A language that this version knows."""
     for known in LANGUAGES:
         if value == known:
@@ -76,7 +78,7 @@ def _language(value: object) -> Language:
     raise FieldError(found(value), expected)
 
 
-def _listed(table: Table, key: str, read: Read[_Item]) -> tuple[_Item, ...]:
+def _read_list(table: Table, key: str, read: Read[_Item]) -> tuple[_Item, ...]:
     """The entries of a list, which is not empty."""
     if key not in table:
         table.missing(key, "a list that is not empty")
@@ -85,8 +87,8 @@ def _listed(table: Table, key: str, read: Read[_Item]) -> tuple[_Item, ...]:
     return table.listing(key, read)
 
 
-def _question(value: object) -> ExamQuestion:
-    question = _converted(_with_its_asks(value), ExamQuestion)
+def _read_question(value: object) -> ExamQuestion:
+    question = _convert(_name_owner(value), ExamQuestion)
     _require_identifier("question", question.question)
     if not question.asks:
         raise FieldError(f"question {question.question} asks nothing", "at least one ask")
@@ -95,7 +97,7 @@ def _question(value: object) -> ExamQuestion:
     return question
 
 
-def _with_its_asks(item: object) -> object:
+def _name_owner(item: object) -> object:
     """A question whose asks name the question to which they belong."""
     if not isinstance(item, dict) or not isinstance(item.get("asks"), list):
         return item
@@ -104,29 +106,29 @@ def _with_its_asks(item: object) -> object:
     return {**item, "asks": asks}
 
 
-def _candidate(value: object) -> Candidate:
-    candidate = _converted(value, Candidate)
-    if not student_key(candidate.student):
+def _read_candidate(value: object) -> Candidate:
+    candidate = _convert(value, Candidate)
+    if not make_student_key(candidate.student):
         raise FieldError('"student" is empty', "an id")
     return candidate
 
 
-def _converted(value: object, kind: type[_Item]) -> _Item:
+def _convert(value: object, kind: type[_Item]) -> _Item:
     """A record of that kind. Raises FieldError."""
     try:
-        return msgspec.convert(value, kind, dec_hook=_decoded)
+        return msgspec.convert(value, kind, dec_hook=_decode)
     except (msgspec.MsgspecError, ArithmeticError, RecursionError) as fault:
-        raise FieldError(damaged(fault)) from fault
+        raise FieldError(describe_damage(fault)) from fault
 
 
-def _decoded(kind: type, value: object) -> object:
+def _decode(kind: type, value: object) -> object:
     """Points, the only fractions of a head; or a credit of the bank, as it stands."""
     if kind is object:
         return value
     if kind is not Fraction:
         raise NotImplementedError(kind)
     try:
-        return not_negative("points", value)
+        return require_not_negative("points", value)
     except FieldError as fault:
         raise ValueError(fault) from fault  # to which msgspec adds the place in the question
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from kinegrade.errors import ExamError, TemplateError
 from kinegrade.exam.folder.records import ExamQuestion
-from kinegrade.problem.library import kept_template
+from kinegrade.problem.library import load_kept_template
 from kinegrade.problem.template import Template
 
 
@@ -38,7 +38,7 @@ def read_kept_templates(folder: Path, questions: Sequence[ExamQuestion]) -> Kept
     faults: list[str] = []
     for each in questions:
         try:
-            readable[each.question] = kept_template(each.template, folder)
+            readable[each.question] = load_kept_template(each.template, folder)
         except TemplateError as error:
             faults += (f"{folder.parent}: {problem}" for problem in error.problems)
     return KeptTemplates(readable, tuple(faults))

@@ -22,11 +22,11 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec.structs import astuple
 
-from kinegrade.csv_writing import encoded
+from kinegrade.csv_writing import encode
 from kinegrade.errors import FieldError
-from kinegrade.exam.folder.exact_keys import exact_keys, key_line, rule_of
+from kinegrade.exam.folder.exact_keys import read_exact_keys, read_key_line, read_rule
 from kinegrade.exam.folder.keys import Ask, Paper
-from kinegrade.exam.folder.numbers import MOST_DIGITS, not_negative
+from kinegrade.exam.folder.numbers import MOST_DIGITS, require_not_negative
 from kinegrade.exam.folder.records import Candidate, StatedTolerance
 from kinegrade.exam.folder.stated_keys import Entry, StatedKeys, Terms
 
@@ -56,7 +56,7 @@ class PaperDecoder:
 
     def __init__(self, asks: Sequence[Ask], candidates: Mapping[str, Candidate]) -> None:
         self._asks, self._candidates = asks, candidates
-        self._decode = msgspec.json.Decoder(_line_type(asks), strict=False).decode
+        self._decode = msgspec.json.Decoder(_define_line_type(asks), strict=False).decode
         self._terms: dict[bytes, Terms] = {}
 
     def usual(self, lines: Sequence[bytes], places: Sequence[str]) -> list[Paper] | None:
@@ -74,8 +74,8 @@ class PaperDecoder:
         """
         for paper in self.usual([line], [place]) or ():
             return paper
-        record = key_line(line)
-        keys = exact_keys(self._asks, record)
+        record = read_key_line(line)
+        keys = read_exact_keys(self._asks, record)
         return Paper(record.student, self._name(record.student), keys)
 
     def _name(self, student: str) -> str:
@@ -89,7 +89,7 @@ class PaperDecoder:
             for line in found
         ]
         entries = [*chain.from_iterable(papers)]
-        centres = iter(_centres(entries))
+        centres = iter(_round_centres(entries))
         return [
             Paper(
                 line.student,
@@ -116,17 +116,17 @@ class PaperDecoder:
             if len(self._terms) > _MOST_TERMS:
                 self._terms.clear()
             parts = stated.split(b"\0")
-            rules = tuple(rule_of(_decoded_tolerance(part)) for part in parts[::2])
-            self._terms[stated] = Terms(self._asks, rules, tuple(map(_period, parts[1::2])))
+            rules = tuple(read_rule(_decoded_tolerance(part)) for part in parts[::2])
+            self._terms[stated] = Terms(self._asks, rules, tuple(map(_find_period, parts[1::2])))
         return self._terms[stated]
 
 
-def _period(stated: bytes) -> Fraction | None:
+def _find_period(stated: bytes) -> Fraction | None:
     period = _decoded_period(stated)
-    return None if period is None else not_negative("period", period)
+    return None if period is None else require_not_negative("period", period)
 
 
-def _line_type(asks: Sequence[Ask]) -> Any:
+def _define_line_type(asks: Sequence[Ask]) -> Any:
     """The type of a line with these asks: its questions are a tuple, their asks in the order of the
     paper.
     """
@@ -135,7 +135,7 @@ def _line_type(asks: Sequence[Ask]) -> Any:
         asked = {f"ask_{number}": ask for number, ask in enumerate(group)}
         keys = msgspec.defstruct(
             "Keys",
-            [(field, _entry_type(ask)) for field, ask in asked.items()],
+            [(field, _define_entry_type(ask)) for field, ask in asked.items()],
             gc=False,
             rename={field: ask.ask for field, ask in asked.items()},
             forbid_unknown_fields=True,
@@ -149,10 +149,10 @@ def _line_type(asks: Sequence[Ask]) -> Any:
     return msgspec.defstruct("Line", [("student", str), ("questions", listed)], gc=False)
 
 
-def _entry_type(ask: Ask) -> type[msgspec.Struct]:
+def _define_entry_type(ask: Ask) -> type[msgspec.Struct]:
     """The type of the key of an ask, which has the unit and the points that exam.json states."""
     unit, points = (
-        encoded(ask.unit).decode(),
+        encode(ask.unit).decode(),
         float(ask.points),
     )  # no line that is UTF-8 has a lone surrogate
     only = msgspec.Meta(ge=points, le=points)
@@ -165,7 +165,7 @@ def _entry_type(ask: Ask) -> type[msgspec.Struct]:
     )
 
 
-def _centres(entries: Sequence[Entry]) -> list[float]:
+def _round_centres(entries: Sequence[Entry]) -> list[float]:
     """The right answers rightly rounded to doubles: of the exact value where it is a plain number,
     else the decimal.
     """

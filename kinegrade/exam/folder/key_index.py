@@ -13,8 +13,8 @@ from pathlib import Path
 
 import msgspec
 
-from kinegrade.exam.folder.faults import broken, damaged, unreadable
-from kinegrade.exam.folder.ownership import repetitions
+from kinegrade.exam.folder.faults import describe_damage, explain_broken, explain_unreadable
+from kinegrade.exam.folder.ownership import find_repetitions
 
 _BEGINNING = re.compile(rb'\{"student": ?("(?:[^"\\]|\\.)*")')
 
@@ -44,22 +44,22 @@ class KeyIndex:
                 stream.seek(begin)
                 return stream.readline()
         except OSError as fault:
-            raise unreadable(self.path, fault) from fault
+            raise explain_unreadable(self.path, fault) from fault
 
 
-def index_of(path: Path) -> KeyIndex:
+def make_index(path: Path) -> KeyIndex:
     """The index of a file. Raises ExamError, also where a student has several lines."""
     try:
-        lines = [*_owners(path)]
+        lines = [*_find_owners(path)]
     except OSError as fault:
-        raise unreadable(path, fault) from fault
-    faults = [*repetitions([student for student, _ in lines])]
+        raise explain_unreadable(path, fault) from fault
+    faults = [*find_repetitions([student for student, _ in lines])]
     if faults:
-        raise broken(path, faults)
+        raise explain_broken(path, faults)
     return KeyIndex(path, dict(lines))
 
 
-def _owners(path: Path) -> Iterator[tuple[str, int]]:
+def _find_owners(path: Path) -> Iterator[tuple[str, int]]:
     """The student of each line that is not empty, and where the line begins; of a
     line as `generate` writes it only the beginning is decoded.
     """
@@ -68,13 +68,15 @@ def _owners(path: Path) -> Iterator[tuple[str, int]]:
         for number, line in enumerate(stream, 1):
             if not line.isspace():
                 try:
-                    yield _owner(line), begin
+                    yield _read_owner(line), begin
                 except (ValueError, RecursionError) as fault:
-                    raise broken(path, [f"line {number}: {damaged(fault)}"]) from fault
+                    raise explain_broken(
+                        path, [f"line {number}: {describe_damage(fault)}"]
+                    ) from fault
             begin += len(line)
 
 
-def _owner(line: bytes) -> str:
+def _read_owner(line: bytes) -> str:
     """The student of a line. Raises ValueError, RecursionError."""
     beginning = _BEGINNING.match(line)
     return _decoded_text(beginning[1]) if beginning else _decoded(line).student

@@ -9,17 +9,17 @@ from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
 from kinegrade.errors import FieldError
-from kinegrade.exam.folder.faults import broken, unreadable
+from kinegrade.exam.folder.faults import explain_broken, explain_unreadable
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.keys import Ask, Paper
-from kinegrade.exam.folder.ownership import ownership_faults
+from kinegrade.exam.folder.ownership import find_ownership_faults
 from kinegrade.exam.folder.records import Candidate
 
 # Bytes: a few of the long lines, but no more than fits in a processor's cache
 _BUFFER = 2**17
 
 
-def papers_in_roster_order(
+def stream_papers(
     path: Path, asks: Sequence[Ask], candidates: Mapping[str, Candidate]
 ) -> Iterator[Paper]:
     """The papers of all candidates, read as they are asked for.
@@ -30,7 +30,7 @@ def papers_in_roster_order(
         with path.open("rb", _BUFFER) as stream:
             yield from _Papers(path, asks, candidates, stream).in_roster_order()
     except (OSError, UnicodeDecodeError) as fault:
-        raise unreadable(path, fault) from fault
+        raise explain_unreadable(path, fault) from fault
 
 
 class _Line(NamedTuple):
@@ -73,9 +73,9 @@ class _Papers:
             while due is not None and due in self.early:
                 yield self._early(self.early[due])
                 due = next(waiting, None)
-        faults = self.faults or [*ownership_faults(self.seen, self.candidates)]
+        faults = self.faults or [*find_ownership_faults(self.seen, self.candidates)]
         if faults:
-            raise broken(self.path, faults)
+            raise explain_broken(self.path, faults)
 
     def _in_file_order(self) -> Iterator[tuple[_Line, Paper]]:
         """Each line with its paper; none after the first fault."""

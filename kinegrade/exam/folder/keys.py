@@ -69,7 +69,7 @@ class Rule:
 
 
 @lru_cache(maxsize=4096)  # a whole class has few rules, and every key refers to one
-def rule(relative: Fraction, absolute: Fraction, figures: int | None = None) -> Rule:
+def make_rule(relative: Fraction, absolute: Fraction, figures: int | None = None) -> Rule:
     """The rule with these numbers; equal numbers give the same object."""
     return Rule(relative, absolute, figures)
 
@@ -81,8 +81,8 @@ class Key:
 
     `period` is a full turn for an angle that is right with any number of turns more or less.
     `agreeing` are the smallest and the largest number that agree with the value to the significant
-    figures asked for, if any are. `rule` is what the tolerance and they come from; `mistakes` are
-    the wrong answers that known mistakes lead to, by id.
+    figures asked for, if any are. `make_rule` is what the tolerance and they come from; `mistakes`
+    are the wrong answers that known mistakes lead to, by id.
     """
 
     value: Fraction
@@ -205,7 +205,7 @@ class Exam:
     @property
     def questions(self) -> tuple[str, ...]:
         """The questions in the order of the paper."""
-        return questions(self.asks)
+        return list_questions(self.asks)
 
     @property
     def students(self) -> tuple[str, ...]:
@@ -218,6 +218,6 @@ class Exam:
             yield Paper(each.student, each.name, [each.keys[ask.column] for ask in self.asks])
 
 
-def questions(asks: Sequence[Ask]) -> tuple[str, ...]:
+def list_questions(asks: Sequence[Ask]) -> tuple[str, ...]:
     """The questions to which these asks belong, in their order."""
     return tuple(dict.fromkeys(ask.question for ask in asks))

@@ -10,7 +10,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from kinegrade.errors import FieldError
-from kinegrade.exact.written import NumberError, written_number
+from kinegrade.exact.written import NumberError, read_number
 
 MOST_DIGITS = 100
 RATIONAL = re.compile(r"-?[0-9]{1,300}(?:/[0-9]{0,299}[1-9][0-9]{0,299})?")
@@ -20,37 +20,37 @@ _NUMBER = re.compile(
 _LONGEST_SHOWN = 120
 
 
-def shown(found: object) -> str:
+def _show(found: object) -> str:
     """What was found as a message shows it: one line, cut where it is long."""
     text = str(found) if isinstance(found, Decimal) else repr(found)
     return text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}…"
 
 
-def number(name: str, found: object) -> Fraction:
+def require_number(name: str, found: object) -> Fraction:
     """A number, or a text that spells one (a decimal or a plain fraction), exactly.
 
     Raises FieldError, which gives its name.
     """
     written = isinstance(found, Decimal | str | int) and not isinstance(found, bool)
-    exact = _exactly(found) if written else None
+    exact = _read_exactly(found) if written else None
     if exact is None:
-        raise FieldError(f'"{name}" is {shown(found)} - expected a number')
+        raise FieldError(f'"{name}" is {_show(found)} - expected a number')
     return exact
 
 
-def not_negative(name: str, found: object) -> Fraction:
+def require_not_negative(name: str, found: object) -> Fraction:
     """A number of zero or more, exactly. Raises FieldError."""
-    exact = number(name, found)
+    exact = require_number(name, found)
     if exact < 0:
-        raise FieldError(f'"{name}" is {shown(found)} - expected zero or more')
+        raise FieldError(f'"{name}" is {_show(found)} - expected zero or more')
     return exact
 
 
 @lru_cache(maxsize=4096)  # points and tolerances repeat on every paper
-def _exactly(found: Decimal | str | int) -> Fraction | None:
+def _read_exactly(found: Decimal | str | int) -> Fraction | None:
     if isinstance(found, str) and not (_NUMBER.fullmatch(found) or RATIONAL.fullmatch(found)):
         return None
     try:
-        return written_number(found)
+        return read_number(found)
     except NumberError:
         return None

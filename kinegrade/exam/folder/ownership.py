@@ -8,18 +8,18 @@ from collections.abc import Collection, Iterator
 from kinegrade.exam.folder.contents import HEAD
 
 
-def ownership_faults(owners: Collection[str], candidates: Collection[str]) -> Iterator[str]:
+def find_ownership_faults(owners: Collection[str], candidates: Collection[str]) -> Iterator[str]:
     """What is wrong with the students of the lines: students with several lines, candidates with
     none, and students who are not candidates.
     """
-    yield from repetitions(owners)
+    yield from find_repetitions(owners)
     for student in sorted(set(candidates).difference(owners)):
         yield f'no line for student "{student}" - expected one'
     for student in sorted(set(owners).difference(candidates)):
         yield f'student "{student}" is not in {HEAD} - expected only its students'
 
 
-def repetitions(owners: Collection[str]) -> Iterator[str]:
+def find_repetitions(owners: Collection[str]) -> Iterator[str]:
     """A fault for each student with several lines."""
     for student, count in Counter(owners).items():
         if count > 1:

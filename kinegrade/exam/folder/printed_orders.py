@@ -7,7 +7,7 @@ from pathlib import Path
 
 import msgspec
 
-from kinegrade.exam.folder.faults import AS_GENERATED, broken, unreadable
+from kinegrade.exam.folder.faults import AS_GENERATED, explain_broken, explain_unreadable
 
 _STATED = b'"printed"'
 
@@ -17,20 +17,20 @@ class _Order(msgspec.Struct, gc=False):
     printed: tuple[str, ...]
 
 
-def printed_orders(key: Path, questions: tuple[str, ...]) -> Mapping[str, tuple[str, ...]]:
+def read_printed_orders(key: Path, questions: tuple[str, ...]) -> Mapping[str, tuple[str, ...]]:
     """The orders that differ from that of the bank's `questions`, by student.
 
     Raises ExamError for a paper that states other questions.
     """
     try:
         with key.open("rb") as lines:
-            orders = dict(_orders(key, enumerate(lines, 1), sorted(questions)))
+            orders = dict(_read_orders(key, enumerate(lines, 1), sorted(questions)))
     except OSError as fault:
-        raise unreadable(key, fault) from fault
+        raise explain_unreadable(key, fault) from fault
     return {student: order for student, order in orders.items() if order != questions}
 
 
-def _orders(
+def _read_orders(
     key: Path, lines: Iterator[tuple[int, bytes]], questions: list[str]
 ) -> Iterator[tuple[str, tuple[str, ...]]]:
     decode = msgspec.json.Decoder(_Order).decode
@@ -47,5 +47,5 @@ def _orders(
                 raise ValueError
         except (ValueError, RecursionError) as fault:
             wrong = f'line {number}: "printed" is not an order of the questions'
-            raise broken(key, [f"{wrong} - {AS_GENERATED}"]) from fault
+            raise explain_broken(key, [f"{wrong} - {AS_GENERATED}"]) from fault
         yield found.student, found.printed

@@ -14,9 +14,9 @@ from functools import cached_property
 
 import msgspec
 
-from kinegrade.exam.exam_secret import ExamSecret, secret_of
+from kinegrade.exam.exam_secret import ExamSecret, find_secret
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.exam.roster import file_names
+from kinegrade.exam.roster import make_file_names
 from kinegrade.language import Language
 
 
@@ -88,7 +88,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     def drawn_from(self) -> ExamSecret | None:
         """The secret of the numbers; None where it was taken out of the folder, or is damaged."""
         words = self.seed if self.reproducible is None else self.reproducible
-        return secret_of(
+        return find_secret(
             {
                 "reproducible": words,
                 "secret": self.secret,
@@ -120,7 +120,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     @cached_property
     def file_stems(self) -> Mapping[str, str]:
         """The stem of each student's file names, by id."""
-        return file_names(each.student for each in self.students)
+        return make_file_names(each.student for each in self.students)
 
 
 class StatedTolerance(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):

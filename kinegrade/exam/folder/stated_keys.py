@@ -16,8 +16,8 @@ from math import isfinite
 import msgspec
 
 from kinegrade.errors import FieldError
-from kinegrade.exam.folder.exact_keys import mistakes_of
-from kinegrade.exam.folder.faults import broken, damaged
+from kinegrade.exam.folder.exact_keys import read_mistakes
+from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.keys import Ask, Rule, StatedKey
 from kinegrade.exam.folder.numbers import RATIONAL
 
@@ -94,14 +94,14 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
             pass
         where = f"{self.place}: {self.terms.asks[ask].column}"
         try:
-            return mistakes_of(_exactly_decoded(written))
+            return read_mistakes(_exactly_decoded(written))
         except FieldError as fault:
-            raise broken(where, [str(fault)]) from fault
+            raise explain_broken(where, [str(fault)]) from fault
         except ValueError as fault:
-            raise broken(where, [f"mistakes: {damaged(fault)}"]) from fault
+            raise explain_broken(where, [f"mistakes: {describe_damage(fault)}"]) from fault
 
 
-def stated_mistakes(
+def read_stated_mistakes(
     asks: Sequence[tuple[StatedKeys, int]],
 ) -> Sequence[Mapping[str, float | Fraction]]:
     """The mistakes of these asks, decoded at once. Raises ExamError as `StatedKeys.mistakes`

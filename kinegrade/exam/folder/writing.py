@@ -13,34 +13,34 @@ import msgspec
 from kinegrade.exam.folder.records import ExamHead, KeyLine
 
 
-def head_json(head: ExamHead) -> bytes:
+def encode_head(head: ExamHead) -> bytes:
     """The bytes of exam.json, laid out for people."""
-    table = msgspec.to_builtins(head, enc_hook=_as_decimal, builtin_types=(Decimal,))
+    table = msgspec.to_builtins(head, enc_hook=_encode_points, builtin_types=(Decimal,))
     for question in table["questions"]:
         for ask in question["asks"]:
             del ask["question"]  # the ask is listed under its question
     return msgspec.json.format(_ENCODER.encode(table), indent=1) + b"\n"
 
 
-def line_json(line: KeyLine) -> bytes:
+def encode_line(line: KeyLine) -> bytes:
     """The bytes of a line of key.jsonl."""
     return msgspec.json.format(_ENCODER.encode(line), indent=0) + b"\n"
 
 
-def few_digits(number: Fraction) -> Decimal:
+def make_decimal(number: Fraction) -> Decimal:
     """A number of few decimal digits as it is written; whole numbers without a point.
 
-    >>> few_digits(Fraction(5, 2)), few_digits(Fraction(3))
+    >>> make_decimal(Fraction(5, 2)), make_decimal(Fraction(3))
     (Decimal('2.5'), Decimal('3'))
     """
     return Decimal(int(number) if number == int(number) else repr(float(number)))
 
 
-def _as_decimal(found: object) -> Decimal:
+def _encode_points(found: object) -> Decimal:
     """Points, the only fractions of a head."""
     if not isinstance(found, Fraction):
         raise NotImplementedError(type(found))
-    return few_digits(found)
+    return make_decimal(found)
 
 
 _ENCODER = msgspec.json.Encoder(decimal_format="number")

@@ -14,22 +14,22 @@ from pathlib import Path
 from kinegrade.errors import TypesetError
 from kinegrade.exam.quiz_document import Quiz, QuizPaper
 from kinegrade.files import output_file
-from kinegrade.lms.quiz.blackboard_line import question_line
-from kinegrade.lms.quiz.decimals import decimal_text
-from kinegrade.lms.quiz.packaging import Package, package, stable_name
+from kinegrade.lms.quiz.blackboard_line import write_question_line
+from kinegrade.lms.quiz.decimals import write_decimal
+from kinegrade.lms.quiz.packaging import Package, make_stable_name, open_package
 from kinegrade.lms.quiz.remarks import Remarks
 
-MOST = 250  # questions in one upload to Ultra; Original takes 500
-NO_FIGURES = (
+_MOST = 250  # questions in one upload to Ultra; Original takes 500
+_NO_FIGURES = (
     "blackboard: its text upload has no figures - they were left out; the statements are complete "
     "without them - hand out the printed papers too"
 )
-POINTS = "blackboard: its text upload has no points - set them there: {}"
-LEFT_OUT = (
+_POINTS = "blackboard: its text upload has no points - set them there: {}"
+_LEFT_OUT = (
     "blackboard: its numerical questions have the right number only - comments on known mistakes "
     "and solutions were left out - give them with kinegrade feedback"
 )
-TOO_MANY = (
+_TOO_MANY = (
     "{}: would hold {} questions - expected up to {}, the most that Blackboard takes at a time - "
     "write to a name that ends in .zip, which gives every paper its own file"
 )
@@ -44,7 +44,7 @@ def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
     """
     writer = _Writer(quiz)
     if target.suffix.lower() == ".zip":
-        with package(target, force=force) as parts:
+        with open_package(target, force=force) as parts:
             writer.write_files(parts)
             return writer.complaints()
     with output_file(target, force=force) as partial:
@@ -63,9 +63,9 @@ class _Writer:
         """What was left out. Raises ExportError with all faults."""
         self._remarks.raise_faults()
         listed = ", ".join(
-            f"{column} {decimal_text(points)}" for column, points in self._points.items()
+            f"{column} {write_decimal(points)}" for column, points in self._points.items()
         )
-        self._remarks.complain(POINTS.format(listed))
+        self._remarks.complain(_POINTS.format(listed))
         return self._remarks.complaints
 
     def write_one(self, place: Path, target: Path) -> None:
@@ -75,10 +75,10 @@ class _Writer:
             for paper in self._quiz.papers:
                 for _, line in self._lines(paper):
                     count += 1
-                    if count <= MOST:
+                    if count <= _MOST:
                         stream.write(f"{line}\n")
-        if count > MOST:
-            self._remarks.refuse(TOO_MANY.format(target, count, MOST))
+        if count > _MOST:
+            self._remarks.refuse(_TOO_MANY.format(target, count, _MOST))
 
     def write_files(self, parts: Package) -> None:
         """A file for every paper, and for every ask of pooled questions."""
@@ -86,33 +86,35 @@ class _Writer:
         written: dict[str, int] = {}
         for paper in self._quiz.papers:
             if paper.student or paper.name:
-                name = stable_name("-".join(filter(None, ("paper", paper.code, paper.student))))
+                name = make_stable_name(
+                    "-".join(filter(None, ("paper", paper.code, paper.student)))
+                )
                 _add_files(parts, name, [line for _, line in self._lines(paper)], 0)
                 continue
             for column, line in self._lines(paper):
                 pools.setdefault(column, []).append(line)
-                if len(pools[column]) == MOST:
+                if len(pools[column]) == _MOST:
                     written[column] = _add_files(
-                        parts, stable_name(column), pools.pop(column), written.get(column, 0)
+                        parts, make_stable_name(column), pools.pop(column), written.get(column, 0)
                     )
         for column, lines in pools.items():
-            _add_files(parts, stable_name(column), lines, written.get(column, 0))
+            _add_files(parts, make_stable_name(column), lines, written.get(column, 0))
 
     def _lines(self, paper: QuizPaper) -> Iterator[tuple[str, str]]:
         """The asks of a paper, each with its column and its line."""
         owned = bool(paper.student or paper.name)
         for question in paper.questions:
             if question.figure is not None:
-                self._remarks.complain(NO_FIGURES)
+                self._remarks.complain(_NO_FIGURES)
             if question.solution or any(ask.mistakes for ask in question.asks):
-                self._remarks.complain(LEFT_OUT)
+                self._remarks.complain(_LEFT_OUT)
             for ask in question.asks:
                 column = f"{question.question}.{ask.identifier}"
                 self._points.setdefault(column, ask.points)
                 try:
                     yield (
                         column,
-                        question_line(
+                        write_question_line(
                             question, ask, self._quiz.language, self._remarks, on_paper=owned
                         ),
                     )
@@ -124,11 +126,11 @@ def _add_files(parts: Package, name: str, lines: list[str], before: int) -> int:
     """Writes lines into files that Blackboard takes, numbered on from those before; gives how many
     there are now.
     """
-    for start in range(0, len(lines), MOST):
+    for start in range(0, len(lines), _MOST):
         before += 1
         suffix = f"-{before}" if before > 1 else ""
         parts.add(
             f"{name}{suffix}.txt",
-            "".join(f"{line}\n" for line in lines[start : start + MOST]).encode(),
+            "".join(f"{line}\n" for line in lines[start : start + _MOST]).encode(),
         )
     return before

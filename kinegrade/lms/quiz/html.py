@@ -9,34 +9,39 @@ from __future__ import annotations
 from fractions import Fraction
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizFigure
-from kinegrade.exam.quiz_prose import math_html, plain_html, prose_html, unit_html
-from kinegrade.exam.rules import plain
-from kinegrade.exam.words import words_of
+from kinegrade.exam.quiz_prose import (
+    write_math_html,
+    write_plain_html,
+    write_prose_html,
+    write_unit_html,
+)
+from kinegrade.exam.rules import write_plain
+from kinegrade.exam.words import choose_words
 from kinegrade.language import Language
 
-PIXELS = 5.0  # for a millimetre on paper: symbols are then as large as the text around the figure
+_PIXELS = 5.0  # for a millimetre on paper: symbols are then as large as the text around the figure
 PLACES = {"en": (": ", " ({})"), "zh": ("：", "（{}）")}
 
 __all__ = [
-    "ask_html",
-    "figure_html",
-    "math_html",
-    "plain_html",
-    "points_html",
-    "prose_html",
-    "unit_html",
+    "write_ask_html",
+    "write_figure_html",
+    "write_math_html",
+    "write_plain_html",
+    "_write_points_html",
+    "write_prose_html",
+    "write_unit_html",
 ]
 
 
-def figure_html(figure: QuizFigure, source: str) -> str:
+def write_figure_html(figure: QuizFigure, source: str) -> str:
     """A paragraph with the figure at the address `source`, never wider than the page."""
     return (
-        f'<p><img src="{plain_html(source)}" alt="{plain_html(figure.description)}" '
-        f'width="{round(figure.width * PIXELS)}" style="max-width:100%;height:auto"/></p>\n'
+        f'<p><img src="{write_plain_html(source)}" alt="{write_plain_html(figure.description)}" '
+        f'width="{round(figure.width * _PIXELS)}" style="max-width:100%;height:auto"/></p>\n'
     )
 
 
-def ask_html(ask: QuizAsk, language: Language, field: str = "") -> str:
+def write_ask_html(ask: QuizAsk, language: Language, field: str = "") -> str:
     r"""A paragraph that asks for one number: what it is, its sense, and where to write it, with the
     unit.
 
@@ -45,23 +50,26 @@ def ask_html(ask: QuizAsk, language: Language, field: str = "") -> str:
     """
     where = f"ask {ask.identifier}"
     colon, note = PLACES[language]
-    sign = note.format(prose_html(ask.sign, where, inline=True)) if ask.sign else ""
-    unit = unit_html(ask.unit)
+    sign = note.format(write_prose_html(ask.sign, where, inline=True)) if ask.sign else ""
+    unit = write_unit_html(ask.unit)
     spaced = unit if unit in ("", "°") else f" {unit}"
-    points = note.format(points_html(ask.points, language))
-    symbol = math_html(f"{ask.symbol} =", where)
+    points = note.format(_write_points_html(ask.points, language))
+    symbol = write_math_html(f"{ask.symbol} =", where)
     meaning = f"{ask.meaning[:1].upper()}{ask.meaning[1:]}"
     return (
-        f"<p>{prose_html(meaning, where, inline=True)}{sign}{colon}{symbol} {field or '?'}{spaced}"
+        f"<p>{write_prose_html(meaning, where, inline=True)}"
+        f"{sign}{colon}{symbol} {field or '?'}{spaced}"
         f"{points}</p>\n"
     )
 
 
-def points_html(points: Fraction, language: Language) -> str:
+def _write_points_html(points: Fraction, language: Language) -> str:
     """A number of points in words.
 
-    >>> points_html(Fraction(5, 2), "en")
+    >>> _write_points_html(Fraction(5, 2), "en")
     '2.5 points'
     """
-    words = words_of(language)
-    return plain_html((words.point if points == 1 else words.points).format(plain(points)))
+    words = choose_words(language)
+    return write_plain_html(
+        (words.point if points == 1 else words.points).format(write_plain(points))
+    )

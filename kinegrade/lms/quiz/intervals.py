@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinegrade.exam.quiz_document import QuizAsk
-from kinegrade.lms.quiz.decimals import decimal_text
+from kinegrade.lms.quiz.decimals import write_decimal
 
-TURNS = 2  # a quiz accepts angles within this many turns of zero, and says so
+_TURNS = 2  # a quiz accepts angles within this many turns of zero, and says so
 _EVEN = Fraction(1, 10**15)  # no system that computes in doubles distinguishes such margins
 
 
@@ -36,35 +36,35 @@ class RightInterval:
     @property
     def value_text(self) -> str:
         """The value as a decimal."""
-        return decimal_text(self.value)
+        return write_decimal(self.value)
 
     @property
     def low_text(self) -> str:
         """The lower bound, rounded outwards where it must be, so that no right answer becomes
         wrong.
         """
-        return decimal_text(self.low, "down")
+        return write_decimal(self.low, "down")
 
     @property
     def high_text(self) -> str:
         """The upper bound, rounded outwards where it must be."""
-        return decimal_text(self.high, "up")
+        return write_decimal(self.high, "up")
 
     @property
     def margin_texts(self) -> tuple[str, str]:
         """How far the interval reaches below and above the value as it is written."""
         written = Fraction(self.value_text)
-        return decimal_text(written - self.low, "up"), decimal_text(self.high - written, "up")
+        return write_decimal(written - self.low, "up"), write_decimal(self.high - written, "up")
 
 
-def right_intervals(ask: QuizAsk) -> tuple[RightInterval, ...]:
-    """The interval of the key first; for an angle also those whole turns away, as `turned` gives
+def find_right_intervals(ask: QuizAsk) -> tuple[RightInterval, ...]:
+    """The interval of the key first; for an angle also those whole turns away, as `turn` gives
     them.
     """
-    return turned(RightInterval(ask.value, ask.low, ask.high), ask.period)
+    return turn(RightInterval(ask.value, ask.low, ask.high), ask.period)
 
 
-def turned(interval: RightInterval, period: Fraction | None) -> tuple[RightInterval, ...]:
+def turn(interval: RightInterval, period: Fraction | None) -> tuple[RightInterval, ...]:
     """The interval first, then those whole turns away with a part within TURNS turns of zero.
 
     Without a period there is one interval. For an angle within one turn of zero, one turn more and
@@ -72,7 +72,7 @@ def turned(interval: RightInterval, period: Fraction | None) -> tuple[RightInter
     """
     if period is None:
         return (interval,)
-    farthest = TURNS * period
+    farthest = _TURNS * period
     fewest = -((interval.high + farthest) // period)
     most = (farthest - interval.low) // period
     shifts = [turns * period for turns in sorted(range(fewest, most + 1), key=abs) if turns]
@@ -85,7 +85,7 @@ def turned(interval: RightInterval, period: Fraction | None) -> tuple[RightInter
     )
 
 
-def within_half_a_turn(ask: QuizAsk) -> RightInterval:
+def turn_next_to_zero(ask: QuizAsk) -> RightInterval:
     """The one interval whose value is within half a turn of zero, for systems that take one."""
     if ask.period is None:
         return RightInterval(ask.value, ask.low, ask.high)

@@ -14,38 +14,38 @@ from pathlib import Path
 from kinegrade.errors import ExportError
 from kinegrade.exam.quiz_document import Quiz, QuizPaper
 from kinegrade.files import output_file, output_folder
-from kinegrade.lms.quiz.decimals import decimal_text
+from kinegrade.lms.quiz.decimals import write_decimal
 from kinegrade.lms.quiz.moodle_xml_questions import (
     Form,
     Sheet,
-    paper_questions,
-    pool_marks,
-    sheet_of,
+    list_pool_marks,
+    make_sheet,
+    write_paper_questions,
 )
 
-HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n'
-FOOT = "</quiz>\n"
-MILLION = 10**6
+_HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n'
+_FOOT = "</quiz>\n"
+_MILLION = 10**6
 # MB that a site takes in one upload by default; also far below what stops the import
-USUAL_LIMIT = 2
-LARGE = (
+_USUAL_LIMIT = 2
+_LARGE = (
     "moodle-xml: the file has {} MB, and many sites take no more than 2 MB in one upload - add "
     "--split 2 if yours refuses it"
 )
-PARTS = tuple(f"quiz-{number}.xml" for number in range(1, 10000))
-TOO_LARGE = (
+_PARTS = tuple(f"quiz-{number}.xml" for number in range(1, 10000))
+_TOO_LARGE = (
     "quiz: paper {} alone takes {} MB of Moodle XML - expected to fit into a file of {} MB - give "
     "--split a larger number"
 )
-SCALED = (
+_SCALED = (
     "marks in Moodle are {} times the points, because a Cloze question has whole marks only; the "
     "maximum grade of the quiz corrects that"
 )
-POOLS = (
+_POOLS = (
     "moodle-xml: Moodle adds a random question to a quiz with mark 1, whatever its variants are "
     "worth - set the mark of each there: {}"
 )
-NO_ROUTE = (
+_NO_ROUTE = (
     "moodle-xml: the questions of a Moodle quiz are the same for all students, so it cannot give "
     "each student their own paper - these categories serve to look at papers one by one - write a "
     "pool with --variants 20, or set the exam with versions in the bank, a quiz for each"
@@ -64,11 +64,11 @@ def write(quiz: Quiz, target: Path, *, form: Form = "cloze", force: bool = False
         partial.open("x", encoding="utf-8", newline="\n") as stream,
     ):
         questions = _Questions(quiz, form)
-        stream.write(HEAD)
+        stream.write(_HEAD)
         stream.writelines(questions.papers())
-        stream.write(FOOT)
+        stream.write(_FOOT)
     size = target.stat().st_size
-    large = [LARGE.format(_shown(size))] if size > USUAL_LIMIT * MILLION else []
+    large = [_LARGE.format(_write_shown(size))] if size > _USUAL_LIMIT * _MILLION else []
     return [*questions.remarks(), *large]
 
 
@@ -81,37 +81,39 @@ def write_parts(
     With `force` a folder of such files is replaced. Raises ExportError also for a paper that alone
     takes more.
     """
-    with output_folder(target, marker=PARTS[0], contents=PARTS, force=force) as folder:
+    with output_folder(target, marker=_PARTS[0], contents=_PARTS, force=force) as folder:
         questions = _Questions(quiz, form)
-        for number, part in enumerate(_parts(questions.papers(), megabytes)):
-            (folder / PARTS[number]).write_bytes(part)
+        for number, part in enumerate(_write_parts(questions.papers(), megabytes)):
+            (folder / _PARTS[number]).write_bytes(part)
     return questions.remarks()
 
 
-def _parts(papers: Iterable[str], megabytes: Fraction) -> Iterator[bytes]:
+def _write_parts(papers: Iterable[str], megabytes: Fraction) -> Iterator[bytes]:
     """Complete files, each of as many papers as fit."""
-    frame = len(HEAD) + len(FOOT)
-    most, size = megabytes * MILLION - frame, 0
+    frame = len(_HEAD) + len(_FOOT)
+    most, size = megabytes * _MILLION - frame, 0
     waiting: list[bytes] = []
     for number, paper in enumerate(papers, start=1):
         written = paper.encode()
         if len(written) > most:
-            raise ExportError(TOO_LARGE.format(number, _shown(len(written)), _shown(most + frame)))
+            raise ExportError(
+                _TOO_LARGE.format(number, _write_shown(len(written)), _write_shown(most + frame))
+            )
         if size + len(written) > most:
-            yield _file(waiting)
+            yield _write_file(waiting)
             waiting, size = [], 0
         waiting.append(written)
         size += len(written)
     if waiting:
-        yield _file(waiting)
+        yield _write_file(waiting)
 
 
-def _file(papers: Iterable[bytes]) -> bytes:
-    return b"".join((HEAD.encode(), *papers, FOOT.encode()))
+def _write_file(papers: Iterable[bytes]) -> bytes:
+    return b"".join((_HEAD.encode(), *papers, _FOOT.encode()))
 
 
-def _shown(size: Fraction | int) -> str:
-    return f"{float(Fraction(size) / MILLION):.3g}"
+def _write_shown(size: Fraction | int) -> str:
+    return f"{float(Fraction(size) / _MILLION):.3g}"
 
 
 @dataclass
@@ -133,23 +135,23 @@ class _Questions:
                 "quiz: no paper - expected at least one - choose an exam that has students"
             )
         quiz = self.quiz
-        sheet = sheet_of(quiz.language, self.form, quiz.title, quiz.identifier, first)
+        sheet = make_sheet(quiz.language, self.form, quiz.title, quiz.identifier, first)
         self.scale = sheet.scale
         for paper in chain([first], papers):
             self._look_at(paper, sheet)
-            yield "".join(paper_questions(paper, sheet))
+            yield "".join(write_paper_questions(paper, sheet))
 
     def _look_at(self, paper: QuizPaper, sheet: Sheet) -> None:
         self.personal = self.personal or bool(paper.student)
         if not (paper.student or paper.name):
             for question in paper.questions:
-                self.marks.update(pool_marks(question, sheet))
+                self.marks.update(list_pool_marks(question, sheet))
 
     def remarks(self) -> list[str]:
         """What is left for the instructor to do, once all is written."""
-        listed = ", ".join(f"{name} {decimal_text(mark)}" for name, mark in self.marks.items())
+        listed = ", ".join(f"{name} {write_decimal(mark)}" for name, mark in self.marks.items())
         return [
-            *([SCALED.format(self.scale)] if self.scale > 1 else []),
-            *([POOLS.format(listed)] if listed else []),
-            *([NO_ROUTE] if self.personal else []),
+            *([_SCALED.format(self.scale)] if self.scale > 1 else []),
+            *([_POOLS.format(listed)] if listed else []),
+            *([_NO_ROUTE] if self.personal else []),
         ]

@@ -19,12 +19,12 @@ from functools import lru_cache
 
 from kinegrade.errors import ExportError
 from kinegrade.exam.quiz_document import QuizAsk
-from kinegrade.lms.quiz.decimals import decimal_text, rounded
-from kinegrade.lms.quiz.html import plain_html
-from kinegrade.lms.quiz.intervals import RightInterval, right_intervals
-from kinegrade.lms.quiz.wrong_numbers import wrong_numbers
+from kinegrade.lms.quiz.decimals import round_to_digits, write_decimal
+from kinegrade.lms.quiz.html import write_plain_html
+from kinegrade.lms.quiz.intervals import RightInterval, find_right_intervals
+from kinegrade.lms.quiz.wrong_numbers import find_wrong_numbers
 
-ALL = Fraction(100)
+_ALL = Fraction(100)
 SHARES = tuple(
     map(
         Fraction,
@@ -54,11 +54,11 @@ SHARES = tuple(
     )
 )
 _GUARDS = str.maketrans({"}": r"\}", "#": r"\#", "~": "&#126;", "{": "&#123;", "\\": "&#92;"})
-NEAR = Fraction(1, 10**5)  # per cent: how near a share must be to one of Moodle's
-KEPT_DIGITS = 14
+_NEAR = Fraction(1, 10**5)  # per cent: how near a share must be to one of Moodle's
+_KEPT_DIGITS = 14
 # Moodle makes a box of a Cloze question as wide as its longest number, which would give away the
 # length of the right one. This one is longer than any that Moodle keeps, and no student types it.
-WIDEST = "%0%-1.2345678901234E+300:0"
+_WIDEST = "%0%-1.2345678901234E+300:0"
 
 
 @dataclass(frozen=True)
@@ -73,78 +73,79 @@ class MoodleAnswer:
     feedback: str = ""
 
 
-def moodle_answers(ask: QuizAsk) -> tuple[MoodleAnswer, ...]:
+def list_moodle_answers(ask: QuizAsk) -> tuple[MoodleAnswer, ...]:
     """The answers of an ask in the order in which Moodle tries them. Raises ExportError for a share
     that Moodle does not have.
     """
-    return (*_right(ask), *_wrong(ask))
+    return (*_list_right(ask), *_list_wrong(ask))
 
 
-def cloze_field(ask: QuizAsk, mark: int) -> str:
+def write_cloze_field(ask: QuizAsk, mark: int) -> str:
     """The box of an ask inside the text of a Cloze question. Raises ExportError for a share that is
     not a whole per cent.
     """
-    answers = moodle_answers(ask)
+    answers = list_moodle_answers(ask)
     if any(answer.share.denominator != 1 for answer in answers):
         raise ExportError(
             f"ask {ask.identifier}: a share of the points that is not a whole per cent - expected "
             "one in Cloze questions - choose 50, 25 or 20 per cent, or --as numerical"
         )
-    return f"{{{mark}:NUMERICAL:{'~'.join((*map(_alternative, answers), WIDEST))}}}"
+    return f"{{{mark}:NUMERICAL:{'~'.join((*map(_write_alternative, answers), _WIDEST))}}}"
 
 
-def _right(ask: QuizAsk) -> Iterator[MoodleAnswer]:
-    intervals = right_intervals(ask)
+def _list_right(ask: QuizAsk) -> Iterator[MoodleAnswer]:
+    intervals = find_right_intervals(ask)
     first = intervals[0]
     if first.symmetric:
-        yield _covering(first.value, first, ALL)
+        yield _make_covering(first.value, first, _ALL)
         intervals = intervals[1:]
     else:
-        value = rounded(first.value, "nearest", KEPT_DIGITS)
+        value = round_to_digits(first.value, "nearest", _KEPT_DIGITS)
         inside = max(Fraction(0), min(value - first.low, first.high - value))
-        yield MoodleAnswer(value, rounded(inside, "down", KEPT_DIGITS), ALL)
+        yield MoodleAnswer(value, round_to_digits(inside, "down", _KEPT_DIGITS), _ALL)
     for interval in intervals:
-        yield _covering(interval.middle, interval, ALL)
+        yield _make_covering(interval.middle, interval, _ALL)
 
 
-def _wrong(ask: QuizAsk) -> Iterator[MoodleAnswer]:
+def _list_wrong(ask: QuizAsk) -> Iterator[MoodleAnswer]:
     """What known mistakes lead to, with the sentences of all that lead there and the best of their
     shares.
     """
-    for wrong in wrong_numbers(ask):
-        sentences = dict.fromkeys(plain_html(mistake.sentence) for mistake in wrong.mistakes)
-        share = _share(wrong.credit)
+    for wrong in find_wrong_numbers(ask):
+        sentences = dict.fromkeys(write_plain_html(mistake.sentence) for mistake in wrong.mistakes)
+        share = _find_share(wrong.credit)
         for interval in wrong.intervals:
-            yield _covering(interval.middle, interval, share, "<br/>".join(sentences))
+            yield _make_covering(interval.middle, interval, share, "<br/>".join(sentences))
 
 
-def _covering(
+def _make_covering(
     about: Fraction, interval: RightInterval, share: Fraction, feedback: str = ""
 ) -> MoodleAnswer:
     """The narrowest answer that Moodle keeps unchanged and that covers the whole interval."""
-    value = rounded(about, "nearest", KEPT_DIGITS)
+    value = round_to_digits(about, "nearest", _KEPT_DIGITS)
     room = max(value - interval.low, interval.high - value)
-    return MoodleAnswer(value, rounded(room, "up", KEPT_DIGITS), share, feedback)
+    return MoodleAnswer(value, round_to_digits(room, "up", _KEPT_DIGITS), share, feedback)
 
 
 @lru_cache(maxsize=256)
-def _share(credit: Fraction) -> Fraction:
+def _find_share(credit: Fraction) -> Fraction:
     """The share in Moodle that equals a credit."""
     for share in SHARES:
-        if abs(100 * credit - share) <= NEAR:
+        if abs(100 * credit - share) <= _NEAR:
             return share
     raise ExportError(
-        f"credit of {decimal_text(credit * 100)} per cent for known mistakes: Moodle has no such "
-        f"share - expected one of {', '.join(decimal_text(share) for share in SHARES)} - choose one"
+        f"credit of {write_decimal(credit * 100)} per cent for known mistakes: Moodle has no such "
+        "share - expected one of "
+        f"{', '.join(write_decimal(share) for share in SHARES)} - choose one"
     )
 
 
-def _alternative(answer: MoodleAnswer) -> str:
-    share = "=" if answer.share == ALL else f"%{decimal_text(answer.share)}%"
-    feedback = f"#{_guarded(answer.feedback)}" if answer.feedback else ""
-    return f"{share}{decimal_text(answer.value)}:{decimal_text(answer.room)}{feedback}"
+def _write_alternative(answer: MoodleAnswer) -> str:
+    share = "=" if answer.share == _ALL else f"%{write_decimal(answer.share)}%"
+    feedback = f"#{_guard(answer.feedback)}" if answer.feedback else ""
+    return f"{share}{write_decimal(answer.value)}:{write_decimal(answer.room)}{feedback}"
 
 
-def _guarded(feedback: str) -> str:
+def _guard(feedback: str) -> str:
     """Feedback with the characters escaped that have a meaning in a Cloze field."""
     return feedback.replace("&#x27;", "’").translate(_GUARDS)

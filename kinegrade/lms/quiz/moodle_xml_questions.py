@@ -21,18 +21,27 @@ from typing import Literal, assert_never
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizPaper, QuizQuestion
 from kinegrade.language import Language
-from kinegrade.lms.quiz.decimals import decimal_text
-from kinegrade.lms.quiz.html import ask_html, figure_html, plain_html, prose_html
-from kinegrade.lms.quiz.moodle_xml_answers import MoodleAnswer, cloze_field, moodle_answers
-from kinegrade.lms.quiz.question_html import rules_html, warnings_html
+from kinegrade.lms.quiz.decimals import write_decimal
+from kinegrade.lms.quiz.html import (
+    write_ask_html,
+    write_figure_html,
+    write_plain_html,
+    write_prose_html,
+)
+from kinegrade.lms.quiz.moodle_xml_answers import (
+    MoodleAnswer,
+    list_moodle_answers,
+    write_cloze_field,
+)
+from kinegrade.lms.quiz.question_html import write_rules_html, write_warnings_html
 from kinegrade.lms.quiz.question_words import WORDS
 from kinegrade.lms.quiz.typing_words import MOODLE
 
 Form = Literal["cloze", "numerical"]
-FIGURE = "figure.svg"
-BOX = "\x00"  # stands for a box while the text around it is escaped; no text contains it
-LONGEST_NAME, LONGEST_IDENTIFIER = 200, 100  # characters
-MULTIPLIED = {
+_FIGURE = "figure.svg"
+_BOX = "\x00"  # stands for a box while the text around it is escaped; no text contains it
+_LONGEST_NAME, _LONGEST_IDENTIFIER = 200, 100  # characters
+_MULTIPLIED = {
     "en": "The marks of this question are {} times its points.",
     "zh": "本题分值为所示分数的 {} 倍。",
 }
@@ -49,7 +58,7 @@ class Sheet:
     category: str  # the parent of those of the papers, or of the pools; in Moodle's mark-up
 
 
-def sheet_of(
+def make_sheet(
     language: Language, form: Form, title: str, identifier: str, first: QuizPaper
 ) -> Sheet:
     """What holds for a quiz with that first paper; points are the same on all papers.
@@ -65,20 +74,20 @@ def sheet_of(
             scale = 1
         case _:
             assert_never(form)
-    suffix = f" ({plain_html(identifier)})" if identifier else ""
-    return Sheet(language, form, scale, f"{_level(title)}{suffix}")
+    suffix = f" ({write_plain_html(identifier)})" if identifier else ""
+    return Sheet(language, form, scale, f"{_write_level(title)}{suffix}")
 
 
-def paper_questions(paper: QuizPaper, sheet: Sheet) -> Iterator[str]:
+def write_paper_questions(paper: QuizPaper, sheet: Sheet) -> Iterator[str]:
     """The categories and questions of a paper, one element after another."""
     owner = " · ".join(text for text in (paper.student, paper.name) if text)
     if owner:
-        yield _category(sheet, [paper.code], owner)
+        yield _write_category(sheet, [paper.code], owner)
     for question in paper.questions:
-        yield from _questions(question, paper, sheet, pooled=not owner)
+        yield from _write_questions(question, paper, sheet, pooled=not owner)
 
 
-def pool_marks(question: QuizQuestion, sheet: Sheet) -> Iterator[tuple[str, Fraction]]:
+def list_pool_marks(question: QuizQuestion, sheet: Sheet) -> Iterator[tuple[str, Fraction]]:
     """The pools of a question, each with its name in the categories and the mark of one variant."""
     match sheet.form:
         case "cloze":
@@ -90,134 +99,146 @@ def pool_marks(question: QuizQuestion, sheet: Sheet) -> Iterator[tuple[str, Frac
             assert_never(sheet.form)
 
 
-def _category(sheet: Sheet, levels: Sequence[str], about: str) -> str:
-    names = "/".join((sheet.category, *map(_level, levels)))
+def _write_category(sheet: Sheet, levels: Sequence[str], about: str) -> str:
+    names = "/".join((sheet.category, *map(_write_level, levels)))
     return (
         f'<question type="category">\n<category><text>$course$/top/{names}</text></category>\n'
-        f'<info format="html"><text>{_data(plain_html(about))}</text></info>\n</question>\n'
+        '<info format="html"><text>'
+        f"{_write_data(write_plain_html(about))}</text></info>\n</question>\n"
     )
 
 
-def _level(name: str) -> str:
+def _write_level(name: str) -> str:
     """A name in the path of a category; a slash in it would begin a new level."""
     return _cut(name.replace("/", "∕"))
 
 
-def _questions(
+def _write_questions(
     question: QuizQuestion, paper: QuizPaper, sheet: Sheet, *, pooled: bool
 ) -> Iterator[str]:
     """The question of a mechanism, or one for each of its asks; each pool has its own category."""
-    pool = f"{question.question} {_plain_title(question)}"
+    pool = f"{question.question} {_write_plain_title(question)}"
     name = f"{paper.code} {pool}"
     tags = ["kinegrade", question.question, *([paper.code] if paper.student else [])]
     match sheet.form:
         case "cloze":
             if pooled:
-                yield _category(sheet, [pool], "")
-            head = _head(name, _cloze_text(question, sheet), question)
-            yield _element("cloze", head, question.identifier, tags)
+                yield _write_category(sheet, [pool], "")
+            head = _write_head(name, _write_cloze_text(question, sheet), question)
+            yield _write_element("cloze", head, question.identifier, tags)
         case "numerical":
             for ask in question.asks:
                 if pooled:
-                    yield _category(sheet, [pool, ask.identifier], "")
-                yield _numerical(name, question, ask, sheet, tags)
+                    yield _write_category(sheet, [pool, ask.identifier], "")
+                yield _write_numerical(name, question, ask, sheet, tags)
         case _:
             assert_never(sheet.form)
 
 
-def _numerical(
+def _write_numerical(
     name: str, question: QuizQuestion, ask: QuizAsk, sheet: Sheet, tags: Sequence[str]
 ) -> str:
-    text = _statement(question) + _asked(ask, sheet) + rules_html(question, MOODLE, sheet.language)
-    answers = "".join(map(_answer, moodle_answers(ask)))
-    return _element(
+    text = (
+        _write_statement(question)
+        + _write_asked(ask, sheet)
+        + write_rules_html(question, MOODLE, sheet.language)
+    )
+    answers = "".join(map(_write_answer, list_moodle_answers(ask)))
+    return _write_element(
         "numerical",
-        _head(f"{name}: {ask.identifier}", text, question),
+        _write_head(f"{name}: {ask.identifier}", text, question),
         f"{question.identifier}-{ask.identifier}",
         tags,
-        f"<defaultgrade>{decimal_text(ask.points)}</defaultgrade>\n{answers}",
+        f"<defaultgrade>{write_decimal(ask.points)}</defaultgrade>\n{answers}",
     )
 
 
-def _cloze_text(question: QuizQuestion, sheet: Sheet) -> str:
+def _write_cloze_text(question: QuizQuestion, sheet: Sheet) -> str:
     """The text with its boxes; nothing else in it looks like a box."""
     asks = "".join(
-        _guarded(_asked(ask, sheet, BOX)).replace(
-            BOX, cloze_field(ask, int(ask.points * sheet.scale))
+        _write_guarded(_write_asked(ask, sheet, _BOX)).replace(
+            _BOX, write_cloze_field(ask, int(ask.points * sheet.scale))
         )
         for ask in question.asks
     )
     multiplied = (
-        f"<p>{MULTIPLIED[sheet.language].format(sheet.scale)}</p>\n" if sheet.scale > 1 else ""
+        f"<p>{_MULTIPLIED[sheet.language].format(sheet.scale)}</p>\n" if sheet.scale > 1 else ""
     )
     return (
-        _guarded(_statement(question))
+        _write_guarded(_write_statement(question))
         + asks
-        + _guarded(rules_html(question, MOODLE, sheet.language))
+        + _write_guarded(write_rules_html(question, MOODLE, sheet.language))
         + multiplied
     )
 
 
-def _asked(ask: QuizAsk, sheet: Sheet, field: str = "") -> str:
+def _write_asked(ask: QuizAsk, sheet: Sheet, field: str = "") -> str:
     """What is asked for, the box, and which turns of an angle count."""
-    return ask_html(ask, sheet.language, field) + warnings_html(ask, ask, WORDS[sheet.language])
+    return write_ask_html(ask, sheet.language, field) + write_warnings_html(
+        ask, ask, WORDS[sheet.language]
+    )
 
 
-def _head(name: str, text: str, question: QuizQuestion) -> str:
+def _write_head(name: str, text: str, question: QuizQuestion) -> str:
     """The beginning of questions of all kinds: name, text with the figure, worked solution."""
     return (
         f"<name><text>{_cut(name)}</text></name>\n"
-        f'<questiontext format="html"><text>{_data(text)}</text>{_file(question)}</questiontext>\n'
+        f'<questiontext format="html"><text>{_write_data(text)}</text>'
+        f"{_write_file(question)}</questiontext>\n"
         "<generalfeedback "
-        f'format="html"><text>{_data(question.solution)}</text></generalfeedback>\n'
+        f'format="html"><text>{_write_data(question.solution)}</text></generalfeedback>\n'
         "<penalty>0.3333333</penalty>\n<hidden>0</hidden>\n"
     )
 
 
-def _element(kind: Form, head: str, identifier: str, tags: Sequence[str], answers: str = "") -> str:
-    marked = "".join(f"<tag><text>{plain_html(tag)}</text></tag>" for tag in tags)
+def _write_element(
+    kind: Form, head: str, identifier: str, tags: Sequence[str], answers: str = ""
+) -> str:
+    marked = "".join(f"<tag><text>{write_plain_html(tag)}</text></tag>" for tag in tags)
     return (
         "<question "
-        f'type="{kind}">\n{head}<idnumber>{plain_html(identifier[-LONGEST_IDENTIFIER:])}</idnumber>\n'
+        f'type="{kind}">\n{head}<idnumber>{write_plain_html(identifier[-_LONGEST_IDENTIFIER:])}</idnumber>\n'
         f"{answers}<tags>{marked}</tags>\n</question>\n"
     )
 
 
-def _statement(question: QuizQuestion) -> str:
-    figure = figure_html(question.figure, f"@@PLUGINFILE@@/{FIGURE}") if question.figure else ""
-    return prose_html(question.statement, f"{question.question}, statement") + figure
+def _write_statement(question: QuizQuestion) -> str:
+    figure = (
+        write_figure_html(question.figure, f"@@PLUGINFILE@@/{_FIGURE}") if question.figure else ""
+    )
+    return write_prose_html(question.statement, f"{question.question}, statement") + figure
 
 
-def _file(question: QuizQuestion) -> str:
+def _write_file(question: QuizQuestion) -> str:
     if question.figure is None:
         return ""
     return (
-        f'<file name="{FIGURE}" path="/" '
+        f'<file name="{_FIGURE}" path="/" '
         f'encoding="base64">{b64encode(question.figure.svg).decode()}</file>'
     )
 
 
-def _answer(answer: MoodleAnswer) -> str:
+def _write_answer(answer: MoodleAnswer) -> str:
     return (
-        f'<answer fraction="{decimal_text(answer.share)}" format="moodle_auto_format">'
-        f"<text>{decimal_text(answer.value)}</text><tolerance>{decimal_text(answer.room)}</tolerance>"
-        f'<feedback format="html"><text>{_data(answer.feedback)}</text></feedback></answer>\n'
+        f'<answer fraction="{write_decimal(answer.share)}" format="moodle_auto_format">'
+        f"<text>{write_decimal(answer.value)}</text><tolerance>{write_decimal(answer.room)}</tolerance>"
+        f'<feedback format="html"><text>{_write_data(answer.feedback)}</text></feedback></answer>\n'
     )
 
 
-def _guarded(html: str) -> str:
+def _write_guarded(html: str) -> str:
     """A text in which Moodle finds no box."""
     return _FIELD.sub("&#123;", html)
 
 
-def _plain_title(question: QuizQuestion) -> str:
+def _write_plain_title(question: QuizQuestion) -> str:
     return question.title.replace("$", "")
 
 
 def _cut(name: str) -> str:
     """A name cut to the length that Moodle keeps."""
-    return plain_html(name if len(name) <= LONGEST_NAME else name[: LONGEST_NAME - 1] + "…")
+    return write_plain_html(name if len(name) <= _LONGEST_NAME else name[: _LONGEST_NAME - 1] + "…")
 
 
-def _data(html: str) -> str:
+def _write_data(html: str) -> str:
     return f"<![CDATA[{html.replace(']]>', ']]]]><![CDATA[>')}]]>" if html else ""

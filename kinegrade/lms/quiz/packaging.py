@@ -19,16 +19,16 @@ from typing import IO
 from kinegrade.errors import ExportError
 from kinegrade.files import output_file
 
-FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # the earliest that a zip can have
+_FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # the earliest that a zip can have
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,79}", re.ASCII)
 _UNFIT = re.compile(r"[^A-Za-z0-9_-]+", re.ASCII)
 
 
-def stable_name(identifier: str) -> str:
+def make_stable_name(identifier: str) -> str:
     """An identifier that XML, file systems and URLs accept: unchanged where it is one, otherwise
     always the same one made from it.
 
-    >>> stable_name("exam1-q1.v_B"), stable_name("../a b")
+    >>> make_stable_name("exam1-q1.v_B"), make_stable_name("../a b")
     ('exam1-q1.v_B', 'i_a_b-2c2c791a06')
     """
     if _NAME.fullmatch(identifier) and ".." not in identifier:
@@ -38,13 +38,13 @@ def stable_name(identifier: str) -> str:
     return f"{'' if written[:1].isalpha() else 'i'}{written}-{fingerprint}"
 
 
-def pool_name(exam: str) -> str:
+def make_pool_name(exam: str) -> str:
     """The name of an exam's pool, which depends on the exam alone, not on its variants.
 
-    >>> pool_name("4f0b")
+    >>> make_pool_name("4f0b")
     'pool-4f0b'
     """
-    return stable_name(f"pool-{exam}")
+    return make_stable_name(f"pool-{exam}")
 
 
 class Package:
@@ -74,14 +74,14 @@ class Package:
                 "question - set the exam again"
             )
         self._names.add(name)
-        entry = zipfile.ZipInfo(name, FIRST_DATE)
+        entry = zipfile.ZipInfo(name, _FIRST_DATE)
         entry.compress_type = zipfile.ZIP_DEFLATED
         entry.create_system, entry.external_attr = 3, 0o644 << 16
         return self._archive.open(entry, "w")
 
 
 @contextmanager
-def package(target: Path, *, force: bool) -> Iterator[Package]:
+def open_package(target: Path, *, force: bool) -> Iterator[Package]:
     """A package that becomes `target` when the block ends without an error.
 
     With `force` an existing plain file is replaced. Raises OutputError.

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
-from kinegrade.exam.formula import TEXT, checked, unit_text
+from kinegrade.exam.formula import TEXT, require_known_math, write_unit
 
 _GREEK = {
     "alpha": "α",
@@ -122,55 +122,61 @@ _BLANKS = re.compile(r"\s+")
 
 
 @lru_cache(maxsize=4096)
-def plain_math(latex: str, where: str = "text") -> str:
+def write_plain_math(latex: str, where: str = "text") -> str:
     r"""A formula in one line of plain text.
 
     Raises TypesetError where it contains anything but the math that every typesetter prints.
 
-    >>> plain_math(r"v_B = \frac{2\sqrt{3}}{3}\,\unit{m/s^2}"), plain_math(r"30^\circ")
+    >>> write_plain_math(r"v_B = \frac{2\sqrt{3}}{3}\,\unit{m/s^2}"), write_plain_math(r"30^\circ")
     ('v_B = (2√3)/3 m/s²', '30°')
     """
     spelled = TEXT.sub(
-        lambda found: "{,}" if found[2] else f"{{{unit_text(found[1])}}}", checked(latex, where)
+        lambda found: "{,}" if found[2] else f"{{{write_unit(found[1])}}}",
+        require_known_math(latex, where),
     )
-    return _BLANKS.sub(" ", _sequence(iter(_TOKEN.findall(_ENVIRONMENT.sub(" ", spelled))))).strip()
+    return _BLANKS.sub(
+        " ", _write_sequence(iter(_TOKEN.findall(_ENVIRONMENT.sub(" ", spelled))))
+    ).strip()
 
 
-def _sequence(tokens: Iterator[str]) -> str:
+def _write_sequence(tokens: Iterator[str]) -> str:
     """The text up to the closing brace."""
     written = ""
     for token in tokens:
         if token == "}":
             break
-        written += _part(token, tokens)
+        written += _write_part(token, tokens)
     return written
 
 
-def _part(token: str, tokens: Iterator[str]) -> str:
+def _write_part(token: str, tokens: Iterator[str]) -> str:
     match token:
         case "{":
-            return _sequence(tokens)
+            return _write_sequence(tokens)
         case "^":
-            return _raised(_argument(tokens))
+            return _write_raised(_write_argument(tokens))
         case "_":
-            index = _argument(tokens)
+            index = _write_argument(tokens)
             return f"_{index}" if index.isalnum() else f"_({index})"
         case r"\frac" | r"\dfrac" | r"\tfrac":
-            return f"{_bracketed(_argument(tokens))}/{_bracketed(_argument(tokens))}"
+            return (
+                f"{_write_bracketed(_write_argument(tokens))}/"
+                f"{_write_bracketed(_write_argument(tokens))}"
+            )
         case r"\sqrt":
-            return f"√{_bracketed(_argument(tokens))}"
+            return f"√{_write_bracketed(_write_argument(tokens))}"
         case _:
-            return _command(token[1:]) if token.startswith("\\") else token
+            return _write_command(token[1:]) if token.startswith("\\") else token
 
 
-def _argument(tokens: Iterator[str]) -> str:
+def _write_argument(tokens: Iterator[str]) -> str:
     for token in tokens:
         if not token.isspace():
-            return _part(token, tokens).strip()
+            return _write_part(token, tokens).strip()
     return ""
 
 
-def _command(name: str) -> str:
+def _write_command(name: str) -> str:
     if name in _UNSEEN:
         return ""
     if name in _GREEK:
@@ -178,11 +184,11 @@ def _command(name: str) -> str:
     return _SPACES.get(name, _SIGNS.get(name, name))
 
 
-def _bracketed(text: str) -> str:
+def _write_bracketed(text: str) -> str:
     return text if not text or _ATOM.fullmatch(text) else f"({text})"
 
 
-def _raised(text: str) -> str:
+def _write_raised(text: str) -> str:
     if text in ("°", "′"):
         return text
-    return text.translate(_RAISED) if _DIGITS.fullmatch(text) else f"^{_bracketed(text)}"
+    return text.translate(_RAISED) if _DIGITS.fullmatch(text) else f"^{_write_bracketed(text)}"

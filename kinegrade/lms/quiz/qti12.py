@@ -16,16 +16,16 @@ from xml.sax.saxutils import quoteattr
 
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper, QuizQuestion
 from kinegrade.lms.quiz import qti12_manifest
-from kinegrade.lms.quiz.canvas_units import class_units
+from kinegrade.lms.quiz.canvas_units import choose_class_units
 from kinegrade.lms.quiz.manifest import Manifest
-from kinegrade.lms.quiz.packaging import Package, package, pool_name, stable_name
-from kinegrade.lms.quiz.plain_prose import one_plain_line
+from kinegrade.lms.quiz.packaging import Package, make_pool_name, make_stable_name, open_package
+from kinegrade.lms.quiz.plain_prose import write_one_plain_line
 from kinegrade.lms.quiz.qti12_groups import Groups
-from kinegrade.lms.quiz.qti12_item import NumericalItem, item_element
-from kinegrade.lms.quiz.qti12_questions import Asking, numerical_items, picture_name
+from kinegrade.lms.quiz.qti12_item import NumericalItem, write_item_element
+from kinegrade.lms.quiz.qti12_questions import Asking, make_numerical_items, name_picture
 from kinegrade.lms.quiz.remarks import Remarks
 
-HEAD = (
+_HEAD = (
     '<?xml version="1.0" encoding="UTF-8"?>\n'
     '<questestinterop xmlns="http://www.imsglobal.org/xsd/ims_qtiasiv1p2" '
     'xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" '
@@ -34,16 +34,16 @@ HEAD = (
     "<qtimetadata><qtimetadatafield><fieldlabel>cc_maxattempts</fieldlabel><fieldentry>1</fieldentry></qtimetadatafield>"
     '</qtimetadata>\n<section ident="root_section">\n'
 )
-FOOT = "</section>\n</assessment>\n</questestinterop>\n"
-FOR_ONE = (
+_FOOT = "</section>\n</assessment>\n</questestinterop>\n"
+_FOR_ONE = (
     "qti12: every paper is a quiz of its own, which no student sees until it is assigned - assign "
     "each quiz to its students, and to no others, before you publish it"
 )
-DRAWN_APART = (
+_DRAWN_APART = (
     "qti12: Canvas draws every question by itself - the asks of one mechanism may have different "
     "numbers, each complete in itself - write papers instead of variants to keep them together"
 )
-UNEVEN = (
+_UNEVEN = (
     "{}: is worth {} points, and the first variant {} - expected the same for all variants of an "
     "ask - fix the points in the bank"
 )
@@ -57,8 +57,8 @@ def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
     unchanged.
     """
     with (
-        package(target, force=force) as parts,
-        Groups(pool_name(quiz.identifier)) as groups,
+        open_package(target, force=force) as parts,
+        Groups(make_pool_name(quiz.identifier)) as groups,
         Manifest(qti12_manifest.HEAD, qti12_manifest.FOOT) as manifest,
     ):
         return _Writer(quiz, parts, groups, manifest).write()
@@ -70,7 +70,7 @@ class _Writer:
     def __init__(self, quiz: Quiz, parts: Package, groups: Groups, manifest: Manifest) -> None:
         self._quiz, self._parts, self._groups, self._manifest = quiz, parts, groups, manifest
         self._remarks = Remarks()
-        self._asking = Asking(quiz.language, class_units(quiz.asks), self._remarks)
+        self._asking = Asking(quiz.language, choose_class_units(quiz.asks), self._remarks)
 
     def write(self) -> list[str]:
         for paper in self._quiz.papers:
@@ -90,13 +90,13 @@ class _Writer:
         ]
         if not items:
             return
-        self._remarks.complain(FOR_ONE)
+        self._remarks.complain(_FOR_ONE)
         identifier = f"{items[0].identifier}-paper"
         owner = " ".join(filter(None, (paper.code, paper.student, paper.name)))
-        title = one_plain_line(f"{self._quiz.title} · {owner}")
-        written = "".join(f"{item_element(item)}\n" for item in items)
-        head = HEAD.format(quoteattr(identifier), quoteattr(title))
-        self._parts.add(f"{identifier}/{identifier}.xml", f"{head}{written}{FOOT}".encode())
+        title = write_one_plain_line(f"{self._quiz.title} · {owner}")
+        written = "".join(f"{write_item_element(item)}\n" for item in items)
+        head = _HEAD.format(quoteattr(identifier), quoteattr(title))
+        self._parts.add(f"{identifier}/{identifier}.xml", f"{head}{written}{_FOOT}".encode())
         points = sum((item.points for item in items), Fraction(0))
         self._describe(identifier, title, points, assigned=True)
 
@@ -105,32 +105,35 @@ class _Writer:
             for ask, item in self._items(question, pooled=True):
                 worth = self._groups.add((question.question, ask.identifier), item)
                 if worth != item.points:
-                    self._remarks.refuse(UNEVEN.format(item.identifier, item.points, worth))
+                    self._remarks.refuse(_UNEVEN.format(item.identifier, item.points, worth))
             if len(question.asks) > 1:
-                self._remarks.complain(DRAWN_APART)
+                self._remarks.complain(_DRAWN_APART)
 
     def _items(
         self, question: QuizQuestion, *, pooled: bool
     ) -> Iterator[tuple[QuizAsk, NumericalItem]]:
         """The items of a question; its figure is written into the package first."""
-        found = numerical_items(question, self._asking, solution_with_each=pooled)
+        found = make_numerical_items(question, self._asking, solution_with_each=pooled)
         if question.figure is not None and found:
-            place = picture_name(question)
+            place = name_picture(question)
             self._parts.add(place, question.figure.svg)
-            name = stable_name(question.identifier)
-            self._manifest.add(qti12_manifest.picture_resource(f"{name}-figure", place))
+            name = make_stable_name(question.identifier)
+            self._manifest.add(qti12_manifest.write_picture_resource(f"{name}-figure", place))
         yield from found
 
     def _pool(self) -> None:
-        identifier, title = pool_name(self._quiz.identifier), one_plain_line(self._quiz.title)
+        identifier, title = (
+            make_pool_name(self._quiz.identifier),
+            write_one_plain_line(self._quiz.title),
+        )
         with TemporaryFile() as stream:
-            stream.write(HEAD.format(quoteattr(identifier), quoteattr(title)).encode())
+            stream.write(_HEAD.format(quoteattr(identifier), quoteattr(title)).encode())
             self._groups.write(stream)
-            stream.write(FOOT.encode())
+            stream.write(_FOOT.encode())
             self._parts.copy(f"{identifier}/{identifier}.xml", stream)
         self._describe(identifier, title, self._groups.points, assigned=False)
 
     def _describe(self, identifier: str, title: str, points: Fraction, *, assigned: bool) -> None:
-        meta = qti12_manifest.quiz_meta(identifier, title, points, assigned=assigned)
+        meta = qti12_manifest.write_quiz_meta(identifier, title, points, assigned=assigned)
         self._parts.add(f"{identifier}/assessment_meta.xml", meta)
-        self._manifest.add(*qti12_manifest.assessment_resources(identifier))
+        self._manifest.add(*qti12_manifest.write_assessment_resources(identifier))

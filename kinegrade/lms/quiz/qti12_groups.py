@@ -10,16 +10,16 @@ from tempfile import TemporaryFile
 from typing import IO
 from xml.sax.saxutils import quoteattr
 
-from kinegrade.lms.quiz.decimals import decimal_text
-from kinegrade.lms.quiz.packaging import stable_name
-from kinegrade.lms.quiz.qti12_item import NumericalItem, item_element
+from kinegrade.lms.quiz.decimals import write_decimal
+from kinegrade.lms.quiz.packaging import make_stable_name
+from kinegrade.lms.quiz.qti12_item import NumericalItem, write_item_element
 
-HEAD = (
+_HEAD = (
     "<section ident={} "
     "title={}>\n<selection_ordering><selection><selection_number>1</selection_number>"
     "<selection_extension><points_per_item>{}</points_per_item></selection_extension></selection></selection_ordering>\n"
 )
-FOOT = "</section>\n"
+_FOOT = "</section>\n"
 
 
 class Groups:
@@ -44,7 +44,7 @@ class Groups:
         if place not in self._first:
             self._first[place] = item
             self._streams[place] = TemporaryFile()  # noqa: SIM115 - closed on leaving the context
-        self._streams[place].write(f"{item_element(item)}\n".encode())
+        self._streams[place].write(f"{write_item_element(item)}\n".encode())
         return self._first[place].points
 
     def __bool__(self) -> bool:
@@ -59,12 +59,12 @@ class Groups:
     def write(self, target: IO[bytes]) -> None:
         """The sections of all groups."""
         for place, item in self._first.items():
-            head = HEAD.format(
-                quoteattr(stable_name("-".join((self._identifier, *place)))),
+            head = _HEAD.format(
+                quoteattr(make_stable_name("-".join((self._identifier, *place)))),
                 quoteattr(item.title),
-                decimal_text(item.points),
+                write_decimal(item.points),
             )
             target.write(head.encode())
             self._streams[place].seek(0)
             shutil.copyfileobj(self._streams[place], target)
-            target.write(FOOT.encode())
+            target.write(_FOOT.encode())

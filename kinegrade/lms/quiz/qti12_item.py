@@ -8,13 +8,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from kinegrade.lms.quiz.decimals import decimal_text
+from kinegrade.lms.quiz.decimals import write_decimal
 from kinegrade.lms.quiz.intervals import RightInterval
-from kinegrade.lms.quiz.xml_text import Xml, element
+from kinegrade.lms.quiz.xml_text import Xml, write_element
 
-RESPONSE = "response1"
-HAIR = Fraction(1, 10**12)  # of the larger bound: more than doubles lose, less than students type
-SOLUTION = "general_fb"  # Canvas's name of the feedback that is shown whatever the answer
+_RESPONSE = "response1"
+_HAIR = Fraction(1, 10**12)  # of the larger bound: more than doubles lose, less than students type
+_SOLUTION = "general_fb"  # Canvas's name of the feedback that is shown whatever the answer
 
 
 @dataclass(frozen=True)
@@ -33,86 +33,104 @@ class NumericalItem:
         return replace(self, solution="")
 
 
-def item_element(item: NumericalItem) -> Xml:
+def write_item_element(item: NumericalItem) -> Xml:
     """The `item` element."""
-    parts = (_metadata(item), _presentation(item), _processing(item))
-    return element("item", *parts, *_solution(item), ident=item.identifier, title=item.title)
+    parts = (_write_metadata(item), _write_presentation(item), _write_processing(item))
+    return write_element(
+        "item", *parts, *_write_solution(item), ident=item.identifier, title=item.title
+    )
 
 
-def metadata_field(label: str, entry: str) -> Xml:
+def _write_metadata_field(label: str, entry: str) -> Xml:
     """A `qtimetadatafield`."""
-    return element("qtimetadatafield", element("fieldlabel", label), element("fieldentry", entry))
+    return write_element(
+        "qtimetadatafield", write_element("fieldlabel", label), write_element("fieldentry", entry)
+    )
 
 
-def _metadata(item: NumericalItem) -> Xml:
-    return element(
+def _write_metadata(item: NumericalItem) -> Xml:
+    return write_element(
         "itemmetadata",
-        element(
+        write_element(
             "qtimetadata",
-            metadata_field("question_type", "numerical_question"),
-            metadata_field("points_possible", decimal_text(item.points)),
-            metadata_field("original_answer_ids", ""),
-            metadata_field("assessment_question_identifierref", f"{item.identifier}-bank"),
+            _write_metadata_field("question_type", "numerical_question"),
+            _write_metadata_field("points_possible", write_decimal(item.points)),
+            _write_metadata_field("original_answer_ids", ""),
+            _write_metadata_field("assessment_question_identifierref", f"{item.identifier}-bank"),
         ),
     )
 
 
-def _presentation(item: NumericalItem) -> Xml:
-    box = element("render_fib", element("response_label", ident="answer1"), fibtype="Decimal")
-    return element(
+def _write_presentation(item: NumericalItem) -> Xml:
+    box = write_element(
+        "render_fib", write_element("response_label", ident="answer1"), fibtype="Decimal"
+    )
+    return write_element(
         "presentation",
-        element("material", element("mattext", item.text, texttype="text/html")),
-        element("response_str", box, ident=RESPONSE, rcardinality="Single"),
+        write_element("material", write_element("mattext", item.text, texttype="text/html")),
+        write_element("response_str", box, ident=_RESPONSE, rcardinality="Single"),
     )
 
 
-def _solution(item: NumericalItem) -> Iterator[Xml]:
+def _write_solution(item: NumericalItem) -> Iterator[Xml]:
     if item.solution:
-        shown = element("mattext", item.solution, texttype="text/html")
-        yield element(
-            "itemfeedback", element("flow_mat", element("material", shown)), ident=SOLUTION
+        shown = write_element("mattext", item.solution, texttype="text/html")
+        yield write_element(
+            "itemfeedback",
+            write_element("flow_mat", write_element("material", shown)),
+            ident=_SOLUTION,
         )
 
 
-def _processing(item: NumericalItem) -> Xml:
-    score = element("decvar", maxvalue="100", minvalue="0", varname="SCORE", vartype="Decimal")
-    return element("resprocessing", element("outcomes", score), *_conditions(item))
+def _write_processing(item: NumericalItem) -> Xml:
+    score = write_element(
+        "decvar", maxvalue="100", minvalue="0", varname="SCORE", vartype="Decimal"
+    )
+    return write_element(
+        "resprocessing", write_element("outcomes", score), *_write_conditions(item)
+    )
 
 
-def _conditions(item: NumericalItem) -> Iterator[Xml]:
+def _write_conditions(item: NumericalItem) -> Iterator[Xml]:
     """The solution whatever the answer, then all points for a number in one of the intervals."""
     if item.solution:
-        shown = element("displayfeedback", feedbacktype="Response", linkrefid=SOLUTION)
-        yield element(
-            "respcondition", element("conditionvar", element("other")), shown, continue_="Yes"
+        shown = write_element("displayfeedback", feedbacktype="Response", linkrefid=_SOLUTION)
+        yield write_element(
+            "respcondition",
+            write_element("conditionvar", write_element("other")),
+            shown,
+            continue_="Yes",
         )
     for interval in item.intervals:
-        full = element("setvar", "100", action="Set", varname="SCORE")
-        yield element(
-            "respcondition", element("conditionvar", *_condition(interval)), full, continue_="No"
+        full = write_element("setvar", "100", action="Set", varname="SCORE")
+        yield write_element(
+            "respcondition",
+            write_element("conditionvar", *_write_condition(interval)),
+            full,
+            continue_="No",
         )
 
 
-def _condition(interval: RightInterval) -> Iterator[Xml]:
+def _write_condition(interval: RightInterval) -> Iterator[Xml]:
     """An answer with its margin where the interval is symmetric; of two different margins, Canvas
     and New Quizzes would not use the same one.
     """
     if interval.symmetric:
-        exact = element("varequal", interval.value_text, respident=RESPONSE)
-        bounds = _bounds(_hair_lower(interval), interval.high_text)
-        yield element("or", exact, element("and", *bounds))
+        exact = write_element("varequal", interval.value_text, respident=_RESPONSE)
+        bounds = _write_bounds(_write_hair_lower(interval), interval.high_text)
+        yield write_element("or", exact, write_element("and", *bounds))
     else:
-        yield from _bounds(interval.low_text, interval.high_text)
+        yield from _write_bounds(interval.low_text, interval.high_text)
 
 
-def _bounds(low: str, high: str) -> tuple[Xml, Xml]:
+def _write_bounds(low: str, high: str) -> tuple[Xml, Xml]:
     return (
-        element("vargte", low, respident=RESPONSE),
-        element("varlte", high, respident=RESPONSE),
+        write_element("vargte", low, respident=_RESPONSE),
+        write_element("varlte", high, respident=_RESPONSE),
     )
 
 
-def _hair_lower(interval: RightInterval) -> str:
+def _write_hair_lower(interval: RightInterval) -> str:
     """The lower bound, lowered by a hair; Classic Quizzes take the margin from the upper one.
 
     New Quizzes compute the margin as the answer minus the lower bound, in doubles, which would lose
@@ -120,5 +138,5 @@ def _hair_lower(interval: RightInterval) -> str:
     """
     if interval.low == interval.high:
         return interval.low_text
-    hair = HAIR * max(abs(interval.low), abs(interval.high))
-    return decimal_text(interval.low - hair, "down")
+    hair = _HAIR * max(abs(interval.low), abs(interval.high))
+    return write_decimal(interval.low - hair, "down")

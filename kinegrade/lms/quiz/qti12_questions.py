@@ -12,34 +12,34 @@ from dataclasses import dataclass
 from kinegrade.errors import TypesetError
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.language import Language
-from kinegrade.lms.quiz.canvas_units import ClassUnits, edges_kept
-from kinegrade.lms.quiz.decimals import decimal_text
-from kinegrade.lms.quiz.html import PLACES, ask_html, plain_html
-from kinegrade.lms.quiz.intervals import right_intervals
-from kinegrade.lms.quiz.packaging import stable_name
-from kinegrade.lms.quiz.plain_math import plain_math
-from kinegrade.lms.quiz.plain_prose import plain_prose
+from kinegrade.lms.quiz.canvas_units import ClassUnits, keeps_edges
+from kinegrade.lms.quiz.decimals import write_decimal
+from kinegrade.lms.quiz.html import PLACES, write_ask_html, write_plain_html
+from kinegrade.lms.quiz.intervals import find_right_intervals
+from kinegrade.lms.quiz.packaging import make_stable_name
+from kinegrade.lms.quiz.plain_math import write_plain_math
+from kinegrade.lms.quiz.plain_prose import write_plain_prose
 from kinegrade.lms.quiz.qti12_item import NumericalItem
-from kinegrade.lms.quiz.question_html import question_html, warnings_html
+from kinegrade.lms.quiz.question_html import write_question_html, write_warnings_html
 from kinegrade.lms.quiz.question_words import WORDS
 from kinegrade.lms.quiz.remarks import Remarks
 from kinegrade.lms.quiz.typing_words import CANVAS
 
-FILES = "$IMS-CC-FILEBASE$/"  # Canvas puts the address of the course's files here
-NO_BANDS = (
+_FILES = "$IMS-CC-FILEBASE$/"  # Canvas puts the address of the course's files here
+_NO_BANDS = (
     "qti12: Canvas gives a number all points or none - credit and comments for known mistakes "
     "were left out - give them with kinegrade grade, from the students' responses"
 )
-CHANGED = (
+_CHANGED = (
     "qti12: Canvas keeps four decimals - {} is asked for in {} instead of {}, in the whole class, "
     "because that is too coarse for some answers"
 )
-TOO_FINE = (
+_TOO_FINE = (
     "{}: {} = {} {}, right from {} to {}, is no longer right with the four decimals that Canvas "
     'keeps - expected an answer that is - set the exam with lms = "canvas" in the bank, which '
     "refuses such draws, or allow a wider tolerance"
 )
-EDGES = (
+_EDGES = (
     "qti12: Canvas keeps four decimals, too few for {} on some papers: an answer near the limit of "
     "the tolerance may be marked the other way there - mark with kinegrade grade, from the "
     "students' responses"
@@ -55,15 +55,17 @@ class Asking:
     remarks: Remarks
 
 
-def numerical_items(
+def make_numerical_items(
     question: QuizQuestion, asking: Asking, *, solution_with_each: bool
 ) -> list[tuple[QuizAsk, NumericalItem]]:
     """The question's asks, each with its item; what Canvas cannot express is left out and reported
     in the remarks.
     """
     try:
-        text = question_html(question, FILES + picture_name(question), CANVAS, asking.language)
-        found = [(ask, _item(question, ask, text, asking)) for ask in question.asks]
+        text = write_question_html(
+            question, _FILES + name_picture(question), CANVAS, asking.language
+        )
+        found = [(ask, _make_item(question, ask, text, asking)) for ask in question.asks]
     except TypesetError as fault:
         asking.remarks.refuse_texts(fault)
         return []
@@ -75,39 +77,46 @@ def numerical_items(
     ]
 
 
-def picture_name(question: QuizQuestion) -> str:
+def name_picture(question: QuizQuestion) -> str:
     """The name of the question's figure in the package."""
-    return f"images/{stable_name(question.identifier)}.svg"
+    return f"images/{make_stable_name(question.identifier)}.svg"
 
 
-def _item(question: QuizQuestion, ask: QuizAsk, text: str, asking: Asking) -> NumericalItem | None:
+def _make_item(
+    question: QuizQuestion, ask: QuizAsk, text: str, asking: Asking
+) -> NumericalItem | None:
     language, remarks = asking.language, asking.remarks
     now = asking.units.fitted(question.question, ask)
-    symbol = plain_math(ask.symbol, question.question)
+    symbol = write_plain_math(ask.symbol, question.question)
     if now is None:
-        numbers = (decimal_text(ask.value), ask.unit, decimal_text(ask.low), decimal_text(ask.high))
-        remarks.refuse(TOO_FINE.format(question.identifier, symbol, *numbers))
+        numbers = (
+            write_decimal(ask.value),
+            ask.unit,
+            write_decimal(ask.low),
+            write_decimal(ask.high),
+        )
+        remarks.refuse(_TOO_FINE.format(question.identifier, symbol, *numbers))
         return None
-    _remark(f"{question.question}.{ask.identifier}", ask, now, remarks)
-    asked = ask_html(now, language) + warnings_html(now, ask, WORDS[language])
-    column = plain_html(f"[{question.question}.{ask.identifier}]")
-    heading = plain_prose(question.title, question.question, inline=True)
+    _note_remark(f"{question.question}.{ask.identifier}", ask, now, remarks)
+    asked = write_ask_html(now, language) + write_warnings_html(now, ask, WORDS[language])
+    column = write_plain_html(f"[{question.question}.{ask.identifier}]")
+    heading = write_plain_prose(question.title, question.question, inline=True)
     title = f"{heading}{PLACES[language][0]}{symbol}"
     return NumericalItem(
-        stable_name(f"{question.identifier}-{ask.identifier}"),
+        make_stable_name(f"{question.identifier}-{ask.identifier}"),
         title,
         f"{text}{asked}<p>{column}</p>\n",
         ask.points,
-        right_intervals(now),
+        find_right_intervals(now),
         question.solution,
     )
 
 
-def _remark(place: str, on_paper: QuizAsk, now: QuizAsk, remarks: Remarks) -> None:
+def _note_remark(place: str, on_paper: QuizAsk, now: QuizAsk, remarks: Remarks) -> None:
     """Reports what Canvas cannot do, or asks in another unit."""
     if on_paper.mistakes:
-        remarks.complain(NO_BANDS)
+        remarks.complain(_NO_BANDS)
     if now.unit != on_paper.unit:
-        remarks.complain(CHANGED.format(place, now.unit, on_paper.unit))
-    if not edges_kept(now):
-        remarks.complain(EDGES.format(place))
+        remarks.complain(_CHANGED.format(place, now.unit, on_paper.unit))
+    if not keeps_edges(now):
+        remarks.complain(_EDGES.format(place))

@@ -10,24 +10,24 @@ from pathlib import Path
 from kinegrade.errors import TypesetError
 from kinegrade.exam.quiz_document import Quiz, QuizPaper, QuizQuestion
 from kinegrade.lms.quiz.manifest import Manifest
-from kinegrade.lms.quiz.packaging import Package, package, pool_name, stable_name
-from kinegrade.lms.quiz.plain_prose import one_plain_line
-from kinegrade.lms.quiz.qti21_item import NAMES, item_document
+from kinegrade.lms.quiz.packaging import Package, make_pool_name, make_stable_name, open_package
+from kinegrade.lms.quiz.plain_prose import write_one_plain_line
+from kinegrade.lms.quiz.qti21_item import NAMES, write_item_document
 from kinegrade.lms.quiz.remarks import Remarks
-from kinegrade.lms.quiz.xml_text import Xml, document, element, on_lines
+from kinegrade.lms.quiz.xml_text import Xml, write_document, write_element, write_on_lines
 
-HEAD = (
+_HEAD = (
     '<?xml version="1.0" encoding="UTF-8"?>\n'
     '<manifest identifier="kinegrade" xmlns="http://www.imsglobal.org/xsd/imscp_v1p1">\n'
     "<metadata><schema>QTIv2.1 Package</schema><schemaversion>1.0.0</schemaversion></metadata>\n"
     "<organizations/>\n<resources>\n"
 )
-FOOT = "</resources>\n</manifest>\n"
-MATH = (
+_FOOT = "</resources>\n</manifest>\n"
+_MATH = (
     r"qti21: formulas are LaTeX between \( and \) - a platform that does not render LaTeX shows "
     "them as typed - look at one question there before the exam"
 )
-CANVAS = (
+_CANVAS = (
     "qti21: Canvas turns these questions into texts to be matched and drops the tolerance - "
     "send it to other systems, and qti12 to Canvas"
 )
@@ -40,7 +40,7 @@ def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
     Raises ExportError with every text that cannot be shown, OutputError; `target` is then
     unchanged.
     """
-    with package(target, force=force) as parts, Manifest(HEAD, FOOT) as manifest:
+    with open_package(target, force=force) as parts, Manifest(_HEAD, _FOOT) as manifest:
         return _Writer(quiz, parts, manifest).write()
 
 
@@ -53,8 +53,8 @@ class _Writer:
         self._pool: dict[str, list[str]] = {}  # identifiers of the variants, by question
 
     def write(self) -> list[str]:
-        self._remarks.complain(MATH)
-        self._remarks.complain(CANVAS)
+        self._remarks.complain(_MATH)
+        self._remarks.complain(_CANVAS)
         for paper in self._quiz.papers:
             written = [question for question in paper.questions if self._item(question)]
             if paper.student or paper.name:
@@ -62,10 +62,10 @@ class _Writer:
             else:
                 for question in written:
                     self._pool.setdefault(question.question, []).append(
-                        stable_name(question.identifier)
+                        make_stable_name(question.identifier)
                     )
         if self._pool:
-            name = pool_name(self._quiz.identifier)
+            name = make_pool_name(self._quiz.identifier)
             self._test(name, self._quiz.title, list(self._pool.values()))
         self._remarks.raise_faults()
         self._parts.copy("imsmanifest.xml", self._manifest.finished())
@@ -74,17 +74,17 @@ class _Writer:
     def _paper(self, paper: QuizPaper, questions: Sequence[QuizQuestion]) -> None:
         if questions:
             owner = " ".join(filter(None, (paper.code, paper.student, paper.name)))
-            names = [stable_name(question.identifier) for question in questions]
+            names = [make_stable_name(question.identifier) for question in questions]
             self._test(
                 f"{names[0]}-paper", f"{self._quiz.title} · {owner}", [[name] for name in names]
             )
 
     def _item(self, question: QuizQuestion) -> bool:
         """Writes the question and its figure; gives whether its texts could be shown."""
-        name = stable_name(question.identifier)
+        name = make_stable_name(question.identifier)
         picture = f"images/{name}.svg"
         try:
-            content = item_document(question, self._quiz.language, f"../{picture}")
+            content = write_item_document(question, self._quiz.language, f"../{picture}")
         except TypesetError as fault:
             self._remarks.refuse_texts(fault)
             return False
@@ -93,41 +93,48 @@ class _Writer:
         if question.figure is not None:
             self._parts.add(picture, question.figure.svg)
             files.append(picture)
-        self._manifest.add(_resource(name, "imsqti_item_xmlv2p1", files))
+        self._manifest.add(_write_resource(name, "imsqti_item_xmlv2p1", files))
         return True
 
     def _test(self, identifier: str, title: str, variants: Sequence[Sequence[str]]) -> None:
         place = f"tests/{identifier}.xml"
-        self._parts.add(place, _test_document(identifier, one_plain_line(title), variants))
+        self._parts.add(
+            place, _write_test_document(identifier, write_one_plain_line(title), variants)
+        )
         used = [name for names in variants for name in names]
-        self._manifest.add(_resource(identifier, "imsqti_test_xmlv2p1", [place], used))
+        self._manifest.add(_write_resource(identifier, "imsqti_test_xmlv2p1", [place], used))
 
 
-def _test_document(identifier: str, title: str, variants: Sequence[Sequence[str]]) -> bytes:
+def _write_test_document(identifier: str, title: str, variants: Sequence[Sequence[str]]) -> bytes:
     """A test of all questions in their order, each drawn from its variants where it has several."""
-    sections = (_section(place, names) for place, names in enumerate(variants, start=1))
-    part = element(
+    sections = (_write_section(place, names) for place, names in enumerate(variants, start=1))
+    part = write_element(
         "testPart",
-        on_lines(sections),
+        write_on_lines(sections),
         identifier="PART",
         navigationMode="nonlinear",
         submissionMode="simultaneous",
     )
-    score = element(
+    score = write_element(
         "outcomeDeclaration", identifier="SCORE", cardinality="single", baseType="float"
     )
-    total = element("sum", element("testVariables", variableIdentifier="SCORE"))
-    processing = element("outcomeProcessing", element("setOutcomeValue", total, identifier="SCORE"))
-    parts = on_lines((score, part, processing))
-    return document(element("assessmentTest", parts, identifier=identifier, title=title, **NAMES))
-
-
-def _section(place: int, names: Sequence[str]) -> Xml:
-    drawn = [element("selection", select="1")] if len(names) > 1 else []
-    items = (
-        element("assessmentItemRef", identifier=name, href=f"../items/{name}.xml") for name in names
+    total = write_element("sum", write_element("testVariables", variableIdentifier="SCORE"))
+    processing = write_element(
+        "outcomeProcessing", write_element("setOutcomeValue", total, identifier="SCORE")
     )
-    return element(
+    parts = write_on_lines((score, part, processing))
+    return write_document(
+        write_element("assessmentTest", parts, identifier=identifier, title=title, **NAMES)
+    )
+
+
+def _write_section(place: int, names: Sequence[str]) -> Xml:
+    drawn = [write_element("selection", select="1")] if len(names) > 1 else []
+    items = (
+        write_element("assessmentItemRef", identifier=name, href=f"../items/{name}.xml")
+        for name in names
+    )
+    return write_element(
         "assessmentSection",
         *drawn,
         *items,
@@ -137,7 +144,11 @@ def _section(place: int, names: Sequence[str]) -> Xml:
     )
 
 
-def _resource(identifier: str, kind: str, files: Sequence[str], uses: Sequence[str] = ()) -> Xml:
-    children = (element("file", href=name) for name in files)
-    needed = (element("dependency", identifierref=name) for name in uses)
-    return element("resource", *children, *needed, identifier=identifier, type=kind, href=files[0])
+def _write_resource(
+    identifier: str, kind: str, files: Sequence[str], uses: Sequence[str] = ()
+) -> Xml:
+    children = (write_element("file", href=name) for name in files)
+    needed = (write_element("dependency", identifierref=name) for name in uses)
+    return write_element(
+        "resource", *children, *needed, identifier=identifier, type=kind, href=files[0]
+    )

@@ -15,16 +15,16 @@ _TAG = re.compile(r'<([A-Za-z0-9]+)((?: [a-z-]+="[^"<>]*")+)(/?)>', re.IGNORECAS
 _ATTRIBUTE = re.compile(r' ([A-Za-z-]+)="[^"]*"')
 
 
-def flow(html: str) -> Xml:
+def write_flow(html: str) -> Xml:
     """The paragraphs, lists and tables of well-formed HTML, without styles and list numbering.
 
-    >>> flow('<ol start="3"><li>x</li></ol>')
+    >>> write_flow('<ol start="3"><li>x</li></ol>')
     '<ol><li>x</li></ol>'
     """
-    return Xml(_TAG.sub(_known, html))
+    return Xml(_TAG.sub(_write_known, html))
 
 
-def _known(tag: re.Match[str]) -> str:
+def _write_known(tag: re.Match[str]) -> str:
     kept = _KEPT.get(tag[1], ())
     attributes = "".join(found[0] for found in _ATTRIBUTE.finditer(tag[2]) if found[1] in kept)
     return f"<{tag[1]}{attributes}{tag[3]}>"

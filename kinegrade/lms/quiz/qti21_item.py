@@ -8,47 +8,47 @@ from collections.abc import Iterator
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.language import Language
-from kinegrade.lms.quiz.html import ask_html, plain_html
-from kinegrade.lms.quiz.packaging import stable_name
-from kinegrade.lms.quiz.plain_prose import plain_prose
-from kinegrade.lms.quiz.qti21_body import flow
+from kinegrade.lms.quiz.html import write_ask_html, write_plain_html
+from kinegrade.lms.quiz.packaging import make_stable_name
+from kinegrade.lms.quiz.plain_prose import write_plain_prose
+from kinegrade.lms.quiz.qti21_body import write_flow
 from kinegrade.lms.quiz.qti21_scoring import (
     SOLUTION,
-    declarations,
-    mistake_name,
-    processing,
-    response_name,
+    name_mistake,
+    name_response,
+    write_declarations,
+    write_processing,
 )
-from kinegrade.lms.quiz.question_html import question_html, warnings_html
+from kinegrade.lms.quiz.question_html import write_question_html, write_warnings_html
 from kinegrade.lms.quiz.question_words import WORDS
 from kinegrade.lms.quiz.typing_words import QTI21
-from kinegrade.lms.quiz.xml_text import Xml, document, element, on_lines
+from kinegrade.lms.quiz.xml_text import Xml, write_document, write_element, write_on_lines
 
-QTI = "http://www.imsglobal.org/xsd/imsqti_v2p1"
+_QTI = "http://www.imsglobal.org/xsd/imsqti_v2p1"
 NAMES = {
-    "xmlns": QTI,
+    "xmlns": _QTI,
     "xmlns:xsi": "http://www.w3.org/2001/XMLSchema-instance",
-    "xsi:schemaLocation": f"{QTI} http://www.imsglobal.org/xsd/qti/qtiv2p1/imsqti_v2p1.xsd",
+    "xsi:schemaLocation": f"{_QTI} http://www.imsglobal.org/xsd/qti/qtiv2p1/imsqti_v2p1.xsd",
 }
-BOX = '<textEntryInteraction responseIdentifier="{}" expectedLength="16"/>'
+_BOX = '<textEntryInteraction responseIdentifier="{}" expectedLength="16"/>'
 
 
-def item_document(question: QuizQuestion, language: Language, picture: str) -> bytes:
+def write_item_document(question: QuizQuestion, language: Language, picture: str) -> bytes:
     """The item's file; `picture` is the address of the figure. Raises TypesetError."""
-    title = plain_prose(question.title, question.question, inline=True)
-    parts = on_lines(
+    title = write_plain_prose(question.title, question.question, inline=True)
+    parts = write_on_lines(
         (
-            *declarations(question.asks),
-            element("itemBody", flow(_body(question, language, picture))),
-            processing(question.asks, solved=bool(question.solution)),
-            *_feedback(question),
+            *write_declarations(question.asks),
+            write_element("itemBody", write_flow(_write_body(question, language, picture))),
+            write_processing(question.asks, solved=bool(question.solution)),
+            *_write_feedback(question),
         )
     )
-    return document(
-        element(
+    return write_document(
+        write_element(
             "assessmentItem",
             parts,
-            identifier=stable_name(question.identifier),
+            identifier=make_stable_name(question.identifier),
             title=title,
             adaptive="false",
             timeDependent="false",
@@ -58,27 +58,33 @@ def item_document(question: QuizQuestion, language: Language, picture: str) -> b
     )
 
 
-def _body(question: QuizQuestion, language: Language, picture: str) -> str:
+def _write_body(question: QuizQuestion, language: Language, picture: str) -> str:
     """Statement and figure, then the asks, each with its box before the unit."""
-    boxes = (_asked(place, ask, language) for place, ask in enumerate(question.asks, start=1))
-    return question_html(question, picture, QTI21, language) + "".join(boxes)
+    boxes = (_write_asked(place, ask, language) for place, ask in enumerate(question.asks, start=1))
+    return write_question_html(question, picture, QTI21, language) + "".join(boxes)
 
 
-def _asked(place: int, ask: QuizAsk, language: Language) -> str:
-    return ask_html(ask, language, BOX.format(response_name(place))) + warnings_html(
+def _write_asked(place: int, ask: QuizAsk, language: Language) -> str:
+    return write_ask_html(ask, language, _BOX.format(name_response(place))) + write_warnings_html(
         ask, ask, WORDS[language]
     )
 
 
-def _feedback(question: QuizQuestion) -> Iterator[Xml]:
+def _write_feedback(question: QuizQuestion) -> Iterator[Xml]:
     for place, ask in enumerate(question.asks, start=1):
         for number, mistake in enumerate(ask.mistakes, start=1):
-            yield _shown(mistake_name(place, number), f"<p>{plain_html(mistake.sentence)}</p>")
+            yield _write_shown(
+                name_mistake(place, number), f"<p>{write_plain_html(mistake.sentence)}</p>"
+            )
     if question.solution:
-        yield _shown(SOLUTION, question.solution)
+        yield _write_shown(SOLUTION, question.solution)
 
 
-def _shown(name: str, html: str) -> Xml:
-    return element(
-        "modalFeedback", flow(html), outcomeIdentifier="FEEDBACK", identifier=name, showHide="show"
+def _write_shown(name: str, html: str) -> Xml:
+    return write_element(
+        "modalFeedback",
+        write_flow(html),
+        outcomeIdentifier="FEEDBACK",
+        identifier=name,
+        showHide="show",
     )

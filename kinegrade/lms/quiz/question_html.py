@@ -6,39 +6,43 @@ from functools import lru_cache
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.language import Language
-from kinegrade.lms.quiz.html import figure_html, prose_html, unit_html
+from kinegrade.lms.quiz.html import write_figure_html, write_prose_html, write_unit_html
 from kinegrade.lms.quiz.question_words import QuestionWords
-from kinegrade.lms.quiz.typing_words import Typing, rules
+from kinegrade.lms.quiz.typing_words import Typing, write_rules
 
 
-def question_html(question: QuizQuestion, picture: str, typing: Typing, language: Language) -> str:
+def write_question_html(
+    question: QuizQuestion, picture: str, typing: Typing, language: Language
+) -> str:
     """The statement, its figure at the address `picture`, and the rules. Raises TypesetError."""
-    figure = figure_html(question.figure, picture) if question.figure is not None else ""
+    figure = write_figure_html(question.figure, picture) if question.figure is not None else ""
     return (
-        prose_html(question.statement, question.question)
+        write_prose_html(question.statement, question.question)
         + figure
-        + rules_html(question, typing, language)
+        + write_rules_html(question, typing, language)
     )
 
 
-def rules_html(question: QuizQuestion, typing: Typing, language: Language) -> str:
+def write_rules_html(question: QuizQuestion, typing: Typing, language: Language) -> str:
     """How to type the answers, and when one is right."""
-    return _rules_html(rules(question, typing, language))
+    return _write_rules_html(write_rules(question, typing, language))
 
 
 @lru_cache(maxsize=64)
-def _rules_html(text: str) -> str:
+def _write_rules_html(text: str) -> str:
     """The rules, which most questions of an exam share."""
-    return prose_html(text, "rule")
+    return write_prose_html(text, "rule")
 
 
-def warnings_html(asked: QuizAsk, on_paper: QuizAsk, words: QuestionWords) -> str:
+def write_warnings_html(asked: QuizAsk, on_paper: QuizAsk, words: QuestionWords) -> str:
     """What students must note: a unit that differs from the paper's, turns that may be added; ""
     where there is nothing.
     """
     lines = []
     if asked.unit != on_paper.unit:
-        lines.append(words.changed_unit.format(unit_html(asked.unit), unit_html(on_paper.unit)))
+        lines.append(
+            words.changed_unit.format(write_unit_html(asked.unit), write_unit_html(on_paper.unit))
+        )
     if asked.period is not None:
         lines.append(words.any_turns)
     return "".join(f"<p>{line}</p>\n" for line in lines)

@@ -21,7 +21,7 @@ class QuestionWords:
     figure_on_paper: str
 
 
-ENGLISH = QuestionWords(
+_ENGLISH = QuestionWords(
     tag="en",
     changed_unit="Mind the unit: {} here, not {}.",
     any_turns="Whole turns may be added or taken off, as long as the angle stays within two turns "
@@ -29,11 +29,11 @@ ENGLISH = QuestionWords(
     half_turn="Give the angle within half a turn of zero (−180° to 180°).",
     figure_on_paper="(The figure is on your paper.)",
 )
-CHINESE = QuestionWords(
+_CHINESE = QuestionWords(
     tag="zh-CN",
     changed_unit="注意单位：此处用 {}，不用 {}。",
     any_turns="角度可加减整周，但须在正负两周以内。",
     half_turn="角度请取正负半周以内的值（−180° 至 180°）。",
     figure_on_paper="（图见你的试卷。）",
 )
-WORDS: Mapping[Language, QuestionWords] = {"en": ENGLISH, "zh": CHINESE}
+WORDS: Mapping[Language, QuestionWords] = {"en": _ENGLISH, "zh": _CHINESE}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kinegrade.errors import ExportError, TypesetError
 
-MOST_SHOWN = 40
+_MOST_SHOWN = 40
 
 
 class Remarks:
@@ -30,7 +30,7 @@ class Remarks:
         """Adds something that this format cannot express, so that no file is written."""
         if line in self._faults:
             return
-        if len(self._faults) < MOST_SHOWN:
+        if len(self._faults) < _MOST_SHOWN:
             self._faults[line] = None
         else:
             self._hidden += 1

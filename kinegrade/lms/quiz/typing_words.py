@@ -45,7 +45,7 @@ BLACKBOARD: Typing = {
 }
 
 
-def rules(question: QuizQuestion, typing: Typing, language: Language) -> str:
+def write_rules(question: QuizQuestion, typing: Typing, language: Language) -> str:
     """How to type the answers of a question, and when one is right: prose."""
     numerals = NUMERALS[language][question.digits - FEWEST_DIGITS :]
     shown = typing[language].format(numerals[0] if numerals else question.digits)

@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizMistake
-from kinegrade.lms.quiz.intervals import RightInterval, turned
+from kinegrade.lms.quiz.intervals import RightInterval, turn
 
 
 @dataclass(frozen=True)
@@ -43,17 +43,17 @@ class _Lead:
         return self.interval.low <= number <= self.interval.high
 
 
-def wrong_numbers(ask: QuizAsk) -> tuple[WrongNumbers, ...]:
+def find_wrong_numbers(ask: QuizAsk) -> tuple[WrongNumbers, ...]:
     """The sets of mistakes that some number shows; the first set whose intervals contain a number
     names all the mistakes that lead to it.
 
     What two sets have in common belongs to a larger one, and larger ones come first.
     """
     found: dict[tuple[int, ...], list[RightInterval]] = {}
-    for cluster in _clusters(_leads(ask)):
-        for together in _sets(cluster):
+    for cluster in _find_clusters(_find_leads(ask)):
+        for together in _find_sets(cluster):
             mistakes = tuple(sorted({lead.mistake for lead in together}))
-            found.setdefault(mistakes, []).append(_shared(together))
+            found.setdefault(mistakes, []).append(_intersect(together))
     largest_first = sorted(found.items(), key=lambda entry: -len(entry[0]))
     return tuple(
         WrongNumbers(tuple(ask.mistakes[place] for place in places), tuple(intervals))
@@ -61,17 +61,17 @@ def wrong_numbers(ask: QuizAsk) -> tuple[WrongNumbers, ...]:
     )
 
 
-def _leads(ask: QuizAsk) -> list[_Lead]:
+def _find_leads(ask: QuizAsk) -> list[_Lead]:
     """All intervals that mistakes lead to, by their lower ends."""
     leads = [
         _Lead(place, interval)
         for place, mistake in enumerate(ask.mistakes)
-        for interval in turned(RightInterval(mistake.value, *mistake.interval), ask.period)
+        for interval in turn(RightInterval(mistake.value, *mistake.interval), ask.period)
     ]
     return sorted(leads, key=lambda lead: lead.interval.low)
 
 
-def _clusters(leads: Sequence[_Lead]) -> Iterator[list[_Lead]]:
+def _find_clusters(leads: Sequence[_Lead]) -> Iterator[list[_Lead]]:
     """Groups that overlap, directly or through others; usually each interval is alone."""
     cluster: list[_Lead] = []
     for lead in leads:
@@ -83,7 +83,7 @@ def _clusters(leads: Sequence[_Lead]) -> Iterator[list[_Lead]]:
         yield cluster
 
 
-def _sets(cluster: Sequence[_Lead]) -> list[tuple[_Lead, ...]]:
+def _find_sets(cluster: Sequence[_Lead]) -> list[tuple[_Lead, ...]]:
     """Every set of leads that contain some number together: an end of an interval, or a number
     between two ends.
     """
@@ -98,7 +98,7 @@ def _sets(cluster: Sequence[_Lead]) -> list[tuple[_Lead, ...]]:
     return [tuple(cluster[place] for place in each) for each in dict.fromkeys(places)]
 
 
-def _shared(together: Sequence[_Lead]) -> RightInterval:
+def _intersect(together: Sequence[_Lead]) -> RightInterval:
     """The interval that all of them share."""
     if len(together) == 1:
         return together[0].interval

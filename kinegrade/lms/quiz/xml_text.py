@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from xml.sax.saxutils import escape
 
-DECLARATION = '<?xml version="1.0" encoding="UTF-8"?>\n'
+_DECLARATION = '<?xml version="1.0" encoding="UTF-8"?>\n'
 _SPECIAL = re.compile('[&<>"\n\t]')
 _QUOTED = {'"': "&quot;", "\n": " ", "\t": " "}
 
@@ -17,30 +17,30 @@ class Xml(str):
     __slots__ = ()
 
 
-def element(tag: str, *children: str, **attributes: str) -> Xml:
+def write_element(tag: str, *children: str, **attributes: str) -> Xml:
     """An element of texts and elements; a trailing underscore is dropped from the name of an
     attribute.
 
-    >>> print(element("p", "a < b", element("br"), class_='"x"'))
+    >>> print(write_element("p", "a < b", write_element("br"), class_='"x"'))
     <p class="&quot;x&quot;">a &lt; b<br/></p>
     """
     named = "".join(
-        f' {name.rstrip("_")}="{_quotable(value)}"' for name, value in attributes.items()
+        f' {name.rstrip("_")}="{_write_quotable(value)}"' for name, value in attributes.items()
     )
     content = "".join(child if isinstance(child, Xml) else escape(child) for child in children)
     return Xml(f"<{tag}{named}>{content}</{tag}>" if content else f"<{tag}{named}/>")
 
 
-def _quotable(value: str) -> str:
+def _write_quotable(value: str) -> str:
     """An attribute's value, escaped; most need no change."""
     return escape(value, _QUOTED) if _SPECIAL.search(value) else value
 
 
-def on_lines(elements: Iterable[Xml]) -> Xml:
+def write_on_lines(elements: Iterable[Xml]) -> Xml:
     """Elements, each on its own line, where white space between elements has no meaning."""
     return Xml("".join(f"\n{one}" for one in elements) + "\n")
 
 
-def document(root: Xml) -> bytes:
+def write_document(root: Xml) -> bytes:
     """A whole document."""
-    return f"{DECLARATION}{root}\n".encode()
+    return f"{_DECLARATION}{root}\n".encode()

@@ -16,7 +16,7 @@ from kinegrade.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
-from kinegrade.exam.student_ids import restoration
+from kinegrade.exam.student_ids import describe_restoration
 from kinegrade.lms.responses.detection import DIALECTS, detected
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
@@ -26,18 +26,18 @@ from kinegrade.tables import (
     Complaint,
     Row,
     Table,
+    drop_headers,
     read_table,
-    shortened,
-    trimmed,
-    without_headers,
+    shorten,
+    trim,
 )
 
 if TYPE_CHECKING:
     from kinegrade.exam.variants import Variants
 
 SOURCES = tuple(DIALECTS)
-FEW = 3  # this many unknown rows may each be a typing error; more are another class
-POOLED = ("moodle", "canvas")  # the systems that draw questions from pools
+_FEW = 3  # this many unknown rows may each be a typing error; more are another class
+_POOLED = ("moodle", "canvas")  # the systems that draw questions from pools
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +87,7 @@ def read_responses(
     TableError, ExamError.
     """
     table = read_workbook(path) if is_workbook(path) else read_table(path, encoding)
-    table = replace(table, file=name or table.file, rows=without_headers(table))
+    table = replace(table, file=name or table.file, rows=drop_headers(table))
     system = detected(table) if source is None else _known(source, path)
     typed = DIALECTS[system].read(table, exam.head, attempts)
     everybody = [*(each.row for each in typed.rows), *(each.row for each in typed.not_taken)]
@@ -100,7 +100,7 @@ def read_responses(
         )
     found = people.find_all(everybody, table.header, columns)
     _refuse_another_class(table, everybody, columns, found, exam.head.students)
-    variants = None if own_papers or system not in POOLED else pool_of(exam)
+    variants = None if own_papers or system not in _POOLED else pool_of(exam)
     answers = _answers(_Read(table, typed, columns, found), variants, exam)
     assumed = (*_assumed(table, system, source, typed, columns), *_restored(table.file, found))
     return Responses(answers, system, assumed)
@@ -114,13 +114,13 @@ def _refuse_another_class(
     students: Sequence[Candidate],
 ) -> None:
     """Raises TableError where a file has rows and none belongs to a student of the exam."""
-    if len(found) < FEW or any(each.student is not None or each.hint for each in found):
+    if len(found) < _FEW or any(each.student is not None or each.hint for each in found):
         return
-    shown = trimmed(rows[0].cell(columns.indices[0]))
+    shown = trim(rows[0].cell(columns.indices[0]))
     raise TableError(
         f"{table.file}: none of its {len(found)} rows is of a student of the exam "
-        f'("{shortened(shown)}" ...) - '
-        f'expected ids like "{shortened(students[0].student)}", or e-mail addresses of the roster '
+        f'("{shorten(shown)}" ...) - '
+        f'expected ids like "{shorten(students[0].student)}", or e-mail addresses of the roster '
         "- "
         "name the file of this class, or correct the ids"
     )
@@ -191,7 +191,7 @@ def _left_out(table: Table, typed: TypedRows, found: Sequence[Found]) -> Iterato
 def _restored(file: str, found: Sequence[Found]) -> Iterator[str]:
     restored = {each.restored: each.student for each in found if each.student and each.restored}
     if restored:
-        yield f"{file}: {' - '.join(restoration(restored))}"
+        yield f"{file}: {' - '.join(describe_restoration(restored))}"
 
 
 def _rows(found: Sequence[tuple[TypedRow, Found]]) -> Iterator[Row]:

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.tables import Table, header_key
+from kinegrade.tables import Table, make_header_key
 
 _ADVICE = "write the ask's name into each question's title, like [q1.v_B]"
 _DERIVED = re.compile(r"\S.{0,60} [-–] ", re.DOTALL)
@@ -47,8 +47,8 @@ def _named(title: str, names: Mapping[str, str]) -> set[str]:
     exact = {column for name, column in names.items() if _holds(title, name)}
     if exact:
         return exact
-    key = header_key(title)
-    return {column for name, column in names.items() if _holds(key, header_key(name))}
+    key = make_header_key(title)
+    return {column for name, column in names.items() if _holds(key, make_header_key(name))}
 
 
 def _holds(title: str, name: str) -> bool:

@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator
 
 from kinegrade.lms.quiz.question_words import WORDS
-from kinegrade.problem.kept_decimals import units
+from kinegrade.problem.kept_decimals import list_finer_units
 
 _TAG = re.compile(r"<[^>]*>")
 _POWER = re.compile(r"\^(-?\d+)")
@@ -25,7 +25,7 @@ def asked_unit(header: str, unit: str) -> str:
     'mm/s'
     """
     text = " ".join(_TAG.sub("", header).split())
-    for finer, factor in units(unit):
+    for finer, factor in list_finer_units(unit):
         if factor > 1 and any(sentence in text for sentence in _sentences(finer, unit)):
             return finer
     return ""
@@ -41,10 +41,10 @@ def in_unit(typed: str, unit: str) -> str:
 
 
 def on_the_line(unit: str) -> str:
-    """A unit as `unit_html` of the quiz shows it, without its tags.
+    """A unit as `write_unit_html` of the quiz shows it, without its tags.
 
-    It is written here again because `unit_html` takes a second to import, which would delay every
-    marking.
+    It is written here again because `write_unit_html` takes a second to import, which would delay
+    every marking.
 
     >>> on_the_line("m/s^2")
     'm/s2'

@@ -19,10 +19,10 @@ from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks
 from kinegrade.lms.responses.asked_units import asked_unit, in_unit
 from kinegrade.lms.responses.people import Kind, People
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
-from kinegrade.tables import Row, Table, header_key, trimmed
+from kinegrade.tables import Row, Table, make_header_key, trim
 
 TITLE = "the Student Analysis of a Canvas quiz"
-TEST_STUDENTS = ("Student, Test", "Test Student")
+_TEST_STUDENTS = ("Student, Test", "Test Student")
 _QUESTION = re.compile(r"\d+: ")
 _POINTS = re.compile(r"\d+(?:\.\d+)?")
 _MOMENT = re.compile(r"\d{4}-\d\d-\d\d \d\d:\d\d:\d\d UTC")
@@ -111,7 +111,7 @@ def _questions(header: Sequence[str]) -> list[int]:
     return [
         place
         for place in range(len(header) - 1)
-        if _QUESTION.match(header[place]) and _POINTS.fullmatch(trimmed(header[place + 1]))
+        if _QUESTION.match(header[place]) and _POINTS.fullmatch(trim(header[place + 1]))
     ]
 
 
@@ -130,7 +130,7 @@ def _response(row: Row, sources: Sequence[_Source]) -> str:
         (
             in_unit(row.cell(source.place), source.unit)
             for source in sources
-            if trimmed(row.cell(source.place))
+            if trim(row.cell(source.place))
         ),
         "",
     )
@@ -140,7 +140,7 @@ def _is_test_student(
     row: Row, people: Sequence[int], named: Mapping[Kind, Sequence[int]], known: People
 ) -> bool:
     """Whether a row is that of Canvas's test student, and of no student of the class."""
-    if trimmed(row.cell(0)) not in TEST_STUDENTS:
+    if trim(row.cell(0)) not in _TEST_STUDENTS:
         return False
     cells = [row.cell(place) for place in named["id"] or people]
     return not any(known.by_id(cell) or known.by_email(cell) for cell in cells)
@@ -151,15 +151,15 @@ def _text(table: Table, row: Row, places: Sequence[int]) -> str:
 
     It is the one with an answer; where all are blank, the one with points, even zero.
     """
-    put = [place for place in places if trimmed(row.cell(place))] or [
-        place for place in places if trimmed(row.cell(place + 1))
+    put = [place for place in places if trim(row.cell(place))] or [
+        place for place in places if trim(row.cell(place + 1))
     ]
     return table.header[put[0]].partition(": ")[2] if len(put) == 1 else ""
 
 
 def _moment(row: Row, people: Sequence[int]) -> str:
     return next(
-        (row.cell(place) for place in people if _MOMENT.fullmatch(trimmed(row.cell(place)))), ""
+        (row.cell(place) for place in people if _MOMENT.fullmatch(trim(row.cell(place)))), ""
     )
 
 
@@ -167,4 +167,4 @@ def _named(header: Sequence[str], people: Sequence[int]) -> Mapping[Kind, Sequen
     """The institution's id comes before Canvas's internal number, which may be another student's
     id.
     """
-    return {"id": [place for place in people if header_key(header[place]) == "sis_id"]}
+    return {"id": [place for place in people if make_header_key(header[place]) == "sis_id"]}

@@ -49,7 +49,7 @@ def read_class(paths: Sequence[Path], exam: ExamFolder, wishes: ReadingWishes) -
             own_papers=wishes.own_papers,
             name=name,
         )
-        for path, name in zip(paths, told_apart(paths), strict=True)
+        for path, name in zip(paths, _told_apart(paths), strict=True)
     ]
     assumed = tuple(line for each in read for line in each.assumed)
     return ClassFiles(tuple(each.answers for each in read), assumed)
@@ -66,10 +66,10 @@ def _refuse_one_file_twice(paths: Sequence[Path]) -> None:
         seen.add(path.resolve())
 
 
-def told_apart(paths: Sequence[Path]) -> tuple[str, ...]:
+def _told_apart(paths: Sequence[Path]) -> tuple[str, ...]:
     """The names of files in messages: with their folders where two have the same name.
 
-    >>> told_apart([Path("a/x.csv"), Path("b/x.csv")])
+    >>> _told_apart([Path("a/x.csv"), Path("b/x.csv")])
     ('a/x.csv', 'b/x.csv')
     """
     names = tuple(path.name for path in paths)

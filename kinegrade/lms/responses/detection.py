@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from kinegrade.errors import TableError, one_line
+from kinegrade.errors import TableError, show_in_one_line
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.lms.responses import canvas, google_forms, moodle, ms_forms, sheet, wjx
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
@@ -37,7 +37,7 @@ def detected(table: Table) -> str:
         (name for name, dialect in DIALECTS.items() if dialect.recognises(table.header)), None
     )
     if name is None:
-        shown = ", ".join(one_line(cell[:60]) for cell in table.header[:6])
+        shown = ", ".join(show_in_one_line(cell[:60]) for cell in table.header[:6])
         raise TableError(
             f"{table.file}: its columns ({shown} ...) are those of no system known here - "
             f"expected one of {', '.join(DIALECTS)} - say which it is, if it is one of them"

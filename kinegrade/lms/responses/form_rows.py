@@ -12,7 +12,7 @@ from kinegrade.exam.roster import COLUMN_NAMES
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks, without_derived
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
-from kinegrade.tables import Table, header_key
+from kinegrade.tables import Table, make_header_key
 
 _LONGEST_TITLE = 80  # of a question for id, address or name
 _TITLES: Mapping[str, re.Pattern[str]] = {
@@ -62,7 +62,7 @@ def form_rows(
 
 def _asks_for(kind: str, title: str) -> bool:
     """Whether a question asks for id, address or name."""
-    key = header_key(re.sub(r"[*?:：？_.]", " ", title[: _LONGEST_TITLE + 1]))
+    key = make_header_key(re.sub(r"[*?:：？_.]", " ", title[: _LONGEST_TITLE + 1]))
     if len(title) > _LONGEST_TITLE:
         return False
     return key in COLUMN_NAMES[_COLUMN_NAMES[kind]] or _TITLES[kind].search(key) is not None

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.lms.responses.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
-from kinegrade.tables import Table, header_key
+from kinegrade.tables import Table, make_header_key
 
 TITLE = "the responses of a Google form"
 _ADDRESS = ("email address", "username")
@@ -18,7 +18,7 @@ _SCORE = "score"
 
 def recognises(header: Sequence[str]) -> bool:
     """Whether the first column is the timestamp, by its English name."""
-    return bool(header) and header_key(header[0]) == "timestamp"
+    return bool(header) and make_header_key(header[0]) == "timestamp"
 
 
 def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
@@ -26,7 +26,7 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
 
     Raises TableError where questions and asks do not agree.
     """
-    keys = [header_key(name) for name in table.header[:3]]
+    keys = [make_header_key(name) for name in table.header[:3]]
     address = [place for place in (1, 2) if place < len(keys) and keys[place] in _ADDRESS][:1]
     score = [place for place in (1, 2) if place < len(keys) and keys[place] == _SCORE][:1]
     questions = [place for place in range(1, len(table.header)) if place not in {*address, *score}]

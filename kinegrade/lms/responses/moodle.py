@@ -22,7 +22,7 @@ from kinegrade.lms.responses.moodle_columns import (
     moodle_columns,
 )
 from kinegrade.lms.responses.typed_rows import Attempts, NotTaken, TypedRow, TypedRows, whole
-from kinegrade.tables import Complaint, Row, Table, shortened, trimmed
+from kinegrade.tables import Complaint, Row, Table, shorten, trim
 
 TITLE = "the responses of a Moodle quiz"
 _STATE_COLUMNS = 4
@@ -58,7 +58,7 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     slots = _slots(table, columns, head)
     rows, complaints, not_taken = [], [], []
     for row in table.rows:
-        if not any(trimmed(row.cell(index)) for index in range(_NAMES, columns.grade)):
+        if not any(trim(row.cell(index)) for index in range(_NAMES, columns.grade)):
             complaints.append(_averages(table, row, columns))
             continue
         reason = _not_taken(table, row, columns, attempts)
@@ -92,9 +92,9 @@ def _not_taken(
     table: Table, row: Row, columns: MoodleColumns, attempts: Attempts
 ) -> NotTaken | None:
     """Why a row is left out, None where it is not."""
-    if trimmed(row.cell(columns.grade)) != NOTHING:
+    if trim(row.cell(columns.grade)) != NOTHING:
         return None
-    before = [trimmed(row.cell(index)) for index in range(_NAMES, columns.grade)]
+    before = [trim(row.cell(index)) for index in range(_NAMES, columns.grade)]
     column = table.header[columns.grade]
     empty = all(_response(row, question) in ("", NOTHING) for question in columns.questions)
     if empty and before[-1] == NOTHING:
@@ -104,9 +104,7 @@ def _not_taken(
             return NotTaken(
                 row, column, "no attempt, or one without answers", "not graded", attempted=False
             )
-        state = (
-            f' ("{shortened(before[-_STATE_COLUMNS])}")' if len(before) >= _STATE_COLUMNS else ""
-        )
+        state = f' ("{shorten(before[-_STATE_COLUMNS])}")' if len(before) >= _STATE_COLUMNS else ""
         problem = f"the attempt was not submitted{state}, and Moodle exports nothing of it"
         done = (
             "not graded: close the attempt in Moodle first where it is in progress, then "
@@ -124,7 +122,7 @@ def _not_taken(
 
 
 def _response(row: Row, question: QuestionColumns) -> str:
-    return trimmed(row.cell(question.response))
+    return trim(row.cell(question.response))
 
 
 def _slots(table: Table, columns: MoodleColumns, head: ExamHead) -> tuple[_Slot, ...]:
@@ -167,7 +165,7 @@ def _parts_of(table: Table, question: QuestionColumns) -> tuple[Wording | None, 
 
 
 def _filled(table: Table, index: int) -> list[str]:
-    return [row.cell(index) for row in table.rows if trimmed(row.cell(index)) not in ("", NOTHING)]
+    return [row.cell(index) for row in table.rows if trim(row.cell(index)) not in ("", NOTHING)]
 
 
 def _right(row: Row, slots: Sequence[_Slot]) -> tuple[str, ...]:
@@ -196,7 +194,7 @@ def _responses(
     faults = []
     for slot in slots:
         cell = row.cell(slot.column)
-        blank = trimmed(cell) in ("", NOTHING)
+        blank = trim(cell) in ("", NOTHING)
         typed = parts(cell, slot.words, len(slot.asks)) if slot.words and not blank else (cell,)
         if blank:
             typed = ("",) * len(slot.asks)
@@ -208,7 +206,7 @@ def _responses(
                     table.file,
                     row.line,
                     table.header[slot.column],
-                    shortened(cell),
+                    shorten(cell),
                     problem,
                     f"{', '.join(slot.asks)} count as blank; correct them by hand",
                 )

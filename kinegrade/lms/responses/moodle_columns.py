@@ -12,8 +12,8 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from kinegrade.errors import TableError, one_line
-from kinegrade.tables import Table, header_key, trimmed
+from kinegrade.errors import TableError, show_in_one_line
+from kinegrade.tables import Table, make_header_key, trim
 
 NOTHING = "-"  # what Moodle writes in an empty cell
 _GRADE = re.compile(r".*/\s*\d+(?:[.,]\d+)?", re.DOTALL)
@@ -56,9 +56,7 @@ class MoodleColumns:
 def grade_columns(header: Sequence[str]) -> list[int]:
     """The columns of marks: one in a responses report, several in a grades report."""
     return [
-        index
-        for index, name in enumerate(header)
-        if _GRADE.fullmatch(trimmed(name[-_LONGEST_NAME:]))
+        index for index, name in enumerate(header) if _GRADE.fullmatch(trim(name[-_LONGEST_NAME:]))
     ]
 
 
@@ -99,7 +97,9 @@ def moodle_columns(table: Table) -> MoodleColumns:
     names = table.header[first:]
     width = columns_per_question(names)
     if width is None:
-        shown = ", ".join(one_line(name[:_LONGEST_SHOWN]) for name in names[:6]) or "nothing"
+        shown = (
+            ", ".join(show_in_one_line(name[:_LONGEST_SHOWN]) for name in names[:6]) or "nothing"
+        )
         raise TableError(
             f"{table.file}: after the grade comes {shown} - expected numbered columns like "
             f"Response 1, Response 2 - {_ADVICE}"
@@ -129,7 +129,7 @@ def _response(table: Table, names: Sequence[str], starts: Iterable[int]) -> int:
         len(names) == 2 and stems[0] in _QUESTION and stems[1] in _RIGHT_ANSWER
     )
     if missing:
-        shown = " and ".join(one_line(name[:_LONGEST_SHOWN]) for name in names)
+        shown = " and ".join(show_in_one_line(name[:_LONGEST_SHOWN]) for name in names)
         raise TableError(
             f"{table.file}: has {shown}, but no responses - expected a column of them - {_ADVICE}"
         )
@@ -145,7 +145,7 @@ def _stem(name: str) -> str:
 
 
 def _key(name: str) -> str:
-    return header_key(name[-_LONGEST_NAME:])
+    return make_header_key(name[-_LONGEST_NAME:])
 
 
 def _letters(table: Table, columns: Sequence[int]) -> int:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.lms.responses.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
-from kinegrade.tables import Table, header_key
+from kinegrade.tables import Table, make_header_key
 
 TITLE = "the responses of a Microsoft form"
 _FIRST = ("id", "start time", "completion time", "email", "name")
@@ -22,7 +22,7 @@ _BETWEEN = ("total points", "quiz feedback", "last modified time")
 
 def recognises(header: Sequence[str]) -> bool:
     """Whether these are the first columns of such a file, by their English names."""
-    return tuple(map(header_key, header[: len(_FIRST)])) == _FIRST
+    return tuple(map(make_header_key, header[: len(_FIRST)])) == _FIRST
 
 
 def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
@@ -34,6 +34,6 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     questions = [
         place
         for place in range(len(_FIRST), len(table.header))
-        if header_key(table.header[place]) not in _BETWEEN
+        if make_header_key(table.header[place]) not in _BETWEEN
     ]
     return form_rows(table, head, questions=questions, known={"email": [_ADDRESS]})

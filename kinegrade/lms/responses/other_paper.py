@@ -11,7 +11,7 @@ import re
 from collections.abc import Mapping, Sequence
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.tables import trimmed
+from kinegrade.tables import trim
 
 _NUMBER = re.compile(r"[-+]?\d{1,30}(?:[.,]\d{1,60})?(?:[eE][-+]?\d{1,3})?")
 _SHARE = 0.02  # a quiz may state the middle of the interval that is right, to three figures
@@ -53,7 +53,7 @@ def difference(columns: Sequence[str], stated: Sequence[str], right: Mapping[str
 
 def value_of(text: str) -> float | None:
     """The number at the beginning of a right answer, None where there is none."""
-    found = _NUMBER.match(trimmed(text))
+    found = _NUMBER.match(trim(text))
     return float(found[0].replace(",", ".")) if found else None
 
 

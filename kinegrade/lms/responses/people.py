@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from kinegrade.exam.folder.records import Candidate
-from kinegrade.exam.roster import student_key
+from kinegrade.exam.roster import make_student_key
 from kinegrade.exam.student_ids import StudentIds
-from kinegrade.tables import Row, header_key, shortened, trimmed
+from kinegrade.tables import Row, make_header_key, shorten, trim
 
 Kind = Literal["id", "email"]
 
@@ -50,7 +50,7 @@ class People:
     def __init__(self, students: Iterable[Candidate]) -> None:
         known = list(students)
         self._ids = StudentIds(person.student for person in known)
-        self._by_email = _grouped(known, lambda person: header_key(person.email))
+        self._by_email = _grouped(known, lambda person: make_header_key(person.email))
 
     def by_id(self, cell: str) -> str | None:
         """The student with that id, wrapped by a spreadsheet or not."""
@@ -58,9 +58,9 @@ class People:
 
     def by_email(self, cell: str) -> str | None:
         """The student with that e-mail address, regardless of case."""
-        return _only(self._by_email.get(header_key(cell))) if "@" in cell else None
+        return _only(self._by_email.get(make_header_key(cell))) if "@" in cell else None
 
-    def likely(self, cell: str) -> str | None:
+    def _likely(self, cell: str) -> str | None:
         """The one student whose id differs from a cell, or from the login in its address, by zeros
         or case alone.
         """
@@ -94,7 +94,7 @@ class People:
         known = {
             index: (
                 _count(rows, index, find),
-                _count(rows, index, self.likely) if find == self.by_id else 0,
+                _count(rows, index, self._likely) if find == self.by_id else 0,
             )
             for index in named or candidates
         }
@@ -132,14 +132,16 @@ class People:
         """The same, with the id as it stands in the file where it is that student's in another
         form.
         """
-        if found.student is None or trimmed(cell) == trimmed(found.student):
+        if found.student is None or trim(cell) == trim(found.student):
             return found
         meant = self._ids.exact(cell) or _only(self._ids.near(cell))
         return replace(found, restored=cell) if meant == found.student else found
 
     def _other_address(self, row: Row, columns: Columns) -> bool:
         """Whether a row has the address of a student; its id is then not that of another."""
-        return columns.email is not None and header_key(row.cell(columns.email)) in self._by_email
+        return (
+            columns.email is not None and make_header_key(row.cell(columns.email)) in self._by_email
+        )
 
     def find(self, row: Row, header: Sequence[str], columns: Columns) -> Found:
         """The student of a row; none where id and address are those of different students."""
@@ -147,7 +149,7 @@ class People:
         named = {who for cell in cells.values() if (who := self.by_id(cell) or self.by_email(cell))}
         if len(named) == 1:
             return Found(named.pop())
-        index = next((index for index, cell in cells.items() if student_key(cell)), None)
+        index = next((index for index, cell in cells.items() if make_student_key(cell)), None)
         if index is None:
             return Found(None, "", "no student id and no e-mail address")
         if named:
@@ -160,12 +162,12 @@ class People:
         return self._unknown(cells[index], header[index])
 
     def _unknown(self, cell: str, column: str) -> Found:
-        shown = shortened(student_key(cell))
-        if header_key(cell) in self._by_email:
+        shown = shorten(make_student_key(cell))
+        if make_header_key(cell) in self._by_email:
             return Found(
                 None, column, f'several students of the exam have the e-mail address "{shown}"'
             )
-        likely = self.likely(cell)
+        likely = self._likely(cell)
         meant = " or ".join(f'"{each}"' for each in self._ids.near(cell)) or (
             f'"{likely}"' if likely else ""
         )

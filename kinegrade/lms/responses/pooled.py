@@ -18,7 +18,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.lms.responses.other_paper import agree, difference, right_answers, value_of
 from kinegrade.lms.responses.people import Found
 from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
-from kinegrade.tables import trimmed
+from kinegrade.tables import trim
 
 if TYPE_CHECKING:
     from kinegrade.exam.variants import Variant, Variants
@@ -116,7 +116,7 @@ class _Finder:
             if len(likely) == 1:
                 for number in drawn:
                     found[number] = likely[0].source
-            elif any(trimmed(each.responses[number]) not in _BLANK for number in drawn):
+            elif any(trim(each.responses[number]) not in _BLANK for number in drawn):
                 names = ", ".join(self.typed.columns[number] for number in drawn)
                 faults.append(f"{names}: {len(likely) or 'none'} of them may be meant")
         return tuple(found), faults
@@ -150,7 +150,7 @@ class _Finder:
         """
         from kinegrade.exam.variants import of_text  # noqa: PLC0415  # takes seconds to load
 
-        return of_text(variants, text) if trimmed(text) else []
+        return of_text(variants, text) if trim(text) else []
 
 
 def _is_right(variant: Variant, stated: Sequence[tuple[str, float]]) -> bool:

@@ -11,7 +11,7 @@ from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster import COLUMN_NAMES
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
-from kinegrade.tables import Table, header_key
+from kinegrade.tables import Table, make_header_key
 
 TITLE = "an answer sheet"
 
@@ -40,5 +40,5 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
 
 def _places(header: Sequence[str], column: str) -> list[int]:
     """The columns with that meaning, the best name first."""
-    keys = [header_key(name) for name in header]
+    keys = [make_header_key(name) for name in header]
     return [keys.index(name) for name in COLUMN_NAMES[column] if name in keys]

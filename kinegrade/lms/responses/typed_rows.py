@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from kinegrade.csv_writing import csv_text
+from kinegrade.csv_writing import write_csv_text
 from kinegrade.lms.responses.people import Kind
-from kinegrade.tables import Complaint, Row, shortened
+from kinegrade.tables import Complaint, Row, shorten
 
 Attempts = Literal["finished", "all"]
 
@@ -69,4 +69,4 @@ class TypedRows:
 
 def whole(row: Row) -> str:
     """A row as a complaint shows it."""
-    return csv_text([shortened(cell) for cell in row.cells], []).rstrip("\n")
+    return write_csv_text([shorten(cell) for cell in row.cells], []).rstrip("\n")

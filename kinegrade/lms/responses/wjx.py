@@ -11,7 +11,7 @@ from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.lms.responses.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
-from kinegrade.tables import Table, trimmed
+from kinegrade.tables import Table, trim
 
 TITLE = "the responses of a 问卷星 questionnaire"
 _NUMBER = "序号"
@@ -20,7 +20,7 @@ _QUESTION = re.compile(r"\s*\d+、")
 
 def recognises(header: Sequence[str]) -> bool:
     """Whether the first column is the response's number and questions are numbered as in wjx."""
-    return bool(header) and trimmed(header[0]) == _NUMBER and bool(_questions(header))
+    return bool(header) and trim(header[0]) == _NUMBER and bool(_questions(header))
 
 
 def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:

@@ -21,14 +21,14 @@ def read_about(table: Table) -> About | None:
     title = table.required("title", translated)
     family = table.required("family", words)
     source = table.required("source", words)
-    tags = table.listing("tags", _tag)
+    tags = table.listing("tags", _read_tag)
     method = table.optional("method", choice(METHODS))
     if title is None or family is None or source is None:
         return None
     return About(title, family, source, tags, method)
 
 
-def _tag(value: object) -> str:
+def _read_tag(value: object) -> str:
     """One of the author's words."""
     if isinstance(value, str) and _TAG.fullmatch(value):
         return value

@@ -6,7 +6,7 @@ from kinegrade.errors import FieldError, did_you_mean
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import flag, found, whole
 from kinegrade.language import LANGUAGES
-from kinegrade.problem.notation import symbol
+from kinegrade.problem.notation import write_symbol
 from kinegrade.problem.sections.keys import ASK, TEXTS
 from kinegrade.problem.sections.parameters import unit
 from kinegrade.problem.sections.values import expression, present, words, written
@@ -21,15 +21,15 @@ _MOST_POINTS = 100
 def read_asks(table: Table) -> dict[str, Ask]:
     """The asks of a file that can be read, by name."""
     entries = table.table("asks").each_table(_LIKE)
-    return present({name: _ask(name, entry) for name, entry in entries.items()})
+    return present({name: _read_ask(name, entry) for name, entry in entries.items()})
 
 
-def _ask(name: str, table: Table) -> Ask | None:
+def _read_ask(name: str, table: Table) -> Ask | None:
     entry = table.only(*ASK)
     quantity = entry.required("quantity", expression)
     counted_in = entry.required("unit", unit)
     means = entry.required("means", translated)
-    label = entry.with_default("symbol", written, symbol(name))
+    label = entry.with_default("symbol", written, write_symbol(name))
     sign = entry.with_default("sign", read_sign, CONVENTIONS["magnitude"])
     points = entry.with_default("points", whole(0, _MOST_POINTS), 0)
     vanishes = entry.with_default("vanishes", flag, False)

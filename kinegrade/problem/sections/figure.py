@@ -26,7 +26,7 @@ from kinegrade.problem.hints import (
 )
 from kinegrade.problem.sections import keys
 from kinegrade.problem.sections.values import named
-from kinegrade.problem.symbols import symbol_fault
+from kinegrade.problem.symbols import find_symbol_fault
 
 _Mark = TypeVar("_Mark")
 
@@ -68,28 +68,28 @@ def read_figure(table: Table, names: Names) -> FigureHints:
     """The marks of the figure that can be read."""
     figure = table.table("figure").only(*keys.FIGURE)
     return FigureHints(
-        lengths=_marks(figure, "lengths", _length, names),
-        angles=_marks(figure, "angles", _angle, names),
-        radii=_marks(figure, "radii", _radius, names),
-        circles=_marks(figure, "circles", _circle, names),
-        lines=figure.listing("lines", lambda value: _line(value, names)),
-        arrows=_marks(figure, "arrows", _arrow, names),
-        labels=_labels(figure, names),
-        shapes=_shapes(figure, names),
+        lengths=_read_marks(figure, "lengths", _read_length, names),
+        angles=_read_marks(figure, "angles", _read_angle, names),
+        radii=_read_marks(figure, "radii", _read_radius, names),
+        circles=_read_marks(figure, "circles", _read_circle, names),
+        lines=figure.listing("lines", lambda value: _read_line(value, names)),
+        arrows=_read_marks(figure, "arrows", _read_arrow, names),
+        labels=_read_labels(figure, names),
+        shapes=_read_shapes(figure, names),
         axes=figure.with_default("axes", flag, False),
     )
 
 
-def _marks(
+def _read_marks(
     figure: Table, key: str, read: Callable[[Table, Names], _Mark | None], names: Names
 ) -> tuple[_Mark, ...]:
     marks = [read(row, names) for row in figure.tables(key, '{ symbol = "r", ... }')]
     return tuple(mark for mark in marks if mark is not None)
 
 
-def _length(table: Table, names: Names) -> Length | None:
+def _read_length(table: Table, names: Names) -> Length | None:
     row = table.only(*keys.LENGTH)
-    symbol = row.required("symbol", _symbol)
+    symbol = row.required("symbol", _read_symbol)
     start, end = row.required("from", names.point), row.required("to", names.point)
     along = row.optional("along", choice(PROJECTIONS))
     if symbol is None or start is None or end is None:
@@ -97,9 +97,9 @@ def _length(table: Table, names: Names) -> Length | None:
     return Length(symbol, start, end, along)
 
 
-def _angle(table: Table, names: Names) -> Angle | None:
+def _read_angle(table: Table, names: Names) -> Angle | None:
     row = table.only(*keys.ANGLE)
-    symbol, at = row.required("symbol", _symbol), row.required("at", names.point)
+    symbol, at = row.required("symbol", _read_symbol), row.required("at", names.point)
     start, end = row.required("from", names.direction), row.required("to", names.direction)
     sense = row.optional("sense", choice(SENSES))
     if symbol is None or at is None or start is None or end is None:
@@ -107,16 +107,16 @@ def _angle(table: Table, names: Names) -> Angle | None:
     return Angle(symbol, at, start, end, sense)
 
 
-def _radius(table: Table, names: Names) -> Radius | None:
+def _read_radius(table: Table, names: Names) -> Radius | None:
     row = table.only(*keys.RADIUS)
-    symbol, centre = row.required("symbol", _symbol), row.required("centre", names.point)
+    symbol, centre = row.required("symbol", _read_symbol), row.required("centre", names.point)
     of, through = row.optional("of", names.body), row.optional("through", names.point)
     if symbol is None or centre is None:
         return None
     return Radius(symbol, centre, of, through)
 
 
-def _circle(table: Table, names: Names) -> Rimmed | None:
+def _read_circle(table: Table, names: Names) -> Rimmed | None:
     row = table.only(*keys.CIRCLE)
     body, centre = row.required("body", names.body), row.required("centre", names.point)
     through = row.required("through", names.point)
@@ -127,29 +127,29 @@ def _circle(table: Table, names: Names) -> Rimmed | None:
     return Rimmed(body, centre, through)
 
 
-def _arrow(table: Table, names: Names) -> Turning | Moving | None:
-    return _moving(table, names) if "moves" in table else _turning(table, names)
+def _read_arrow(table: Table, names: Names) -> Turning | Moving | None:
+    return _read_moving(table, names) if "moves" in table else _read_turning(table, names)
 
 
-def _moving(table: Table, names: Names) -> Moving | None:
+def _read_moving(table: Table, names: Names) -> Moving | None:
     row = table.only(*keys.MOVING)
-    symbol, point = row.required("symbol", _symbol), row.required("moves", names.point)
+    symbol, point = row.required("symbol", _read_symbol), row.required("moves", names.point)
     along = row.optional("along", names.direction)
     if symbol is None or point is None:
         return None
     return Moving(symbol, point, along)
 
 
-def _turning(table: Table, names: Names) -> Turning | None:
+def _read_turning(table: Table, names: Names) -> Turning | None:
     row = table.only(*keys.TURNING)
-    symbol, body = row.required("symbol", _symbol), row.required("turns", names.moving_body)
+    symbol, body = row.required("symbol", _read_symbol), row.required("turns", names.moving_body)
     sense = row.optional("sense", choice(SENSES))
     if symbol is None or body is None:
         return None
     return Turning(symbol, body, sense)
 
 
-def _line(value: object, names: Names) -> tuple[str, str]:
+def _read_line(value: object, names: Names) -> tuple[str, str]:
     """Two different points."""
     match value:
         case [start, end] if start == end:
@@ -160,13 +160,13 @@ def _line(value: object, names: Names) -> tuple[str, str]:
             raise FieldError(found(value), 'two points, like lines = [["O", "B"]]')
 
 
-def _labels(figure: Table, names: Names) -> Mapping[str, str | None]:
+def _read_labels(figure: Table, names: Names) -> Mapping[str, str | None]:
     """Text for points and bodies; None where there is to be none."""
     texts = figure.table("labels", "{ O = 'O_1' }").only(*names.labelled, kind="point or body")
     return {name: text or None for name, text in texts.entries(_label).items()}
 
 
-def _shapes(figure: Table, names: Names) -> Mapping[str, Shape]:
+def _read_shapes(figure: Table, names: Names) -> Mapping[str, Shape]:
     bodies = names.bodies | {GROUND}
     shapes = figure.table("shapes", '{ OA = "bent" }').only(*bodies, kind="body")
     return shapes.entries(choice(SHAPES))
@@ -174,14 +174,14 @@ def _shapes(figure: Table, names: Names) -> Mapping[str, Shape]:
 
 def _label(value: object) -> str:
     """A symbol; "" for none."""
-    return "" if value is False or value == "" else _symbol(value)
+    return "" if value is False or value == "" else _read_symbol(value)
 
 
-def _symbol(value: object) -> str:
+def _read_symbol(value: object) -> str:
     """LaTeX math from a small alphabet, without dollar signs."""
     if not isinstance(value, str):
         raise FieldError(found(value), "LaTeX math without dollar signs, like '\\omega_{AB}'")
-    fault = symbol_fault(value)
+    fault = find_symbol_fault(value)
     if fault:
         raise FieldError(fault)
     return str(value)

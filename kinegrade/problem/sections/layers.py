@@ -35,9 +35,9 @@ class Layers:
 
     def content(self) -> dict[str, object]:
         """The tables together."""
-        template, shared = self.template.content, _sharable(self.shared.content)
+        template, shared = self.template.content, _require_sharable(self.shared.content)
         both = {
-            key: _laid_over(key, shared[key], template[key]) for key in shared if key in template
+            key: _lay_over(key, shared[key], template[key]) for key in shared if key in template
         }
         return {**shared, **template, **both}
 
@@ -47,8 +47,8 @@ class Layers:
         """
         in_template = self._template_place(place)
         entry = 3 if place[:1] == ("parameters",) else 2
-        shared_depth = _depth(self.shared.content, place[:entry])
-        if shared_depth > _depth(self.template.content, in_template[:entry]):
+        shared_depth = _count_depth(self.shared.content, place[:entry])
+        if shared_depth > _count_depth(self.template.content, in_template[:entry]):
             return self.shared.document.where(place)
         return self.template.document.where(in_template)
 
@@ -70,25 +70,26 @@ def is_sharable(key: str, value: object) -> bool:
     return key in SHARED_TABLES and isinstance(value, dict)
 
 
-def _sharable(content: Content) -> Content:
+def _require_sharable(content: Content) -> Content:
     return {key: value for key, value in content.items() if is_sharable(key, value)}
 
 
-def _laid_over(key: str, shared: object, template: object) -> object:
+def _lay_over(key: str, shared: object, template: object) -> object:
     """A table or list over the mechanism's; one of the wrong kind is kept, to be refused later."""
     match shared, template:
         case list(), list():
             return [*shared, *template]
         case dict(), dict():
             merged = {
-                name: {**shared[name], **template[name]} for name in _both(key, shared, template)
+                name: {**shared[name], **template[name]}
+                for name in _find_in_both(key, shared, template)
             }
             return {**shared, **template, **merged}
         case _:
             return template
 
 
-def _both(key: str, shared: Content, template: Content) -> list[str]:
+def _find_in_both(key: str, shared: Content, template: Content) -> list[str]:
     """The parameters that both files describe."""
     if key != "parameters":
         return []
@@ -99,7 +100,7 @@ def _both(key: str, shared: Content, template: Content) -> list[str]:
     ]
 
 
-def _depth(content: Content, place: Place) -> int:
+def _count_depth(content: Content, place: Place) -> int:
     """How many steps of a place lead to something."""
     inside: object = content
     for depth, step in enumerate(place):

@@ -37,15 +37,15 @@ def check_names(table: Table, declared: Declared) -> None:
     """Notes names that cannot be used in expressions, and those that stand for two things."""
     for key, listed in declared.items():
         for name in listed:
-            expected = _expected(key, name)
+            expected = _describe_expected(key, name)
             if expected:
                 table.faults.note((key, name), "not usable as a name", expected)
-    for key, name, first in dict.fromkeys(_twice(declared)):
+    for key, name, first in dict.fromkeys(_find_declared_twice(declared)):
         what = f"one name for two things: {first}.{name} is there too"
         table.faults.note((key, name), what, do="rename one of them")
 
 
-def _expected(key: str, name: str) -> str:
+def _describe_expected(key: str, name: str) -> str:
     """What was expected of a name in place of this one; "" where it serves."""
     if not _PLAIN.fullmatch(name):
         return "a letter, then letters, digits and _"
@@ -54,7 +54,7 @@ def _expected(key: str, name: str) -> str:
     return ""
 
 
-def _twice(declared: Declared) -> Iterator[tuple[str, str, str]]:
+def _find_declared_twice(declared: Declared) -> Iterator[tuple[str, str, str]]:
     """Each name that is declared again: its table, the name, the table that had it before."""
     for group in _APART:
         first: dict[str, str] = {}

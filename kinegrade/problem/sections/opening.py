@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from kinegrade.errors import FieldError, TemplateError, did_you_mean, message
+from kinegrade.errors import FieldError, TemplateError, did_you_mean, write_message
 from kinegrade.fields.document import Document, FileKind, toml_table
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.lines import lines_of_toml
@@ -50,22 +50,27 @@ def open_template(name: str, text: str, mechanisms: Mechanisms) -> Opened:
         raise TemplateError(
             f"{name}.toml: a template's name is made of small letters, digits and hyphens"
         )
-    template = _toml(f"{name}.toml", text)
+    template = _read_toml(f"{name}.toml", text)
     if "mechanism" in template:
-        return _laid_over(template, f"{name}.toml", text, _mechanism(template, mechanisms))
+        return _lay_over_mechanism(
+            template, f"{name}.toml", text, _read_mechanism(template, mechanisms)
+        )
     return Opened(
-        _known(template, NEEDED), TemplateFile(text), (template.faults,), _strays(template)
+        _require_known(template, NEEDED),
+        TemplateFile(text),
+        (template.faults,),
+        _find_strays(template),
     )
 
 
-def _toml(file: str, text: str) -> Table:
+def _read_toml(file: str, text: str) -> Table:
     if len(text) > MAX_CHARACTERS:
         expected = f"a template of at most {MAX_CHARACTERS}"
-        raise TemplateError(message(file, f"{len(text)} characters", expected, "shorten it"))
+        raise TemplateError(write_message(file, f"{len(text)} characters", expected, "shorten it"))
     return toml_table(file, text, TEMPLATE)
 
 
-def _known(table: Table, needed: Sequence[str]) -> Table:
+def _require_known(table: Table, needed: Sequence[str]) -> Table:
     """The tables that are known; others, and needed ones that are missing, are faults."""
     known = table.only(*KNOWN, kind="table or key")
     for key in needed:
@@ -74,41 +79,41 @@ def _known(table: Table, needed: Sequence[str]) -> Table:
     return known
 
 
-def _strays(table: Table) -> frozenset[str]:
+def _find_strays(table: Table) -> frozenset[str]:
     unknown = [value for key, value in table.content.items() if key not in KNOWN]
     return frozenset(name for value in unknown if isinstance(value, dict) for name in value)
 
 
-def _mechanism(template: Table, mechanisms: Mechanisms) -> MechanismFile:
+def _read_mechanism(template: Table, mechanisms: Mechanisms) -> MechanismFile:
     """The file that a template shares. Raises TemplateError where it cannot be loaded, with the
     other faults of the template that can then be found.
     """
 
     def load(value: object) -> MechanismFile:
-        name = _mechanism_name(value)
+        name = _read_mechanism_name(value)
         return MechanismFile(name, mechanisms(name))
 
     mechanism = template.required("mechanism", load)
     if mechanism is None:
-        raise TemplateError(*_outline_faults(template))
+        raise TemplateError(*_find_outline_faults(template))
     return mechanism
 
 
-def _shared(template: Table, file: str, mechanism: MechanismFile) -> Table:
+def _read_shared(template: Table, file: str, mechanism: MechanismFile) -> Table:
     """The tables of the mechanism's file. Raises TemplateError where it is not TOML."""
     try:
-        return _toml(file, mechanism.text)
+        return _read_toml(file, mechanism.text)
     except TemplateError as error:
-        raise TemplateError(*_outline_faults(template), *error.problems) from error
+        raise TemplateError(*_find_outline_faults(template), *error.problems) from error
 
 
-def _outline_faults(template: Table) -> tuple[str, ...]:
+def _find_outline_faults(template: Table) -> tuple[str, ...]:
     """The faults that can be found in a template whose mechanism cannot be read."""
-    _known(template, [key for key in NEEDED if key not in SHARED])
+    _require_known(template, [key for key in NEEDED if key not in SHARED])
     return template.faults.raised().problems
 
 
-def _mechanism_name(value: object) -> str:
+def _read_mechanism_name(value: object) -> str:
     """A name that can stand for a file in the folder and nowhere else."""
     if isinstance(value, str) and _FILE_NAME.fullmatch(value):
         return value
@@ -116,9 +121,9 @@ def _mechanism_name(value: object) -> str:
     raise FieldError(found(value), expected)
 
 
-def _laid_over(template: Table, file: str, text: str, mechanism: MechanismFile) -> Opened:
+def _lay_over_mechanism(template: Table, file: str, text: str, mechanism: MechanismFile) -> Opened:
     shared_file = f"{FOLDER}/{mechanism.name}.toml"
-    shared = _shared(template, shared_file, mechanism)
+    shared = _read_shared(template, shared_file, mechanism)
     for key, value in shared.content.items():
         if not is_sharable(key, value):
             _refuse(shared, key, value)
@@ -127,9 +132,9 @@ def _laid_over(template: Table, file: str, text: str, mechanism: MechanismFile) 
         Layer(shared.content, Document(shared_file, mechanism.text, lines_of_toml)),
     )
     both = Table(Faults(layers, TemplateError), (), layers.content())
-    table = _known(both, [key for key in NEEDED if key not in shared])
+    table = _require_known(both, [key for key in NEEDED if key not in shared])
     faults = (table.faults, shared.faults)
-    return Opened(table, TemplateFile(text, mechanism), faults, _strays(template))
+    return Opened(table, TemplateFile(text, mechanism), faults, _find_strays(template))
 
 
 def _refuse(shared: Table, key: str, value: object) -> None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from kinegrade.expression import read
+from kinegrade.expression import read_expression
 from kinegrade.fields.table import Table
 from kinegrade.problem.domain import read_choices
-from kinegrade.problem.notation import symbol
+from kinegrade.problem.notation import write_symbol
 from kinegrade.problem.sections.keys import PARAMETER
 from kinegrade.problem.sections.values import present, written
 from kinegrade.problem.template import Parameter
@@ -18,7 +18,7 @@ _LIKE = '{ unit = "m", draw = [1, 2] }'
 def read_parameters(table: Table) -> dict[str, Parameter]:
     """The givens of a file that can be read, by name."""
     entries = table.table("parameters").each_table(_LIKE)
-    return present({name: _parameter(name, entry) for name, entry in entries.items()})
+    return present({name: _read_parameter(name, entry) for name, entry in entries.items()})
 
 
 def unit(value: object) -> Unit:
@@ -26,20 +26,20 @@ def unit(value: object) -> Unit:
     return read_unit(written(value))
 
 
-def _parameter(name: str, table: Table) -> Parameter | None:
+def _read_parameter(name: str, table: Table) -> Parameter | None:
     entry = table.only(*PARAMETER)
     measured_in = entry.required("unit", unit)
     choices = entry.required("draw", read_choices)
-    published = entry.optional("published", _value)
+    published = entry.optional("published", _read_value)
     means = entry.required("means", translated)
-    label = entry.with_default("symbol", written, symbol(name))
+    label = entry.with_default("symbol", written, write_symbol(name))
     if measured_in is None or choices is None or means is None:
         return None
     return Parameter(name, label, measured_in, choices, published, means)
 
 
-def _value(value: object) -> str:
+def _read_value(value: object) -> str:
     """The text of an expression."""
     text = written(value)
-    read(text)
+    read_expression(text)
     return text

@@ -7,7 +7,7 @@ from __future__ import annotations
 from functools import partial
 
 from kinegrade.errors import FieldError
-from kinegrade.expression import Expression, read
+from kinegrade.expression import Expression, read_expression
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import found
 from kinegrade.mechanics.mechanism import Body
@@ -18,7 +18,7 @@ from kinegrade.problem.sentences import DriverSentence, JointSentence, read_driv
 from kinegrade.problem.template import Condition
 
 _LIKE_INPUT = '{ motion = "OA turns", velocity = "omega" }'
-_NOTHING: Expression = read("0")
+_NOTHING: Expression = read_expression("0")
 
 
 def read_expressions(table: Table, key: str) -> dict[str, Expression]:
@@ -29,7 +29,7 @@ def read_expressions(table: Table, key: str) -> dict[str, Expression]:
 def read_bodies(table: Table) -> dict[str, Body]:
     """The bodies that can be read, by name."""
     entries = table.table("bodies")
-    return present({name: entries.required(name, partial(_body, name)) for name in entries})
+    return present({name: entries.required(name, partial(_read_body, name)) for name in entries})
 
 
 def read_joints(table: Table) -> dict[int, JointSentence]:
@@ -45,10 +45,10 @@ def read_conditions(table: Table) -> dict[int, Condition]:
 def read_drivers(table: Table) -> dict[int, DriverSentence]:
     """The inputs that can be read, by their position in the file."""
     entries = table.tables("inputs", _LIKE_INPUT)
-    return present({number: _driver(entry) for number, entry in enumerate(entries)})
+    return present({number: _read_driver(entry) for number, entry in enumerate(entries)})
 
 
-def _body(name: str, value: object) -> Body:
+def _read_body(name: str, value: object) -> Body:
     """A body with its marked points: "O A", or "particle M"."""
     match words(value).split():
         case ["particle", point]:
@@ -59,7 +59,7 @@ def _body(name: str, value: object) -> Body:
             raise FieldError(found(value), 'its points, like "O A", or "particle M"')
 
 
-def _driver(table: Table) -> DriverSentence | None:
+def _read_driver(table: Table) -> DriverSentence | None:
     entry = table.only(*INPUT)
     velocity = entry.required("velocity", expression)
     acceleration = entry.with_default("acceleration", expression, _NOTHING)

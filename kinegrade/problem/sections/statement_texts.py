@@ -35,10 +35,10 @@ def read_texts(table: Table) -> dict[str, dict[int, Wording]]:
             "text", f"{len(texts)} texts", f"at most {_MOST}", "put fewer into the statement"
         )
         return {}
-    return {name: _wordings(texts, name) for name in texts}
+    return {name: _read_wordings(texts, name) for name in texts}
 
 
-def _wordings(texts: Table, name: str) -> dict[int, Wording]:
+def _read_wordings(texts: Table, name: str) -> dict[int, Wording]:
     entries = texts.tables(name, _LIKE)
     if isinstance(texts.value(name), list) and not 1 <= len(entries) <= _MOST:
         expected = f"1 to {_MOST} of them, each under its own [[text.{name}]]"
@@ -47,7 +47,7 @@ def _wordings(texts: Table, name: str) -> dict[int, Wording]:
     for entry in entries[:-1]:
         if _applies_always(entry):
             entry.fault(None, _LAST, do="put it last")
-    return present({number: _wording(entry) for number, entry in enumerate(entries)})
+    return present({number: _read_wording(entry) for number, entry in enumerate(entries)})
 
 
 def _applies_always(entry: Table) -> bool:
@@ -55,14 +55,14 @@ def _applies_always(entry: Table) -> bool:
     return entry.whole and "if" not in entry and set(entry) <= set(WORDING)
 
 
-def _wording(table: Table) -> Wording | None:
+def _read_wording(table: Table) -> Wording | None:
     entry = table.only(*WORDING)
-    condition = entry.optional("if", _condition)
+    condition = entry.optional("if", _read_condition)
     english, chinese = entry.required("en", text), entry.required("zh", text)
     if english is None or chinese is None:
         return None
     return Wording(condition, Translated(english.strip(), chinese.strip()))
 
 
-def _condition(value: object) -> Condition:
+def _read_condition(value: object) -> Condition:
     return read_condition(words(value))

@@ -6,15 +6,15 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
 from kinegrade.errors import did_you_mean
-from kinegrade.expression import Expression, names
+from kinegrade.expression import Expression, find_names
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.place import Place
 from kinegrade.language import LANGUAGES
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
-from kinegrade.problem.conditions import mixed
+from kinegrade.problem.conditions import mixes_angle_and_number
 from kinegrade.problem.draft import Draft
-from kinegrade.problem.slots import slot_faults
+from kinegrade.problem.slots import find_slot_faults
 from kinegrade.problem.template import Condition, Published, Translated, Wording
 
 
@@ -32,10 +32,12 @@ def check_uses(draft: Draft, faults: Faults) -> None:
     uses = _Uses(draft, faults)
     uses.check()
     for first, *others in uses.unknown.values():
-        faults.note(first.place, first.what + _more(len(dict.fromkeys(others))), do=first.do)
+        faults.note(
+            first.place, first.what + _describe_more(len(dict.fromkeys(others))), do=first.do
+        )
 
 
-def _more(places: int) -> str:
+def _describe_more(places: int) -> str:
     return f" (and at {places} more place{'' if places == 1 else 's'})" if places else ""
 
 
@@ -52,10 +54,10 @@ class _Uses:
         draft = self.draft
         values = {*draft.parameters, "pi"}
         places = {*values, *draft.lengths, *BRANCHES}
-        self.in_order("lengths", draft.lengths, values)
-        self.in_order("points", draft.points, places)
+        self._in_order("lengths", draft.lengths, values)
+        self._in_order("points", draft.points, places)
         places |= set(draft.points)
-        self.marked_points()
+        self._marked_points()
         self.joints(places)
         self.drivers(places)
         for name, ask in draft.asks.items():
@@ -71,25 +73,25 @@ class _Uses:
         """The names of the bodies, with the ground."""
         return {GROUND, *self.draft.bodies}
 
-    def in_order(self, key: str, trees: Mapping[str, Expression], known: Collection[str]) -> None:
+    def _in_order(self, key: str, trees: Mapping[str, Expression], known: Collection[str]) -> None:
         """Lengths and points may name what stands before them."""
         before = set(known)
         for name, tree in trees.items():
             self.known((key, name), tree, before)
             before.add(name)
 
-    def marked_points(self) -> None:
+    def _marked_points(self) -> None:
         """Bodies mark points."""
         for name, body in self.draft.bodies.items():
-            self.listed(("bodies", name), "point", body.points, self.draft.points)
+            self._listed(("bodies", name), "point", body.points, self.draft.points)
 
     def joints(self, known: Collection[str]) -> None:
         """Joints connect bodies at points, lines and circles."""
         for number, joint in self.draft.joints.items():
             place = ("joints", number)
             bodies = (joint.body, joint.of, joint.carrier, *joint.bodies)
-            self.listed(place, "body", bodies, self.bodies)
-            self.listed(place, "point", (joint.point,), self.draft.points)
+            self._listed(place, "body", bodies, self.bodies)
+            self._listed(place, "point", (joint.point,), self.draft.points)
             self.known(place, joint.circle, known)
             self.known(place, joint.on, known)
 
@@ -98,8 +100,8 @@ class _Uses:
         for number, driver in self.draft.drivers.items():
             place = ("inputs", number)
             motion = (*place, "motion")
-            self.listed(motion, "body", (driver.body, driver.of), self.bodies)
-            self.listed(motion, "point", (driver.point, driver.centre), self.draft.points)
+            self._listed(motion, "body", (driver.body, driver.of), self.bodies)
+            self._listed(motion, "point", (driver.point, driver.centre), self.draft.points)
             self.known(motion, driver.along, known)
             self.known((*place, "velocity"), driver.velocity, known)
             self.known((*place, "acceleration"), driver.acceleration, known)
@@ -109,8 +111,8 @@ class _Uses:
         sides = (condition.left, condition.right)
         for tree in sides:
             self.known(place, tree, {*self.draft.parameters, "pi"})
-        faulty = any(name in self.draft.faulty for tree in sides for name in names(tree))
-        if not faulty and mixed(condition, self.draft.angles):
+        faulty = any(name in self.draft.faulty for tree in sides for name in find_names(tree))
+        if not faulty and mixes_angle_and_number(condition, self.draft.angles):
             what = f'"{condition.text}": an angle against a number'
             self.faults.note(place, what, do="write degrees as parts of pi, like phi < pi/2")
 
@@ -119,11 +121,11 @@ class _Uses:
         parameters = {*self.draft.parameters, *self.draft.faulty}
         for name, wordings in self.draft.texts.items():
             for number, wording in wordings.items():
-                self.wording(("text", name, number), wording, parameters)
+                self._wording(("text", name, number), wording, parameters)
         if self.draft.statement is not None:
             self.slots(("statement",), self.draft.statement, parameters, self.draft.texts)
 
-    def wording(self, place: Place, wording: Wording, parameters: Collection[str]) -> None:
+    def _wording(self, place: Place, wording: Wording, parameters: Collection[str]) -> None:
         """A wording names parameters, in its condition too."""
         if wording.condition is not None:
             self.condition((*place, "if"), wording.condition)
@@ -134,10 +136,10 @@ class _Uses:
     ) -> None:
         """A fault for everything in double braces that is no name known here, once a language."""
         for language in LANGUAGES:
-            found = slot_faults(text.in_language(language), parameters, texts)
+            found = find_slot_faults(text.in_language(language), parameters, texts)
             for fault in dict.fromkeys(found):
                 if fault.name:
-                    self.miss(fault.name, _Miss((*place, language), fault.what, fault.do))
+                    self._miss(fault.name, _Miss((*place, language), fault.what, fault.do))
                 else:
                     self.faults.note((*place, language), fault.what, do=fault.do)
 
@@ -145,27 +147,27 @@ class _Uses:
         """Published results hold for parameters, and are those of asks."""
         place = ("published", number)
         for name in result.given:
-            self.listed((*place, "given", name), "parameter", (name,), self.draft.parameters)
+            self._listed((*place, "given", name), "parameter", (name,), self.draft.parameters)
         for name, tree in result.gives.items():
-            self.listed((*place, "gives", name), "ask", (name,), self.draft.asks)
+            self._listed((*place, "gives", name), "ask", (name,), self.draft.asks)
             self.known((*place, "gives", name), tree, {*self.draft.parameters, "pi"})
 
-    def listed(
+    def _listed(
         self, place: Place, kind: str, named: Collection[str], there: Collection[str]
     ) -> None:
         """A name of each kind is there; parts that a sentence lacks are empty."""
         for name in named:
             if name and name not in there:
-                self.miss(name, _Miss(place, f'no {kind} "{name}"', did_you_mean(name, there)))
+                self._miss(name, _Miss(place, f'no {kind} "{name}"', did_you_mean(name, there)))
 
     def known(self, place: Place, tree: Expression | None, known: Collection[str]) -> None:
         """Every name in an expression is known at this place."""
-        for name in dict.fromkeys(names(tree)) if tree is not None else ():
+        for name in dict.fromkeys(find_names(tree)) if tree is not None else ():
             if name not in known:
                 miss = _Miss(place, f'unknown name "{name}"', did_you_mean(name, known))
-                self.miss(name, miss)
+                self._miss(name, miss)
 
-    def miss(self, name: str, miss: _Miss) -> None:
+    def _miss(self, name: str, miss: _Miss) -> None:
         """Note that a name is used and does not exist, unless its declaration in the file cannot be
         read.
         """

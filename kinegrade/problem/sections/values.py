@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TypeVar
 
 from kinegrade.errors import FieldError, did_you_mean
-from kinegrade.expression import Expression, read
+from kinegrade.expression import Expression, read_expression
 from kinegrade.fields.values import found
 
-Key = TypeVar("Key")
-Entry = TypeVar("Entry")
+_Key = TypeVar("_Key")
+_Entry = TypeVar("_Entry")
 
 
 def words(value: object) -> str:
@@ -37,7 +37,7 @@ def written(value: object) -> str:
 
 def expression(value: object) -> Expression:
     """The tree of an expression, which may be a number without quotation marks."""
-    return read(written(value))
+    return read_expression(written(value))
 
 
 def named(kind: str, names: Iterable[str]) -> Callable[[object], str]:
@@ -52,6 +52,6 @@ def named(kind: str, names: Iterable[str]) -> Callable[[object], str]:
     return read_name
 
 
-def present(entries: Mapping[Key, Entry | None]) -> dict[Key, Entry]:
+def present(entries: Mapping[_Key, _Entry | None]) -> dict[_Key, _Entry]:
     """Those entries that could be read."""
     return {key: entry for key, entry in entries.items() if entry is not None}

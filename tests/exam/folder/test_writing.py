@@ -12,7 +12,7 @@ import msgspec
 import pytest
 
 from kinegrade.exam.folder.contents import CONTENTS
-from kinegrade.exam.folder.exact_keys import key_line
+from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.records import (
@@ -25,7 +25,7 @@ from kinegrade.exam.folder.records import (
     StatedNumber,
     StatedTolerance,
 )
-from kinegrade.exam.folder.writing import few_digits, head_json, line_json
+from kinegrade.exam.folder.writing import encode_head, encode_line, make_decimal
 from tests.small_class import contents
 
 HEAD = ExamHead(
@@ -115,34 +115,34 @@ def test_these_records_have_every_field(record: Any, left: set[str]) -> None:
 
 
 def test_a_head_is_read_as_it_was_written(tmp_path: Path) -> None:
-    (tmp_path / "exam.json").write_bytes(head_json(HEAD))
+    (tmp_path / "exam.json").write_bytes(encode_head(HEAD))
     assert open_exam(tmp_path).head == HEAD
 
 
 def test_points_stand_in_the_head_as_numbers_and_the_question_once() -> None:
-    question = json.loads(head_json(HEAD))["questions"][0]
+    question = json.loads(encode_head(HEAD))["questions"][0]
     assert question["points"] == 5.5
     assert question["asks"][0] == {"ask": "v_B", "unit": "m/s", "points": 3, "sign": "magnitude"}
 
 
 def test_a_line_is_read_as_it_was_written_digit_by_digit() -> None:
-    text = line_json(LINE)
+    text = encode_line(LINE)
     assert text.count(b"\n") == 1
-    assert key_line(text) == LINE
+    assert read_key_line(text) == LINE
     assert b'"value": 1.7320508075688772, ' in text
     assert b'"tolerance": {"relative": 0.01, "absolute": 2.5E-7, "figures": 3}' in text
 
 
 def test_what_a_folder_does_not_keep_stands_nowhere_in_it() -> None:
     bare = KeyLine(student="7", questions=())
-    assert line_json(bare) == b'{"student": "7", "questions": []}\n'
+    assert encode_line(bare) == b'{"student": "7", "questions": []}\n'
 
 
 @pytest.mark.parametrize(
     ("number", "text"), [(Fraction(3), "3"), (Fraction(5, 2), "2.5"), (Fraction(1, 1000), "0.001")]
 )
 def test_amounts_are_written_as_people_write_them(number: Fraction, text: str) -> None:
-    assert str(few_digits(number)) == text
+    assert str(make_decimal(number)) == text
 
 
 def test_a_generated_folder_holds_nothing_but_what_is_named(small_class: Path) -> None:

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.problem.kept_decimals import RightRange, fitting_factor, kept
+from kinegrade.problem.kept_decimals import RightRange, find_fitting_factor, round_as_kept
 from tests.lms.quiz.packages import files_of
 from tests.problem.crank import crank_text
 from tests.small_class import kinegrade
@@ -90,7 +90,7 @@ RANGES = st.tuples(
 
 @given(RANGES, st.sampled_from(["m/s", "km", "cm/s^2", "rad/s"]))
 def test_what_fits_in_a_unit_fits_in_every_finer_one(right: RightRange, unit: str) -> None:
-    factor = fitting_factor(unit, right)
+    factor = find_fitting_factor(unit, right)
     if factor is None:
         assert not right.typed_fits
         return
@@ -103,7 +103,7 @@ def test_what_fits_in_a_unit_fits_in_every_finer_one(right: RightRange, unit: st
 def test_a_right_answer_that_fits_is_right_with_four_decimals(right: RightRange) -> None:
     if right.fits:
         assert right.typed_fits
-    assert (right.low <= kept(right.value) <= right.high) == right.typed_fits
+    assert (right.low <= round_as_kept(right.value) <= right.high) == right.typed_fits
 
 
 @pytest.mark.parametrize(
@@ -113,4 +113,4 @@ def test_a_right_answer_that_fits_is_right_with_four_decimals(right: RightRange)
 def test_the_nearest_unit_that_fits_is_taken(value: str, unit: str, factor: int | None) -> None:
     exact = Fraction(value)
     right = RightRange(exact, exact * 99 / 100, exact * 101 / 100)
-    assert fitting_factor(unit, right) == factor
+    assert find_fitting_factor(unit, right) == factor

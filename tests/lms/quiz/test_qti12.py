@@ -421,7 +421,7 @@ def test_texts_that_cannot_be_shown_are_refused_once_for_all_asks(tmp_path: Path
     )
     with pytest.raises(ExportError) as refusal:
         write(Quiz("en", "", "Test", [QuizPaper("P", "1", "Bo", (broken,))]), tmp_path / "quiz.zip")
-    assert [problem.split(";")[0] for problem in refusal.value.problems] == [
+    assert [problem.split(" - ")[0] for problem in refusal.value.problems] == [
         "q1: a link cannot be printed",
         "q1: formula $\\foo$: unknown command \\foo",
     ]

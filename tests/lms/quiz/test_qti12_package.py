@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from kinegrade.errors import ExportError, OutputError
 from kinegrade.exam.quiz_document import Quiz, QuizPaper
 from kinegrade.lms.quiz import blackboard, qti12, qti21
-from kinegrade.lms.quiz.packaging import stable_name
+from kinegrade.lms.quiz.packaging import make_stable_name
 from kinegrade.lms.quiz.writers import Writer
 from tests.lms.quiz import a_quiz
 
@@ -91,8 +91,8 @@ def test_memory_does_not_grow_with_the_class(write: Writer, tmp_path: Path) -> N
 
 @given(st.text(max_size=120))
 def test_any_identifier_becomes_a_name_and_different_ones_stay_different(text: str) -> None:
-    name = stable_name(text)
+    name = make_stable_name(text)
     assert re.fullmatch(r"[A-Za-z][A-Za-z0-9_.-]{0,79}", name)
     assert ".." not in name
-    assert stable_name(name) == name
-    assert stable_name(f"{text} ") != name
+    assert make_stable_name(name) == name
+    assert make_stable_name(f"{text} ") != name

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from kinegrade.exam.quiz_document import Language
 from kinegrade.lms.quiz import typing_words
-from kinegrade.lms.quiz.typing_words import BLACKBOARD, CANVAS, MOODLE, QTI21, Typing, rules
+from kinegrade.lms.quiz.typing_words import BLACKBOARD, CANVAS, MOODLE, QTI21, Typing, write_rules
 from tests.lms.quiz.a_quiz import SPEED, question
 from tests.lms.quiz.packages import listing
 from tests.small_class import kinegrade
@@ -83,9 +83,9 @@ def test_no_system_promises_what_it_does_not_read(language: Language) -> None:
 
 def test_as_many_digits_are_asked_for_as_the_tolerance_takes() -> None:
     one = question("P", "q1", (SPEED,), rule="Right within 1 %.", digits=5)
-    assert "at least five significant digits" in rules(one, MOODLE, "en")
-    assert rules(one, MOODLE, "en").endswith("no other minus sign. Right within 1 %.")
-    assert "至少保留五位有效数字" in rules(one, BLACKBOARD, "zh")
+    assert "at least five significant digits" in write_rules(one, MOODLE, "en")
+    assert write_rules(one, MOODLE, "en").endswith("no other minus sign. Right within 1 %.")
+    assert "至少保留五位有效数字" in write_rules(one, BLACKBOARD, "zh")
 
 
 @pytest.mark.parametrize(
