@@ -36,10 +36,10 @@ def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool)
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.files import write_file
     from kinegrade.grading.sharing import find_sharing
-    from kinegrade.grading.sharing_report import sharing_csv, sharing_text
-    from kinegrade.marks_folder.folder import MarksFolder
+    from kinegrade.grading.sharing_report import write_sharing_csv, write_sharing_text
+    from kinegrade.marks_folder.folder import open_marks
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
-    found = find_sharing(open_exam(exam), MarksFolder(marks), level / 100)
-    write_file(output, sharing_csv(found), force=force)
-    click.echo(sharing_text(found), err=True)
+    found = find_sharing(open_exam(exam), open_marks(marks), level / 100)
+    write_file(output, write_sharing_csv(found), force=force)
+    click.echo(write_sharing_text(found), err=True)

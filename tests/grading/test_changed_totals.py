@@ -19,6 +19,7 @@ COMMANDS = (
     "report EXAM MARKS -o OUT",
     "feedback EXAM MARKS -o OUT --format md",
     "diff MARKS MARKS -o OUT",
+    "sharing EXAM MARKS -o OUT",
     "grade EXAM answers.csv -o OUT --never-lower MARKS",
     "export MARKS --to xlsx -o OUT",
     "export MARKS --to generic --exam EXAM -o OUT",
