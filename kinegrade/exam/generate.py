@@ -135,7 +135,8 @@ def generate(
     with bulk_work(), place.folder() as folder, open_executor(jobs, "generate") as workers:
         order = printing.order(bank)
         press = order.press()
-        dealt = deal_exam(bank, roster, secret, workers, _find_kept_papers(old, secret))
+        kept = {} if wish.new else _find_kept_papers(old, secret)
+        dealt = deal_exam(bank, roster, secret, workers, kept)
         said = (*roster_complaints(roster, press), *dealt.shortages())
         require_none(said if strict else ())
         run = PrintRun(bank, language, order, extras)

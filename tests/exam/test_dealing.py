@@ -102,6 +102,16 @@ def test_a_class_that_grew_has_no_two_papers_alike(tmp_path: Path) -> None:
         assert len(drawn) == 20
 
 
+def test_words_alone_decide_an_exam_whose_numbers_are_new(tmp_path: Path) -> None:
+    words = ("--reproducible", "spring")
+    write(tmp_path, CLASS[2:])
+    assert generate(tmp_path, "EXAM", *words).exit_code == 0
+    write(tmp_path, CLASS)
+    assert generate(tmp_path, "EXAM", *words, "--force", "--new-numbers").exit_code == 0
+    assert generate(tmp_path, "FRESH", *words).exit_code == 0
+    assert papers(tmp_path / "EXAM") == papers(tmp_path / "FRESH")
+
+
 def test_other_numbers_give_other_places(tmp_path: Path) -> None:
     write(tmp_path, CLASS)
     assert generate(tmp_path, "EXAM").exit_code == 0
