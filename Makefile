@@ -1,5 +1,5 @@
 # make demo   the main job: an exam for the demonstration class, marked
-# make test   lint, types, tests
+# make test   the tools that tests need (make tools), lint, types, tests
 # make demo-answers   after a change of templates or banks/demo.toml: what the demonstration class types
 # make fairness   students who work rightly, or make each known mistake, on 1,000 papers of every template (20 minutes)
 # make measure   how large and how dense the code is, beside what its rebuilding aims at
@@ -32,7 +32,7 @@ demo-answers: $(READY)
 	$(BIN)/kinegrade generate banks/demo.toml banks/demo-roster.csv -o demo/EXAM --reproducible demo --force --new-numbers
 	$(BIN)/python -m tests.demo.type_answers demo/EXAM banks/demo-answers.csv
 
-test: lint types $(READY)
+test: tools lint types $(READY)
 	$(BIN)/python -m pytest -n auto --dist loadgroup
 
 lint: $(READY)
