@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from os import fstat
 from pathlib import Path
 
 from kinegrade.errors import KinegradeError, SyntaxFault, write_message
@@ -58,7 +59,9 @@ def read_text(path: Path, kind: FileKind) -> str:
     """
     try:
         with path.open("rb") as file:
-            data = file.read(kind.most_bytes + 1)
+            # As much room as the file takes, where it is a file that says so
+            size = fstat(file.fileno()).st_size or kind.most_bytes
+            data = file.read(min(size, kind.most_bytes) + 1)
         if len(data) <= kind.most_bytes:
             return data.decode("utf-8-sig")
     except OSError as error:

@@ -8,10 +8,10 @@ files.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import assert_never
+from typing import NamedTuple, assert_never
 
 from kinegrade.amounts import write_amount
 from kinegrade.csv_writing import neutralise
@@ -72,6 +72,14 @@ def known_as(grade: StudentGrade, field: Field) -> str:
             assert_never(field)
 
 
+class _Possible(NamedTuple):
+    """The maxima of a student's questions and of the total, and whether anything was answered."""
+
+    student: str
+    out_of: Mapping[str, Fraction]
+    answered: bool
+
+
 def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrades:
     """The grades of a marks folder; e-mails and the title from an exam folder.
 
@@ -80,23 +88,35 @@ def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrad
     TableError for a folder that `grade` cannot have written, ExamError for a damaged exam.
     """
     totals, orders = marks.totals, marks.printed
-    sums = {each.student: each for each in marks.sums()}
+    possible = {each.student: each for each in _read_possible(marks.sums())}
     students = tuple(
-        _make_student_grade(total, sums.get(total.student), orders.get(total.student, ()))
+        _make_student_grade(total, possible.get(total.student), orders.get(total.student, ()))
         for total in totals.students
     )
     found = ClassGrades(totals.questions, students)
     return found if exam is None else _add_exam(found, exam)
 
 
+def _read_possible(sums: Iterable[StudentSums]) -> Iterator[_Possible]:
+    """What could be had by each student; neighbours with the same maxima share them, as a class of
+    any size does.
+    """
+    shared: Mapping[str, Fraction] = {}
+    for each in sums:
+        out_of = {**each.out_of, TOTAL: each.total_out_of}
+        if out_of != shared:
+            shared = out_of
+        yield _Possible(each.student, shared, each.answered)
+
+
 def _make_student_grade(
-    total: StudentTotal, sums: StudentSums | None, printed: tuple[str, ...]
+    total: StudentTotal, possible: _Possible | None, printed: tuple[str, ...]
 ) -> StudentGrade:
     """A student's grade for an export; the maxima of one without lines in marks.csv are zero."""
     points = {**total.points, TOTAL: total.total}
-    out_of = {**sums.out_of, TOTAL: sums.total_out_of} if sums else {TOTAL: Fraction(0)}
+    out_of = {TOTAL: Fraction(0)} if possible is None else possible.out_of
     if total.status is None:
-        handed_in = (sums is not None and sums.answered) or total.total > 0
+        handed_in = (possible is not None and possible.answered) or total.total > 0
     else:
         handed_in = total.status != "absent" or total.kept is not None
     name = neutralise(total.name)
