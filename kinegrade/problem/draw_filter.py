@@ -31,7 +31,7 @@ from kinegrade.problem.tolerance import Tolerance
 # Combinations from which it is judged which mistakes can be kept apart from the truth
 _SAMPLE = 400
 # Solutions that a process keeps for a question
-_KEPT = 100
+_KEPT = 50
 
 Verdict = Reason | None  # why a combination is refused; None for a good one
 
