@@ -67,6 +67,12 @@ def require_printable(blocks: Iterable[Block], where: str) -> None:
         assert convert_formula(line.replace("&", " "), where)
 
 
+# Their coordinates are given quantities in symbols: no number follows from another
+SYMBOLIC = frozenset(
+    {"pole-sleeve-slider-rod", "rolling-wheel-pole-acceleration", "rolling-wheel-rim-points"}
+)
+
+
 @cache
 def drawn(name: str) -> tuple[Solution, ...]:
     """A template at its published values and at two draws."""
@@ -91,10 +97,15 @@ def test_every_template_is_told_in_both_languages_and_its_numbers_agree(name: st
         for language in LANGUAGES:
             blocks = whole_chapter(solution, language)
             require_printable(blocks, name)
-            assert disagreements(blocks)[1] == []
+            count, wrong = disagreements(blocks)
+            assert wrong == []
         told = dict(chains(blocks))
         for point in solution.template.scheme.points:
             require_coordinates(solution, point, told)
+        if name in SYMBOLIC:
+            assert count == 0
+        else:
+            assert count > 0 or all(len(parts) < 2 for parts in told.values())
 
 
 def require_coordinates(solution: Solution, point: str, told: dict[str, list[str]]) -> None:
