@@ -54,8 +54,8 @@ _COST = f"--reproducible: {_GUESSABLE}; for tests and demonstrations only"
     "words",
     callback=require_writable,
     metavar="WORDS",
-    help="Derive the whole exam from WORDS alone. Whoever guesses them can print every paper and "
-    "its key: for tests and demonstrations only.",
+    help="Derive the whole exam from WORDS alone. Anyone who guesses them can print every paper "
+    "and its key: for tests and demonstrations only.",
 )
 @click.option(
     "--new-numbers",

@@ -134,7 +134,7 @@ def test_words_give_the_same_exam_anywhere_and_say_what_they_cost(folder: Path) 
     assert "guesses" not in written(folder, "EXAM", "--seed", "open sesame")
     assert kept_secret(folder / "ONE") == FromWords("open sesame")
     help_text = " ".join(kinegrade("generate", "--help").stdout.split())
-    assert "Whoever guesses them can print every paper and its key" in help_text
+    assert "Anyone who guesses them can print every paper and its key" in help_text
 
 
 def test_a_label_and_words_exclude_each_other(folder: Path) -> None:
