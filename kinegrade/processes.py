@@ -76,7 +76,8 @@ def map_in_order(
     """The result of the task for each item, in order, as they are requested.
 
     At most `ahead` tasks are running or have results waiting, so memory does not grow with the
-    number of items. A single item is not worth another process. Raises what the task raises.
+    number of items. A single item is not worth another process. Raises what the task raises;
+    tasks handed out by then are given up with the executor.
     """
     remaining = iter(items)
     first = list(islice(remaining, 2))
@@ -84,16 +85,12 @@ def map_in_order(
         yield from map(task, first)
         return
     waiting: deque[Future[_Result]] = deque()
-    try:
-        for item in chain(first, remaining):
-            waiting.append(workers.submit(task, item))
-            if len(waiting) >= ahead or waiting[0].done():
-                yield waiting.popleft().result()
-        while waiting:
+    for item in chain(first, remaining):
+        waiting.append(workers.submit(task, item))
+        if len(waiting) >= ahead or waiting[0].done():
             yield waiting.popleft().result()
-    finally:
-        for future in waiting:
-            future.cancel()
+    while waiting:
+        yield waiting.popleft().result()
 
 
 def split_in_parts(items: Iterable[_Item], size: int) -> Iterator[list[_Item]]:
@@ -182,8 +179,18 @@ class _OtherProcesses(Executor):
             process.join(max(until - time.monotonic(), 0))
         for process in processes:
             process.kill()
+        for process in processes:
+            process.join()
+        self._end_results()
         self.shutdown(cancel_futures=True)
         clear_temporary_folders()
+
+    def _end_results(self) -> None:
+        """Close this end of the pipe of results, when the others are closed. A process that was
+        killed while it sent a result left half of it: the pool would wait for the rest for ever.
+        """
+        results = self._pool._result_queue
+        results._writer.close()  # type: ignore[attr-defined]
 
 
 def _alone() -> bool:

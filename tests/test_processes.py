@@ -269,3 +269,29 @@ def test_a_process_that_is_ended_while_it_starts_says_nothing() -> None:
     command = [sys.executable, "-c", ENDED_AT_ITS_START]
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (ended.stdout, ended.stderr, ended.returncode) == ("", "", -signal.SIGTERM)
+
+
+INTERRUPTED_WHILE_RESULTS_COME = """
+import sys
+import time
+
+from kinegrade.processes import map_in_order, open_executor
+
+for delay in range(8):
+    try:
+        with open_executor(2, "test", "fork") as workers:
+            results = map_in_order(workers, bytes, [30_000_000] * 1000)
+            next(results)
+            time.sleep(delay / 100)
+            raise KeyError
+    except KeyError:
+        sys.stdout.write("ended ")
+"""
+
+
+@linux
+def test_a_process_that_is_killed_while_it_sends_a_result_is_not_waited_for() -> None:
+    """Half a result stood in the pipe, and the pool waited for the other half for ever."""
+    command = [sys.executable, "-c", INTERRUPTED_WHILE_RESULTS_COME]
+    ended = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    assert (ended.stdout, ended.stderr, ended.returncode) == ("ended " * 8, "", 0)
