@@ -9,22 +9,46 @@ reported at once.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import TypeAlias
+
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import (
+    Fault,
+    Message,
+    Part,
+    Quoted,
+    Text,
+    list_choices,
+    list_plainly,
+)
 
 _SUGGESTIONS = 3  # names that a hint suggests for a wrong one
-_LONGEST_PART = 300  # characters of each part of a message
 _LISTED = 8  # a hint lists all known names up to this many: of more, only the nearest
 
 
-class KinegradeError(Exception):
-    """Something a person can fix; `problems` holds one line for each fault.
+Problem: TypeAlias = Text | Fault
 
-    >>> str(KinegradeError("bank.toml: no title", "bank.toml: no questions"))
+
+class KinegradeError(Exception):
+    """Something a person can fix; `faults` holds what is wrong, a line each, to be said in any
+    language.
+
+    >>> str(KinegradeError(Fault("bank.toml", "no title"), Fault("bank.toml", "no questions")))
     'bank.toml: no title\\nbank.toml: no questions'
     """
 
-    def __init__(self, *problems: str) -> None:
-        self.problems = tuple(problems)
-        super().__init__("\n".join(problems))
+    def __init__(self, *faults: Problem) -> None:
+        self.faults = faults
+        super().__init__(*faults)
+
+    @property
+    def problems(self) -> tuple[str, ...]:
+        """The faults in English, a line each."""
+        return tuple(map(open_catalogue(ENGLISH).write, self.faults))
+
+    def __str__(self) -> str:
+        return "\n".join(self.problems)
 
 
 class ExpressionError(KinegradeError):
@@ -36,7 +60,7 @@ class SyntaxFault(KinegradeError):
     or None where the parser names none.
     """
 
-    def __init__(self, problem: str, line: int | None = None) -> None:
+    def __init__(self, problem: Problem, line: int | None = None) -> None:
         self.line = line
         super().__init__(problem)
 
@@ -52,9 +76,12 @@ class JsonError(SyntaxFault):
 class FieldError(KinegradeError):
     """A value that is not what its key needs: what was found, what was expected, what to do."""
 
-    def __init__(self, what: str, expected: str = "", do: str = "") -> None:
+    def __init__(self, what: Text, expected: Text = "", do: Text = "") -> None:
         self.what, self.expected, self.do = what, expected, do
-        super().__init__(write_message("", what, expected, do))
+        super().__init__(Fault("", what, expected, do))
+
+    def __reduce__(self) -> tuple[type[FieldError], tuple[Text, Text, Text]]:
+        return type(self), (self.what, self.expected, self.do)
 
 
 class TemplateError(KinegradeError):
@@ -106,36 +133,41 @@ class ExportError(KinegradeError):
 
 
 def write_message(where: str, what: str, expected: str = "", do: str = "") -> str:
-    """A fault in one line: where it is, what was found, what was expected, what to do.
-
-    >>> write_message("bank.toml:3: points", "0", "a number above zero", "write points = 1")
-    'bank.toml:3: points: 0 - expected a number above zero - write points = 1'
-    >>> write_message("bank.toml: title", "missing", "a text")
-    'bank.toml: title: missing - expected a text'
-    """
-    place = f"{where}: " if where else ""
-    parts = (f"{place}{shorten(what)}", expected and f"expected {expected}", do)
-    return " - ".join(shorten(part, 2 * _LONGEST_PART) for part in parts if part)
+    """A fault in English, in one line: see `Fault`."""
+    return open_catalogue(ENGLISH).write(Fault(where, what, expected, do))
 
 
 def did_you_mean(word: str, choices: Iterable[str]) -> str:
+    """What `suggest` says, in English."""
+    return open_catalogue(ENGLISH).write(suggest(word, choices))
+
+
+def suggest(word: str, choices: Iterable[str]) -> Message:
     """A closing hint for an unknown word: the nearest known ones, and all of them if they are few.
 
-    >>> did_you_mean("phy", ["phi", "omega"])
+    >>> english = open_catalogue(ENGLISH)
+    >>> english.write(suggest("phy", ["phi", "omega"]))
     'did you mean "phi"? (known here: omega, phi)'
-    >>> did_you_mean("theta_1", [f"theta_{number}" for number in range(2, 60)])
+    >>> english.write(suggest("theta_1", [f"theta_{number}" for number in range(2, 60)]))
     'did you mean "theta_51", "theta_41" or "theta_31"?'
     """
     known = sorted(choices)
     near = find_nearest(word, known)
     if len(known) > _LISTED and near:
-        return f"did you mean {join_alternatives(near)}?"
-    listing = ", ".join(known) if known else "none"
-    if len(known) > _LISTED:
-        listing = f"{', '.join(known[:_SUGGESTIONS])} and {len(known) - _SUGGESTIONS} more"
+        return Message("grammar.did-you-mean", names=list_choices(map(Quoted, near)))
+    names = _list_names(known)
     if not near:
-        return f"known here: {listing}"
-    return f'did you mean "{near[0]}"? (known here: {listing})'
+        return Message("grammar.known", names=names)
+    return Message("grammar.did-you-mean-of", name=Quoted(near[0]), names=names)
+
+
+def _list_names(known: Sequence[str]) -> Part:
+    if not known:
+        return Message("grammar.no-names")
+    if len(known) <= _LISTED:
+        return list_plainly(known)
+    first = list_plainly(known[:_SUGGESTIONS])
+    return Message("grammar.names-and-more", names=first, count=len(known) - _SUGGESTIONS)
 
 
 def find_nearest(word: str, choices: Iterable[str]) -> list[str]:
@@ -166,29 +198,9 @@ def find_misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[s
 
 
 def join_alternatives(words: Sequence[str]) -> str:
-    """Words to choose from, each in quotation marks.
+    """Words to choose from, each in quotation marks, in English.
 
     >>> join_alternatives(["a", "b", "c"])
     '"a", "b" or "c"'
     """
-    quoted = [f'"{word}"' for word in words]
-    return " or ".join([", ".join(quoted[:-1]), quoted[-1]] if len(quoted) > 1 else quoted)
-
-
-def show_in_one_line(text: str) -> str:
-    """A text from a file as a message shows it: unprintable characters become dots.
-
-    >>> show_in_one_line("1 +\\n2")
-    '1 +·2'
-    """
-    return "".join(letter if letter.isprintable() else "·" for letter in text)
-
-
-def shorten(text: str, longest: int = _LONGEST_PART) -> str:
-    """A text as a part of a one-line message, cut where it is too long.
-
-    >>> shorten("a very long text", 10)
-    'a very lo…'
-    """
-    line = show_in_one_line(text)
-    return line if len(line) <= longest else f"{line[: longest - 1]}…"
+    return open_catalogue(ENGLISH).write(list_choices(map(Quoted, words)))

@@ -21,9 +21,10 @@ from typing import Any, Literal, TypeVar, assert_never
 
 from flint import fmpq
 
-from kinegrade.errors import ExpressionError, did_you_mean, show_in_one_line
+from kinegrade.errors import ExpressionError, did_you_mean
 from kinegrade.exact.angle import Inexact
 from kinegrade.exact.surd import MAX_HEIGHT, Surd, height
+from kinegrade.language.lines import show_in_one_line
 
 MAX_LENGTH = 400
 MAX_DEPTH = 40

@@ -13,7 +13,8 @@ from typing import Any
 
 from flint import fmpq
 
-from kinegrade.errors import ExpressionError, show_in_one_line
+from kinegrade.errors import ExpressionError
+from kinegrade.language.lines import show_in_one_line
 
 FACTORS: dict[str, tuple[Any, str]] = {
     "m": (fmpq(1), "length"),

@@ -182,15 +182,10 @@ def driver(text: str) -> str:
     return text.replace("Driver = ", new)
 
 
-def language(text: str) -> str:
-    return text.replace('Literal["en", "zh"]', 'Literal["en", "zh", "fr"]')
-
-
 ADDED: dict[str, Callable[[str], str]] = {
     "problem/sentences.py": sentence,
     "mechanics/joints.py": joint,
     "mechanics/drivers.py": driver,
-    "language.py": language,
 }
 REPORTED = (
     ("problem/assemble.py", "Literal['belt']"),
@@ -199,7 +194,6 @@ REPORTED = (
     ("figure/paper.py", "Belt"),
     ("mechanics/frames.py", "Spin"),
     ("figure/similar_mechanisms.py", "Spin"),
-    ("problem/template.py", "Literal['fr']"),
 )
 
 

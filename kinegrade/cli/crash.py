@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from kinegrade import __version__
-from kinegrade.errors import show_in_one_line
+from kinegrade.language.lines import show_in_one_line
 
 _SHOWN = 200  # characters of the exception's message
 

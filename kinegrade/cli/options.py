@@ -16,6 +16,8 @@ import click
 from kinegrade.cli.folders import expect_own_place
 from kinegrade.errors import KinegradeError, OutputError
 from kinegrade.language import LANGUAGES
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.known import choose_terminal_language
 
 COMPLAINTS = 1
 FAILURE = 2
@@ -69,8 +71,10 @@ def refusing(command: Callable[..., None]) -> Callable[..., None]:
                     expect_own_place(output)
                 command(*arguments, **options)
         except KinegradeError as error:
-            for problem in error.problems:
-                click.echo(f"error: {' '.join(problem.split())}", err=True)
+            words = open_catalogue(choose_terminal_language())
+            for fault in error.faults:
+                line = words.text("grammar.error", problem=" ".join(words.write(fault).split()))
+                click.echo(line, err=True)
             sys.exit(FAILURE)
 
     return run

@@ -35,7 +35,7 @@ _WORDS = (
     "kept",
     "about_hints",
 )
-_TYPESET: Mapping[str, Language] = {"en": "en", "zh-CN": "zh"}  # by the tag of the words
+_TYPESET = {"en": Language("en"), "zh-CN": Language("zh")}  # by the tag of the words
 
 
 class _Row(Protocol):

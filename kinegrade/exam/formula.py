@@ -14,7 +14,8 @@ from functools import lru_cache
 
 import tylax
 
-from kinegrade.errors import TypesetError, shorten, write_message
+from kinegrade.errors import TypesetError, write_message
+from kinegrade.language.lines import shorten
 
 _GREEK = """
     alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi

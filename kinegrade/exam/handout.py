@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from kinegrade.errors import ExamError, OutputError, show_in_one_line
+from kinegrade.errors import ExamError, OutputError
 from kinegrade.exam.folder.contents import HEAD, PAPERS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import explain_broken
 from kinegrade.files import output_folder
+from kinegrade.language.lines import show_in_one_line
 
 KINDS = (".pdf", ".docx", ".html")  # every student has the first
 

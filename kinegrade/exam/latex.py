@@ -33,7 +33,7 @@ from kinegrade.exam.press import Printout
 from kinegrade.exam.solution_words import choose_solution_words
 from kinegrade.exam.typst import make_owner_legible, make_owners_legible
 from kinegrade.exam.words import choose_words
-from kinegrade.language import Language
+from kinegrade.language import ENGLISH, Language
 from kinegrade.temporary import temporary_folder
 
 # TeX writes some things only on the first page of a run (its initial colour): this page, which is
@@ -157,8 +157,8 @@ def _make_printout(name: str, pdf: bytes, source: str) -> Printout:
 
 def _find_missing(characters: Iterable[str]) -> frozenset[str]:
     """Those of the characters that XeTeX has no font for."""
-    words = choose_words("en")
-    source = write_document([" ".join(map(write_plain, characters))], "en", "a4", words, FONTS)
+    words = choose_words(ENGLISH)
+    source = write_document([" ".join(map(write_plain, characters))], ENGLISH, "a4", words, FONTS)
     with temporary_folder() as folder:
         return run(source, folder, _START_SECONDS).missing
 

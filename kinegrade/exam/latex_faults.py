@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from kinegrade.errors import shorten, write_message
+from kinegrade.errors import write_message
 from kinegrade.exam.latex_run import Outcome
 from kinegrade.exam.press import unprintable_character
+from kinegrade.language.lines import shorten
 
 _PLACE = "%% "  # begins the comment lines of a source that say what follows
 

@@ -19,8 +19,9 @@ from typing import Literal
 
 import pylopdf_fonts_zh_cn
 
-from kinegrade.errors import TypesetError, shorten, write_message
+from kinegrade.errors import TypesetError, write_message
 from kinegrade.exam.program_run import run_program
+from kinegrade.language.lines import shorten
 
 _Program = Literal["xelatex", "xdvipdfmx"]
 STYLE = "kinegrade.sty"

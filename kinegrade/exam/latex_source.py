@@ -33,7 +33,7 @@ _BESIDE_STUDENT = (
     8  # columns of the marker's table that leave room for the student's name beside them
 )
 
-_LANGUAGE_OPTIONS: Mapping[Language, tuple[str, ...]] = {"en": (), "zh": ("chinese",)}
+_LANGUAGE_OPTIONS: Mapping[str, tuple[str, ...]] = {"en": (), "zh": ("chinese",)}
 _SIZE_OPTIONS: Mapping[PaperSize, tuple[str, ...]] = {"a4": (), "letter": ("letter",)}
 
 

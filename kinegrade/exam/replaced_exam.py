@@ -16,12 +16,13 @@ from pathlib import Path
 
 from msgspec import json, structs
 
-from kinegrade.errors import ExamError, OutputError, show_in_one_line
+from kinegrade.errors import ExamError, OutputError
 from kinegrade.exam.exam_secret import ExamSecret
 from kinegrade.exam.folder.contents import ANSWERS, HEAD, POOL, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedAnswer
 from kinegrade.exam.hand_work import is_answered, refuse_edited, require_nothing_edited
+from kinegrade.language.lines import show_in_one_line
 
 _UNKNOWN = "the exam that stood there could not be read, so nothing is known of its papers"
 _RESTORING = "expected it as kinegrade generate wrote it - restore the exam folder"

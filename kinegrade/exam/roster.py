@@ -16,7 +16,8 @@ from pathlib import Path
 from unicodedata import normalize
 from urllib.parse import quote
 
-from kinegrade.errors import TableError, show_in_one_line
+from kinegrade.errors import TableError
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.tables import (
     Complaint,
     Row,

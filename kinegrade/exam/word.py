@@ -31,7 +31,6 @@ from kinegrade.exam.word_reference import fill_layout, make_word_reference
 from kinegrade.exam.words import choose_words
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import write_typst
-from kinegrade.language import Language
 from kinegrade.temporary import temporary_folder
 
 _Kind = Literal["docx", "html"]
@@ -41,7 +40,7 @@ _MEDIA_TYPES: Mapping[_Picture, str] = {"png": "image/png", "svg": "image/svg+xm
 MISSING = "pandoc not found - expected the optional extra - pip install 'kinegrade[word]'"
 _PIXELS = 300  # to the inch, of a figure in Word
 _SECONDS = 60  # a paper takes a fraction of one
-_TAGS: Mapping[Language, str] = {"en": "en", "zh": "zh-CN"}
+_TAGS: Mapping[str, str] = {"en": "en", "zh": "zh-CN"}
 _CSS_SIZES = {"a4": "A4", "letter": "letter"}
 _UNREAD = re.compile(r"Could not convert TeX math (.*?), rendering as TeX")
 

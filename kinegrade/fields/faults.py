@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinegrade.errors import FieldError, KinegradeError, write_message
+from kinegrade.errors import FieldError, KinegradeError, Problem
 from kinegrade.fields.place import Place, Source, Where
+from kinegrade.language.message import Fault, Text
 
 
 @dataclass(frozen=True)
 class _Fault:
     where: Where
-    what: str
-    expected: str
-    do: str
+    what: Problem
+    expected: Text
+    do: Text
 
-    def __str__(self) -> str:
-        return write_message(str(self.where), self.what, self.expected, self.do)
+    def said(self) -> Fault:
+        """The fault as messages state it."""
+        return Fault(str(self.where), self.what, self.expected, self.do)
 
 
 class Faults:
@@ -25,11 +27,11 @@ class Faults:
     `do` is the remedy for a fault that names none.
     """
 
-    def __init__(self, source: Source, error: type[KinegradeError], do: str = "") -> None:
+    def __init__(self, source: Source, error: type[KinegradeError], do: Text = "") -> None:
         self._source, self._error, self._do = source, error, do
-        self._noted: list[tuple[Place, str, str, str]] = []
+        self._noted: list[tuple[Place, Problem, Text, Text]] = []
 
-    def note(self, place: Place, what: str, expected: str = "", do: str = "") -> None:
+    def note(self, place: Place, what: Problem, expected: Text = "", do: Text = "") -> None:
         """Notes a fault at a place: what stands there, what was expected, what to do."""
         self._noted.append((place, what, expected, do or self._do))
 
@@ -38,7 +40,7 @@ class Faults:
         if isinstance(error, FieldError):
             self.note(place, error.what, error.expected, error.do)
             return
-        for problem in error.problems:
+        for problem in error.faults:
             self.note(place, problem)
 
     def within(self, place: Place) -> bool:
@@ -52,7 +54,7 @@ class Faults:
 
     def raised(self) -> KinegradeError:
         """The error with all faults noted so far."""
-        return self._error(*map(str, self._in_order()))
+        return self._error(*(fault.said() for fault in self._in_order()))
 
     def _in_order(self) -> list[_Fault]:
         """By file, in the order in which the files first occur, then by line; faults without a line

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
-from kinegrade.errors import shorten
+from kinegrade.language.lines import shorten
 
 Place = tuple[str | int, ...]  # keys, and list positions from 0; () is the whole file
 _LONGEST_KEY = 80

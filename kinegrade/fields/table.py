@@ -20,6 +20,7 @@ from kinegrade.errors import FieldError, KinegradeError, did_you_mean, find_miss
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.place import Place
 from kinegrade.fields.values import Read, found
+from kinegrade.language.message import Text
 
 _Value = TypeVar("_Value")
 _NOTHING: Mapping[str, object] = {}
@@ -126,12 +127,12 @@ class Table:
         """Whether the value of a key is a table."""
         return isinstance(self.content.get(key), dict)
 
-    def missing(self, key: str, expected: str = "") -> None:
+    def missing(self, key: str, expected: Text = "") -> None:
         """Notes that a key is missing, unless missing keys are not reported here."""
         if self.whole and key not in self.excused:
             self.fault(key, "missing", expected)
 
-    def fault(self, key: str | None, what: str, expected: str = "", do: str = "") -> None:
+    def fault(self, key: str | None, what: Text, expected: Text = "", do: Text = "") -> None:
         """Notes a fault in the value of a key, or in the table itself (None)."""
         place = self.place if key is None else (*self.place, key)
         self.faults.note(place, what, expected, do)
@@ -167,7 +168,7 @@ class Table:
         return None
 
 
-def _expected(read: Read[_Value]) -> str:
+def _expected(read: Read[_Value]) -> Text:
     """What a reader expects, found from its refusal of None; "" where it does not say."""
     try:
         read(None)

@@ -12,8 +12,9 @@ from collections.abc import Callable
 from typing import Any
 from unicodedata import normalize
 
-from kinegrade.errors import TomlError, show_in_one_line
+from kinegrade.errors import TomlError
 from kinegrade.fields.digits import TOO_DEEP, TOO_LARGE, Digits, Unbounded, require_bounded
+from kinegrade.language.lines import show_in_one_line
 
 _STRING = re.compile(r'"(?:\\.|[^"\\])*"|' + r"'[^']*'")
 _PLACE = re.compile(r" \(at line (\d+), column \d+\)")

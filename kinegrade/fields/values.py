@@ -11,8 +11,9 @@ from datetime import date, time
 from fractions import Fraction
 from typing import TypeVar
 
-from kinegrade.errors import FieldError, shorten
+from kinegrade.errors import FieldError
 from kinegrade.fields.digits import Digits
+from kinegrade.language.lines import shorten
 
 _Value = TypeVar("_Value")
 _Word = TypeVar("_Word", bound=str)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from kinegrade.angular import is_angle
-from kinegrade.errors import FieldError, did_you_mean, find_nearest, join_alternatives, shorten
+from kinegrade.errors import FieldError, did_you_mean, find_nearest, join_alternatives
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.expression import Expression, find_names, read_expression
@@ -20,6 +20,7 @@ from kinegrade.fields.values import found, share
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import FULL_CREDIT, Accepted
 from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion, read_unit
+from kinegrade.language.lines import shorten
 
 _EXAMPLE = '{ value = "2*sqrt(3)" }'
 _LONGEST_SHOWN = 80

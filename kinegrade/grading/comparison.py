@@ -13,8 +13,8 @@ from fractions import Fraction
 
 from kinegrade.amounts import write_amount, write_change
 from kinegrade.csv_writing import encode_for_people, neutralise, write_csv_text
-from kinegrade.errors import show_in_one_line
 from kinegrade.grading.text_table import align, cut
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 

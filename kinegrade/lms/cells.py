@@ -12,7 +12,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from kinegrade.errors import TableError, show_in_one_line
+from kinegrade.errors import TableError
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.tables import read_table, trim
 
 BYTE_ORDER_MARK = "\ufeff"

@@ -14,7 +14,8 @@ from html import escape
 from pathlib import Path
 
 from kinegrade.amounts import write_amount
-from kinegrade.errors import TableError, show_in_one_line
+from kinegrade.errors import TableError
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.lms.cells import Cell, CellTable, Record, read_cells
 from kinegrade.lms.dialect import Dialect, Download, ExportOptions
 from kinegrade.lms.grades import TOTAL, ClassGrades, StudentGrade, feedback_text

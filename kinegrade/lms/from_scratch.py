@@ -14,8 +14,9 @@ from typing import assert_never
 
 from kinegrade.amounts import write_amount
 from kinegrade.csv_writing import neutralise, write_csv_text
-from kinegrade.errors import TableError, show_in_one_line
+from kinegrade.errors import TableError
 from kinegrade.exam.folder.contents import HEAD
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.lms.cells import BYTE_ORDER_MARK
 from kinegrade.lms.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
 from kinegrade.lms.grades import (

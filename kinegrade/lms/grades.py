@@ -17,7 +17,7 @@ from kinegrade.amounts import write_amount
 from kinegrade.csv_writing import neutralise
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.language import Language
+from kinegrade.language import ENGLISH, Language
 from kinegrade.lms.dialect import Field
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import StudentSums, StudentTotal
@@ -54,7 +54,7 @@ class ClassGrades:
     questions: tuple[str, ...]
     students: tuple[StudentGrade, ...]
     title: str = ""
-    language: Language = "en"
+    language: Language = ENGLISH
 
     def exported(self, *, ungraded: bool) -> tuple[StudentGrade, ...]:
         """The students who get a grade: those who handed in something, or all."""

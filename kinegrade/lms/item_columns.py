@@ -9,7 +9,8 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kinegrade.errors import TableError, did_you_mean, show_in_one_line
+from kinegrade.errors import TableError, did_you_mean
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.lms.cells import CellTable, Record
 from kinegrade.lms.dialect import Dialect, Download, ExportOptions
 from kinegrade.lms.grades import TOTAL, ClassGrades

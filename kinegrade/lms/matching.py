@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from unicodedata import normalize
 
-from kinegrade.errors import show_in_one_line
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.lms.cells import CellTable, Record
 from kinegrade.lms.dialect import Key
 from kinegrade.lms.grades import StudentGrade, known_as

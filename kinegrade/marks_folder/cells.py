@@ -13,7 +13,8 @@ from functools import lru_cache
 from operator import itemgetter
 from pathlib import Path
 
-from kinegrade.errors import TableError, show_in_one_line
+from kinegrade.errors import TableError
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.marks_folder.layout import TableFile
 from kinegrade.tables import Table, parse_table
 

@@ -12,7 +12,8 @@ from fractions import Fraction
 from pathlib import Path
 
 from kinegrade.amounts import PLACES, write_amount
-from kinegrade.errors import TableError, show_in_one_line
+from kinegrade.errors import TableError
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.marks_folder.cells import EXPECTED
 from kinegrade.marks_folder.layout import ANSWERS, GRADES, KEPT, STATUSES
 from kinegrade.marks_folder.rows import ClassTotals, StudentSums, StudentTotal

@@ -10,7 +10,8 @@ from pathlib import Path
 
 from kinegrade.amounts import add_amounts
 from kinegrade.csv_writing import restore
-from kinegrade.errors import TableError, show_in_one_line
+from kinegrade.errors import TableError
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.marks_folder.cells import Record, explain_edited, read_amount, read_records
 from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import StudentSums

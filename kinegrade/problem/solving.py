@@ -19,13 +19,13 @@ from kinegrade.errors import (
     MechanismError,
     TemplateError,
     did_you_mean,
-    show_in_one_line,
 )
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import PRECISIONS, Balls, Undecided
 from kinegrade.exact.field import Field
 from kinegrade.exact.surd import Surd
 from kinegrade.expression import Expression, evaluate, read_expression
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.mechanics.doubles import MotionInDoubles, convert_to_doubles
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.plan import Plan

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal, assert_never
+from typing import Literal
 
 from kinegrade.expression import Expression
 from kinegrade.language import Language
@@ -30,13 +30,7 @@ class Translated:
 
     def in_language(self, language: Language) -> str:
         """The text in one language."""
-        match language:
-            case "en":
-                return self.en
-            case "zh":
-                return self.zh
-            case _:
-                assert_never(language)
+        return {"en": self.en, "zh": self.zh}[language]
 
 
 @dataclass(frozen=True)

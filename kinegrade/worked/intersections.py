@@ -37,7 +37,7 @@ from kinegrade.worked.vector_words import describe_vector
 
 _Line = tuple[Pair, Pair]  # a point and a direction
 _NOTHING: Pair = (ZERO, ZERO)
-_BETWEEN: Mapping[Language, str] = {"en": " ", "zh": ""}
+_BETWEEN: Mapping[str, str] = {"en": " ", "zh": ""}
 
 
 def explain_meeting(step: Step, instance: Instance, language: Language) -> tuple[Block, ...]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import assert_never
 
-from kinegrade.language import Language
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Parallel, Pin, Roll, Sleeve
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.relations import name_omega
@@ -13,7 +12,7 @@ from kinegrade.worked.document import Block, Prose
 from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.solution_case import Case
 
-_STOPS: Mapping[Language, tuple[str, str]] = {"en": (".", "; "), "zh": ("。", "；")}
+_STOPS: Mapping[str, tuple[str, str]] = {"en": (".", "; "), "zh": ("。", "；")}
 
 
 def describe_motions(case: Case) -> Iterator[Block]:

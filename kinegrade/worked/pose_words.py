@@ -89,7 +89,7 @@ _CHINESE = PoseWords(
 )
 
 
-_WORDS: Mapping[Language, PoseWords] = {"en": _ENGLISH, "zh": _CHINESE}
+_WORDS: Mapping[str, PoseWords] = {"en": _ENGLISH, "zh": _CHINESE}
 
 
 def load_pose_words(language: Language) -> PoseWords:

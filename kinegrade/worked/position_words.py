@@ -145,13 +145,13 @@ _CHINESE = PositionWords(
     triangle="三角形 ${first}{second}{point}$ 的三边已知，由余弦定理求 ${first}$ 处的角：",
     reached_along="将 ${first}{second}$ 的方向{sense}转过该角，即为由 ${first}$ 到 ${point}$ 的方向：",
 )
-_SENSES: Mapping[Language, tuple[str, str]] = {
+_SENSES: Mapping[str, tuple[str, str]] = {
     "en": ("counter-clockwise", "clockwise"),
     "zh": ("逆时针", "顺时针"),
 }
 
 
-_WORDS: Mapping[Language, PositionWords] = {"en": _ENGLISH, "zh": _CHINESE}
+_WORDS: Mapping[str, PositionWords] = {"en": _ENGLISH, "zh": _CHINESE}
 
 
 def load_position_words(language: Language) -> PositionWords:

@@ -7,8 +7,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kinegrade.language import Language
-
 
 @dataclass(frozen=True)
 class QuestionWords:
@@ -36,4 +34,4 @@ _CHINESE = QuestionWords(
     half_turn="角度请取正负半周以内的值（−180° 至 180°）。",
     figure_on_paper="（图见你的试卷。）",
 )
-WORDS: Mapping[Language, QuestionWords] = {"en": _ENGLISH, "zh": _CHINESE}
+WORDS: Mapping[str, QuestionWords] = {"en": _ENGLISH, "zh": _CHINESE}

@@ -16,7 +16,7 @@ from kinegrade.exam.quiz_words import BETWEEN
 from kinegrade.exam.rules import FEWEST_DIGITS, NUMERALS
 from kinegrade.language import Language
 
-Typing = Mapping[Language, str]  # `{}` takes the number of significant digits
+Typing = Mapping[str, str]  # `{}` takes the number of significant digits
 
 MOODLE: Typing = {
     "en": "Type one number into each box, in the stated unit and with at least {} significant "

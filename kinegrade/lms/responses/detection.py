@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from kinegrade.errors import TableError, show_in_one_line
+from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.language.lines import show_in_one_line
 from kinegrade.lms.responses import canvas, google_forms, moodle, ms_forms, sheet, wjx
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 from kinegrade.tables import Table
