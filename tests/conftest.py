@@ -4,6 +4,7 @@ for all.
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ from tests.problem.crank import crank_text
 from tests.small_class import VANISHING, generate, write_class
 from tests.tools import complaint, missing_tools
 
+os.environ["LC_ALL"] = "C.UTF-8"  # tests read what the terminal says in English
 COMMON = {
     "deadline": None,
     "suppress_health_check": [HealthCheck.too_slow, HealthCheck.filter_too_much],

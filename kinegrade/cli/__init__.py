@@ -25,12 +25,7 @@ from kinegrade.cli.templates import check, gallery, list_templates, new, show, s
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="kinegrade")
 def main() -> None:
-    """Set, typeset and mark exams in planar kinematics.
-
-    \b
-    kinegrade generate banks/demo.toml roster.csv -o EXAM
-    kinegrade grade EXAM answers.csv -o MARKS
-    """
+    """Set, typeset and mark exams in planar kinematics."""
     # Read when numpy is loaded: its linear algebra library would start threads that nothing here
     # needs, and a process with threads cannot safely be copied.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

@@ -16,21 +16,22 @@ from pathlib import Path
 
 from kinegrade import __version__
 from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Message
 
 _SHOWN = 200  # characters of the exception's message
 
 
-def write_crash(fault: BaseException, arguments: Sequence[str]) -> str:
+def write_crash(fault: BaseException, arguments: Sequence[str]) -> Message:
     """The line for the terminal about a crash; writes the file that it names."""
     words = show_in_one_line(" ".join(str(fault).split()))[:_SHOWN]
     what = f"{type(fault).__name__}: {words}" if words else type(fault).__name__
     try:
         written = _write("\n".join(_write_report(fault, arguments)) + "\n")
     except OSError as refusal:
-        where = f"no report could be written ({refusal.strerror})"
+        report = Message("terminal.no-crash-report", reason=str(refusal.strerror))
     else:
-        where = f"please send {written}, which holds no names and no answers"
-    return f"crash: {what} - this is a fault of kinegrade - {where}"
+        report = Message("terminal.crash-report", path=str(written))
+    return Message("terminal.crash", what=what, report=report)
 
 
 def _write(text: str) -> Path:

@@ -10,6 +10,7 @@ import click
 from click.core import ParameterSource
 
 from kinegrade.cli.folders import expect_folders
+from kinegrade.cli.help import command
 from kinegrade.cli.options import (
     FILE,
     FORCE,
@@ -21,7 +22,8 @@ from kinegrade.cli.options import (
     require_writable,
     show_progress,
 )
-from kinegrade.counting import count_in_words
+from kinegrade.cli.terminal import refuse_usage, say, say_of
+from kinegrade.language.message import Message, list_plainly
 
 if TYPE_CHECKING:
     from kinegrade.exam.document import PaperSize
@@ -32,72 +34,69 @@ if TYPE_CHECKING:
     from kinegrade.problem.template import Method
 
 _WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "strict", "force")
-_GUESSABLE = "anyone who guesses these words can print every paper and its key"
-_COST = f"--reproducible: {_GUESSABLE}; for tests and demonstrations only"
 
 
-@click.command()
+@command()
 @click.argument("bank", type=FILE)
 @click.argument("roster", type=FILE)
 @click.option(
-    "-o", "--output", type=FILE, required=True, metavar="EXAM", help="The exam folder to write."
+    "-o",
+    "--output",
+    type=FILE,
+    required=True,
+    metavar="EXAM",
 )
 @click.option(
     "--seed",
     "label",
     callback=require_writable,
     metavar="LABEL",
-    help="A label mixed into the random secret that EXAM keeps; no secret itself.",
 )
 @click.option(
     "--reproducible",
     "words",
     callback=require_writable,
     metavar="WORDS",
-    help="Derive the whole exam from WORDS alone. Anyone who guesses them can print every paper "
-    "and its key: for tests and demonstrations only.",
 )
 @click.option(
     "--new-numbers",
     is_flag=True,
-    help="With --force: papers of EXAM that may be printed are replaced by others.",
 )
 @click.option(
     "--share-with-group",
     is_flag=True,
-    help="Let the group of the folder read EXAM.  [default: its owner alone]",
 )
 @click.option(
     "--add",
     "late",
     type=FILE,
     metavar="LATE",
-    help="Add the students of LATE (CSV) to EXAM, which BANK and ROSTER made; all else stays.",
 )
 @LANGUAGE
 @click.option("--paper-size", type=click.Choice(["a4", "letter"]), default="a4", show_default=True)
 @click.option(
     "--engine",
     type=click.Choice(["typst", "latex"]),
-    help="What typesets the exam.  [default: what the bank says, else typst]",
 )
 @click.option(
     "--solutions/--no-solutions",
     default=True,
     show_default=True,
-    help="Whether everybody's worked solutions are written too.",
 )
 @METHOD
 @click.option(
     "--also",
     multiple=True,
     type=click.Choice(["docx", "html"]),
-    help="Write every paper for Word or the browser too; may be given twice.",
 )
 @JOBS
-@click.option("--allow-odd-ids", is_flag=True, help="Accept ids that begin with =, +, - or @.")
 @click.option(
-    "--strict", is_flag=True, help="Refuse what else would be a complaint, and write nothing."
+    "--allow-odd-ids",
+    is_flag=True,
+)
+@click.option(
+    "--strict",
+    is_flag=True,
 )
 @FORCE
 @refusing
@@ -128,9 +127,6 @@ def generate(
     acceleration-midterm, demo, final, velocity-quiz. EXAM is readable by its owner alone; kinegrade
     papers copies what students may have. With --add, late students get papers of an EXAM that
     exists: no other paper, solution or key changes, and answers typed into EXAM stay.
-
-    \b
-    Example: kinegrade generate demo banks/demo-roster.csv -o EXAM --lang zh
     """
     from kinegrade.exam.bank import find_bank, read_blueprint
     from kinegrade.exam.generate import PRIVATE, SHARED_WITH_GROUP, Place, Printing
@@ -153,8 +149,8 @@ def generate(
         progress=show_progress,
     )
     if written.dealt.secret.guessable:
-        kept = f"{output}: keeps numbers that come from words: {_GUESSABLE}; --new-numbers is safe"
-        click.echo(kept if words is None else _COST, err=True)
+        kept = Message("terminal.keeps-words", exam=str(output))
+        say(kept if words is None else Message("terminal.words-cost"))
     _say(written, output)
     finish_with_complaints(written.complaints)
 
@@ -180,7 +176,7 @@ def _add(
         jobs=jobs,
         progress=show_progress,
     )
-    click.echo(f"{exam}: {added}", err=True)
+    say_of(exam, str(added))
     finish_with_complaints(added.complaints)
 
 
@@ -194,9 +190,7 @@ def _expect_no_other_wishes() -> None:
         and context.get_parameter_source(str(each.name)) is ParameterSource.COMMANDLINE
     ]
     if given:
-        raise click.UsageError(
-            f"--add makes papers like those of EXAM: leave out {', '.join(given)}"
-        )
+        raise refuse_usage(Message("terminal.add-alone", options=list_plainly(given)))
 
 
 def _read_wish(label: str | None, words: str | None, *, new: bool) -> SecretWish:
@@ -207,83 +201,82 @@ def _read_wish(label: str | None, words: str | None, *, new: bool) -> SecretWish
     from kinegrade.exam.exam_secret import SecretWish
 
     if label is not None and words is not None:
-        raise click.UsageError(
-            "--seed mixes a label into a random secret, --reproducible WORDS derives all from the "
-            "words: give one"
-        )
+        raise refuse_usage(Message("terminal.seed-or-words"))
     return SecretWish(label, words, new)
 
 
 def _say(written: Generated, output: Path) -> None:
     for question, template in written.drawn.items():
-        click.echo(f"{question}: drawn from the bank: {template}", err=True)
+        say(Message("terminal.drawn", question=question, template=template))
     refusals = written.dealt.refusals()
     for question, combinations in written.dealt.combinations().items():
-        refused = ", ".join(f"{reason} {count}" for reason, count in refusals[question].items())
-        click.echo(
-            f"{question}: {combinations} combinations, refused draws: {refused or 'none'}", err=True
+        refused = [
+            Message("terminal.refused", reason=reason, number=count)
+            for reason, count in refusals[question].items()
+        ]
+        say(
+            Message(
+                "terminal.combinations",
+                question=question,
+                count=combinations,
+                refused=list_plainly(refused) if refused else Message("grammar.no-names"),
+            )
         )
     if written.changes is not None:
-        click.echo(f"{output}: {written.changes}", err=True)
+        say_of(output, str(written.changes))
     for remark in written.remarks:
-        click.echo(f"{output}: {remark}", err=True)
-    click.echo(
-        f"{output}: {count_in_words(written.papers, 'paper')}; to hand them out: "
-        f"kinegrade papers {output} -o DIR; nothing else in {output} is for students",
-        err=True,
-    )
+        say_of(output, remark)
+    say(Message("terminal.generated", exam=str(output), count=written.papers))
 
 
-@click.command()
+@command()
 @click.argument("exam", type=FILE)
 @click.option(
-    "-o", "--output", type=FILE, required=True, metavar="DIR", help="The folder to write."
+    "-o",
+    "--output",
+    type=FILE,
+    required=True,
+    metavar="DIR",
 )
 @FORCE
 @refusing
 def papers(exam: Path, output: Path, *, force: bool) -> None:
     """Copy from EXAM what students may have: everybody's paper as PDF, and for Word and the browser
     where it exists.
-
-    \b
-    Example: kinegrade papers EXAM -o PAPERS
     """
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.exam.handout import hand_out
 
     expect_folders((exam, "EXAM"))
     count = hand_out(open_exam(exam), output, force=force)
-    click.echo(
-        f"{output}: {count_in_words(count, 'paper')}, and nothing that gives the key away", err=True
-    )
+    say(Message("terminal.handed-out", folder=str(output), count=count))
 
 
-@click.command()
+@command()
 @click.argument("exam", type=FILE)
 @click.argument("student")
-@click.option("--solution", is_flag=True, help="The worked solutions in place of the paper.")
+@click.option(
+    "--solution",
+    is_flag=True,
+)
 @click.option(
     "-o",
     "--output",
     type=FILE,
     metavar="FILE",
-    help="The PDF to write.  [default: standard output]",
 )
 @FORCE
 @refusing
 def paper(exam: Path, student: str, output: Path | None, *, solution: bool, force: bool) -> None:
     """Print the paper of one STUDENT again, by id, as EXAM keeps it: byte for byte the one that
     this version of kinegrade generated.
-
-    \b
-    Example: kinegrade paper EXAM 0012 -o 0012.pdf
     """
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.exam.reprint import reprint
     from kinegrade.files import write_file
 
     if output is None and sys.stdout.isatty():
-        raise click.UsageError("a PDF is nothing for a terminal: give a file by -o FILE")
+        raise refuse_usage(Message("terminal.pdf"))
     expect_folders((exam, "EXAM"))
     again = reprint(open_exam(exam), student)
     pages = again.solution() if solution else again.pages()

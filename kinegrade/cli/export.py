@@ -11,8 +11,10 @@ from typing import TYPE_CHECKING, Literal, assert_never, get_args
 import click
 
 from kinegrade.cli.folders import expect_folders
+from kinegrade.cli.help import command
 from kinegrade.cli.options import FILE, FORCE, finish_with_complaints, refusing
-from kinegrade.counting import count_in_words
+from kinegrade.cli.terminal import refuse_usage, refuse_value, say
+from kinegrade.language.message import Message, Quoted, list_plainly
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -26,65 +28,70 @@ GradeSystem = Literal["moodle", "canvas", "blackboard", "brightspace", "sakai", 
 SYSTEMS = (*get_args(GradeSystem), "xlsx")
 
 
-@click.command()
+@command()
 @click.argument("marks", type=FILE)
 @click.option(
     "--to",
     "system",
     type=click.Choice(SYSTEMS),
     required=True,
-    help="The learning management system; generic is a plain sheet, xlsx a workbook to read.",
 )
-@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The file to write.")
 @click.option(
-    "--into", type=FILE, metavar="DOWNLOAD", help="The system's own file, to be filled in."
+    "-o",
+    "--output",
+    type=FILE,
+    required=True,
+    metavar="FILE",
+)
+@click.option(
+    "--into",
+    type=FILE,
+    metavar="DOWNLOAD",
 )
 @click.option(
     "--column",
     "columns",
     multiple=True,
     metavar="[QUESTION=]HEADER",
-    help="The column to fill, by its header; once for each question with --per-question.",
 )
-@click.option("--title", default="", help="The item's title in the system.")
 @click.option(
-    "--per-question", is_flag=True, help="A column for each question in place of the total."
+    "--title",
+    default="",
+)
+@click.option(
+    "--per-question",
+    is_flag=True,
 )
 @click.option(
     "--feedback/--no-feedback",
     default=None,
-    help="Points by question as a comment.  [default: where the system has a place for it]",
 )
 @click.option(
     "--ungraded",
     is_flag=True,
-    help="Also grade those who handed in nothing; they are left alone otherwise.",
 )
 @click.option(
     "--by",
     type=click.Choice(["id", "login", "email"]),
     multiple=True,
-    help="What the roster's ids are in the system, or email to go by addresses (with --exam).  "
-    "[default: any that fits]",
 )
 @click.option(
     "--exam",
     type=FILE,
     metavar="EXAM",
-    help="The exam folder, for its title and the e-mail addresses.",
 )
-@click.option("--scale", is_flag=True, help="Scale to the maximum that the file states.")
+@click.option(
+    "--scale",
+    is_flag=True,
+)
 @click.option(
     "--maximum",
     metavar="NUMBER",
-    help="What the item counts in the system; grades are scaled to it.",
 )
 @click.option(
     "--lang",
     "language",
     type=click.Choice(["en", "zh"]),
-    help="Language of the generic sheet's headers.  [default: that of the papers with --exam, else "
-    "en]",
 )
 @FORCE
 @refusing
@@ -106,25 +113,16 @@ def export(
     language: Language | None,
     force: bool,
 ) -> None:
-    """Write the grades of MARKS as a learning management system takes them.
-
-    \b
-    Example: kinegrade export MARKS --to moodle -o moodle.csv
-    Filled:  kinegrade export MARKS --to canvas --into download.csv -o canvas.csv
-    """
+    """Write the grades of MARKS as a learning management system takes them."""
     from kinegrade.marks_folder.folder import open_marks
 
     if language is not None and system != "generic":
-        raise click.UsageError(
-            "--lang: only the generic sheet has headers that can be translated - leave it out"
-        )
+        raise refuse_usage(Message("terminal.no-headers"))
     expect_folders((marks, "MARKS"), (exam, "EXAM"))
     folder = open_marks(marks)
     if system == "xlsx":
         if into is not None:
-            raise click.UsageError(
-                "--into: a spreadsheet is written anew - leave it out, or choose a system"
-            )
+            raise refuse_usage(Message("terminal.no-into"))
         _write_workbook(folder, output, force=force)
         return
     from kinegrade.exam.folder.exam_folder import open_exam
@@ -174,17 +172,10 @@ def _write(
         notes = filled.notes
     write_file(output, content, force=force)
     for note in notes:
-        click.echo(note, err=True)
+        say(note)
     absent = len(grades.students) - len(grades.exported(ungraded=options.ungraded))
-    left = (
-        f"; {absent} handed in nothing and {'is' if absent == 1 else 'are'} left alone"
-        if absent
-        else ""
-    )
-    click.echo(
-        f"{output}: grades of {count_in_words(students, 'student')} for {dialect.name}{left}",
-        err=True,
-    )
+    exported = Message("terminal.exported", file=str(output), count=students, system=dialect.name)
+    say(Message("terminal.left-alone", exported=exported, count=absent) if absent else exported)
     finish_with_complaints(tuple(map(str, complaints)))
 
 
@@ -217,18 +208,15 @@ def _read_columns(
     """Headers by question, or that of the total under "". Raises BadParameter."""
     if not per_question:
         if len(columns) > 1:
-            raise click.BadParameter(
-                "expected one for the total; several need --per-question", param_hint="--column"
-            )
+            raise refuse_value("--column", Message("terminal.one-column"))
         return {"": columns[0]} if columns else {}
     found: dict[str, str] = {}
     for text in columns:
         question, sign, header = text.partition("=")
         if not sign or question not in grades.questions or question in found:
-            known = ", ".join(grades.questions)
-            raise click.BadParameter(
-                f'"{text}": expected QUESTION=HEADER, once for each of {known}',
-                param_hint="--column",
+            known = list_plainly(grades.questions)
+            raise refuse_value(
+                "--column", Message("terminal.question-header", text=Quoted(text), known=known)
             )
         found[question] = header
     return found
@@ -240,7 +228,5 @@ def _read_maximum(text: str | None) -> Fraction | None:
 
     value = None if text is None else number(text)
     if text is not None and not value:
-        raise click.BadParameter(
-            f'"{text}": expected a number above zero, like 10 or 12.5', param_hint="--maximum"
-        )
+        raise refuse_value("--maximum", Message("terminal.maximum", text=Quoted(text)))
     return value

@@ -10,6 +10,7 @@ from typing import Literal
 
 from kinegrade.errors import OutputError, TableError
 from kinegrade.exam.folder.contents import CONTENTS, HEAD, KEY
+from kinegrade.language.message import Fault, Message, Text
 from kinegrade.marks_folder.layout import ANSWERS, GRADES
 from kinegrade.marks_folder.layout import FILES as MARKS_FILES
 
@@ -18,9 +19,9 @@ _FILES: Mapping[_Kind, tuple[str, ...]] = {
     "EXAM": (HEAD, KEY),
     "MARKS": (ANSWERS.name, GRADES.name),
 }
-_EXPECTED: Mapping[_Kind, str] = {
-    "EXAM": "an exam folder made by kinegrade generate",
-    "MARKS": "a folder of marks made by kinegrade grade",
+_EXPECTED: Mapping[_Kind, Message] = {
+    "EXAM": Message("terminal.exam-folder"),
+    "MARKS": Message("terminal.marks-folder"),
 }
 _PARTS: Mapping[_Kind, tuple[str, ...]] = {
     "EXAM": CONTENTS,
@@ -37,10 +38,8 @@ def expect_own_place(output: Path) -> None:
         for kind, files in _FILES.items():
             inside = all((folder / file).exists() for file in files)
             if inside and target.is_file() and name in _PARTS[kind]:
-                raise OutputError(
-                    f"{output}: is a part of the {kind} folder {folder.name}, which would be lost "
-                    "- expected a place of its own for the output - choose another name"
-                )
+                part = Message("terminal.part-of-folder", kind=kind, folder=folder.name)
+                raise OutputError(Fault(str(output), part))
 
 
 def expect_folders(*given: tuple[Path | None, _Kind]) -> None:
@@ -54,19 +53,24 @@ def expect_folders(*given: tuple[Path | None, _Kind]) -> None:
         if path is not None and (found := _find_kind(path)) not in (None, kind)
     ]
     swapped = {(kind, found) for _, kind, found in wrong} >= {("EXAM", "MARKS"), ("MARKS", "EXAM")}
+    do = Message("terminal.swap-folders") if swapped else Message("terminal.name-folder")
     faults = [
-        f"{path}: you gave {found} where {kind} is expected - expected {_EXPECTED[kind]} - "
-        + ("swap the two" if swapped else "name that folder")
+        Fault(
+            str(path),
+            Message("terminal.wrong-folder", found=found, kind=kind),
+            _EXPECTED[kind],
+            do,
+        )
         for path, kind, found in wrong
     ]
     if faults:
         raise TableError(*(faults[:1] if swapped else faults))
 
 
-def _find_kind(path: Path) -> str | None:
+def _find_kind(path: Path) -> Text | None:
     """What stands there; None for a folder that is neither, or nothing."""
     if path.is_file():
-        return "a file"
+        return Message("terminal.a-file")
     kinds = (
         kind for kind, names in _FILES.items() if any((path / name).exists() for name in names)
     )

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Literal, assert_never
 import click
 
 from kinegrade.cli.folders import expect_folders
+from kinegrade.cli.help import command
 from kinegrade.cli.options import FILE, FORCE, JOBS, finish_with_complaints, refusing
-from kinegrade.counting import count_in_words
+from kinegrade.cli.terminal import say
 from kinegrade.language import LANGUAGES
+from kinegrade.language.message import Message, Part
 from kinegrade.marks_folder.layout import COMPLAINTS, KEPT
 
 if TYPE_CHECKING:
@@ -28,11 +30,10 @@ _EXAM_LANGUAGE = click.option(
     "--lang",
     "language",
     type=click.Choice(LANGUAGES),
-    help="Language of the output.  [default: that of the papers]",
 )
 
 
-@click.command()
+@command()
 @click.argument("exam", type=FILE)
 @click.argument("answers", type=FILE, nargs=-1, required=True)
 @click.option(
@@ -41,43 +42,37 @@ _EXAM_LANGUAGE = click.option(
     type=FILE,
     required=True,
     metavar="MARKS",
-    help="The folder of marks to write.",
 )
 @click.option(
     "--from",
     "source",
     type=click.Choice(["moodle", "canvas", "google-forms", "ms-forms", "wjx", "sheet"]),
-    help="What ANSWERS was downloaded from.  [default: detected from its shape]",
 )
 @click.option(
     "--encoding",
     metavar="NAME",
-    help="The encoding of ANSWERS, if it is not UTF-8, such as gb18030.",
 )
 @click.option(
-    "--unfinished", is_flag=True, help="Also mark attempts that were not handed in (of a download)."
+    "--unfinished",
+    is_flag=True,
 )
 @click.option(
     "--decimal",
     type=click.Choice(["point", "comma"]),
-    help="What 1,234 and 1.234 mean in ANSWERS.  [default: detected from its other cells]",
 )
 @click.option(
     "--policy",
     type=FILE,
     metavar="FILE",
-    help="Mark by this policy (TOML): tolerances, credits ...",
 )
 @click.option(
     "--never-lower",
     type=FILE,
     metavar="MARKS",
-    help="Let no student's share of the points fall below that in this earlier MARKS.",
 )
 @click.option(
     "--own-papers",
     is_flag=True,
-    help="Mark each student by their own paper, even if the answers fit others or a pool was made.",
 )
 @FORCE
 @refusing
@@ -99,11 +94,6 @@ def grade(
 
     Several ANSWERS are one class: the quizzes of versions, or parts of the exam that several people
     typed.
-
-    \b
-    Example: kinegrade grade EXAM answers.csv -o MARKS
-    Moodle:  kinegrade grade EXAM responses.csv -o MARKS --from moodle
-    Again:   kinegrade grade EXAM answers.csv -o MARKS2 --policy policy.toml --never-lower MARKS
     """
     from kinegrade.cli.shortlist import shorten_list
     from kinegrade.exam.folder.exam_folder import open_exam
@@ -142,22 +132,23 @@ def _choose_following(exam: ExamFolder) -> Follows:
     return Follows(follow_through, follow_through.in_plan_order)
 
 
-def _say(lines: Iterable[str]) -> None:
+def _say(lines: Iterable[Part]) -> None:
     for line in lines:
-        click.echo(line, err=True)
+        say(line)
 
 
-def _list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[str]:
+def _list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[Message]:
     """What `grade` reports at its end, one line each."""
-    students = count_in_words(len(marks.grades), "student")
-    yield f"{output}: {students} marked, {count_in_words(len(marks.complaints), 'complaint')}"
+    complaints = Message("terminal.complaints", count=len(marks.complaints))
+    yield Message(
+        "terminal.marked", folder=str(output), count=len(marks.grades), complaints=complaints
+    )
     if kept:
         who = sum(each.kept is not None for each in marks.grades)
-        keep = "keeps" if who == 1 else "keep"
-        yield f"{output / KEPT.name}: {count_in_words(who, 'student')} {keep} an earlier total"
+        yield Message("terminal.kept-totals", file=str(output / KEPT.name), count=who)
 
 
-@click.command()
+@command()
 @click.argument("before", type=FILE, metavar="MARKS1")
 @click.argument("after", type=FILE, metavar="MARKS2")
 @click.option(
@@ -165,15 +156,11 @@ def _list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[s
     "--output",
     type=FILE,
     metavar="FILE",
-    help="Also write it as CSV, with the reasons of both.",
 )
 @FORCE
 @refusing
 def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
     """Show how the marks in MARKS2 differ from those in MARKS1: who changes, by how much, and why.
-
-    \b
-    Example: kinegrade diff MARKS MARKS2 -o changes.csv
     """
     from kinegrade.grading.comparison import compare, write_comparison_csv, write_comparison_text
     from kinegrade.marks_folder.folder import open_marks
@@ -187,11 +174,15 @@ def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
     click.echo(write_comparison_text(comparison))
 
 
-@click.command("report")
+@command("report")
 @click.argument("exam", type=FILE)
 @click.argument("marks", type=FILE)
 @click.option(
-    "-o", "--output", type=FILE, required=True, metavar="FILE", help="The HTML page to write."
+    "-o",
+    "--output",
+    type=FILE,
+    required=True,
+    metavar="FILE",
 )
 @_EXAM_LANGUAGE
 @FORCE
@@ -201,9 +192,6 @@ def class_report(
 ) -> None:
     """Report on the class: distribution, how hard each ask was, where points were lost, whether
     papers were alike.
-
-    \b
-    Example: kinegrade report EXAM MARKS -o report.html
     """
     from kinegrade.exam.exam_wording import read_exam_wording
     from kinegrade.exam.folder.exam_folder import open_exam
@@ -218,7 +206,7 @@ def class_report(
     write_file(output, page.encode("utf-8", "backslashreplace"), force=force)
 
 
-@click.command()
+@command()
 @click.argument("exam", type=FILE)
 @click.argument("marks", type=FILE)
 @click.option(
@@ -227,7 +215,6 @@ def class_report(
     type=FILE,
     required=True,
     metavar="FEEDBACK",
-    help="The folder of sheets to write.",
 )
 @click.option(
     "--format",
@@ -235,13 +222,10 @@ def class_report(
     type=click.Choice(["pdf", "html", "md"]),
     default="pdf",
     show_default=True,
-    help="What the sheets are written as.",
 )
 @click.option(
     "--solutions/--no-solutions",
     default=None,
-    help="Also hand out the worked solutions that EXAM holds.  [default: what the bank says, else "
-    "no-solutions]",
 )
 @_EXAM_LANGUAGE
 @JOBS
@@ -259,9 +243,6 @@ def feedback(
     force: bool,
 ) -> None:
     """Write each student a sheet: their answers, right answers, what probably went wrong, points.
-
-    \b
-    Example: kinegrade feedback EXAM MARKS -o FEEDBACK --format html
     """
     from kinegrade.exam.exam_wording import read_exam_wording
     from kinegrade.exam.folder.exam_folder import open_exam
@@ -281,13 +262,8 @@ def feedback(
     wording = read_exam_wording(folder, chosen)
     with open_executor(jobs, "feedback") as workers:
         count = write_feedback(folder, marked, output, wording, wishes, workers=workers)
-    click.echo(
-        (
-            f"{output}: {count_in_words(count, 'sheet')}; "
-            f"{output / 'feedback.csv'} says which is whose"
-        ),
-        err=True,
-    )
+    index = str(output / "feedback.csv")
+    say(Message("terminal.feedback", folder=str(output), count=count, index=index))
 
 
 def _choose_form(form: FeedbackForm) -> Text | Press:

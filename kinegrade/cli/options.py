@@ -5,7 +5,7 @@ from __future__ import annotations
 import errno
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import wraps
 from pathlib import Path
@@ -14,10 +14,10 @@ from typing import Any
 import click
 
 from kinegrade.cli.folders import expect_own_place
-from kinegrade.errors import KinegradeError, OutputError
+from kinegrade.cli.terminal import refuse_value, say, terminal_words, write_line
+from kinegrade.errors import KinegradeError, OutputError, Problem
 from kinegrade.language import LANGUAGES
-from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.known import choose_terminal_language
+from kinegrade.language.message import Message
 
 COMPLAINTS = 1
 FAILURE = 2
@@ -28,22 +28,21 @@ LANGUAGE = click.option(
     type=click.Choice(LANGUAGES),
     default="en",
     show_default=True,
-    help="Language of the output.",
 )
 METHOD = click.option(
     "--method",
     type=click.Choice(["base-point", "projection", "pole"]),
-    help="How worked solutions find velocities where several methods serve.  "
-    "[default: what the template says]",
 )
 JOBS = click.option(
     "--jobs",
     type=click.IntRange(1),
     default=lambda: os.cpu_count() or 1,
     metavar="N",
-    help="How many processes work.  [default: one for each core]",
 )
-FORCE = click.option("--force", is_flag=True, help="Replace an output that kinegrade wrote before.")
+FORCE = click.option(
+    "--force",
+    is_flag=True,
+)
 FILE = click.Path(path_type=Path)
 
 
@@ -56,7 +55,7 @@ def require_writable(
     if seed is not None and (
         not seed.strip() or any("\ud800" <= character <= "\udfff" for character in seed)
     ):
-        raise click.BadParameter("expected some text, like spring-2026")
+        raise refuse_value("--seed", Message("terminal.blank-seed"))
     return seed
 
 
@@ -71,10 +70,8 @@ def refusing(command: Callable[..., None]) -> Callable[..., None]:
                     expect_own_place(output)
                 command(*arguments, **options)
         except KinegradeError as error:
-            words = open_catalogue(choose_terminal_language())
             for fault in error.faults:
-                line = words.text("grammar.error", problem=" ".join(words.write(fault).split()))
-                click.echo(line, err=True)
+                say(Message("grammar.error", problem=write_line(fault)))
             sys.exit(FAILURE)
 
     return run
@@ -97,16 +94,18 @@ def _whole_output() -> Iterator[None]:
         # What is left in the buffer would fail again at the end
         with suppress(OSError, ValueError):
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        raise OutputError(
-            f"standard output: cannot be written ({fault.strerror}) - expected a place with room - "
-            "send it elsewhere"
-        ) from fault
+        raise OutputError(full_output(fault)) from fault
 
 
-def finish_with_complaints(complaints: tuple[str, ...]) -> None:
+def full_output(fault: OSError) -> Message:
+    """That standard output takes no more."""
+    return Message("terminal.full-output", reason=str(fault.strerror))
+
+
+def finish_with_complaints(complaints: Sequence[Problem]) -> None:
     """Print complaints on standard error; with any, end with status 1."""
     for complaint in complaints:
-        click.echo(f"complaint: {' '.join(complaint.split())}", err=True)
+        say(Message("grammar.complaint", complaint=write_line(complaint)))
     if complaints:
         sys.exit(COMPLAINTS)
 
@@ -116,5 +115,7 @@ def show_progress(items: Iterator[Any], count: int) -> Iterator[Any]:
     if not sys.stderr.isatty():
         yield from items
         return
-    with click.progressbar(items, length=count, label="papers", file=sys.stderr) as bar:
+    with click.progressbar(
+        items, length=count, label=terminal_words().text("terminal.progress"), file=sys.stderr
+    ) as bar:
         yield from bar

@@ -12,14 +12,18 @@ import signal
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from copy import copy
 from functools import partial
 from typing import Any, NoReturn
 
 import click
 
 from kinegrade.cli.crash import write_crash
-from kinegrade.cli.options import FAILURE, FULL
+from kinegrade.cli.help import read_help
+from kinegrade.cli.options import FAILURE, FULL, full_output
 from kinegrade.cli.signals import BY_SIGNAL, Signalled, signals_obeyed
+from kinegrade.cli.terminal import say
+from kinegrade.language.message import Message, Part
 
 _CRASH = 70  # EX_SOFTWARE of sysexits.h
 _CLOSED_PIPE = BY_SIGNAL + 13  # as if SIGPIPE had ended it, which Windows does not have
@@ -37,6 +41,12 @@ class Program(click.Group):
     def __call__(self, *arguments: Any, **options: Any) -> NoReturn:
         """Run the command that the process was started with, and exit with its status."""
         sys.exit(_run_to_status(partial(self.main, *arguments, standalone_mode=False, **options)))
+
+    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write what the program does."""
+        described = copy(self)
+        described.help = read_help("main")
+        super(Program, described).format_help_text(ctx, formatter)
 
     def make_context(self, *arguments: Any, **options: Any) -> click.Context:
         """Read the arguments, which may print the help."""
@@ -74,9 +84,7 @@ def _run_to_status(run: Callable[[], object]) -> int:
         with signals_obeyed():
             return _run_to_end(run)
     except Signalled as ending:
-        _say(
-            ending.number, "interrupted" if ending.number == signal.SIGINT else "ended from outside"
-        )
+        _report_signal(ending.number)
         return BY_SIGNAL + ending.number
     except (_ClosedPipe, BrokenPipeError):
         _discard_output()
@@ -88,10 +96,7 @@ def _run_to_status(run: Callable[[], object]) -> int:
     except OSError as fault:
         if fault.errno not in FULL or fault.filename is not None:
             return _report_crash(fault)
-        _echo(
-            f"error: standard output: cannot be written ({fault.strerror}) - expected a place "
-            "with room - send it elsewhere"
-        )
+        _echo(Message("grammar.error", problem=full_output(fault)))
         _discard_output()
         return FAILURE
     except Exception as fault:
@@ -119,14 +124,20 @@ def _report_crash(fault: BaseException) -> int:
     return _CRASH
 
 
-def _say(number: int, what: str) -> None:
-    _echo(f"{what} by {signal.Signals(number).name}")
+def _report_signal(number: int) -> None:
+    name = signal.Signals(number).name
+    interrupted = number == signal.SIGINT
+    _echo(
+        Message("terminal.interrupted", name=name)
+        if interrupted
+        else Message("terminal.ended", name=name)
+    )
 
 
-def _echo(line: str) -> None:
+def _echo(what: Part) -> None:
     """A last line on standard error, if it can still be written."""
     with suppress(OSError):
-        click.echo(line, err=True)
+        say(what)
 
 
 def _discard_output() -> None:

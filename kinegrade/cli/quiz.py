@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal, assert_never, get_args
 import click
 
 from kinegrade.cli.folders import expect_folders
+from kinegrade.cli.help import command
 from kinegrade.cli.options import (
     FILE,
     FORCE,
@@ -17,7 +18,9 @@ from kinegrade.cli.options import (
     refusing,
     show_progress,
 )
+from kinegrade.cli.terminal import say
 from kinegrade.language import LANGUAGES
+from kinegrade.language.message import Message
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -31,23 +34,25 @@ QuizSystem = Literal["moodle-xml", "qti12", "qti21", "blackboard"]
 SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
 
 
-@click.command()
+@command()
 @click.argument("exam", type=FILE)
 @click.option(
     "--to",
     "system",
     type=click.Choice(SYSTEMS),
     required=True,
-    help="What takes the quiz: Moodle, Canvas (qti12), others by QTI 2.1, Blackboard's text "
-    "upload.",
 )
-@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The file to write.")
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    required=True,
+    metavar="FILE",
+)
 @click.option(
     "--variants",
     type=click.IntRange(1),
     metavar="K",
-    help="K variants of every question, from which the system draws for each student, instead "
-    "of a paper for each.",
 )
 @click.option(
     "--as",
@@ -55,41 +60,34 @@ SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
     type=click.Choice(["cloze", "numerical"]),
     default="cloze",
     show_default=True,
-    help="For Moodle: a question for each mechanism, or for each number asked for.",
 )
 @click.option(
     "--split",
     "megabytes",
     type=click.FloatRange(0, min_open=True),
     metavar="MB",
-    help="For Moodle: FILE is a folder of files quiz-1.xml ... of at most MB megabytes, for a site "
-    "that limits uploads (often to 2).",
 )
 @click.option(
     "--mistakes/--no-mistakes",
     default=True,
     show_default=True,
-    help="Whether an answer that a known mistake leads to is explained.",
 )
 @click.option(
     "--mistake-credit",
     "credit",
     type=click.FloatRange(0, 100),
     metavar="PERCENT",
-    help="What such an answer earns of its points.  [default: what the bank says, else 0]",
 )
 @click.option(
     "--solutions/--no-solutions",
     default=False,
     show_default=True,
-    help="Whether the worked solutions are shown after the quiz.",
 )
 @METHOD
 @click.option(
     "--lang",
     "language",
     type=click.Choice(LANGUAGES),
-    help="Language of the quiz.  [default: that of the papers]",
 )
 @JOBS
 @FORCE
@@ -110,13 +108,7 @@ def quiz(
     jobs: int,
     force: bool,
 ) -> None:
-    """Write the papers of EXAM as a quiz that a learning management system imports.
-
-    \b
-    Example: kinegrade quiz EXAM --to moodle-xml -o quiz.xml
-    A pool:  kinegrade quiz EXAM --to moodle-xml --variants 20 -o pool.xml
-    In parts: kinegrade quiz EXAM --to moodle-xml --variants 60 --split 2 -o pool
-    """
+    """Write the papers of EXAM as a quiz that a learning management system imports."""
     from fractions import Fraction
 
     from kinegrade.exam.folder.exam_folder import open_exam
@@ -143,12 +135,8 @@ def quiz(
         )
         with variants_stored(folder, variants or 0):
             remarks = writer(put, output, force=force)
-    click.echo(f"{output}: written; it gives the key away, for instructors only", err=True)
-    click.echo(
-        "marked there, every number is marked alone: only kinegrade grade on its responses gives "
-        "follow-through",
-        err=True,
-    )
+    say(Message("terminal.quiz-written", file=str(output)))
+    say(Message("terminal.marked-there"))
     finish_with_complaints(tuple(remarks))
 
 
@@ -169,11 +157,7 @@ def _writer_of(system: QuizSystem, form: Form, megabytes: Fraction | None) -> Wr
             return partial(moodle_xml.write_parts, megabytes=megabytes, form=form)
         case "qti12" | "qti21" | "blackboard":
             if megabytes is not None:
-                raise ExportError(
-                    f"--split: {system} is one package - expected moodle-xml, whose files are "
-                    "imported one after the "
-                    "other - leave --split out, or write for fewer with --variants"
-                )
+                raise ExportError(Message("terminal.no-split", system=system))
             return WRITERS[system]
         case _:
             assert_never(system)

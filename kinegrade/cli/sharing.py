@@ -7,14 +7,20 @@ from pathlib import Path
 import click
 
 from kinegrade.cli.folders import expect_folders
+from kinegrade.cli.help import command
 from kinegrade.cli.options import FILE, FORCE, refusing
+from kinegrade.cli.terminal import say
 
 
-@click.command()
+@command()
 @click.argument("exam", type=FILE)
 @click.argument("marks", type=FILE)
 @click.option(
-    "-o", "--output", type=FILE, required=True, metavar="FILE", help="The CSV file to write."
+    "-o",
+    "--output",
+    type=FILE,
+    required=True,
+    metavar="FILE",
 )
 @click.option(
     "--level",
@@ -22,16 +28,12 @@ from kinegrade.cli.options import FILE, FORCE, refusing
     default=1.0,
     show_default=True,
     metavar="PERCENT",
-    help="How often a class without any sharing may give a pair by chance.",
 )
 @FORCE
 @refusing
 def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool) -> None:
     """Find wrong answers that fit another student's paper, more of them than chance explains: a
     hint, no verdict.
-
-    \b
-    Example: kinegrade sharing EXAM MARKS -o sharing.csv
     """
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.files import write_file
@@ -42,4 +44,4 @@ def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool)
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
     found = find_sharing(open_exam(exam), open_marks(marks), level / 100)
     write_file(output, write_sharing_csv(found), force=force)
-    click.echo(write_sharing_text(found), err=True)
+    say(write_sharing_text(found))

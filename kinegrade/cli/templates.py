@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from kinegrade.cli.help import command
 from kinegrade.cli.options import (
     COMPLAINTS,
     FILE,
@@ -19,7 +20,9 @@ from kinegrade.cli.options import (
     refusing,
     require_writable,
 )
+from kinegrade.cli.terminal import say, terminal_words
 from kinegrade.errors import TemplateError
+from kinegrade.language.message import Message, Quoted
 
 if TYPE_CHECKING:
     from kinegrade.language import Language
@@ -27,15 +30,11 @@ if TYPE_CHECKING:
     from kinegrade.problem.template import Method
 
 
-@click.command("list")
+@command("list")
 @LANGUAGE
 @refusing
 def list_templates(language: Language) -> None:
-    """List the problem templates.
-
-    \b
-    Example: kinegrade list --lang zh
-    """
+    """List the problem templates."""
     from kinegrade.problem.library import find_template_names, load_template
 
     for name in find_template_names():
@@ -43,27 +42,26 @@ def list_templates(language: Language) -> None:
         click.echo(f"{name}\t{template.about.family}\t{template.about.title.in_language(language)}")
 
 
-@click.command()
+@command()
 @click.argument("template_name", metavar="TEMPLATE")
 @LANGUAGE
-@click.option("-o", "--output", type=FILE, help="Also typeset a sample page as PDF.")
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+)
 @click.option(
     "--seed",
     callback=require_writable,
     default="sample",
     show_default=True,
-    help="Which sample is typeset.",
 )
 @FORCE
 @refusing
 def show(
     template_name: str, language: Language, output: Path | None, seed: str, force: bool
 ) -> None:
-    """Show a template: statement, parameters, what can be asked, how many instances.
-
-    \b
-    Example: kinegrade show slider-crank -o page.pdf
-    """
+    """Show a template: statement, parameters, what can be asked, how many instances."""
     from kinegrade.problem.describing import describe_template
     from kinegrade.problem.library import load_template
 
@@ -76,18 +74,24 @@ def show(
         write_file(output, print_sample(template, seed, language), force=force)
 
 
-@click.command()
+@command()
 @click.argument("template_name", metavar="TEMPLATE")
 @click.option(
     "--set",
     "settings",
     multiple=True,
     metavar="NAME=VALUE",
-    help="A parameter's value in its unit: a number or an exact expression.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 @click.option(
-    "-o", "--output", type=FILE, metavar="FILE", help="Also typeset the worked solution as PDF."
+    "--json",
+    "as_json",
+    is_flag=True,
+)
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    metavar="FILE",
 )
 @METHOD
 @LANGUAGE
@@ -105,9 +109,6 @@ def solve(
 ) -> None:
     """Solve a template exactly at given values; the rest take their published value, or the first
     drawable one.
-
-    \b
-    Example: kinegrade solve slider-crank --set r=1/5 --set phi=40 -o solution.pdf --method pole
     """
     from kinegrade.problem.library import load_template
     from kinegrade.problem.solving import solve_template
@@ -128,9 +129,9 @@ def _read_settings(settings: tuple[str, ...]) -> dict[str, str]:
     for setting in settings:
         name, mark, value = setting.partition("=")
         if not mark or not name.strip() or not value.strip():
-            faults.append(f'--set "{setting}": expected NAME=VALUE, like r=1/5')
+            faults.append(Message("terminal.setting", setting=Quoted(setting)))
         elif name.strip() in values:
-            faults.append(f"--set {name.strip()}: given twice: give it once")
+            faults.append(Message("terminal.setting-twice", name=name.strip()))
         values[name.strip()] = value.strip()
     if faults:
         raise TemplateError(*faults)
@@ -149,41 +150,36 @@ def _write_json(solution: Solution) -> str:
     try:
         return json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False)
     except ValueError as error:
-        raise TemplateError(
-            "a value is beyond 1e308, which JSON numbers do not reach: give smaller ones"
-        ) from error
+        raise TemplateError(Message("terminal.beyond-json")) from error
 
 
 def _write_table(solution: Solution) -> str:
     """The solution as a table: name, decimal, unit, exact."""
+    enclosed = terminal_words().text("terminal.enclosure")
     lines = []
     for group in (solution.parameters, solution.answers):
         lines += [
             f"{name:<14} {quantity.decimal(10):>18} {quantity.measure.printed:<6}  "
-            f"{quantity.exact or '(certified enclosure)'}"
+            f"{quantity.exact or enclosed}"
             for name, quantity in group.items()
         ]
         lines.append("")
     return "\n".join(lines[:-1])
 
 
-@click.command()
+@command()
 @click.argument("template_names", metavar="[TEMPLATE]...", nargs=-1)
 @click.option(
     "--sample",
     type=click.IntRange(1, 1_000_000),
     default=200,
     show_default=True,
-    help="How many combinations are drawn.",
 )
 @JOBS
 @refusing
 def check(template_names: tuple[str, ...], sample: int, jobs: int) -> None:
     """Prove templates: published results exactly, drawn instances solvable and sensible (default:
     all shipped).
-
-    \b
-    Example: kinegrade check slider-crank --sample 1000
     """
     from kinegrade.exam.template_proof import prove_templates
     from kinegrade.problem.library import find_template_names as shipped_names
@@ -199,35 +195,39 @@ def check(template_names: tuple[str, ...], sample: int, jobs: int) -> None:
         sys.exit(COMPLAINTS)
 
 
-@click.command()
+@command()
 @click.argument("name")
 @click.option(
-    "-o", "--output", type=FILE, metavar="FILE", help="The file to write.  [default: NAME.toml]"
+    "-o",
+    "--output",
+    type=FILE,
+    metavar="FILE",
 )
 @FORCE
 @refusing
 def new(name: str, output: Path | None, force: bool) -> None:
-    """Write a starter template, complete and sound, to put another mechanism into.
-
-    \b
-    Example: kinegrade new my-mechanism -o templates/my-mechanism.toml
-    """
+    """Write a starter template, complete and sound, to put another mechanism into."""
     from kinegrade.problem.starter import write_starter
 
     path = write_starter(name, output, force=force)
-    click.echo(f"{path}: written; prove it with: kinegrade check {path}", err=True)
+    say(Message("terminal.starter", path=str(path)))
 
 
-@click.command()
+@command()
 @click.argument("template_names", metavar="[TEMPLATE]...", nargs=-1)
-@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The PDF to write.")
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    required=True,
+    metavar="FILE",
+)
 @LANGUAGE
 @click.option(
     "--draws",
     type=click.IntRange(1, 12),
     default=3,
     show_default=True,
-    help="At how many draws each figure is shown.",
 )
 @FORCE
 @refusing
@@ -236,9 +236,6 @@ def gallery(
 ) -> None:
     """Typeset a contact sheet to choose templates from: what each asks, and its figure (default:
     all shipped).
-
-    \b
-    Example: kinegrade gallery -o gallery.pdf --lang zh --draws 2
     """
     from kinegrade.exam.gallery import make_contact_sheet
     from kinegrade.files import write_file

@@ -1,0 +1,39 @@
+"""What the commands say on the terminal: on standard error, in the language of the environment."""
+
+from __future__ import annotations
+
+import click
+
+from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.language.known import choose_terminal_language
+from kinegrade.language.message import Message, Part
+
+
+def terminal_words() -> Catalogue:
+    """The words in which the terminal is spoken to."""
+    return open_catalogue(choose_terminal_language())
+
+
+def say(what: Part) -> None:
+    """Say something, in one line or in a few."""
+    click.echo(terminal_words().write(what), err=True)
+
+
+def say_of(where: object, what: Part) -> None:
+    """Say something of a file or a folder."""
+    say(Message("terminal.of", where=str(where), what=what))
+
+
+def write_line(what: Part) -> str:
+    """Something to be said in one line."""
+    return " ".join(terminal_words().write(what).split())
+
+
+def refuse_usage(what: Message) -> click.UsageError:
+    """The error of a command line that contradicts itself."""
+    return click.UsageError(write_line(what))
+
+
+def refuse_value(option: str, what: Message) -> click.BadParameter:
+    """The error of an option's value."""
+    return click.BadParameter(write_line(what), param_hint=option)

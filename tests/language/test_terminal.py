@@ -1,0 +1,46 @@
+"""What is said on the terminal is said in its language; files are not written in it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+import pytest
+from click.testing import CliRunner, Result
+
+from kinegrade.cli import main
+from kinegrade.cli.help import list_help_keys
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.entries import read_entries
+from kinegrade.language.known import known_languages
+
+
+def chinese(*arguments: object) -> Result:
+    return CliRunner(env={"LC_ALL": "zh_CN.UTF-8"}).invoke(main, list(map(str, arguments)))
+
+
+def test_help_is_in_the_language_of_the_terminal() -> None:
+    assert "按学号 STUDENT 重新打印一名学生的试卷" in chinese("paper", "--help").output
+    assert "列出题目模板。" in chinese("--help").output
+
+
+def test_a_refusal_and_a_usage_error_are_in_the_language_of_the_terminal(tmp_path: Path) -> None:
+    path = tmp_path / "marks"
+    path.write_text("", encoding="utf-8")
+    refused = chinese("papers", path, "-o", tmp_path / "x")
+    assert refused.stderr == (
+        f"错误：{path}: 此处应为 EXAM，所给的是 一个文件 - 应为由 kinegrade generate 生成的考试文件夹 - "
+        "请给出该文件夹\n"
+    )
+    usage = chinese("export", "M", "--to", "moodle", "-o", "x.csv", "--lang", "zh")
+    assert "只有通用表格的表头可以翻译" in usage.stderr
+
+
+@pytest.mark.parametrize("language", known_languages())
+def test_help_has_an_entry_for_each_command_and_option_and_none_besides(language: Language) -> None:
+    entries = read_entries(language, "help").entries
+    assert set(list_help_keys(main)) == set(entries)
+    commands = {f"help.{name}" for name in main.commands}
+    assert all(isinstance(each, click.Command) for each in main.commands.values())
+    assert all("kinegrade " in open_catalogue(language).text(key) for key in commands)
