@@ -28,12 +28,12 @@ from kinegrade.exam.latex_run import (
 from kinegrade.exam.latex_solution import write_solution_body
 from kinegrade.exam.latex_source import write_document, write_paper_body
 from kinegrade.exam.latex_text import is_surely_printed, write_plain
-from kinegrade.exam.layout_call import convert_each
 from kinegrade.exam.press import Printout
 from kinegrade.exam.solution_words import choose_solution_words
 from kinegrade.exam.typst import make_owner_legible, make_owners_legible
 from kinegrade.exam.words import choose_words
 from kinegrade.language import ENGLISH, Language
+from kinegrade.language.gathering import convert_each
 from kinegrade.temporary import temporary_folder
 
 # TeX writes some things only on the first page of a run (its initial colour): this page, which is

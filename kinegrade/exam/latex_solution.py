@@ -9,14 +9,14 @@ from re import fullmatch
 
 from kinegrade.exam.document import SolutionSheet, WorkedQuestion
 from kinegrade.exam.equation_line import split_equation_line
-from kinegrade.exam.latex_markup import write_line, write_prose
 from kinegrade.exam.latex_math import write_math
 from kinegrade.exam.latex_source import Sheet, write_command, write_environment, write_named
 from kinegrade.exam.latex_text import write_comment, write_plain, write_signed, write_unit
-from kinegrade.exam.layout_call import convert_each, gather
 from kinegrade.exam.solution_blocks import FORMULA_ALONE, UNKNOWN, has_exact_decimal, stays
 from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.figure.tikz import write_tikz
+from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.prose.latex import write_line, write_prose
 from kinegrade.question_numbers import find_other_number
 from kinegrade.worked.document import (
     Block,

@@ -11,9 +11,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from kinegrade.exam.document import AnswerRow, Paper, QuestionSheet
 from kinegrade.exam.formula import write_unit
-from kinegrade.exam.layout_call import convert_each, gather
-from kinegrade.exam.pandoc_prose import write_line_inlines, write_math_inline, write_prose_blocks
-from kinegrade.exam.pandoc_tree import (
+from kinegrade.exam.typst_source import write_points_text
+from kinegrade.exam.words import Words, choose_words
+from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.prose.pandoc import make_formula, write_line, write_prose
+from kinegrade.language.prose.pandoc_tree import (
     Alignment,
     Node,
     make_bullets,
@@ -28,8 +30,6 @@ from kinegrade.exam.pandoc_tree import (
     make_table,
     make_text,
 )
-from kinegrade.exam.typst_source import write_points_text
-from kinegrade.exam.words import Words, choose_words
 from kinegrade.question_numbers import find_other_number
 
 _FIELD_WIDTHS = (0.5, 0.25, 0.25)
@@ -52,7 +52,7 @@ def write_paper_tree(paper: Paper, figures: Mapping[int, str]) -> bytes:
     words = choose_words(paper.language)
     parts = gather(
         rules=lambda: convert_each(
-            lambda rule: [make_plain(write_line_inlines(rule, "rules"))], paper.rules
+            lambda rule: [make_plain(write_line(rule, "rules"))], paper.rules
         ),
         questions=lambda: convert_each(
             lambda question: _write_question(question, figures, words), paper.questions
@@ -123,8 +123,8 @@ def _write_question(
 ) -> list[Node]:
     where = question.identifier
     parts = gather(
-        title=lambda: write_line_inlines(question.title, f"{where}, title"),
-        statement=lambda: write_prose_blocks(question.statement, f"{where}, statement"),
+        title=lambda: write_line(question.title, f"{where}, title"),
+        statement=lambda: write_prose(question.statement, f"{where}, statement"),
         rows=lambda: convert_each(lambda row: _write_row(row, where, words), question.rows),
     )
     blocks = [make_heading(1, _write_head(question, parts["title"], words)), *parts["statement"]]
@@ -163,10 +163,10 @@ def _write_head(question: QuestionSheet, title: Sequence[Node], words: Words) ->
 
 def _write_row(row: AnswerRow, where: str, words: Words) -> list[Node]:
     parts = gather(
-        meaning=lambda: write_line_inlines(row.meaning, f"{where}, meaning"),
-        sign=lambda: write_line_inlines(row.sign, f"{where}, sign"),
+        meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
+        sign=lambda: write_line(row.sign, f"{where}, sign"),
         symbol=lambda: [
-            write_math_inline(row.symbol, f"{where}, symbol"),
+            make_formula(row.symbol, f"{where}, symbol"),
             make_text(f"{_NO_BREAK}="),
         ],
     )

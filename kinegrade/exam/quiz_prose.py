@@ -1,53 +1,21 @@
-r"""Prose and math into HTML as learning management systems show it: formulas between `\(` and `\)`,
+r"""Math and units in HTML as learning management systems show it: formulas between `\(` and `\)`,
 set by MathJax.
 
 Every character that comes in is escaped; the only tags are those made here, and they are
-well-formed XML too. Prose is read token by token as `kinegrade.exam.markup` reads it.
+well-formed XML too.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from functools import lru_cache
 from html import escape
 
-from markdown_it.token import Token
-
 from kinegrade.exam.formula import RAISED, TEXT, require_known_math, write_unit
-from kinegrade.exam.markup import find_leaves, is_between_wide, read_line, read_prose
 
-_WRITTEN = {
-    "paragraph_open": "<p>",
-    "paragraph_close": "</p>\n",
-    "strong_open": "<strong>",
-    "strong_close": "</strong>",
-    "em_open": "<em>",
-    "em_close": "</em>",
-    "bullet_list_open": "<ul>\n",
-    "bullet_list_close": "</ul>\n",
-    "ordered_list_close": "</ol>\n",
-    "list_item_open": "<li>",
-    "list_item_close": "</li>\n",
-    "hardbreak": "<br/>\n",
-}
 # What no XML document may hold
 _CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\ufffe\uffff\ud800-\udfff]")
 _BOLD = re.compile(r"\\bm(?![A-Za-z])")
-
-
-@lru_cache(maxsize=512)  # the lines about what is asked for are on every paper
-def write_prose_html(markdown: str, where: str = "text", *, inline: bool = False) -> str:
-    r"""Several paragraphs of Markdown with `$...$` math; `inline`: one line, not set as a
-    paragraph.
-
-    Raises TypesetError with every fault of the text, each naming `where`.
-
-    >>> write_prose_html("The **crank** $OA$ & more", inline=True)
-    'The <strong>crank</strong> \\(OA\\) &amp; more'
-    """
-    leaves = find_leaves((read_line if inline else read_prose)(markdown, where))
-    return "".join(_write_written(leaves, index, where) for index in range(len(leaves)))
 
 
 def write_plain_html(text: str) -> str:
@@ -93,21 +61,3 @@ def _write_upright(found: re.Match[str]) -> str:
         return r"{}^{\circ}"
     raised = RAISED.sub(r"^{\1}", found[1]).replace("*", r"{\cdot}")
     return rf"\mathrm{{{raised}}}"
-
-
-def _write_written(leaves: Sequence[Token], index: int, where: str) -> str:
-    token = leaves[index]
-    match token.type:
-        case "text" | "text_special":
-            return write_plain_html(token.content)
-        case "softbreak":
-            return "" if is_between_wide(leaves, index) else " "
-        case "math_inline":
-            return write_math_html(token.content, where)
-        case "math_inline_double" | "math_block":
-            return write_math_html(token.content, where, display=True)
-        case "ordered_list_open":
-            return f'<ol start="{int(token.attrs.get("start", 1))}">\n'
-        case "paragraph_open" | "paragraph_close" if token.hidden:
-            return ""
-    return _WRITTEN[token.type]

@@ -14,12 +14,12 @@ from kinegrade.exam.equation_line import split_equation_line
 from kinegrade.exam.quiz_prose import (
     write_math_html,
     write_plain_html,
-    write_prose_html,
     write_unit_html,
 )
 from kinegrade.exam.solution_blocks import has_exact_decimal
 from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.language import Language
+from kinegrade.language.prose.html import write_line, write_prose
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Method
 from kinegrade.worked.document import (
@@ -61,9 +61,9 @@ def _write_block(block: Block, words: SolutionWords) -> str:
     match block:
         case Heading():
             tag = "h4" if block.level == 1 else "h5"
-            return f"<{tag}>{write_prose_html(block.text, _WHERE, inline=True)}</{tag}>\n"
+            return f"<{tag}>{write_line(block.text, _WHERE)}</{tag}>\n"
         case Prose():
-            return write_prose_html(block.text, _WHERE)
+            return write_prose(block.text, _WHERE)
         case Display():
             return f"<p>{_write_aligned(block.lines)}</p>\n"
         case TermTable():
@@ -114,7 +114,7 @@ def _write_terms(terms: Sequence[Term], words: SolutionWords) -> str:
 
 
 def _write_cell(text: str) -> str:
-    return write_prose_html(text, _WHERE, inline=True)
+    return write_line(text, _WHERE)
 
 
 def _write_entry(cell: str) -> str:
@@ -127,5 +127,5 @@ def _write_result(result: Result) -> str:
     value = write_math_html(rf"{result.symbol} {exact}{relation} {result.decimal}", _WHERE)
     unit = write_unit_html(result.unit)
     spaced = unit if unit in ("", "°") else f" {unit}"
-    sense = f" ({write_prose_html(result.sense, _WHERE, inline=True)})" if result.sense else ""
+    sense = f" ({write_line(result.sense, _WHERE)})" if result.sense else ""
     return f"{value}{spaced}{sense}"

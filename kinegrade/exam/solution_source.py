@@ -1,8 +1,7 @@
 """Worked solutions as Typst source: one call of the layout `solution.typ` with one string of data.
 
-Prose and math become Typst code by `kinegrade.exam.markup` and `formula`, pictures by the figures'
-back end. What must fit the page (equations, tables of terms) goes to the layout in pieces, which it
-measures and breaks.
+Prose and math become Typst code by their writers, pictures by the figures' back end. What must fit
+the page (equations, tables of terms) goes to the layout in pieces, which it measures and breaks.
 """
 
 from __future__ import annotations
@@ -14,11 +13,12 @@ from re import fullmatch
 from kinegrade.exam.document import PaperSize, SolutionSheet, WorkedQuestion
 from kinegrade.exam.equation_line import split_equation_line
 from kinegrade.exam.formula import convert_formula, write_unit
-from kinegrade.exam.layout_call import Sheet, convert_each, gather, write_layout_call
-from kinegrade.exam.markup import write_line, write_prose
+from kinegrade.exam.layout_call import Sheet, write_layout_call
 from kinegrade.exam.solution_blocks import has_exact_decimal, stays
 from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.figure.typst import write_typst
+from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.question_numbers import find_other_number
 from kinegrade.worked.document import (
     Block,

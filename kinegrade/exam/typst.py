@@ -23,9 +23,9 @@ from kinegrade.exam.document import Gallery, KeyBook, KeyPaper, Paper, PaperSize
 from kinegrade.exam.fonts import find_installed_fonts
 from kinegrade.exam.formula import write_literal
 from kinegrade.exam.join import count_pages, join_pages
-from kinegrade.exam.layout_call import convert_each
 from kinegrade.exam.press import Press, Printout, unprintable_character
 from kinegrade.exam.typst_source import write_gallery_source, write_key_source, write_paper_source
+from kinegrade.language.gathering import convert_each
 
 # Papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
 KEY_CHUNK = 10

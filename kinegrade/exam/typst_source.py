@@ -1,9 +1,8 @@
 """Papers, keys and galleries as Typst source: one call of a layout with one string of data.
 
-Plain text goes into the data as it is, prose and math as Typst code made by `kinegrade.exam.markup`
-and `formula`, figures by their back end. The layouts (`layouts/*.typ`) evaluate such code. As all
-data is one string, what two papers share is the same to Typst, which then need not lay it out
-again.
+Plain text goes into the data as it is, prose, math and figures as Typst code made by their writers.
+The layouts (`layouts/*.typ`) evaluate such code. As all data is one string, what two papers share
+is the same to Typst, which then need not lay it out again.
 """
 
 from __future__ import annotations
@@ -32,11 +31,12 @@ from kinegrade.exam.document import (
     QuestionSheet,
 )
 from kinegrade.exam.formula import convert_formula, write_literal, write_unit
-from kinegrade.exam.layout_call import Sheet, convert_each, gather, write_layout_call
-from kinegrade.exam.markup import write_line, write_prose
+from kinegrade.exam.layout_call import Sheet, write_layout_call
 from kinegrade.exam.words import GalleryWords, Words, choose_gallery_words, choose_words
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import write_typst, write_typst_picture
+from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.question_numbers import find_bank_number, find_other_number
 from kinegrade.worked.formula_width import measure_width
 

@@ -25,9 +25,9 @@ from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import KeyLine, KeyQuestion
 from kinegrade.exam.quiz import different
 from kinegrade.exam.quiz_paper import show_instance
-from kinegrade.exam.quiz_prose import write_prose_html
 from kinegrade.files import write_file
 from kinegrade.language import LANGUAGES
+from kinegrade.language.prose.html import write_prose
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template import Template
 
@@ -115,7 +115,9 @@ class Variant:
         """Its statement in each language as a quiz shows it, without mark-up."""
         parameters, _ = show_instance(self.template, self.entry.values)
         return frozenset(
-            _plain_text(write_prose_html(write_statement(self.template, parameters, language)))
+            _plain_text(
+                write_prose(write_statement(self.template, parameters, language), "statement")
+            )
             for language in LANGUAGES
         )
 

@@ -1,4 +1,4 @@
-"""Plain text, prose and math for LaTeX: what is typed is printed, and nothing of it is obeyed."""
+"""Plain text and math for LaTeX: what is typed is printed, and nothing of it is obeyed."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.formula import COMMANDS
-from kinegrade.exam.latex_markup import write_line, write_prose
 from kinegrade.exam.latex_math import write_math
 from kinegrade.exam.latex_text import write_comment, write_plain, write_signed, write_unit
 
@@ -49,30 +48,6 @@ def test_units_and_numbers_are_printed_as_books_do() -> None:
 
 def test_a_comment_stays_on_its_line() -> None:
     assert write_comment("a\nb") == "%% a·b"
-
-
-@pytest.mark.parametrize(
-    ("markdown", "expected"),
-    [
-        ("The *crank* $OA$", r"The \emph{crank} $OA$"),
-        ("a\n\n**b**", "a\n\n\\textbf{b}"),
-        ("- a\n- $b$", "\\begin{itemize}\n\\item{} a\n\\item{} $b$\n\\end{itemize}"),
-        ("3. a", "\\begin{enumerate}\\startat{3}\n\\item{} a\n\\end{enumerate}"),
-        ("so $$x = 1$$", r"so \[x = 1\]"),
-        ("the rod\nAB", "the rod\nAB"),
-        ("曲柄\n转动", "曲柄%\n转动"),
-        ("the slider's pin", "the slider’s pin"),
-        (r"5 \$ \* \# &amp; \\input{x}", r"5 \$ * \# \& \textbackslash{}input\{x\}"),
-    ],
-)
-def test_what_an_exam_needs(markdown: str, expected: str) -> None:
-    assert write_prose(markdown, "q1") == expected
-
-
-@pytest.mark.parametrize("markdown", ["![a](b.png)", "<b>x</b>", "[a](b)", "`a`"])
-def test_what_it_does_not_need_is_refused(markdown: str) -> None:
-    with pytest.raises(TypesetError, match="q1: .* cannot be printed - expected text"):
-        write_line(markdown, "q1")
 
 
 @pytest.mark.parametrize(

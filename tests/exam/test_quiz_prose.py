@@ -1,4 +1,4 @@
-"""Prose as HTML: nothing becomes a tag that was none, formulas are such as MathJax sets."""
+"""Formulas and units as HTML: such as MathJax sets, and nothing becomes a tag that was none."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from kinegrade.errors import TypesetError
 from kinegrade.exam.quiz_prose import (
     write_math_html,
     write_plain_html,
-    write_prose_html,
     write_unit_html,
 )
 
@@ -27,33 +26,6 @@ def test_a_plain_text_is_itself(text: str) -> None:
     shown = "".join(element(write_plain_html(text)).itertext())
     assert len(shown) == len(text)
     assert all(new in (old, " ") for new, old in zip(shown, text.replace("\r", " "), strict=True))
-
-
-@given(st.text())
-def test_prose_is_well_formed_or_refused(text: str) -> None:
-    try:
-        tree = element(write_prose_html(text))
-    except TypesetError:
-        return
-    assert {part.tag for part in tree.iter()} <= {
-        "div",
-        "p",
-        "strong",
-        "em",
-        "ul",
-        "ol",
-        "li",
-        "br",
-    }
-
-
-def test_paragraphs_lists_and_emphasis() -> None:
-    html = write_prose_html("One **bold** *leaning*\nline.\n\n3. three\n4. four\n\n- a  \n  b\n")
-    assert html == (
-        '<p>One <strong>bold</strong> <em>leaning</em> line.</p>\n<ol start="3">\n<li>three</li>\n'
-        "<li>four</li>\n</ol>\n<ul>\n<li>a<br/>\nb</li>\n</ul>\n"
-    )
-    assert write_prose_html("曲柄\n转动", inline=True) == "曲柄转动"
 
 
 @pytest.mark.parametrize(
@@ -74,7 +46,6 @@ def test_formulas_are_such_as_mathjax_sets(latex: str, written: str) -> None:
 
 
 def test_a_formula_on_its_own_line() -> None:
-    assert write_prose_html("$$v = 1$$") == r"\[v = 1\]"
     assert write_math_html("v", display=True) == r"\[v\]"
 
 
@@ -82,11 +53,6 @@ def test_a_formula_on_its_own_line() -> None:
 def test_what_is_no_math_is_refused(latex: str) -> None:
     with pytest.raises(TypesetError, match=r"^q1: formula "):
         write_math_html(latex, "q1")
-
-
-def test_what_no_press_prints_is_refused_here_too() -> None:
-    with pytest.raises(TypesetError, match="^q1: raw HTML .* cannot be printed"):
-        write_prose_html("<script>alert(1)</script>", "q1")
 
 
 def test_units_have_raised_exponents() -> None:

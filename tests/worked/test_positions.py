@@ -10,8 +10,8 @@ from functools import cache
 import pytest
 
 from kinegrade.exam.formula import convert_formula
-from kinegrade.exam.markup import write_prose
 from kinegrade.language import LANGUAGES, Language
+from kinegrade.language.prose.typst import write_prose
 from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import Solution, solve_template

@@ -15,8 +15,8 @@ import pytest
 
 from kinegrade.errors import MechanismError, TemplateError
 from kinegrade.exam.formula import convert_formula
-from kinegrade.exam.markup import write_prose
 from kinegrade.language import Language
+from kinegrade.language.prose.typst import write_prose
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.relations import Relation, add_vectors
 from kinegrade.mechanics.vector_equation import Level

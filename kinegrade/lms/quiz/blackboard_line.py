@@ -10,11 +10,11 @@ from kinegrade.exam.formula import write_unit
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.exam.quiz_words import BETWEEN
 from kinegrade.language import Language
+from kinegrade.language.prose.plain import write_line, write_prose
 from kinegrade.lms.quiz.decimals import write_decimal
 from kinegrade.lms.quiz.html import PLACES
 from kinegrade.lms.quiz.intervals import RightInterval, turn_next_to_zero
 from kinegrade.lms.quiz.plain_math import write_plain_math
-from kinegrade.lms.quiz.plain_prose import write_plain_prose
 from kinegrade.lms.quiz.question_words import WORDS
 from kinegrade.lms.quiz.remarks import Remarks
 from kinegrade.lms.quiz.typing_words import BLACKBOARD, write_rules
@@ -39,9 +39,9 @@ def write_question_line(
     where, column = question.question, f"{question.question}.{ask.identifier}"
     figure = WORDS[language].figure_on_paper if on_paper and question.figure is not None else ""
     turns = WORDS[language].half_turn if ask.period is not None else ""
-    rule = write_plain_prose(write_rules(question, BLACKBOARD, language), where)
+    rule = write_prose(write_rules(question, BLACKBOARD, language), where)
     parts = (
-        write_plain_prose(question.statement, where),
+        write_prose(question.statement, where),
         figure,
         rule,
         _write_asked(ask, language, where),
@@ -57,9 +57,9 @@ def write_question_line(
 
 def _write_asked(ask: QuizAsk, language: Language, where: str) -> str:
     colon, note = PLACES[language]
-    sign = note.format(write_plain_prose(ask.sign, where, inline=True)) if ask.sign else ""
+    sign = note.format(write_line(ask.sign, where)) if ask.sign else ""
     unit = {"1": "", "deg": "°"}.get(ask.unit, f" {write_unit(ask.unit)}")
-    meaning = write_plain_prose(ask.meaning, where, inline=True)
+    meaning = write_line(ask.meaning, where)
     return f"{meaning}{sign}{colon}{write_plain_math(ask.symbol, where)} = ?{unit}"
 
 

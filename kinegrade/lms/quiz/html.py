@@ -1,8 +1,4 @@
-"""The texts of a quiz as HTML, for every writer of this package: prose, math, units, plain text,
-figures, asks.
-
-Prose and math come from `kinegrade.exam.quiz_prose`, which writes the worked solutions too.
-"""
+"""The figures and asks of a quiz as HTML, for every writer of this package."""
 
 from __future__ import annotations
 
@@ -12,25 +8,15 @@ from kinegrade.exam.quiz_document import QuizAsk, QuizFigure
 from kinegrade.exam.quiz_prose import (
     write_math_html,
     write_plain_html,
-    write_prose_html,
     write_unit_html,
 )
 from kinegrade.exam.rules import write_plain
 from kinegrade.exam.words import choose_words
 from kinegrade.language import Language
+from kinegrade.language.prose.html import write_line
 
 _PIXELS = 5.0  # for a millimetre on paper: symbols are then as large as the text around the figure
 PLACES = {"en": (": ", " ({})"), "zh": ("：", "（{}）")}
-
-__all__ = [
-    "write_ask_html",
-    "write_figure_html",
-    "write_math_html",
-    "write_plain_html",
-    "_write_points_html",
-    "write_prose_html",
-    "write_unit_html",
-]
 
 
 def write_figure_html(figure: QuizFigure, source: str) -> str:
@@ -50,16 +36,14 @@ def write_ask_html(ask: QuizAsk, language: Language, field: str = "") -> str:
     """
     where = f"ask {ask.identifier}"
     colon, note = PLACES[language]
-    sign = note.format(write_prose_html(ask.sign, where, inline=True)) if ask.sign else ""
+    sign = note.format(write_line(ask.sign, where)) if ask.sign else ""
     unit = write_unit_html(ask.unit)
     spaced = unit if unit in ("", "°") else f" {unit}"
     points = note.format(_write_points_html(ask.points, language))
     symbol = write_math_html(f"{ask.symbol} =", where)
     meaning = f"{ask.meaning[:1].upper()}{ask.meaning[1:]}"
     return (
-        f"<p>{write_prose_html(meaning, where, inline=True)}"
-        f"{sign}{colon}{symbol} {field or '?'}{spaced}"
-        f"{points}</p>\n"
+        f"<p>{write_line(meaning, where)}{sign}{colon}{symbol} {field or '?'}{spaced}{points}</p>\n"
     )
 
 

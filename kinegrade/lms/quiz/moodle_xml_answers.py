@@ -19,8 +19,8 @@ from functools import lru_cache
 
 from kinegrade.errors import ExportError
 from kinegrade.exam.quiz_document import QuizAsk
+from kinegrade.exam.quiz_prose import write_plain_html
 from kinegrade.lms.quiz.decimals import round_to_digits, write_decimal
-from kinegrade.lms.quiz.html import write_plain_html
 from kinegrade.lms.quiz.intervals import RightInterval, find_right_intervals
 from kinegrade.lms.quiz.wrong_numbers import find_wrong_numbers
 

@@ -20,13 +20,13 @@ from math import lcm
 from typing import Literal, assert_never
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizPaper, QuizQuestion
+from kinegrade.exam.quiz_prose import write_plain_html
 from kinegrade.language import Language
+from kinegrade.language.prose.html import write_prose
 from kinegrade.lms.quiz.decimals import write_decimal
 from kinegrade.lms.quiz.html import (
     write_ask_html,
     write_figure_html,
-    write_plain_html,
-    write_prose_html,
 )
 from kinegrade.lms.quiz.moodle_xml_answers import (
     MoodleAnswer,
@@ -206,7 +206,7 @@ def _write_statement(question: QuizQuestion) -> str:
     figure = (
         write_figure_html(question.figure, f"@@PLUGINFILE@@/{_FIGURE}") if question.figure else ""
     )
-    return write_prose_html(question.statement, f"{question.question}, statement") + figure
+    return write_prose(question.statement, f"{question.question}, statement") + figure
 
 
 def _write_file(question: QuizQuestion) -> str:

@@ -15,11 +15,11 @@ from tempfile import TemporaryFile
 from xml.sax.saxutils import quoteattr
 
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper, QuizQuestion
+from kinegrade.language.prose.plain import write_one_plain_line
 from kinegrade.lms.quiz import qti12_manifest
 from kinegrade.lms.quiz.canvas_units import choose_class_units
 from kinegrade.lms.quiz.manifest import Manifest
 from kinegrade.lms.quiz.packaging import Package, make_pool_name, make_stable_name, open_package
-from kinegrade.lms.quiz.plain_prose import write_one_plain_line
 from kinegrade.lms.quiz.qti12_groups import Groups
 from kinegrade.lms.quiz.qti12_item import NumericalItem, write_item_element
 from kinegrade.lms.quiz.qti12_questions import Asking, make_numerical_items, name_picture

@@ -11,14 +11,15 @@ from dataclasses import dataclass
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
+from kinegrade.exam.quiz_prose import write_plain_html
 from kinegrade.language import Language
+from kinegrade.language.prose.plain import write_line
 from kinegrade.lms.quiz.canvas_units import ClassUnits, keeps_edges
 from kinegrade.lms.quiz.decimals import write_decimal
-from kinegrade.lms.quiz.html import PLACES, write_ask_html, write_plain_html
+from kinegrade.lms.quiz.html import PLACES, write_ask_html
 from kinegrade.lms.quiz.intervals import find_right_intervals
 from kinegrade.lms.quiz.packaging import make_stable_name
 from kinegrade.lms.quiz.plain_math import write_plain_math
-from kinegrade.lms.quiz.plain_prose import write_plain_prose
 from kinegrade.lms.quiz.qti12_item import NumericalItem
 from kinegrade.lms.quiz.question_html import write_question_html, write_warnings_html
 from kinegrade.lms.quiz.question_words import WORDS
@@ -100,7 +101,7 @@ def _make_item(
     _note_remark(f"{question.question}.{ask.identifier}", ask, now, remarks)
     asked = write_ask_html(now, language) + write_warnings_html(now, ask, WORDS[language])
     column = write_plain_html(f"[{question.question}.{ask.identifier}]")
-    heading = write_plain_prose(question.title, question.question, inline=True)
+    heading = write_line(question.title, question.question)
     title = f"{heading}{PLACES[language][0]}{symbol}"
     return NumericalItem(
         make_stable_name(f"{question.identifier}-{ask.identifier}"),

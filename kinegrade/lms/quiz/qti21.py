@@ -9,9 +9,9 @@ from pathlib import Path
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.quiz_document import Quiz, QuizPaper, QuizQuestion
+from kinegrade.language.prose.plain import write_one_plain_line
 from kinegrade.lms.quiz.manifest import Manifest
 from kinegrade.lms.quiz.packaging import Package, make_pool_name, make_stable_name, open_package
-from kinegrade.lms.quiz.plain_prose import write_one_plain_line
 from kinegrade.lms.quiz.qti21_item import NAMES, write_item_document
 from kinegrade.lms.quiz.remarks import Remarks
 from kinegrade.lms.quiz.xml_text import Xml, write_document, write_element, write_on_lines

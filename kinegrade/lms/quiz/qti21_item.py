@@ -7,10 +7,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
+from kinegrade.exam.quiz_prose import write_plain_html
 from kinegrade.language import Language
-from kinegrade.lms.quiz.html import write_ask_html, write_plain_html
+from kinegrade.language.prose.plain import write_line
+from kinegrade.lms.quiz.html import write_ask_html
 from kinegrade.lms.quiz.packaging import make_stable_name
-from kinegrade.lms.quiz.plain_prose import write_plain_prose
 from kinegrade.lms.quiz.qti21_body import write_flow
 from kinegrade.lms.quiz.qti21_scoring import (
     SOLUTION,
@@ -35,7 +36,7 @@ _BOX = '<textEntryInteraction responseIdentifier="{}" expectedLength="16"/>'
 
 def write_item_document(question: QuizQuestion, language: Language, picture: str) -> bytes:
     """The item's file; `picture` is the address of the figure. Raises TypesetError."""
-    title = write_plain_prose(question.title, question.question, inline=True)
+    title = write_line(question.title, question.question)
     parts = write_on_lines(
         (
             *write_declarations(question.asks),

@@ -5,8 +5,10 @@ from __future__ import annotations
 from functools import lru_cache
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
+from kinegrade.exam.quiz_prose import write_unit_html
 from kinegrade.language import Language
-from kinegrade.lms.quiz.html import write_figure_html, write_prose_html, write_unit_html
+from kinegrade.language.prose.html import write_prose
+from kinegrade.lms.quiz.html import write_figure_html
 from kinegrade.lms.quiz.question_words import QuestionWords
 from kinegrade.lms.quiz.typing_words import Typing, write_rules
 
@@ -17,7 +19,7 @@ def write_question_html(
     """The statement, its figure at the address `picture`, and the rules. Raises TypesetError."""
     figure = write_figure_html(question.figure, picture) if question.figure is not None else ""
     return (
-        write_prose_html(question.statement, question.question)
+        write_prose(question.statement, question.question)
         + figure
         + write_rules_html(question, typing, language)
     )
@@ -31,7 +33,7 @@ def write_rules_html(question: QuizQuestion, typing: Typing, language: Language)
 @lru_cache(maxsize=64)
 def _write_rules_html(text: str) -> str:
     """The rules, which most questions of an exam share."""
-    return write_prose_html(text, "rule")
+    return write_prose(text, "rule")
 
 
 def write_warnings_html(asked: QuizAsk, on_paper: QuizAsk, words: QuestionWords) -> str:

@@ -1,4 +1,4 @@
-"""Markdown becomes Typst content; what an exam does not need is refused by name."""
+"""Prose as Typst content."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.markup import write_line, write_prose
+from kinegrade.language.prose.typst import write_line, write_prose
 
 WORDS = {"box", "strong", "emph", "list", "enum", "start", "parbreak", "linebreak"}
 
@@ -33,41 +33,9 @@ def test_what_an_exam_needs(markdown: str, expected: str) -> None:
     assert write_prose(markdown, "q1").replace('";"', "") == expected.replace('";"', "")
 
 
-@pytest.mark.parametrize(
-    ("markdown", "name"),
-    [
-        ("![a](b.png)", "an image (a)"),
-        ("<b>x</b>", "raw HTML (<b>)"),
-        ("<div>", "raw HTML (<div>)"),
-        ("[a](b)", "a link"),
-        ("# a", "a heading"),
-        ("> a", "a quotation"),
-        ("`a`", "code (a)"),
-        ("```\na\n```", "code (a)"),
-        ("    a", "code (a line indented by four blanks) (a)"),
-        ("---", "a rule across the page"),
-        ("$$\nx\n$$ (eq)", "a labelled formula (x)"),
-    ],
-)
-def test_anything_else_is_refused_by_name(markdown: str, name: str) -> None:
-    with pytest.raises(TypesetError) as refusal:
-        write_prose(markdown, "q1, statement")
-    expected = (
-        f"q1, statement: {name} cannot be printed - expected text, **bold**, *emphasis*, "
-        "lists and $math$"
-    )
-    assert refusal.value.problems[0].startswith(expected)
-
-
-def test_all_faults_of_a_text_are_told_at_once() -> None:
-    with pytest.raises(TypesetError) as refusal:
-        write_prose("# a\n\n`b` $\\foo$ $\\baz$", "q1")
-    assert len(refusal.value.problems) == 4
-
-
 @given(st.text(st.sampled_from('ab #$*_`\\"(){}[]<>@-1.\n!/;'), max_size=30))
 def test_no_text_becomes_code(text: str) -> None:
-    """Outside of string literals and formulas there are only the words of `markup` itself."""
+    """Outside of string literals and formulas there are only the words of the writer itself."""
     try:
         source = write_prose(text, "q1") + write_line(text, "q1")
     except TypesetError:

@@ -1,0 +1,81 @@
+"""Prose as Typst code that yields content.
+
+Text leaves here only as string literals and formulas only through the writer of math, so nothing in
+a statement or title can become Typst code.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kinegrade.exam.formula import convert_formula, write_literal
+from kinegrade.language.prose.writing import ProseWriter, TextRenderer
+
+_PARAGRAPH_END = "parbreak();"
+
+
+class _TypstRenderer(TextRenderer):
+    """Statements of Typst; semicolons keep them apart on one line."""
+
+    def text(self, plain: str, *, follows_formula: bool) -> str:
+        # By Unicode's rules a Chinese colon or semicolon after a formula could begin a line
+        glue = "\u2060" if follows_formula and plain[0] in "：；" else ""
+        return f"{write_literal(glue + plain)};"
+
+    def inline_formula(self, latex: str, where: str) -> str:
+        # In a box, so that a value is not separated from its symbol
+        return f"box(${convert_formula(latex, where)}$);"
+
+    def displayed_formula(self, latex: str, where: str) -> str:
+        return f"$ {convert_formula(latex, where)} $;"
+
+    def line_end(self, *, printed: bool) -> str:
+        return '" ";' if printed else ""
+
+    def line_break(self) -> str:
+        return "linebreak();"
+
+    def strong(self, content: Sequence[str]) -> str:
+        return f"strong({{{''.join(content)}}});"
+
+    def emphasis(self, content: Sequence[str]) -> str:
+        return f"emph({{{''.join(content)}}});"
+
+    def paragraph(self, content: Sequence[str]) -> str:
+        return "".join(content) + _PARAGRAPH_END
+
+    def short_item(self, content: Sequence[str]) -> str:
+        return "".join(content)
+
+    def bullet_list(self, items: Sequence[Sequence[str]]) -> str:
+        return f"list({_write_items(items)});"
+
+    def numbered_list(self, items: Sequence[Sequence[str]], start: int) -> str:
+        return f"enum(start: {start}, {_write_items(items)});"
+
+
+_WRITER = ProseWriter(_TypstRenderer)
+
+
+def write_prose(markdown: str, where: str) -> str:
+    """Typst code (an expression yielding content) for several paragraphs of Markdown.
+
+    Raises TypesetError with every fault of the text, each naming `where`.
+
+    >>> print(write_prose("The crank $OA$ turns.", "q1"))
+    {"The crank ";box($O A$);" turns.";}
+    """
+    return f"{{{_WRITER.write_prose(markdown, where).removesuffix(_PARAGRAPH_END)}}}"
+
+
+def write_line(markdown: str, where: str) -> str:
+    """Typst code for one line of Markdown: a title, the meaning of a symbol, a sign convention.
+
+    >>> print(write_line("speed of $B$", "q1"))
+    {"speed of ";box($B$);}
+    """
+    return f"{{{_WRITER.write_line(markdown, where)}}}"
+
+
+def _write_items(items: Sequence[Sequence[str]]) -> str:
+    return "".join(f"{{{''.join(item)}}}," for item in items)
