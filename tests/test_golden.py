@@ -6,35 +6,51 @@ from __future__ import annotations
 
 import json
 import re
+from typing import Any
 
 import pytest
 
 from kinegrade.exam.bank import Bank
+from kinegrade.exam.document import SolutionSheet
 from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.key_record import make_key_line
 from kinegrade.exam.pages import lay_out_paper
+from kinegrade.exam.paper_tree import write_paper_tree
+from kinegrade.exam.quiz_solution import write_blocks_html
+from kinegrade.exam.solution_source import write_solution_source
 from kinegrade.exam.typst_source import write_paper_source
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.typst import write_typst
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
+from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION
 from tests.golden_files import Hold, papers
 
 
 def readable(source: str) -> str:
-    """The call of the layout, with its one string of data laid out line by line; the figure has its
-    own file.
+    """The call of the layout, with its one string of data laid out line by line; the figures have
+    their own file.
     """
     (data,) = re.findall(r'bytes\((".*")\)\)\)\n', source, re.DOTALL)
-    sheet = json.loads(json.loads(data))
-    for question in sheet["questions"]:
-        question["figure"] = "..."
-    return (
-        source.replace(data, "...")
-        + json.dumps(sheet, ensure_ascii=False, indent=1, sort_keys=True)
-        + "\n"
-    )
+    return source.replace(data, "...") + lay_out(without_figures(json.loads(json.loads(data))))
+
+
+def without_figures(value: Any) -> Any:
+    match value:
+        case dict():
+            return {
+                name: "..." if name == "figure" and held else without_figures(held)
+                for name, held in value.items()
+            }
+        case list():
+            return [without_figures(held) for held in value]
+        case _:
+            return value
+
+
+def lay_out(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, indent=1, sort_keys=True) + "\n"
 
 
 def test_the_key_of_a_tiny_exam(golden_bank: Bank, hold: Hold) -> None:
@@ -46,6 +62,25 @@ def test_the_key_of_a_tiny_exam(golden_bank: Bank, hold: Hold) -> None:
 def test_a_paper_for_the_typesetter(golden_bank: Bank, hold: Hold, language: str) -> None:
     page = lay_out_paper(golden_bank, papers(golden_bank)[1], language)  # type: ignore[arg-type]
     hold(f"paper-{language}.txt", readable(write_paper_source(page)))
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_a_paper_for_word_and_html(golden_bank: Bank, hold: Hold, language: str) -> None:
+    page = lay_out_paper(golden_bank, papers(golden_bank)[1], language)  # type: ignore[arg-type]
+    tree = json.loads(write_paper_tree(page, {1: "data:image/png;base64,AAAA"}))
+    blocks = (json.dumps(block, ensure_ascii=False) for block in tree["blocks"])
+    hold(f"paper-{language}.pandoc.jsonl", "".join(f"{block}\n" for block in blocks))
+
+
+@pytest.mark.parametrize("sheet", [ENGLISH_SOLUTION, CHINESE_SOLUTION])
+def test_worked_solutions_for_the_typesetter(sheet: SolutionSheet, hold: Hold) -> None:
+    hold(f"solution-{sheet.language}.txt", readable(write_solution_source(sheet)))
+
+
+@pytest.mark.parametrize("sheet", [ENGLISH_SOLUTION, CHINESE_SOLUTION])
+def test_worked_solutions_as_html(sheet: SolutionSheet, hold: Hold) -> None:
+    questions = (write_blocks_html(each.blocks, sheet.language) for each in sheet.questions)
+    hold(f"solution-{sheet.language}.html", "\n".join(questions))
 
 
 def test_a_figure_for_the_typesetter(hold: Hold) -> None:
