@@ -10,10 +10,10 @@ from __future__ import annotations
 import re
 from math import degrees
 
-from kinegrade.exam.document import AnswerRow, Paper, QuestionSheet
 from kinegrade.exam.latex_text import write_plain
 from kinegrade.figure.scene import Bow, Disc, Label, Outline, Pen, Primitive, Scene, Strokes
 from kinegrade.mechanics.vector import Vector
+from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
 
 PREAMBLE = r"""\documentclass[10pt,a4paper]{article}
 \usepackage[T1]{fontenc}

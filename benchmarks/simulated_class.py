@@ -15,7 +15,6 @@ from tempfile import TemporaryDirectory
 
 from kinegrade.csv_writing import write_csv_text
 from kinegrade.exam.dealing import ClassDeal, deal_exam
-from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.folder.contents import HEAD, KEY
 from kinegrade.exam.folder.exam_folder import open_exam
@@ -31,6 +30,7 @@ from kinegrade.exam.setting import SetPaper
 from kinegrade.grading.class_sheet import read_sheet
 from kinegrade.grading.class_tally import named_mistakes
 from kinegrade.grading.marks import Mark, mark
+from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.honest_rounding import find_full_turn, find_nearest_turn
 from kinegrade.problem.separation import Separation
 from kinegrade.problem.template import Template

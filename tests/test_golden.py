@@ -11,7 +11,6 @@ from typing import Any
 import pytest
 
 from kinegrade.exam.bank import Bank
-from kinegrade.exam.document import SolutionSheet
 from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.key_record import make_key_line
 from kinegrade.exam.pages import lay_out_paper
@@ -22,6 +21,7 @@ from kinegrade.exam.typst_source import write_paper_source
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.typst import write_typst
 from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.press.sheet import SolutionSheet
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION

@@ -9,7 +9,6 @@ from dataclasses import replace
 import pytest
 
 from kinegrade.exam.bank import Bank
-from kinegrade.exam.document import SolutionSheet
 from kinegrade.exam.latex_key import write_key_body
 from kinegrade.exam.latex_solution import write_solution_body
 from kinegrade.exam.latex_source import write_document, write_paper_body
@@ -19,6 +18,7 @@ from kinegrade.figure.sketch import sketch
 from kinegrade.figure.tikz import write_tikz
 from kinegrade.language import Language
 from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.press.sheet import SolutionSheet
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 from tests.exam.papers import key_book

@@ -22,13 +22,13 @@ from kinegrade.cli.export import SYSTEMS, export
 from kinegrade.cli.marks import feedback, grade
 from kinegrade.cli.quiz import quiz
 from kinegrade.errors import TypesetError
-from kinegrade.exam import press
 from kinegrade.exam.printing import PressOrder
 from kinegrade.exam.word import PandocPress
 from kinegrade.exam.words import choose_words
 from kinegrade.language import LANGUAGES
 from kinegrade.lms.quiz.writers import WRITERS
 from kinegrade.lms.responses.detection import DIALECTS
+from kinegrade.press import protocol
 from kinegrade.problem.template import Translated
 
 PACKAGE = Path(kinegrade.__file__).parent
@@ -148,8 +148,8 @@ def test_feedback_in_a_form_that_only_the_command_line_knows_is_not_written(
 def test_a_typesetter_that_only_the_banks_know_prints_nothing(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(press, "ENGINES", (*press.ENGINES, "luatex"))
-    order = PressOrder(cast("press.Engine", "luatex"), "a4")
+    monkeypatch.setattr(protocol, "ENGINES", (*protocol.ENGINES, "luatex"))
+    order = PressOrder(cast("protocol.Engine", "luatex"), "a4")
     with pytest.raises(AssertionError, match="luatex"):
         order.press()
 

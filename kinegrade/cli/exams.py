@@ -26,11 +26,11 @@ from kinegrade.cli.terminal import refuse_usage, say, say_of
 from kinegrade.language.message import Message, list_plainly
 
 if TYPE_CHECKING:
-    from kinegrade.exam.document import PaperSize
     from kinegrade.exam.exam_secret import SecretWish
     from kinegrade.exam.generate import Generated
-    from kinegrade.exam.press import Engine
     from kinegrade.language import Language
+    from kinegrade.press.protocol import Engine
+    from kinegrade.press.sheet import PaperSize
     from kinegrade.problem.template import Method
 
 _WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "strict", "force")

@@ -18,7 +18,6 @@ from kinegrade.exam.added_answers import write_grown_answers
 from kinegrade.exam.blueprint import Blueprint
 from kinegrade.exam.class_printing import CHUNK, print_class
 from kinegrade.exam.dealing import ClassDeal, deal_exam
-from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.exam_files import write_blank_workbook, write_head, write_papers
 from kinegrade.exam.folder.contents import CONTENTS, HEAD, KEY, PAPERS, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
@@ -37,6 +36,7 @@ from kinegrade.exam.roster import Roster
 from kinegrade.exam.roster_complaints import roster_complaints
 from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
+from kinegrade.press.sheet import KeyPaper
 from kinegrade.processes import open_executor
 
 _GROUP_READS = 0o040

@@ -37,12 +37,12 @@ from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries, Entry
 from kinegrade.exam.bank_terms import read_bank_tolerance
 from kinegrade.exam.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
 from kinegrade.exam.folder.contents import HEAD
-from kinegrade.exam.press import ENGINES
 from kinegrade.exam.versions import LETTERS
 from kinegrade.fields.document import FileKind, read_text, toml_table
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import choice, date_text, flag, whole
 from kinegrade.language.lines import shorten
+from kinegrade.press.protocol import ENGINES
 from kinegrade.problem.library import find_shipped
 from kinegrade.problem.mistake_kinds import load_sentences
 from kinegrade.problem.template import Translated

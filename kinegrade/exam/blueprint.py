@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Literal, assert_never
 
-from kinegrade.exam.press import Engine
+from kinegrade.press.protocol import Engine
 from kinegrade.problem.keyed_order import address
 from kinegrade.problem.template import Template, Translated
 from kinegrade.problem.tolerance import Tolerance

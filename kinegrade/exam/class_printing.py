@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from kinegrade.exam.dealing import ClassDeal
-from kinegrade.exam.press import Press
 from kinegrade.exam.printing import PressOrder, Printed, PrintRun, print_papers
 from kinegrade.exam.setting import DealtPaper, Exam, set_paper
+from kinegrade.press.protocol import Press
 from kinegrade.processes import Shared, map_in_order
 from kinegrade.temporary import temporary_folder
 

@@ -16,7 +16,6 @@ from kinegrade.csv_writing import neutralise, write_for_people
 from kinegrade.errors import BankError
 from kinegrade.exam.answer_workbook import write_answer_workbook
 from kinegrade.exam.blueprint import Bank
-from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.folder.contents import (
     ANSWER_WORKBOOK,
     ANSWERS,
@@ -31,10 +30,11 @@ from kinegrade.exam.folder.writing import encode_head
 from kinegrade.exam.hand_work import OWN_COLUMNS
 from kinegrade.exam.head_record import WARNING
 from kinegrade.exam.pages import make_key_book
-from kinegrade.exam.press import Press
 from kinegrade.exam.printed_files import printed_files, write_key
 from kinegrade.exam.printing import Printed, PrintRun
 from kinegrade.exam.roster import Student
+from kinegrade.press.protocol import Press
+from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.sections.opening import FOLDER
 
 

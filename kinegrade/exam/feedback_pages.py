@@ -10,14 +10,14 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Protocol
 
-from kinegrade.exam.document import PaperSize
 from kinegrade.exam.formula import convert_formula
-from kinegrade.exam.join import join_pages
 from kinegrade.exam.layout_call import Sheet, write_layout_call
 from kinegrade.exam.typst import TypstPress, make_legible
 from kinegrade.language import Language
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.typst import write_line
+from kinegrade.press.join import join_pages
+from kinegrade.press.sheet import PaperSize
 
 _ROW_TEXTS = ("typed", "read_as", "right", "verdict", "points", "reason")
 _SHEET_TEXTS = ("course", "title", "date", "student", "name", "code", "total")

@@ -15,7 +15,6 @@ from kinegrade.errors import TableError
 from kinegrade.exam.blueprint import Bank, Blueprint
 from kinegrade.exam.class_printing import CHUNK, print_class
 from kinegrade.exam.dealing import ClassDeal, deal_exam
-from kinegrade.exam.document import PaperSize
 from kinegrade.exam.exam_files import (
     source_files,
     write_blank_answers,
@@ -33,7 +32,6 @@ from kinegrade.exam.folder.contents import (
 from kinegrade.exam.folder.records import ExamHead, KeyLine
 from kinegrade.exam.hand_work import digest_editable
 from kinegrade.exam.head_record import candidate, make_exam_head
-from kinegrade.exam.press import Engine
 from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, require_tools
 from kinegrade.exam.replaced_exam import PaperChanges, ReplacedExam, replaced_exam, settle
 from kinegrade.exam.roster import Roster
@@ -41,6 +39,8 @@ from kinegrade.exam.roster_complaints import roster_complaints
 from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.language import Language
+from kinegrade.press.protocol import Engine
+from kinegrade.press.sheet import PaperSize
 from kinegrade.processes import open_executor
 
 PRIVATE = Access(0o700, 0o600, FOR_STUDENTS)

@@ -9,7 +9,6 @@ from msgspec import UNSET, structs
 from kinegrade import __version__
 from kinegrade.exam.blueprint import BankQuestion
 from kinegrade.exam.dealing import ClassDeal
-from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.folder.contents import PAPERS
 from kinegrade.exam.folder.head import FORMAT
 from kinegrade.exam.folder.keys import Ask
@@ -17,6 +16,7 @@ from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.exam.printing import PrintRun
 from kinegrade.exam.roster import Student
 from kinegrade.exam.versions import list_version_letters
+from kinegrade.press.sheet import KeyPaper
 
 WARNING = (
     "For the instructor only: this folder gives the key away. Students may see what is under "

@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.document import KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.exam.latex_faults import find_faults
 from kinegrade.exam.latex_key import write_key_body
 from kinegrade.exam.latex_run import (
@@ -28,12 +27,13 @@ from kinegrade.exam.latex_run import (
 from kinegrade.exam.latex_solution import write_solution_body
 from kinegrade.exam.latex_source import write_document, write_paper_body
 from kinegrade.exam.latex_text import is_surely_printed, write_plain
-from kinegrade.exam.press import Printout
 from kinegrade.exam.solution_words import choose_solution_words
 from kinegrade.exam.typst import make_owner_legible, make_owners_legible
 from kinegrade.exam.words import choose_words
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.gathering import convert_each
+from kinegrade.press.protocol import Printout
+from kinegrade.press.sheet import KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.temporary import temporary_folder
 
 # TeX writes some things only on the first page of a run (its initial colour): this page, which is
@@ -59,7 +59,7 @@ _SOLUTIONS: _Kind[SolutionSheet] = _Kind("solutions", write_solution_body, choos
 
 
 class LatexPress:
-    """Prints as `kinegrade.exam.press` says; `paper_size` is "a4" or "letter"."""
+    """Prints as `kinegrade.press.protocol` says; `paper_size` is "a4" or "letter"."""
 
     def __init__(self, paper_size: PaperSize = "a4") -> None:
         self._size: PaperSize = paper_size

@@ -20,8 +20,8 @@ from typing import Literal
 import pylopdf_fonts_zh_cn
 
 from kinegrade.errors import TypesetError, write_message
-from kinegrade.exam.program_run import run_program
 from kinegrade.language.lines import shorten
+from kinegrade.press.program_run import run_program
 
 _Program = Literal["xelatex", "xdvipdfmx"]
 STYLE = "kinegrade.sty"

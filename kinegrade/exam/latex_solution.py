@@ -7,16 +7,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from re import fullmatch
 
-from kinegrade.exam.document import SolutionSheet, WorkedQuestion
-from kinegrade.exam.equation_line import split_equation_line
 from kinegrade.exam.latex_math import write_math
 from kinegrade.exam.latex_source import Sheet, write_command, write_environment, write_named
 from kinegrade.exam.latex_text import write_comment, write_plain, write_signed, write_unit
-from kinegrade.exam.solution_blocks import FORMULA_ALONE, UNKNOWN, has_exact_decimal, stays
 from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.figure.tikz import write_tikz
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.latex import write_line, write_prose
+from kinegrade.press.equation_line import split_equation_line
+from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
+from kinegrade.press.solution_blocks import FORMULA_ALONE, UNKNOWN, has_exact_decimal, stays
 from kinegrade.question_numbers import find_other_number
 from kinegrade.worked.document import (
     Block,

@@ -16,8 +16,6 @@ from typing import Any
 from pylatex import Command, Document, NoEscape, Package
 from pylatex.base_classes import Arguments, Environment, Options
 
-from kinegrade.exam.code_mark import make_code_mark
-from kinegrade.exam.document import AnswerRow, Paper, PaperSize, QuestionSheet
 from kinegrade.exam.latex_math import write_math
 from kinegrade.exam.latex_text import write_comment, write_plain, write_unit
 from kinegrade.exam.typst_source import BESIDE, COLUMNS_OF_MARKS, write_points_text
@@ -27,6 +25,8 @@ from kinegrade.figure.tikz import write_tikz
 from kinegrade.language import Language
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.latex import write_line, write_prose
+from kinegrade.press.code_mark import make_code_mark
+from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, QuestionSheet
 from kinegrade.question_numbers import find_other_number
 
 _BESIDE_STUDENT = (

@@ -7,7 +7,15 @@ from dataclasses import replace
 from fractions import Fraction
 
 from kinegrade.exam.blueprint import Bank
-from kinegrade.exam.document import (
+from kinegrade.exam.rules import write_rules
+from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
+from kinegrade.exam.words import choose_words
+from kinegrade.figure.scene import Scene
+from kinegrade.figure.sketch import sketch
+from kinegrade.language import Language
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.press.sheet import (
     AnswerRow,
     KeyAnswer,
     KeyBook,
@@ -17,14 +25,6 @@ from kinegrade.exam.document import (
     Paper,
     QuestionSheet,
 )
-from kinegrade.exam.rules import write_rules
-from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
-from kinegrade.exam.words import choose_words
-from kinegrade.figure.scene import Scene
-from kinegrade.figure.sketch import sketch
-from kinegrade.language import Language
-from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.hints import FigureHints
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.statement import write_statement

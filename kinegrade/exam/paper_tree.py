@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from kinegrade.exam.document import AnswerRow, Paper, QuestionSheet
 from kinegrade.exam.formula import write_unit
 from kinegrade.exam.typst_source import write_points_text
 from kinegrade.exam.words import Words, choose_words
@@ -30,6 +29,7 @@ from kinegrade.language.prose.pandoc_tree import (
     make_table,
     make_text,
 )
+from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
 from kinegrade.question_numbers import find_other_number
 
 _FIELD_WIDTHS = (0.5, 0.25, 0.25)

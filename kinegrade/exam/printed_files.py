@@ -12,9 +12,9 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 from kinegrade.exam.folder.contents import KEY_BOOK, PAPERS, SOLUTIONS, SOURCES
-from kinegrade.exam.join import open_volume
-from kinegrade.exam.press import Printout
 from kinegrade.exam.printing import Printed
+from kinegrade.press.join import open_volume
+from kinegrade.press.protocol import Printout
 
 
 @contextmanager

@@ -2,7 +2,7 @@
 tolerances.
 
 `kinegrade.exam.quiz` makes it of an exam folder, the writers of `kinegrade.lms` lay it out. Prose,
-math and plain text are those of `kinegrade.exam.document`. Numbers are exact fractions in the unit
+math and plain text are those of `kinegrade.press.sheet`. Numbers are exact fractions in the unit
 of the ask.
 """
 

@@ -20,11 +20,11 @@ from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.kept_exam import KeptExam
 from kinegrade.exam.pages import lay_out_paper
-from kinegrade.exam.press import Press, Printout
 from kinegrade.exam.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.roster import Roster, make_student_key
 from kinegrade.exam.roster_complaints import roster_complaints
 from kinegrade.exam.setting import SetPaper
+from kinegrade.press.protocol import Press, Printout
 
 _Kind = TypeVar("_Kind")
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from kinegrade.exam.press import Press
 from kinegrade.exam.roster import Roster, complain_of_unprintable_id
+from kinegrade.press.protocol import Press
 
 
 def roster_complaints(roster: Roster, press: Press) -> tuple[str, ...]:

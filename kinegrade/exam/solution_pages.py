@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from kinegrade.exam.blueprint import Bank
-from kinegrade.exam.document import SolutionSheet, WorkedQuestion
 from kinegrade.exam.pages import write_title
 from kinegrade.exam.setting import SetPaper, SetQuestion
 from kinegrade.language import Language
+from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template import Method
 from kinegrade.worked.solution import write_worked_solution

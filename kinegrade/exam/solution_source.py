@@ -10,15 +10,15 @@ from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 from re import fullmatch
 
-from kinegrade.exam.document import PaperSize, SolutionSheet, WorkedQuestion
-from kinegrade.exam.equation_line import split_equation_line
 from kinegrade.exam.formula import convert_formula, write_unit
 from kinegrade.exam.layout_call import Sheet, write_layout_call
-from kinegrade.exam.solution_blocks import has_exact_decimal, stays
 from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.figure.typst import write_typst
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.typst import write_line, write_prose
+from kinegrade.press.equation_line import split_equation_line
+from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
+from kinegrade.press.solution_blocks import has_exact_decimal, stays
 from kinegrade.question_numbers import find_other_number
 from kinegrade.worked.document import (
     Block,

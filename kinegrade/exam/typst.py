@@ -19,13 +19,13 @@ from typing import Literal, TypeVar
 import typst
 
 from kinegrade.errors import TypesetError, write_message
-from kinegrade.exam.document import Gallery, KeyBook, KeyPaper, Paper, PaperSize, SolutionSheet
-from kinegrade.exam.fonts import find_installed_fonts
 from kinegrade.exam.formula import write_literal
-from kinegrade.exam.join import count_pages, join_pages
-from kinegrade.exam.press import Press, Printout, unprintable_character
 from kinegrade.exam.typst_source import write_gallery_source, write_key_source, write_paper_source
 from kinegrade.language.gathering import convert_each
+from kinegrade.press.fonts import find_installed_fonts
+from kinegrade.press.join import count_pages, join_pages
+from kinegrade.press.protocol import Press, Printout, unprintable_character
+from kinegrade.press.sheet import Gallery, KeyBook, KeyPaper, Paper, PaperSize, SolutionSheet
 
 # Papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
 KEY_CHUNK = 10
@@ -41,7 +41,7 @@ _ESCAPE = re.compile(r"\\u\{([0-9a-f]+)\}")
 
 
 class TypstPress:
-    """Prints as `kinegrade.exam.press` says, and galleries; `paper_size` is "a4" or "letter".
+    """Prints as `kinegrade.press.protocol` says, and galleries; `paper_size` is "a4" or "letter".
 
     >>> TypstPress().unprintable(["Zoë", "张喆", "😀"])
     frozenset({'😀'})

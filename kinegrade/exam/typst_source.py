@@ -15,8 +15,15 @@ from functools import lru_cache
 from itertools import groupby
 from unicodedata import east_asian_width
 
-from kinegrade.exam.code_mark import make_code_mark
-from kinegrade.exam.document import (
+from kinegrade.exam.formula import convert_formula, write_literal, write_unit
+from kinegrade.exam.layout_call import Sheet, write_layout_call
+from kinegrade.exam.words import GalleryWords, Words, choose_gallery_words, choose_words
+from kinegrade.figure.scene import Scene
+from kinegrade.figure.typst import write_typst, write_typst_picture
+from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.prose.typst import write_line, write_prose
+from kinegrade.press.code_mark import make_code_mark
+from kinegrade.press.sheet import (
     AnswerRow,
     Gallery,
     GalleryEntry,
@@ -30,13 +37,6 @@ from kinegrade.exam.document import (
     PaperSize,
     QuestionSheet,
 )
-from kinegrade.exam.formula import convert_formula, write_literal, write_unit
-from kinegrade.exam.layout_call import Sheet, write_layout_call
-from kinegrade.exam.words import GalleryWords, Words, choose_gallery_words, choose_words
-from kinegrade.figure.scene import Scene
-from kinegrade.figure.typst import write_typst, write_typst_picture
-from kinegrade.language.gathering import convert_each, gather
-from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.question_numbers import find_bank_number, find_other_number
 from kinegrade.worked.formula_width import measure_width
 

@@ -22,15 +22,15 @@ from typing import Literal, get_args
 import typst
 
 from kinegrade.errors import TypesetError, did_you_mean, write_message
-from kinegrade.exam.document import Paper, PaperSize
-from kinegrade.exam.fonts import find_installed_fonts
 from kinegrade.exam.formula import formula_place
 from kinegrade.exam.paper_tree import write_paper_tree
-from kinegrade.exam.program_run import run_program
 from kinegrade.exam.word_reference import fill_layout, make_word_reference
 from kinegrade.exam.words import choose_words
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import write_typst
+from kinegrade.press.fonts import find_installed_fonts
+from kinegrade.press.program_run import run_program
+from kinegrade.press.sheet import Paper, PaperSize
 from kinegrade.temporary import temporary_folder
 
 _Kind = Literal["docx", "html"]

@@ -14,8 +14,8 @@ from string import Template
 from xml.sax.saxutils import escape
 from zipfile import ZipFile, ZipInfo
 
-from kinegrade.exam.document import Paper, PaperSize
 from kinegrade.exam.words import choose_words
+from kinegrade.press.sheet import Paper, PaperSize
 
 _PAGES = {"a4": (11906, 16838), "letter": (12240, 15840)}  # twentieths of a point, as Word counts
 _MARGINS = 2 * 1134

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from kinegrade.exam.document import (
+from kinegrade.press.sheet import (
     AnswerRow,
     KeyAnswer,
     KeyBook,

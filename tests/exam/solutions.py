@@ -4,11 +4,11 @@ slider-crank by hand.
 
 from __future__ import annotations
 
-from kinegrade.exam.document import SolutionSheet, WorkedQuestion
 from kinegrade.figure.scene import BOLD, FIRM, Label, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.mechanics.vector import Vector
+from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 from kinegrade.worked.document import (

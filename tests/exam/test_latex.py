@@ -16,15 +16,15 @@ from pypdf import PdfReader
 from kinegrade.errors import TypesetError
 from kinegrade.exam import latex_run
 from kinegrade.exam.dealing import deal_exam
-from kinegrade.exam.document import Paper
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.latex import LatexPress
 from kinegrade.exam.pages import lay_out_paper
-from kinegrade.exam.press import Press
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.sample import make_sample_bank
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
+from kinegrade.press.protocol import Press
+from kinegrade.press.sheet import Paper
 from kinegrade.problem.library import find_template_names, load_template
 from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
 from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION, long_equation

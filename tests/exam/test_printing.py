@@ -11,11 +11,11 @@ import pytest
 from kinegrade.exam.bank import Bank
 from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.press import Engine
 from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, print_papers
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import SetPaper
 from kinegrade.language import Language
+from kinegrade.press.protocol import Engine
 
 NAMES = ("Zoë", "Ann Lee", "王伟", "O'Neil")
 CLASS = Roster(tuple(Student(name, name, "", str(at)) for at, name in enumerate(NAMES)), ())

@@ -17,9 +17,9 @@ import typst
 from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.document import PaperSize, SolutionSheet
-from kinegrade.exam.fonts import find_installed_fonts
 from kinegrade.exam.solution_source import write_solution_source
+from kinegrade.press.fonts import find_installed_fonts
+from kinegrade.press.sheet import PaperSize, SolutionSheet
 from kinegrade.worked.document import (
     Block,
     Display,

@@ -12,10 +12,10 @@ import pytest
 from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.document import AnswerRow, Paper, PaperSize
-from kinegrade.exam.join import count_pages, join_pages
 from kinegrade.exam.typst import KEY_CHUNK, TypstPress
 from kinegrade.figure.scene import Scene
+from kinegrade.press.join import count_pages, join_pages
+from kinegrade.press.sheet import AnswerRow, Paper, PaperSize
 from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
 
 NAMES = [

@@ -18,11 +18,11 @@ import pytest
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam import word
-from kinegrade.exam.document import Paper
 from kinegrade.exam.formula import COMMANDS
 from kinegrade.exam.paper_tree import write_paper_tree
-from kinegrade.exam.program_run import ProgramRun
 from kinegrade.exam.word import MISSING, PandocPress
+from kinegrade.press.program_run import ProgramRun
+from kinegrade.press.sheet import Paper
 from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION
 from tests.exam.solutions import polygon_scene
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exam.equation_line import EquationLine, split_equation_line
+from kinegrade.press.equation_line import EquationLine, split_equation_line
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import segno
 
-from kinegrade.exam.code_mark import PATTERN, make_code_mark
+from kinegrade.press.code_mark import PATTERN, make_code_mark
 
 
 @pytest.mark.parametrize("code", ["F7H0-CV5F", "A", '#read("x")$y$', "K7Q2-9FHM-" * 9])

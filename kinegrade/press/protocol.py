@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal, Protocol
 
 from kinegrade.errors import write_message
-from kinegrade.exam.document import KeyBook, Paper, SolutionSheet
+from kinegrade.press.sheet import KeyBook, Paper, SolutionSheet
 
 Engine = Literal["typst", "latex"]
 ENGINES: tuple[Engine, ...] = ("typst", "latex")
