@@ -136,11 +136,12 @@ class Catalogue:
 
     def _write_listing(self, listing: Listing) -> str:
         items = [self.write(item) for item in listing.items]
-        comma = self.text("grammar.comma")
-        if listing.joint == "comma" or len(items) < 2:
-            return comma.join(items)
-        key = f"grammar.{listing.joint}"
-        return self.text(key, first=comma.join(items[:-1]), last=items[-1])
+        if listing.joint in ("comma", "semicolon"):
+            return self.text(f"grammar.{listing.joint}").join(items)
+        if len(items) < 2:
+            return "".join(items)
+        first = self.text("grammar.comma").join(items[:-1])
+        return self.text(f"grammar.{listing.joint}", first=first, last=items[-1])
 
 
 def _choose_number(entry: Entry, entries: Entries, message: Message) -> str:

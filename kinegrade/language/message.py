@@ -12,7 +12,7 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Literal, TypeAlias
 
-Joint = Literal["and", "or", "comma"]
+Joint = Literal["and", "or", "comma", "semicolon"]
 
 
 class Message:
@@ -55,7 +55,7 @@ def _restore(key: str, parts: Mapping[str, Part]) -> Message:
 @dataclass(frozen=True)
 class Listing:
     """Several things in one place: all of them ("a, b and c"), one of them ("a, b or c"), or merely
-    listed ("a, b, c").
+    listed ("a, b, c"; whole statements "a; b; c").
     """
 
     items: tuple[Part, ...]
@@ -101,3 +101,8 @@ def list_choices(items: Iterable[Part]) -> Listing:
 def list_plainly(items: Iterable[Part]) -> Listing:
     """Things one after another: "a, b, c"."""
     return Listing(tuple(items), "comma")
+
+
+def list_statements(items: Iterable[Part]) -> Listing:
+    """Statements one after another: "a; b; c"."""
+    return Listing(tuple(items), "semicolon")

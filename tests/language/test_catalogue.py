@@ -15,7 +15,14 @@ from kinegrade.errors import BankError, FieldError, KinegradeError, suggest
 from kinegrade.language import Language, entries
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.known import choose_terminal_language, known_languages, read_language
-from kinegrade.language.message import Fault, Message, Quoted, list_all, list_choices
+from kinegrade.language.message import (
+    Fault,
+    Message,
+    Quoted,
+    list_all,
+    list_choices,
+    list_statements,
+)
 
 HEAD = """msgid ""
 msgstr ""
@@ -144,6 +151,12 @@ def test_the_terminal_speaks_the_language_of_the_environment() -> None:
     assert choose_terminal_language({"LANG": "zh_CN.UTF-8", "LC_ALL": "en_GB.UTF-8"}) == "en"
     assert choose_terminal_language({"LANG": "zh_CN.UTF-8", "LC_ALL": ""}) == "zh"
     assert choose_terminal_language({"LANG": "xx_XX.UTF-8"}) == "en"
+
+
+def test_statements_are_separated_by_semicolons() -> None:
+    statements = list_statements(["a, b", "c"])
+    assert open_catalogue(Language("en")).write(statements) == "a, b; c"
+    assert open_catalogue(Language("zh")).write(statements) == "a, b；c"
 
 
 def test_choices_are_said_in_quotation_marks() -> None:
