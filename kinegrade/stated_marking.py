@@ -13,6 +13,7 @@ from fractions import Fraction
 
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import Read, amount, share
+from kinegrade.language.message import Message
 
 _TOLERANCE = '{ relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }'
 _CREDIT = '{ follow-through = "1/2" }'
@@ -85,7 +86,7 @@ def read_credit(table: Table, known_mistakes: Callable[[], Iterable[str]]) -> St
     stated = table.table("credit", _CREDIT).only("follow-through", "wrong-unit", "mistakes")
     mistakes = stated.table("mistakes", _MISTAKES)
     if mistakes:
-        mistakes = mistakes.only(*known_mistakes(), kind="mistake")
+        mistakes = mistakes.only(*known_mistakes(), unknown=Message("fields.unknown-mistake"))
     return StatedCredit(
         stated.optional("follow-through", share),
         stated.optional("wrong-unit", share),

@@ -10,6 +10,7 @@ from kinegrade.exam.blueprint import BankAsk
 from kinegrade.exam.points import share_points
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import choice, whole
+from kinegrade.language.message import Message
 from kinegrade.problem.tags import KINDS, select_asks
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
@@ -79,7 +80,9 @@ def _read_named_asks(entry: Table, template: Template, wider: Tolerance) -> tupl
     """The asks that the bank names."""
     if "points" in entry:
         entry.fault("points", "asks gives the points already", do="leave one of the two out")
-    asks = entry.table("asks").only(*template.asks, kind=f"ask of {template.name}")
+    asks = entry.table("asks").only(
+        *template.asks, unknown=Message("fields.unknown-ask-of", template=template.name)
+    )
     return tuple(_read_ask(asks, name, template, wider) for name in asks)
 
 

@@ -22,6 +22,7 @@ from kinegrade.expression import read_expression
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import found, text, whole
+from kinegrade.language.message import Message
 from kinegrade.problem.assemble import read_parameter
 from kinegrade.problem.domain import read_choices
 from kinegrade.problem.library import load_kept_template, load_template
@@ -174,7 +175,9 @@ def _read_left_out(names: Sequence[str], value: object) -> str:
 
 def _read_domains(entry: Table, template: Template) -> dict[str, tuple[str, ...]]:
     """Domains that replace the template's."""
-    draw = entry.table("draw", "{ k = [2, 3] }").only(*template.parameters, kind="parameter")
+    draw = entry.table("draw", "{ k = [2, 3] }").only(
+        *template.parameters, unknown=Message("fields.unknown-parameter")
+    )
     domains = {
         name: draw.optional(name, partial(_read_choices, template.parameters[name]))
         for name in draw

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from kinegrade.language.message import Message
+
 _MOST_DIGITS = 60  # of a whole number
 _DEEPEST = 30  # our deepest file has eight levels
-TOO_DEEP = "nested too deeply: write it more simply"
-TOO_LARGE = f"a whole number of more than {_MOST_DIGITS} digits: round it"
+TOO_DEEP = Message("fields.too-deep")
+TOO_LARGE = Message("fields.too-many-digits", most=_MOST_DIGITS)
 
 
 class Digits(str):
@@ -19,9 +21,11 @@ class Digits(str):
 
 
 class Unbounded(ValueError):
-    """Content that is too deeply nested, or holds an absurdly large number; the message says
-    which.
-    """
+    """Content that is too deeply nested, or holds an absurdly large number; `reason` says which."""
+
+    def __init__(self, reason: Message) -> None:
+        self.reason = reason
+        super().__init__(reason)
 
 
 def require_bounded(content: object) -> None:

@@ -8,7 +8,7 @@ from functools import cached_property
 from os import fstat
 from pathlib import Path
 
-from kinegrade.errors import KinegradeError, SyntaxFault, write_message
+from kinegrade.errors import KinegradeError, SyntaxFault
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.json_text import read_json
 from kinegrade.fields.lines import lines_of_json, lines_of_toml
@@ -16,8 +16,10 @@ from kinegrade.fields.place import Place, Where
 from kinegrade.fields.table import Table
 from kinegrade.fields.toml_text import read_toml
 from kinegrade.fields.values import found
+from kinegrade.language.message import Fault, Message, Text
 
 _Lines = Callable[[str], Mapping[Place, int]]
+_FIX_IT = Message("fields.fix-it")
 
 
 @dataclass(frozen=True)
@@ -26,10 +28,10 @@ class FileKind:
     bytes read, and the remedy for a fault that names none.
     """
 
-    noun: str
+    noun: Text
     error: type[KinegradeError]
     most_bytes: int
-    do: str = ""
+    do: Text = ""
 
 
 @dataclass(frozen=True)
@@ -65,19 +67,16 @@ def read_text(path: Path, kind: FileKind) -> str:
         if len(data) <= kind.most_bytes:
             return data.decode("utf-8-sig")
     except OSError as error:
-        reason = f"cannot be read ({error.strerror})"
-        problem = write_message(str(path), reason, kind.noun, "check the name")
-        raise kind.error(problem) from error
+        reason = Message("files.cannot-be-read", reason=str(error.strerror))
+        do = Message("files.check-the-name")
+        raise kind.error(Fault(str(path), reason, kind.noun, do)) from error
     except UnicodeDecodeError as error:
-        problem = write_message(
-            str(path),
-            f"not UTF-8 at byte {error.start}",
-            f"{kind.noun} in UTF-8",
-            kind.do or "fix it",
-        )
-        raise kind.error(problem) from error
-    expected = f"{kind.noun} of at most {kind.most_bytes} bytes"
-    raise kind.error(write_message(str(path), "too large", expected, "check the name"))
+        reason = Message("fields.not-utf-8", byte=error.start)
+        expected = Message("fields.file-in-utf-8", file=kind.noun)
+        raise kind.error(Fault(str(path), reason, expected, kind.do or _FIX_IT)) from error
+    expected = Message("fields.file-of-at-most", file=kind.noun, most=kind.most_bytes)
+    too_large, do = Message("fields.too-large"), Message("files.check-the-name")
+    raise kind.error(Fault(str(path), too_large, expected, do))
 
 
 def toml_table(name: str, text: str, kind: FileKind) -> Table:
@@ -87,7 +86,9 @@ def toml_table(name: str, text: str, kind: FileKind) -> Table:
     try:
         content = read_toml(text)
     except SyntaxFault as fault:
-        raise _explain_not_readable(name, "TOML", fault, kind) from fault
+        raise _explain_not_readable(
+            name, Message("fields.file-in-toml", file=kind.noun), fault, kind
+        ) from fault
     return Table(Faults(Document(name, text, lines_of_toml), kind.error, kind.do), (), content)
 
 
@@ -96,10 +97,12 @@ def json_table(name: str, text: str, kind: FileKind) -> Table:
     try:
         content = read_json(text)
     except SyntaxFault as fault:
-        raise _explain_not_readable(name, "JSON", fault, kind) from fault
+        raise _explain_not_readable(
+            name, Message("fields.file-in-json", file=kind.noun), fault, kind
+        ) from fault
     if not isinstance(content, dict):
         raise kind.error(
-            write_message(name, found(content), "one JSON object", kind.do or "fix it")
+            Fault(name, found(content), Message("fields.one-object"), kind.do or _FIX_IT)
         )
     return Table(Faults(Document(name, text, lines_of_json), kind.error, kind.do), (), content)
 
@@ -114,9 +117,7 @@ def _no_lines(text: str) -> Mapping[Place, int]:
 
 
 def _explain_not_readable(
-    name: str, language: str, fault: SyntaxFault, kind: FileKind
+    name: str, expected: Message, fault: SyntaxFault, kind: FileKind
 ) -> KinegradeError:
     where = str(Where(name, (), fault.line))
-    return kind.error(
-        write_message(where, str(fault), f"{kind.noun} in {language}", kind.do or "fix it")
-    )
+    return kind.error(*(Fault(where, what, expected, kind.do or _FIX_IT) for what in fault.faults))

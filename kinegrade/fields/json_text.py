@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from kinegrade.errors import JsonError
 from kinegrade.fields.digits import TOO_DEEP, TOO_LARGE, Digits, Unbounded, require_bounded
+from kinegrade.language.message import Message, Quoted
 
 
 def read_json(text: str) -> object:
@@ -25,9 +26,9 @@ def read_json(text: str) -> object:
         )
         require_bounded(content)
     except json.JSONDecodeError as error:
-        raise JsonError(f"broken JSON ({error.msg})", error.lineno) from error
+        raise JsonError(Message("fields.broken-json", reason=error.msg), error.lineno) from error
     except Unbounded as error:
-        raise JsonError(str(error)) from error
+        raise JsonError(error.reason) from error
     except RecursionError as error:
         raise JsonError(TOO_DEEP) from error
     except ValueError as error:  # Python reads no integer of more than 4,300 digits
@@ -40,10 +41,10 @@ def _object(pairs: Sequence[tuple[str, object]]) -> dict[str, object]:
     found: dict[str, object] = {}
     for key, value in pairs:
         if key in found:
-            raise JsonError(f'"{key}" stands twice in one object: leave one of the two out')
+            raise JsonError(Message("fields.twice-in-object", key=Quoted(key)))
         found[key] = value
     return found
 
 
 def _refuse_constant(name: str) -> object:
-    raise JsonError(f"{name} is no number")
+    raise JsonError(Message("fields.no-number", name=name))

@@ -16,14 +16,15 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
-from kinegrade.errors import FieldError, KinegradeError, did_you_mean, find_misspelt
+from kinegrade.errors import FieldError, KinegradeError, find_misspelt, suggest
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.place import Place
 from kinegrade.fields.values import Read, found
-from kinegrade.language.message import Text
+from kinegrade.language.message import Message, Text
 
 _Value = TypeVar("_Value")
 _NOTHING: Mapping[str, object] = {}
+_UNKNOWN = Message("fields.unknown-key")
 
 
 @dataclass(frozen=True)
@@ -49,16 +50,18 @@ class Table:
     def __len__(self) -> int:
         return len(self.content)
 
-    def only(self, *known: str, kind: str = "key") -> Table:
-        """The table with only its known keys; each of the others is noted as a fault."""
-        unknown = [key for key in self.content if key not in known]
-        for key in unknown:
-            self.fault(key, f"unknown {kind}", do=did_you_mean(key, known))
+    def only(self, *known: str, unknown: Text = _UNKNOWN) -> Table:
+        """The table with only its known keys; each of the others is noted as a fault, which
+        `unknown` says.
+        """
+        others = [key for key in self.content if key not in known]
+        for key in others:
+            self.fault(key, unknown, do=suggest(key, known))
         return Table(
             self.faults,
             self.place,
             {key: value for key, value in self.content.items() if key in known},
-            find_misspelt(unknown, [key for key in known if key not in self.content]),
+            find_misspelt(others, [key for key in known if key not in self.content]),
             self.whole,
         )
 
@@ -92,7 +95,7 @@ class Table:
 
     def numbered(self, key: str, read: Read[_Value], like: str = "") -> dict[int, _Value]:
         """Like `listing`, with the position of each entry in the list, counted from 0."""
-        expected = f"a list like {like}" if like else "a list"
+        expected = Message("fields.a-list-like", like=like) if like else Message("fields.a-list")
         values = {
             number: self._read_at((*self.place, key, number), entry, read)
             for number, entry in enumerate(self._list(key, expected))
@@ -105,7 +108,10 @@ class Table:
 
     def tables(self, key: str, like: str = "") -> tuple[Table, ...]:
         """The tables of a list, none where there is no list; `like` is an example for messages."""
-        expected = f"a list of tables like [{like}]" if like else f"tables [[{key}]]"
+        if like:
+            expected = Message("fields.a-list-of-tables", like=like)
+        else:
+            expected = Message("fields.tables", key=key)
         return tuple(
             self._table_at((*self.place, key, number), entry, like)
             for number, entry in enumerate(self._list(key, expected))
@@ -130,7 +136,7 @@ class Table:
     def missing(self, key: str, expected: Text = "") -> None:
         """Notes that a key is missing, unless missing keys are not reported here."""
         if self.whole and key not in self.excused:
-            self.fault(key, "missing", expected)
+            self.fault(key, Message("fields.missing"), expected)
 
     def fault(self, key: str | None, what: Text, expected: Text = "", do: Text = "") -> None:
         """Notes a fault in the value of a key, or in the table itself (None)."""
@@ -144,7 +150,7 @@ class Table:
             self.missing(key)
         return not missing
 
-    def _list(self, key: str, expected: str) -> list[object]:
+    def _list(self, key: str, expected: Text) -> list[object]:
         value = self.content.get(key, [])
         if isinstance(value, list):
             return value
@@ -154,7 +160,8 @@ class Table:
     def _table_at(self, place: Place, value: object, like: str) -> Table:
         if isinstance(value, Mapping):
             return Table(self.faults, place, value)
-        self.faults.note(place, found(value), f"a table like {like}" if like else "a table")
+        expected = Message("fields.a-table-like", like=like) if like else Message("fields.a-table")
+        self.faults.note(place, found(value), expected)
         return Table(self.faults, place, _NOTHING, whole=False)
 
     def _read(self, key: str, value: object, read: Read[_Value]) -> _Value | None:

@@ -15,6 +15,7 @@ from unicodedata import normalize
 from kinegrade.errors import TomlError
 from kinegrade.fields.digits import TOO_DEEP, TOO_LARGE, Digits, Unbounded, require_bounded
 from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Message
 
 _STRING = re.compile(r'"(?:\\.|[^"\\])*"|' + r"'[^']*'")
 _PLACE = re.compile(r" \(at line (\d+), column \d+\)")
@@ -24,7 +25,7 @@ _DECIMAL = re.compile(r"[0-9]+\.[0-9]+")
 _TWICE = "Cannot overwrite a value"  # the parser's words for a duplicate key
 _FULL_WIDTH = "，．：；＝（）［］｛｝＃％／０１２３４５６７８９"
 _PLAIN_VALUE = re.compile(r"[-+]?\d[\d_.eE+-]*|true|false", re.ASCII)
-_Advice = Callable[[re.Match[str]], str]
+_Advice = Callable[[re.Match[str]], Message]
 
 
 def read_toml(text: str) -> dict[str, Any]:
@@ -38,7 +39,7 @@ def read_toml(text: str) -> dict[str, Any]:
     except tomllib.TOMLDecodeError as error:
         raise _named(text, str(error)) from error
     except Unbounded as error:
-        raise TomlError(str(error)) from error
+        raise TomlError(error.reason) from error
     except RecursionError as error:
         raise TomlError(TOO_DEEP) from error
     except ValueError as error:  # Python reads no integer of more than 4,300 digits
@@ -61,95 +62,73 @@ def _named(text: str, fault: str) -> TomlError:
     number = int(place[1])
     line = text.split("\n")[number - 1]
     slip = _slip_in(line)
-    if not slip and fault.startswith(_TWICE):
+    if slip is None and fault.startswith(_TWICE):
         key = line.partition("=")[0].strip()
-        slip = (
-            f"{show_in_one_line(key[:_LONGEST_SHOWN])}: stands "
-            "in this table before: leave one of the "
-            "two out"
-        )
+        slip = Message("fields.twice-in-table", key=show_in_one_line(key[:_LONGEST_SHOWN]))
     return TomlError(slip or show_in_one_line(_PLACE.sub("", fault)), number)
 
 
-def _slip_in(line: str) -> str:
-    """What someone wrote on a line that TOML does not allow, and what to write instead; "" where it
-    is none of the usual mistakes.
+def _slip_in(line: str) -> Message | None:
+    """What someone wrote on a line that TOML does not allow, and what to write instead; None where
+    it is none of the usual mistakes.
 
     >>> _slip_in("draw = [30°, 60°]")
-    '30°: a number without its unit is expected: write 30, and unit = "deg"'
+    Message('fields.slip-degrees', found='30°', number='30')
     >>> _slip_in("date = 3.12.2026")
-    '3.12.2026: write a date as 2026-12-03, or as a text in quotation marks, "3.12.2026"'
+    Message('fields.slip-dotted-date', found='3.12.2026', date='2026-12-03')
     """
     outside = _STRING.sub('""', line).partition("#")[0]
     for pattern, advice in _SLIPS:
         found = pattern.search(outside)
         if found is not None:
-            return show_in_one_line(advice(found))
-    return "" if outside.lstrip().startswith("[") else _unquoted(outside)
+            return advice(found)
+    return None if outside.lstrip().startswith("[") else _unquoted(outside)
 
 
-def _dotted_date(found: re.Match[str]) -> str:
+def _dotted_date(found: re.Match[str]) -> Message:
     """A date as much of Europe writes it: day, month, year."""
     day, month, year = (part.zfill(2) for part in found.groups())
     text = "".join(found[0].split())
-    return (
-        f"{text}: write a date as {year}-{month}-{day}, "
-        f'or as a text in quotation marks, "{found[0]}"'
-    )
-
-
-def _other_date(found: re.Match[str]) -> str:
-    """A date whose day and month cannot be distinguished, or that lacks a zero."""
-    return (
-        f"{found[0]}: write a date as year-month-day, like 2026-05-01, "
-        f'or as a text in quotation marks, "{found[0]}"'
-    )
+    return Message("fields.slip-dotted-date", found=text, date=f"{year}-{month}-{day}")
 
 
 _SLIPS: tuple[tuple[re.Pattern[str], _Advice], ...] = (
     (
         re.compile("[“”„‟«»‘’‚‛＂＇]"),
-        lambda found: f'{found[0]}: a curly quotation mark: write straight ones, "..."',
+        lambda found: Message("fields.slip-curly-mark", found=found[0]),
     ),
     (
         re.compile(r"""(?<!["'])["'](?!["']).*"""),  # outside the texts that are closed
-        lambda found: (
-            f"{found[0][:_LONGEST_SHOWN]}: a quotation mark without its partner: close it"
-        ),
+        lambda found: Message("fields.slip-open-mark", found=found[0][:_LONGEST_SHOWN]),
     ),
     (
         re.compile(r"(-?\d+(?:\.\d+)?)\s*[°º˚]"),
-        lambda found: (
-            f'{found[0]}: a number without its unit is expected: write {found[1]}, and unit = "deg"'
-        ),
+        lambda found: Message("fields.slip-degrees", found=found[0], number=found[1]),
     ),
     (
         re.compile(f"[{_FULL_WIDTH}]"),
-        lambda found: f'{found[0]}: a full-width character: write "{normalize("NFKC", found[0])}"',
+        lambda found: Message(
+            "fields.slip-full-width", found=found[0], plain=normalize("NFKC", found[0])
+        ),
     ),
     (re.compile(r"(?<![\d.])(\d{1,2})\.\s?(\d{1,2})\.\s?(\d{4})(?!\d)"), _dotted_date),
-    (re.compile(r"\d{1,2}/\d{1,2}/\d{4}|\d{4}[-./]\d{1,2}[-./]\d{1,2}"), _other_date),
-    (
-        re.compile(r"[\d\"'\]}]\s*;"),
-        lambda _: ";: write a comma between entries, not a semicolon",
+    (  # a date whose day and month cannot be distinguished, or that lacks a zero
+        re.compile(r"\d{1,2}/\d{1,2}/\d{4}|\d{4}[-./]\d{1,2}[-./]\d{1,2}"),
+        lambda found: Message("fields.slip-other-date", found=found[0]),
     ),
-    (
-        re.compile(r"^[^{}]*\{[^{}]*$"),
-        lambda _: "{ is not closed: write } at the end of the table, in the same line",
-    ),
+    (re.compile(r"[\d\"'\]}]\s*;"), lambda _: Message("fields.slip-semicolon")),
+    (re.compile(r"^[^{}]*\{[^{}]*$"), lambda _: Message("fields.slip-open-table")),
     (
         re.compile(r"=\s*(-?\d+),(\d+)\s*(?:$|[,}])"),
-        lambda found: (
-            f"{found[1]},{found[2]}: a decimal comma: write a point, {found[1]}.{found[2]}"
-        ),
+        lambda found: Message("fields.slip-decimal-comma", whole=found[1], decimals=found[2]),
     ),
     (
         re.compile(r"\d+(?:\.\d+)?\s*%"),
-        lambda found: f'{found[0]}: write a percentage in quotation marks, "{found[0]}"',
+        lambda found: Message("fields.slip-percentage", found=found[0]),
     ),
     (
         re.compile(r"^\s*([\w-]+)\s*:"),
-        lambda found: f"{found[1]}: write = between a name and its value, not a colon",
+        lambda found: Message("fields.slip-colon", name=found[1]),
     ),
 )
 _TRUE, _FALSE = ("true", "yes", "on"), ("false", "no", "off")
@@ -157,15 +136,15 @@ _BOOLEANS = {**dict.fromkeys(_TRUE, "true"), **dict.fromkeys(_FALSE, "false")}
 _VALUE = re.compile(r"(?:=|\[|,)\s*([^\s\"'\[\]{},=#][^\"'\[\]{},=#]*)")
 
 
-def _unquoted(outside: str) -> str:
-    """The first value that is a text without quotation marks; "" where there is none."""
+def _unquoted(outside: str) -> Message | None:
+    """The first value that is a text without quotation marks; None where there is none."""
     for found in _VALUE.finditer(outside):
         value = found[1].strip()
         plain = _BOOLEANS.get(value.lower(), value)
         if plain != value:
-            return f"{value}: write {plain}"
+            return Message("fields.slip-word", found=value, plain=plain)
         if outside[found.end() :].lstrip().startswith("="):
             continue  # a key, after a comma in an inline table
         if not _PLAIN_VALUE.fullmatch(value) and len(value) <= _LONGEST_SHOWN:
-            return f'{value}: a text or an expression needs quotation marks: write "{value}"'
-    return ""
+            return Message("fields.slip-unquoted", found=value)
+    return None

@@ -14,6 +14,7 @@ from typing import TypeVar
 from kinegrade.errors import FieldError
 from kinegrade.fields.digits import Digits
 from kinegrade.language.lines import shorten
+from kinegrade.language.message import Message, Part, Text, list_choices
 
 _Value = TypeVar("_Value")
 _Word = TypeVar("_Word", bound=str)
@@ -30,14 +31,14 @@ def text(value: object) -> str:
     """A text that is not blank."""
     if isinstance(value, str) and not isinstance(value, Digits) and value.strip():
         return value
-    raise FieldError(found(value), 'a text in quotation marks, "..."')
+    raise FieldError(found(value), Message("fields.a-text"))
 
 
 def flag(value: object) -> bool:
     """True or false."""
     if isinstance(value, bool):
         return value
-    raise FieldError(found(value), "true or false")
+    raise FieldError(found(value), Message("fields.true-or-false"))
 
 
 def whole(least: int, most: int) -> Read[int]:
@@ -46,7 +47,7 @@ def whole(least: int, most: int) -> Read[int]:
     def read(value: object) -> int:
         if isinstance(value, int) and not isinstance(value, bool) and least <= value <= most:
             return value
-        raise FieldError(found(value), f"a whole number from {least} to {most}")
+        raise FieldError(found(value), Message("fields.a-whole-number", least=least, most=most))
 
     return read
 
@@ -60,10 +61,7 @@ def amount(value: object) -> Fraction:
     written = _written(value)
     if _AMOUNT.fullmatch(written):
         return Fraction(written)
-    raise FieldError(
-        found(value),
-        "a number of zero or more like 2.5, at most 9 digits before the point and 12 after it",
-    )
+    raise FieldError(found(value), Message("fields.an-amount"))
 
 
 def share(value: object) -> Fraction:
@@ -75,12 +73,13 @@ def share(value: object) -> Fraction:
     part = _part(_written(value))
     if part is not None and part <= 1:
         return part
-    raise FieldError(found(value), 'a share from 0 to 1, like 0.5, "50 %" or "1/2"')
+    raise FieldError(found(value), Message("fields.a-share"))
 
 
-def choice(words: Sequence[_Word], otherwise: str = "") -> Read[_Word]:
+def choice(words: Sequence[_Word], otherwise: Text = "") -> Read[_Word]:
     """A reader of one word out of several; `otherwise` says what else is allowed there."""
-    expected = " or ".join([*words, otherwise] if otherwise else words)
+    choices: Sequence[Part] = [*words, otherwise] if otherwise else words
+    expected = Message("fields.one-of", choices=list_choices(choices))
 
     def read(value: object) -> _Word:
         for word in words:
@@ -97,15 +96,15 @@ def date_text(value: object) -> str:
         return str(value)
     if isinstance(value, str) and not isinstance(value, Digits):
         return value
-    raise FieldError(found(value), 'a text or a date, like "spring 2026" or 2026-05-01')
+    raise FieldError(found(value), Message("fields.a-date"))
 
 
-def found(value: object) -> str:
+def found(value: object) -> Text:
     """What stands in a file, as messages show it: texts in quotation marks; of tables and lists
     only the kind.
 
     >>> found("1 %"), found(True), found([1])
-    ('"1 %"', 'true', 'a list')
+    ('"1 %"', 'true', Message('fields.a-list'))
     """
     match value:
         case bool():
@@ -115,11 +114,11 @@ def found(value: object) -> str:
         case str():
             return f'"{shorten(value, _LONGEST_SHOWN)}"'
         case dict():
-            return "a table"
+            return Message("fields.a-table")
         case list():
-            return "a list"
+            return Message("fields.a-list")
         case _:
-            return "nothing"
+            return Message("fields.nothing")
 
 
 def _written(value: object) -> str:

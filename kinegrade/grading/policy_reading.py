@@ -44,6 +44,7 @@ from kinegrade.fields.table import Table
 from kinegrade.fields.values import amount, choice, whole
 from kinegrade.grading.accepted_reading import AcceptedReader
 from kinegrade.grading.policy import FULL_CREDIT, NO_ROOM, Attempts, Policy, Ruling, Void
+from kinegrade.language.message import Message
 from kinegrade.stated_marking import StatedCredit, StatedTolerance, read_credit, read_tolerance
 
 _POLICY_FILE = FileKind("a policy file", PolicyError, 1_000_000)
@@ -124,13 +125,15 @@ class _Reader:
     def _rulings(self, content: Table, wider: _Level) -> dict[str, Ruling]:
         """A ruling for each answer column."""
         known = list_questions(self.exam.asks)
-        tables = content.only(*known, kind="question")
+        tables = content.only(*known, unknown=Message("fields.unknown-question"))
         rulings: dict[str, Ruling] = {}
         for question in known:
             table = tables.table(question).only("tolerance", "credit", "void", "asks")
             level = self._level(table).over(wider)
             asks = [ask for ask in self.exam.asks if ask.question == question]
-            asked = table.table("asks").only(*(ask.ask for ask in asks), kind="ask")
+            asked = table.table("asks").only(
+                *(ask.ask for ask in asks), unknown=Message("fields.unknown-ask")
+            )
             for ask in asks:
                 rulings[ask.column] = self._ruling(asked.table(ask.ask), ask, level)
         return rulings

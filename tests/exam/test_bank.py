@@ -23,7 +23,7 @@ AMOUNT = (
     "expected a number of zero or more like 2.5, at most 9 digits before the point and 12 after it"
 )
 KIND = (
-    "expected position or velocity or acceleration or a table of asks with their points, "
+    "expected position, velocity, acceleration or a table of asks with their points, "
     "like { v_B = 3 }"
 )
 ONE_OF = 'expected one of template = "...", family = "..." and tag = "..."'
@@ -314,7 +314,7 @@ number = 2
         ),
         (
             '[[questions]]\nfamily = "rolling"\nasks = "sped"',
-            ':5: questions[1].asks: "sped" - expected position or velocity or acceleration',
+            ':5: questions[1].asks: "sped" - expected position, velocity or acceleration',
         ),
         (
             QUESTION + "draw = [1]",

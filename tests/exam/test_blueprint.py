@@ -170,7 +170,7 @@ def test_points_are_shared_out_as_each_template_weighs(shelf: Path) -> None:
         ),
         (
             'family = "gear", asks = { v_x = 1 }',
-            [":5: questions[1].asks: a table - expected position or velocity or acceleration"],
+            [":5: questions[1].asks: a table - expected position, velocity or acceleration"],
         ),
         (
             'family = "crank", asks = "acceleration"',

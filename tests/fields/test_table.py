@@ -14,6 +14,8 @@ from kinegrade.fields.json_text import read_json
 from kinegrade.fields.place import Place
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import amount, choice, date_text, flag, share, text, whole
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 
 KIND = FileKind("a bank file", BankError, 100)
 RESTORED = FileKind("an exam's head", BankError, 100, "restore it")
@@ -234,3 +236,14 @@ def test_lines_are_looked_for_once_and_only_where_there_is_a_fault() -> None:
         "bank.toml:2: b: 2 - expected true or false",
     )
     assert searched == ["a = 1\nb = 2"]
+
+
+def test_what_was_found_and_expected_is_said_in_the_language_that_is_asked_for() -> None:
+    table = toml("list = {}\nflag = [1]")
+    table.listing("list", text, "[1, 2]")
+    table.required("flag", flag)
+    faults = table.faults.raised().faults
+    assert [open_catalogue(Language("zh")).write(fault) for fault in faults] == [
+        "bank.toml:1: list: 表 - 应为形如 [1, 2] 的列表",
+        "bank.toml:2: flag: 列表 - 应为true 或 false",
+    ]

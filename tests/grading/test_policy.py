@@ -341,7 +341,7 @@ def test_all_faults_of_a_policy_are_told_at_once(tmp_path: Path) -> None:
     assert [
         problem.removeprefix(str(tmp_path / "policy.toml")) for problem in caught.value.problems
     ] == [
-        ':2: attempts: "lst" - expected last or first or best',
+        ':2: attempts: "lst" - expected last, first or best',
         ':3: tolerence: unknown key - did you mean "tolerance"? '
         "(known here: attempts, credit, questions, tolerance)",
         ':4: credit.wrong_unit: unknown key - did you mean "wrong-unit"? '

@@ -292,7 +292,7 @@ def test_the_author_of_a_template_chooses_the_method() -> None:
         solve_template(template, {})
     )
     with pytest.raises(
-        TemplateError, match='method: "guess" - expected base-point or projection or pole'
+        TemplateError, match='method: "guess" - expected base-point, projection or pole'
     ):
         read_template("crank", f'method = "guess"\n{text}')
 

@@ -9,6 +9,7 @@ from typing import TypeVar
 from kinegrade.errors import FieldError
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import Read, choice, flag, found
+from kinegrade.language.message import Message
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.hints import (
     PROJECTIONS,
@@ -162,13 +163,17 @@ def _read_line(value: object, names: Names) -> tuple[str, str]:
 
 def _read_labels(figure: Table, names: Names) -> Mapping[str, str | None]:
     """Text for points and bodies; None where there is to be none."""
-    texts = figure.table("labels", "{ O = 'O_1' }").only(*names.labelled, kind="point or body")
+    texts = figure.table("labels", "{ O = 'O_1' }").only(
+        *names.labelled, unknown=Message("fields.unknown-point-or-body")
+    )
     return {name: text or None for name, text in texts.entries(_label).items()}
 
 
 def _read_shapes(figure: Table, names: Names) -> Mapping[str, Shape]:
     bodies = names.bodies | {GROUND}
-    shapes = figure.table("shapes", '{ OA = "bent" }').only(*bodies, kind="body")
+    shapes = figure.table("shapes", '{ OA = "bent" }').only(
+        *bodies, unknown=Message("fields.unknown-body")
+    )
     return shapes.entries(choice(SHAPES))
 
 

@@ -12,6 +12,7 @@ from kinegrade.fields.faults import Faults
 from kinegrade.fields.lines import lines_of_toml
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import found
+from kinegrade.language.message import Message
 from kinegrade.problem.sections.keys import KNOWN, MAX_CHARACTERS, NEEDED, SHARED, SHARED_LISTS
 from kinegrade.problem.sections.layers import Layer, Layers, is_sharable
 from kinegrade.problem.template import MechanismFile, TemplateFile
@@ -72,7 +73,7 @@ def _read_toml(file: str, text: str) -> Table:
 
 def _require_known(table: Table, needed: Sequence[str]) -> Table:
     """The tables that are known; others, and needed ones that are missing, are faults."""
-    known = table.only(*KNOWN, kind="table or key")
+    known = table.only(*KNOWN, unknown=Message("fields.unknown-table-or-key"))
     for key in needed:
         if key not in known:
             known.missing(key, "in every template")
