@@ -4,6 +4,7 @@
 # make fairness   students who work rightly, or make each known mistake, on 1,000 papers of every template (20 minutes)
 # make measure   how large and how dense the code is, beside what its rebuilding aims at
 # make prove   every proof in full, at new seeds (less than an hour on two cores)
+# make catalogue LANGUAGE=de   the words of a language brought up to the English ones, or begun
 # make tools  what tests and benchmarks need beside Python: LaTeX with siunitx, poppler (Debian and Ubuntu;
 #             elsewhere it says what to install)
 # They set themselves up in .venv on a machine with Python 3.11 or newer and pip.
@@ -13,7 +14,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo demo-answers test lint types bench measure fairness prove golden check-templates tools clean
+.PHONY: demo demo-answers test lint types bench measure fairness prove catalogue golden check-templates tools clean
 
 $(READY): pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -56,6 +57,9 @@ fairness: $(READY)
 
 prove: $(READY)
 	$(BIN)/python -m tests.prove
+
+catalogue: $(READY)
+	$(BIN)/python -m tests.language.update $(LANGUAGE)
 
 golden: $(READY)
 	$(BIN)/python -m pytest -n 0 tests --regenerate-golden

@@ -160,8 +160,7 @@ def _list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[M
 @FORCE
 @refusing
 def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
-    """Show how the marks in MARKS2 differ from those in MARKS1: who changes, by how much, and why.
-    """
+    """Show how the marks in MARKS2 differ from those in MARKS1."""
     from kinegrade.grading.comparison import compare, write_comparison_csv, write_comparison_text
     from kinegrade.marks_folder.folder import open_marks
 
@@ -242,8 +241,7 @@ def feedback(
     jobs: int,
     force: bool,
 ) -> None:
-    """Write each student a sheet: their answers, right answers, what probably went wrong, points.
-    """
+    """Write each student a sheet: answers, right answers, what probably went wrong."""
     from kinegrade.exam.exam_wording import read_exam_wording
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.grading.feedback_folder import FeedbackWishes, write_feedback

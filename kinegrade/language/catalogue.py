@@ -47,7 +47,7 @@ class Catalogue:
         return self.write(Message(key, **parts))
 
     def write(self, part: Part, form: str = "") -> str:
-        """What a part says; a noun in one of its forms, by default the first."""
+        """What a part says; nouns in one of their forms, by default the first."""
         match part:
             case str():
                 return part
@@ -56,7 +56,7 @@ class Catalogue:
             case Fault():
                 return self._write_fault(part)
             case Listing():
-                return self._write_listing(part)
+                return self._write_listing(part, form)
             case Quoted():
                 return f'"{show_in_one_line(part.text)}"'
             case int() | Decimal() | Fraction():
@@ -134,14 +134,23 @@ class Catalogue:
         )
         return " - ".join(shorten(part, 2 * _LONGEST_PART) for part in parts if part)
 
-    def _write_listing(self, listing: Listing) -> str:
-        items = [self.write(item) for item in listing.items]
-        if listing.joint in ("comma", "semicolon"):
-            return self.text(f"grammar.{listing.joint}").join(items)
-        if len(items) < 2:
-            return "".join(items)
-        first = self.text("grammar.comma").join(items[:-1])
-        return self.text(f"grammar.{listing.joint}", first=first, last=items[-1])
+    def _write_listing(self, listing: Listing, form: str) -> str:
+        items = [self.write(item, form) for item in listing.items]
+        comma = self.text("grammar.comma")
+        first, last = comma.join(items[:-1]), items[-1] if items else ""
+        if not first:
+            return last
+        match listing.joint:
+            case "and":
+                return self.text("grammar.and", first=first, last=last)
+            case "or":
+                return self.text("grammar.or", first=first, last=last)
+            case "comma":
+                return comma.join(items)
+            case "semicolon":
+                return self.text("grammar.semicolon").join(items)
+            case _:
+                assert_never(listing.joint)
 
 
 def _choose_number(entry: Entry, entries: Entries, message: Message) -> str:
