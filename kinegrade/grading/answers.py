@@ -35,6 +35,9 @@ from kinegrade.grading.typed_value import (
     work_out,
 )
 from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Quoted, Text
 
 _LONGEST_ANSWER = 200
 _SHOWN_DIGITS = 12
@@ -117,29 +120,32 @@ def _read(typed: str, text: str, unit: str, style: DecimalStyle, convention: str
     place = sign.end() if sign else 0
     found = scan_value(answer, place, style)
     if found is None:
-        raise Unreadable(f'"{show(typed.strip(BLANKS))}" is not a number')
+        raise Unreadable(Message("typing.not-a-number", typed=Quoted(show(typed.strip(BLANKS)))))
     rest = answer[found.end :]
     factor = _find_conversion(rest, unit, typed)
     if isinstance(found, Formula) and found.pi and unit == "deg" and not rest.strip():
-        raise Unreadable(
-            "\u03c0 without a unit where degrees are asked for; write rad or \u00b0 after it"
-        )
+        raise Unreadable(Message("typing.pi-for-degrees"))
     written = sign[1] if sign else ""
     turn, remark = find_direction(sense, written, convention) if sense else (1, "")
     minus = (written == "-") != (turn < 0)
-    remarks = "; ".join(filter(None, (_describe_doubt(found, minus), remark)))
+    english = open_catalogue(ENGLISH)
+    doubts = _describe_doubt(found, minus), remark
+    remarks = "; ".join(english.write(each) for each in doubts if each)
     if isinstance(found, TypedNumber) and factor == Conversion():
         return _read_as_typed(typed, found, minus, remarks)
     return _work_out(typed, found, minus, factor, remarks)
 
 
-def _describe_doubt(found: TypedNumber | Formula, minus: bool) -> str:
+def _describe_doubt(found: TypedNumber | Formula, minus: bool) -> Text:
     """What the instructor should know about how a number was read, with the sign that was typed or
     given in words.
     """
     match found:
         case TypedNumber():
-            return found.reason and f"read as {_apply_sign(found, minus)}: {found.reason}"
+            digits = _apply_sign(found, minus)
+            return found.reason and Message(
+                "typing.number-read-as", digits=digits, reason=found.reason
+            )
         case Formula():
             return found.remark
         case _:
@@ -162,9 +168,7 @@ def _undress(text: str) -> str:
 def _find_conversion(rest: str, unit: str, typed: str) -> Conversion:
     """The conversion that the text after the number calls for. Raises Unreadable or WrongUnit."""
     if _NEXT_NUMBER.match(rest) and not _SHARE_OF_TIME.match(rest):
-        raise Unreadable(
-            f'"{show(typed.strip(BLANKS))}" is more than one number; one number was expected'
-        )
+        raise Unreadable(Message("typing.more-than-one", typed=Quoted(show(typed.strip(BLANKS)))))
     return find_conversion(rest, unit)
 
 

@@ -18,6 +18,9 @@ from typing import Literal, assert_never
 
 from kinegrade.counting import count_in_words
 from kinegrade.grading.number_text import DecimalStyle, MarkUse, fold, read_mantissa
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Text
 
 Mark = Literal["comma", "point"]
 _LONGEST_EVIDENCE = 200
@@ -67,7 +70,9 @@ class FileStyle:
         """What was declared or decided for the whole file, or holds for many students alike, in the
         words of remarks.
         """
-        return tuple(filter(None, (self.style.comma_reason, self.style.point_reason, _OWN_COMMAS)))
+        english = open_catalogue(ENGLISH)
+        known = self.style.comma_reason, self.style.point_reason, _OWN_COMMAS
+        return tuple(english.write(reason) for reason in known if reason)
 
     def of_row(self, cells: Sequence[str]) -> DecimalStyle:
         """The style of one student's answers: as declared, else as they show, else the file's."""
@@ -83,7 +88,7 @@ class FileStyle:
             )
         return DecimalStyle(comma, self.style.point, comma_reason, self.style.point_reason)
 
-    def _comma(self, row: Evidence) -> tuple[MarkUse, str]:
+    def _comma(self, row: Evidence) -> tuple[MarkUse, Text]:
         if "," in row.decimal and "," in row.groups:
             return (
                 "unknown",
@@ -137,8 +142,8 @@ def find_file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None)
     mark.
     """
     if declared is not None:
-        reason = f"the decimal mark was declared to be the {declared}"
-        return FileStyle(_read_declared_style(declared, reason), declared=True)
+        declaration = f"the decimal mark was declared to be the {declared}"
+        return FileStyle(_read_declared_style(declared, declaration), declared=True)
     found = [gather_evidence(row) for row in rows if any(row)]
     commas = sum("," in each.decimal for each in found)
     points = sum("." in each.decimal for each in found)
@@ -163,7 +168,7 @@ def _read_declared_style(mark: Mark, reason: str) -> DecimalStyle:
             assert_never(mark)
 
 
-def _judge_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, str]:
+def _judge_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, Text]:
     """What a comma means where a row does not show it: it groups if most rows show a decimal point
     and none shows a decimal comma.
     """

@@ -13,6 +13,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Quoted, Text
 from kinegrade.tables import INVISIBLE
 
 MOST_DIGITS = 40
@@ -54,10 +57,22 @@ _RUN = re.compile(
 _FIRST_GROUP = re.compile(r"[1-9][0-9]{0,2}")
 
 
-class Unreadable(Exception):
-    """What was typed is not one number in an acceptable unit; the message says why and what to
-    write instead.
-    """
+class TypingFault(Exception):
+    """What was typed cannot be marked as a number; `reason` says why and what to write instead."""
+
+    def __init__(self, reason: Text) -> None:
+        self.reason = reason
+        super().__init__(reason)
+
+    def __str__(self) -> str:
+        return open_catalogue(ENGLISH).write(self.reason)
+
+
+class Unreadable(TypingFault):
+    """What was typed is not one number in an acceptable unit."""
+
+
+_BY_RULE = Message("typing.comma-by-rule")
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,8 +85,8 @@ class DecimalStyle:
 
     comma: MarkUse = "decimal"
     point: MarkUse = "decimal"
-    comma_reason: str = "a comma is the decimal mark, and nothing in the file says otherwise"
-    point_reason: str = ""
+    comma_reason: Text = _BY_RULE
+    point_reason: Text = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +101,7 @@ class TypedNumber:
     value: Fraction
     digits: str
     end: int
-    reason: str = ""
+    reason: Text = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,10 +205,7 @@ def scan(
         return None
     parts = _make_mantissa(found)
     if not parts.well_formed:
-        raise Unreadable(
-            f'"{show(found[0])}" is more than one number, or wrongly grouped; one number was '
-            "expected"
-        )
+        raise Unreadable(Message("typing.many-numbers", typed=Quoted(show(found[0]))))
     decimal, reason = _find_decimal_mark(parts, style)
     whole = "".join(parts.pieces[:-1] if decimal else parts.pieces)
     decimals = parts.pieces[-1] if decimal else ""
@@ -215,29 +227,31 @@ def _scale(digits: int, power_of_ten: int) -> Fraction:
     )
 
 
-def _find_decimal_mark(parts: Mantissa, style: DecimalStyle) -> tuple[str | None, str]:
+def _find_decimal_mark(parts: Mantissa, style: DecimalStyle) -> tuple[str | None, Text]:
     """The decimal mark of this number, None where it has none, and the reason where that is
     ambiguous.
     """
     if not parts.ambiguous:
         certain = parts.marks
-        blank = "a blank groups the digits in threes" if " " in parts.separators else ""
-        return certain[0], blank
+        return certain[0], Message("typing.blank-groups") if " " in parts.separators else ""
     [mark] = parts.separators
     use, reason = (
         (style.comma, style.comma_reason) if mark == "," else (style.point, style.point_reason)
     )
     if use == "unknown":
+        typed = Quoted(mark.join(parts.pieces))
         one, other = ".".join(parts.pieces), "".join(parts.pieces)
-        raise Unreadable(f'"{mark.join(parts.pieces)}" can mean {one} or {other}: {reason}')
+        raise Unreadable(
+            Message("typing.either-number", typed=typed, one=one, other=other, reason=reason)
+        )
     return mark if use == "decimal" else None, reason
 
 
 def _require_bounded(digits: str, power: str) -> None:
     if len(digits.lstrip("0")) > MOST_DIGITS:
-        raise Unreadable(f"more than {MOST_DIGITS} digits; round the number")
+        raise Unreadable(Message("typing.many-digits", most=MOST_DIGITS))
     if len(power) > 6 or abs(int(power)) > LARGEST_EXPONENT:
-        raise Unreadable(f"a power of ten beyond {LARGEST_EXPONENT}")
+        raise Unreadable(Message("typing.large-power", largest=LARGEST_EXPONENT))
 
 
 def show(text: str) -> str:

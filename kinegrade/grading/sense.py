@@ -10,15 +10,12 @@ import re
 from typing import Literal
 
 from kinegrade.grading.number_text import Unreadable
+from kinegrade.language.message import Message, Quoted, Text
 
 Sense = Literal["ccw", "cw", "right", "left", "up", "down"]
 
 _OPPOSITE: dict[Sense, Sense] = {
     "ccw": "cw", "cw": "ccw", "right": "left", "left": "right", "up": "down", "down": "up",
-}  # fmt: skip
-_NAMES: dict[Sense, str] = {
-    "ccw": "counter-clockwise", "cw": "clockwise",
-    "right": "right", "left": "left", "up": "up", "down": "down",
 }  # fmt: skip
 _TURNING = r"(?:方向|转动|旋转|转)?"
 _WORDS: dict[Sense, str] = {
@@ -59,7 +56,7 @@ def split_sense(text: str) -> tuple[str, Sense | None]:
     return text, None
 
 
-def find_direction(sense: Sense, sign: str, convention: str) -> tuple[int, str]:
+def find_direction(sense: Sense, sign: str, convention: str) -> tuple[int, Text]:
     """(1 or -1, remark): the factor that words give to a number typed with `sign` ("", "+" or
     "-").
 
@@ -68,17 +65,17 @@ def find_direction(sense: Sense, sign: str, convention: str) -> tuple[int, str]:
     repeat a sign, or do not determine this ask's sign.
     """
     positive = next((each for pattern, each in _POSITIVE if pattern.fullmatch(convention)), None)
-    name = _NAMES[sense]
+    name = Message(f"typing.direction-{sense}")
     if sign == "-" or (sign == "+" and sense != positive):
-        raise Unreadable(
-            f'a sign ("{sign}") and a sense ({name}) together can mean either way; write one of '
-            "the two"
-        )
+        raise Unreadable(Message("typing.sign-and-sense", sign=Quoted(sign), sense=name))
     if _SIGNLESS.fullmatch(convention):
-        return 1, f"a sense ({name}) is not asked for; it was left out"
+        return 1, Message("typing.sense-not-asked", sense=name)
     if positive is None or sense not in (positive, _OPPOSITE[positive]):
-        meaning = f" ({convention})" if convention else ""
-        raise Unreadable(
-            f"a sense ({name}) does not determine the sign of this answer{meaning}; write a sign"
-        )
+        raise Unreadable(_describe_no_sign(name, convention))
     return (1 if sense == positive else -1), ""
+
+
+def _describe_no_sign(sense: Message, convention: str) -> Message:
+    if not convention:
+        return Message("typing.sense-of-no-sign", sense=sense)
+    return Message("typing.sense-of-other-sign", sense=sense, convention=convention)

@@ -45,6 +45,7 @@ from kinegrade.grading.number_text import (
     scan,
     show,
 )
+from kinegrade.language.message import Message, Quoted, Text, list_plainly
 
 _MOST_ROOTS = 8
 _MOST_BRACKETS = 8
@@ -54,6 +55,7 @@ PRECISION = 256
 # The error of an irrational value, relative to its size; the key has 40 digits
 _KNOWN = Fraction(1, 10**38)
 _SMALLEST, _LARGEST = Fraction(1, 10**LARGEST_EXPONENT), Fraction(10**LARGEST_EXPONENT)
+_SMALLEST_SHOWN, _LARGEST_SHOWN = f"1e-{LARGEST_EXPONENT}", f"1e{LARGEST_EXPONENT}"
 _VULGAR = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
 _START = re.compile(rf"\s*(?:[0-9(√πΠ𝜋{_VULGAR}]|[.,][0-9]|sqrt|根号|pi(?![a-z]))", re.IGNORECASE)
 _MIXED = re.compile(rf"\s?[{_VULGAR}]")
@@ -75,7 +77,7 @@ class Formula:
     end: int
     roots: int
     pi: bool  # whether pi occurs
-    remark: str
+    remark: Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +118,13 @@ class _Reader:
 
     def __init__(self, text: str, place: int, style: DecimalStyle) -> None:
         self.text, self.place, self.style = text, place, style
-        self.roots, self.surds, self.pi, self.remark, self.atoms = 0, False, False, "", 0
+        self.roots, self.surds, self.pi, self.atoms = 0, False, False, 0
+        self.remark: Text = ""
+
+    @property
+    def typed(self) -> Quoted:
+        """The whole text, for a message."""
+        return Quoted(show(self.text))
 
     def sum(self, depth: int) -> Expression:
         before, self.surds = self.surds, False
@@ -124,9 +132,7 @@ class _Reader:
         while (mark := self._operator(*SUMS)) is not None:
             tree, terms = Operation(mark, tree, self.product(depth)), terms + 1
         if terms > 1 and not self.surds:
-            raise Unreadable(
-                f'"{show(self.text)}" is a range or a calculation; one number was expected'
-            )
+            raise Unreadable(Message("typing.range", typed=self.typed))
         self.surds |= before
         return tree
 
@@ -147,9 +153,7 @@ class _Reader:
 
     def _require_plain_order(self, doubtful: bool) -> None:
         if doubtful:
-            raise Unreadable(
-                f'"{show(self.text)}" can be understood in two ways; write brackets, as in (1/2)√3'
-            )
+            raise Unreadable(Message("typing.two-ways", typed=self.typed))
 
     def beside(self, depth: int) -> Expression | None:
         """A factor written without a multiplication sign; a bracket that holds a unit is not
@@ -187,7 +191,7 @@ class _Reader:
     def atom(self, depth: int) -> Expression:
         self.atoms += 1
         if self.atoms > _MOST_ATOMS:
-            raise Unreadable(f"a formula of more than {_MOST_ATOMS} parts; write a decimal number")
+            raise Unreadable(Message("typing.many-parts", most=_MOST_ATOMS))
         self.skip()
         if found := _ROOT.match(self.text, self.place):
             self.place = found.end()
@@ -218,14 +222,12 @@ class _Reader:
     def _root_of(self, tree: Expression) -> Expression:
         self.roots, self.surds = self.roots + 1, True
         if self.roots > _MOST_ROOTS:
-            raise Unreadable(f"more than {_MOST_ROOTS} roots; write a decimal number")
+            raise Unreadable(Message("typing.many-roots", most=_MOST_ROOTS))
         return Call("sqrt", (tree,))
 
     def _bracket(self, depth: int) -> Expression:
         if depth >= _MOST_BRACKETS:
-            raise Unreadable(
-                f"brackets nested deeper than {_MOST_BRACKETS}; write a decimal number"
-            )
+            raise Unreadable(Message("typing.deep-brackets", most=_MOST_BRACKETS))
         self.place += 1
         self.skip()
         sign = self.text[self.place : self.place + 1]
@@ -233,9 +235,7 @@ class _Reader:
         tree = self.sum(depth + 1)
         self.skip()
         if not self.text.startswith(")", self.place):
-            raise Unreadable(
-                f'"{show(self.text)}": a bracket is not closed, or holds more than a number'
-            )
+            raise Unreadable(Message("typing.open-bracket", typed=self.typed))
         self.place += 1
         return Operation("-", Number(read_rational("0")), tree) if sign == "-" else tree
 
@@ -249,19 +249,20 @@ class _Reader:
             self.place = found.end
         vulgar = self._vulgar() if found is None or found.digits.isdigit() else None
         if found is None and vulgar is None:
-            raise Unreadable(
-                f'"{show(self.text)}": a number was expected at "{show(self.text[self.place :])}"'
-            )
+            rest = Quoted(show(self.text[self.place :]))
+            raise Unreadable(Message("typing.no-number", typed=self.typed, rest=rest))
         if found is None or vulgar is None:
             return vulgar or _make_literal(found.value if found else Fraction(0))
         return Operation("+", _make_literal(found.value), vulgar)
 
-    def _doubt(self, found: TypedNumber) -> str:
+    def _doubt(self, found: TypedNumber) -> Text:
         """What the instructor should know about a number just read, quoted as it was typed; ""
         where nothing is in doubt.
         """
-        typed = show(self.text[self.place : found.end])
-        return found.reason and f'"{typed}" read as {found.digits}: {found.reason}'
+        if not found.reason:
+            return ""
+        typed = Quoted(show(self.text[self.place : found.end]))
+        return Message("typing.read-as", typed=typed, digits=found.digits, reason=found.reason)
 
     def _vulgar(self) -> Expression | None:
         found = _MIXED.match(self.text, self.place)
@@ -308,9 +309,20 @@ def work_out(formula: Formula) -> Amount:
                     arithmetic,
                 )
             )
-    except (ExpressionError, ArithmeticError) as fault:
-        text = str(fault).partition(":")[0]
-        raise Unreadable(f"has no value ({text}); one number was expected") from fault
+    except ExpressionError as error:
+        raise Unreadable(_describe_no_value(error)) from error
+    except ArithmeticError as error:
+        raise Unreadable(Message("typing.no-value-at-all")) from error
+
+
+def _describe_no_value(error: ExpressionError) -> Message:
+    match error.__cause__:
+        case ZeroDivisionError():
+            return Message("typing.division-by-zero")
+        case ValueError():
+            return Message("typing.root-of-negative")
+        case _:
+            return Message("typing.no-value", reason=list_plainly(error.faults))
 
 
 def _make_exact(formula: Formula) -> Amount | None:
@@ -352,9 +364,9 @@ def _is_rational(size: Any) -> bool:
 
 def _enclose(ball: Any) -> tuple[Fraction, Fraction]:
     if not ball.is_finite() or not abs(ball) < 10**LARGEST_EXPONENT:
-        raise Unreadable(f"has no finite value, or one beyond 1e{LARGEST_EXPONENT}")
+        raise Unreadable(Message("typing.not-finite", largest=_LARGEST_SHOWN))
     if 0 not in ball and not abs(ball) * 10**LARGEST_EXPONENT > 1:
-        raise Unreadable(f"a value below 1e-{LARGEST_EXPONENT}")
+        raise Unreadable(Message("typing.below", smallest=_SMALLEST_SHOWN))
     if 0 in ball:
         return Fraction(0), _KNOWN  # a difference that vanishes to more digits than any key has
     low, high = (Fraction(int(side.p), int(side.q)) for side in find_bounds(ball, PRECISION))
@@ -364,7 +376,7 @@ def _enclose(ball: Any) -> tuple[Fraction, Fraction]:
 
 def _require_bounded(value: Fraction) -> Fraction:
     if value and not _SMALLEST <= abs(value) <= _LARGEST:
-        raise Unreadable(f"a value beyond 1e{LARGEST_EXPONENT} or below 1e-{LARGEST_EXPONENT}")
+        raise Unreadable(Message("typing.beyond", largest=_LARGEST_SHOWN, smallest=_SMALLEST_SHOWN))
     return value
 
 

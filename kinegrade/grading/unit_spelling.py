@@ -15,7 +15,8 @@ from fractions import Fraction
 from functools import lru_cache
 from unicodedata import normalize
 
-from kinegrade.grading.number_text import Unreadable, fold, show
+from kinegrade.grading.number_text import TypingFault, Unreadable, fold, show
+from kinegrade.language.message import Message, Part, Quoted
 from kinegrade.units import FACTORS, HALF_TURNS
 
 _SPELLINGS = {
@@ -50,18 +51,24 @@ _FACTOR = re.compile(
 )
 _LINK = re.compile(r"\s*(\*|/|\.|)\s*")
 _SHARE = re.compile(r"1\s*(?=/)|(?=/)")
+_PURE = ("", "1")  # as a unit: none
+# By the exponents of length, time and angle
 _KINDS = {
-    (0, 0, 0): "a pure number", (1, 0, 0): "a length", (0, 1, 0): "a time", (1, -1, 0): "a speed",
-    (1, -2, 0): "an acceleration", (0, 0, 1): "an angle", (0, -1, 1): "an angular velocity",
-    (0, -2, 1): "an angular "
-                "acceleration", (0, -1, 0): "a rate (1/s)", (0, -2, 0): "a rate of a rate (1/s²)",
-}  # fmt: skip
+    (0, 0, 0): Message("typing.kind-number"),
+    (1, 0, 0): Message("typing.kind-length"),
+    (0, 1, 0): Message("typing.kind-time"),
+    (1, -1, 0): Message("typing.kind-speed"),
+    (1, -2, 0): Message("typing.kind-acceleration"),
+    (0, 0, 1): Message("typing.kind-angle"),
+    (0, -1, 1): Message("typing.kind-angular-velocity"),
+    (0, -2, 1): Message("typing.kind-angular-acceleration"),
+    (0, -1, 0): Message("typing.kind-rate"),
+    (0, -2, 0): Message("typing.kind-rate-of-rate"),
+}
 
 
-class WrongUnit(Exception):
-    """A well-written unit that measures something other than what is asked; the message says
-    what.
-    """
+class WrongUnit(TypingFault):
+    """A well-written unit that measures something other than what is asked."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,8 +82,8 @@ class WrittenUnit:
     angle: int
 
     @property
-    def kind(self) -> str:
-        """What it measures, in words."""
+    def kind(self) -> Part:
+        """What it measures: a noun, or powers of units where there is none."""
         dimension = (self.length, self.time, self.angle)
         return _KINDS.get(dimension, f"m^{self.length} s^{self.time} rad^{self.angle}")
 
@@ -103,42 +110,46 @@ def find_conversion(typed: str, unit: str) -> Conversion:
     (Conversion(factor=Fraction(1, 30), pi=1), Fraction(1, 100))
     """
     written = _drop_brackets(typed)
-    if written in ("", unit) or (unit in ("", "1") and written == "1"):
+    if written in ("", unit) or (unit in _PURE and written == "1"):
         return _SAME
-    wanted = read_unit(unit) if unit not in ("", "1") else WrittenUnit(Fraction(1), 0, 0, 0, 0)
+    wanted = read_unit(unit) if unit not in _PURE else WrittenUnit(Fraction(1), 0, 0, 0, 0)
     _refuse_turns_per_time(written, unit, wanted)
     found = read_unit(written)
     if found is None or wanted is None:
-        raise Unreadable(
-            f'"{show(typed.strip())}" stands after the number; {_write_expected(unit)}'
-        )
+        raise Unreadable(_describe_unknown(Quoted(show(typed.strip())), unit))
     lengths_and_times = (found.length, found.time) == (wanted.length, wanted.time)
     radians_left_out = found.angle == 0 and wanted.angle == 1 and wanted.time < 0 and wanted.pi == 0
     if not lengths_and_times or not (found.angle == wanted.angle or radians_left_out):
-        raise WrongUnit(
-            f'"{show(written)}" measures {found.kind}; {wanted.kind} was expected{_write_in(unit)}'
-        )
+        raise WrongUnit(_describe_other_kind(Quoted(show(written)), found.kind, wanted.kind, unit))
     return Conversion(found.factor / wanted.factor, found.pi - wanted.pi)
 
 
-def _write_expected(unit: str) -> str:
-    return "no unit was expected" if unit in ("", "1") else f'the unit "{unit}" was expected'
+def _describe_unknown(typed: Quoted, unit: str) -> Message:
+    if unit in _PURE:
+        return Message("typing.no-unit-wanted", typed=typed)
+    return Message("typing.unknown-unit", typed=typed, unit=Quoted(unit))
 
 
-def _write_in(unit: str) -> str:
-    return "" if unit in ("", "1") else f', in "{unit}"'
+def _describe_other_kind(typed: Quoted, found: Part, wanted: Part, unit: str) -> Message:
+    if unit in _PURE:
+        return Message("typing.not-pure", typed=typed, found=found, wanted=wanted)
+    return Message("typing.other-kind", typed=typed, found=found, wanted=wanted, unit=Quoted(unit))
 
 
 def _refuse_turns_per_time(written: str, unit: str, wanted: WrittenUnit | None) -> None:
+    typed = Quoted(show(written))
     if _TURN_COUNTS.fullmatch(written):
-        measured = (
-            f"{wanted.kind} was expected{_write_in(unit)}" if wanted else _write_expected(unit)
-        )
-        raise WrongUnit(f'"{show(written)}" counts turns or cycles, not radians; {measured}')
+        raise WrongUnit(_describe_turns(typed, unit, wanted))
     if _PER_MINUTE.fullmatch(written.replace(" ", "")) and wanted is not None and wanted.angle:
-        raise Unreadable(
-            f'"{show(written)}" can mean turns or radians per minute; write r/min or rad/min'
-        )
+        raise Unreadable(Message("typing.per-minute", typed=typed))
+
+
+def _describe_turns(typed: Quoted, unit: str, wanted: WrittenUnit | None) -> Message:
+    if wanted is None:
+        return Message("typing.turns-for-unit", typed=typed, unit=Quoted(unit))
+    if unit in _PURE:
+        return Message("typing.turns-for-number", typed=typed, wanted=wanted.kind)
+    return Message("typing.turns-for-kind", typed=typed, wanted=wanted.kind, unit=Quoted(unit))
 
 
 def _drop_brackets(typed: str) -> str:

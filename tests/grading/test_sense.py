@@ -8,6 +8,8 @@ import pytest
 
 from kinegrade.grading.number_text import Unreadable, fold
 from kinegrade.grading.sense import Sense, find_direction, split_sense
+from kinegrade.language import ENGLISH, Language
+from kinegrade.language.catalogue import open_catalogue
 
 WORDS: dict[Sense, tuple[str, ...]] = {
     "ccw": ("ccw", "CCW", "c.c.w.", "acw", "counter-clockwise", "Counter clockwise", "anticlockwise", "逆时针",
@@ -93,7 +95,9 @@ def test_words_tell_nothing_where_the_convention_is_another(convention: str) -> 
     "convention", ["magnitude, not negative", "magnitude", "between 0° and 180°", "unsigned"]
 )
 def test_words_are_left_out_where_there_is_no_sign(convention: str) -> None:
-    assert find_direction("cw", "", convention) == (
-        1,
-        "a sense (clockwise) is not asked for; it was left out",
+    factor, remark = find_direction("cw", "", convention)
+    assert factor == 1
+    assert open_catalogue(ENGLISH).write(remark) == (
+        "a sense (clockwise) is not asked for; it was left out"
     )
+    assert open_catalogue(Language("zh")).write(remark) == "不要求方向（顺时针）；已略去"

@@ -12,6 +12,8 @@ from hypothesis import strategies as st
 
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion, read_unit
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 
 SAME = Conversion()
 
@@ -55,6 +57,13 @@ def test_another_dimension_is_told(typed: str, unit: str, reason: str) -> None:
     with pytest.raises(WrongUnit) as told:
         find_conversion(typed, unit)
     assert str(told.value) == reason
+
+
+def test_a_refusal_is_said_in_any_language() -> None:
+    with pytest.raises(WrongUnit) as told:
+        find_conversion("m", "m/s")
+    chinese = open_catalogue(Language("zh")).write(told.value.reason)
+    assert chinese == '"m" 表示长度；此处应为速度，单位为 "m/s"'
 
 
 @pytest.mark.parametrize(("typed", "unit", "reason"), [
