@@ -50,12 +50,14 @@ FLOORS = {
     "lms": 8,
     "cli": 9,
 }
-# Math that stands too high until it is in `language`
+# Words and math that stand too high until they are in `language`
 ON_THE_WAY_DOWN = {
     "kinegrade.exam.formula",
     "kinegrade.exam.latex_math",
     "kinegrade.exam.latex_text",
     "kinegrade.exam.quiz_prose",
+    "kinegrade.exam.solution_words",
+    "kinegrade.exam.words",
     "kinegrade.lms.quiz.plain_math",
 }
 SIBLINGS = ("figure", "grading", "lms")

@@ -16,16 +16,16 @@ from kinegrade.exam.key_record import make_key_line
 from kinegrade.exam.pages import lay_out_paper
 from kinegrade.exam.paper_tree import write_paper_tree
 from kinegrade.exam.quiz_solution import write_blocks_html
-from kinegrade.exam.solution_source import write_solution_source
-from kinegrade.exam.typst_source import write_paper_source
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.typst import write_typst
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.sheet import SolutionSheet
+from kinegrade.press.typst.paper import write_paper_source
+from kinegrade.press.typst.solution import write_solution_source
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
-from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION
 from tests.golden_files import Hold, papers
+from tests.press.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION
 
 
 def readable(source: str) -> str:

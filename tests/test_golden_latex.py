@@ -21,9 +21,9 @@ from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.sheet import SolutionSheet
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
-from tests.exam.papers import key_book
-from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION
 from tests.golden_files import Hold, papers
+from tests.press.papers import key_book
+from tests.press.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])

@@ -236,7 +236,7 @@ def test_processes_are_copies_of_one_that_surely_has_no_other_thread(
 @linux
 def test_what_generate_loads_and_a_press_at_rest_start_no_thread() -> None:
     program = (
-        "import os, kinegrade.exam.generate; from kinegrade.exam.typst import TypstPress; press = "
+        "import os, kinegrade.exam.generate; from kinegrade.press.typst.press import TypstPress; press = "
         "TypstPress(); print(len(os.listdir('/proc/self/task')))"
     )
     environment = {

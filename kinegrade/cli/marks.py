@@ -268,7 +268,7 @@ def _choose_form(form: FeedbackForm) -> Text | Press:
     """What makes the sheets of a form."""
     match form:
         case "pdf":
-            from kinegrade.exam.feedback_pages import print_feedback
+            from kinegrade.press.typst.feedback import print_feedback
 
             return print_feedback
         case "html" | "md":

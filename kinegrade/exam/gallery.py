@@ -13,11 +13,12 @@ from functools import partial
 from pathlib import Path
 
 from kinegrade.errors import KinegradeError, TemplateError, TypesetError
-from kinegrade.exam.typst import TypstPress, make_legible
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.press.legible import make_legible
 from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure
+from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.deal import deal, look_here
 from kinegrade.problem.deck import make_deck
 from kinegrade.problem.draw_filter import DrawFilter

@@ -28,10 +28,10 @@ from kinegrade.exam.latex_solution import write_solution_body
 from kinegrade.exam.latex_source import write_document, write_paper_body
 from kinegrade.exam.latex_text import is_surely_printed, write_plain
 from kinegrade.exam.solution_words import choose_solution_words
-from kinegrade.exam.typst import make_owner_legible, make_owners_legible
 from kinegrade.exam.words import choose_words
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.gathering import convert_each
+from kinegrade.press.legible import make_owner_legible, make_owners_legible
 from kinegrade.press.protocol import Printout
 from kinegrade.press.sheet import KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.temporary import temporary_folder

@@ -5,9 +5,9 @@ from __future__ import annotations
 from kinegrade.exam.latex_math import write_math
 from kinegrade.exam.latex_source import Block, write_command, write_environment
 from kinegrade.exam.latex_text import write_comment, write_plain, write_signed, write_unit
-from kinegrade.exam.typst_source import write_points_text
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.latex import write_line
+from kinegrade.press.paper_parts import write_points_text
 from kinegrade.press.sheet import KeyAnswer, KeyBook, KeyEntry, KeyPaper, KeyParameter
 from kinegrade.question_numbers import find_bank_number
 

@@ -18,7 +18,6 @@ from pylatex.base_classes import Arguments, Environment, Options
 
 from kinegrade.exam.latex_math import write_math
 from kinegrade.exam.latex_text import write_comment, write_plain, write_unit
-from kinegrade.exam.typst_source import BESIDE, COLUMNS_OF_MARKS, write_points_text
 from kinegrade.exam.words import Words, choose_words
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.tikz import write_tikz
@@ -26,8 +25,14 @@ from kinegrade.language import Language
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.latex import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark
+from kinegrade.press.paper_parts import (
+    arrange_marks,
+    fits_beside,
+    write_other_number,
+    write_points_in_words,
+    write_points_text,
+)
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, QuestionSheet
-from kinegrade.question_numbers import find_other_number
 
 _BESIDE_STUDENT = (
     8  # columns of the marker's table that leave room for the student's name beside them
@@ -155,20 +160,13 @@ def _mark(code: str) -> str:
 
 def _write_marks(paper: Paper) -> str:
     """The student, and the table of the marker's boxes; a long one stands below the student."""
-    columns = [
-        (str(question.number), write_points_text(question.points)) for question in paper.questions
-    ]
-    columns.append((r"\wordtotal", write_points_text(paper.points)))
-    rows = [
-        columns[start : start + COLUMNS_OF_MARKS]
-        for start in range(0, len(columns), COLUMNS_OF_MARKS)
-    ]
+    rows = arrange_marks(paper, r"\wordtotal")
     return write_command(
         "candidate",
         write_plain(paper.name),
         write_plain(paper.student),
         "".join(map(_mark_table, rows)),
-        "beside" if len(columns) <= _BESIDE_STUDENT else "below",
+        "beside" if len(rows[0]) <= _BESIDE_STUDENT else "below",
     )
 
 
@@ -191,9 +189,6 @@ def _write_rule_columns(rules: Sequence[str]) -> list[str]:
 
 def _write_question(question: QuestionSheet, words: Words, paper: str) -> str:
     where = write_named(paper, question.identifier, question.template)
-    points = words.point if question.points == 1 else words.points
-    other = find_other_number(question.identifier, question.number)
-    known = "" if other is None else words.known.format(other)
     parts = gather(
         title=lambda: write_line(question.title, f"{where}, title"),
         statement=lambda: write_prose(question.statement, f"{where}, statement"),
@@ -203,8 +198,8 @@ def _write_question(question: QuestionSheet, words: Words, paper: str) -> str:
     head = (
         str(question.number),
         parts["title"],
-        write_plain(known),
-        write_plain(points.format(write_points_text(question.points))),
+        write_plain(write_other_number(question, words)),
+        write_plain(write_points_in_words(question.points, words)),
     )
     block = Question(arguments=Arguments(*map(NoEscape, head)))
     block.append(NoEscape(_write_statement(parts["statement"], question.figure, parts["figure"])))
@@ -219,8 +214,7 @@ def _write_question(question: QuestionSheet, words: Words, paper: str) -> str:
 def _write_statement(text: str, figure: Scene | None, drawn: str) -> str:
     if figure is None:
         return write_command("statement", text)
-    # A flat one stands better below the text
-    if figure.width <= BESIDE and figure.height >= figure.width / 4:
+    if fits_beside(figure):
         return write_command("beside", f"{figure.width:.6g}mm", text, drawn)
     return write_command("statement", text) + "\n" + write_command("below", drawn)
 

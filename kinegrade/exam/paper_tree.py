@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from kinegrade.exam.formula import write_unit
-from kinegrade.exam.typst_source import write_points_text
 from kinegrade.exam.words import Words, choose_words
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.pandoc import make_formula, write_line, write_prose
@@ -29,8 +28,13 @@ from kinegrade.language.prose.pandoc_tree import (
     make_table,
     make_text,
 )
+from kinegrade.press.paper_parts import (
+    arrange_marks,
+    write_other_number,
+    write_points_in_words,
+    write_points_text,
+)
 from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
-from kinegrade.question_numbers import find_other_number
 
 _FIELD_WIDTHS = (0.5, 0.25, 0.25)
 _FIELD_SIDES: tuple[Alignment, ...] = ("Default", "Default", "Default")
@@ -89,12 +93,7 @@ def _write_fields(paper: Paper, words: Words) -> Node:
 
 def _write_marks(paper: Paper, words: Words) -> Iterator[Node]:
     """For the marker: under each question's number its points, and room for the mark."""
-    columns = [
-        (str(question.number), write_points_text(question.points)) for question in paper.questions
-    ]
-    columns.append((words.total, write_points_text(paper.points)))
-    for start in range(0, len(columns), _MARKS):
-        part = columns[start : start + _MARKS]
+    for part in arrange_marks(paper, words.total, _MARKS):
         rows = (
             (words.number_column, *(number for number, _ in part)),
             (words.out_of, *(points for _, points in part)),
@@ -149,11 +148,9 @@ def _write_question(
 
 def _write_head(question: QuestionSheet, title: Sequence[Node], words: Words) -> list[Node]:
     """Number, title, the number in the answer sheet where that is another, and points."""
-    other = find_other_number(question.identifier, question.number)
-    known = "" if other is None else _GAP + words.known.format(other)
-    points = (words.point if question.points == 1 else words.points).format(
-        write_points_text(question.points)
-    )
+    other = write_other_number(question, words)
+    known = other and _GAP + other
+    points = write_points_in_words(question.points, words)
     return [
         make_text(f"{question.number}{_GAP}"),
         *title,

@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterator
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.formula import convert_formula
-from kinegrade.exam.typst import TypstPress
 from kinegrade.language import LANGUAGES, Language
 from kinegrade.language.prose.typst import write_line, write_prose
+from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.slots import Slot, find_slots_in_formulas, split_slots
 from kinegrade.problem.statement import write_specimens
 from kinegrade.problem.template import Template

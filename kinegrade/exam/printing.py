@@ -16,12 +16,12 @@ from kinegrade.exam.key_mistakes import find_mistaken_answers
 from kinegrade.exam.key_record import make_key_line
 from kinegrade.exam.pages import lay_out_paper, make_key_paper
 from kinegrade.exam.setting import SetPaper
-from kinegrade.exam.typst import TypstPress
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.sketchbook import sketch_once
 from kinegrade.language import Language
 from kinegrade.press.protocol import Engine, Press, Printout
 from kinegrade.press.sheet import KeyPaper, Paper, PaperSize
+from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.template import Method
 
 

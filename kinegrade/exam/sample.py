@@ -12,9 +12,9 @@ from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import lay_out_paper
 from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.typst import TypstPress
 from kinegrade.language import Language
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
+from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.examining import Refused, require_doubles
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.statement import write_statement

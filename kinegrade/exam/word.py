@@ -19,8 +19,6 @@ from shutil import which
 from string import Template
 from typing import Literal, get_args
 
-import typst
-
 from kinegrade.errors import TypesetError, did_you_mean, write_message
 from kinegrade.exam.formula import formula_place
 from kinegrade.exam.paper_tree import write_paper_tree
@@ -28,9 +26,9 @@ from kinegrade.exam.word_reference import fill_layout, make_word_reference
 from kinegrade.exam.words import choose_words
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import write_typst
-from kinegrade.press.fonts import find_installed_fonts
 from kinegrade.press.program_run import run_program
 from kinegrade.press.sheet import Paper, PaperSize
+from kinegrade.press.typst.compiler import make_compiler
 from kinegrade.temporary import temporary_folder
 
 _Kind = Literal["docx", "html"]
@@ -52,10 +50,7 @@ class PandocPress:
 
     def __init__(self, paper_size: PaperSize = "a4") -> None:
         self._size: PaperSize = paper_size
-        layouts = str(files("kinegrade.exam") / "layouts")
-        self._compiler = typst.Compiler(
-            root=layouts, font_paths=find_installed_fonts(), ignore_system_fonts=True
-        )
+        self._compiler = make_compiler()
 
     def also(self, paper: Paper, kind: str) -> bytes:
         """The paper as "docx" or "html". Raises TypesetError as `docx` and `html` do, and for

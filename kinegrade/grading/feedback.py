@@ -2,7 +2,7 @@
 the points.
 
 `make_feedback_sheets` makes the sheets of a class one by one; `feedback_html`, `feedback_markdown`
-and `kinegrade.exam.feedback_pages` (PDF) print them. Three kinds of text, as in an exam: plain,
+and `kinegrade.press.typst.feedback` (PDF) print them. Three kinds of text, as in an exam: plain,
 prose (Markdown with `$...$` LaTeX math), math (LaTeX).
 """
 

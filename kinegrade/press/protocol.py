@@ -1,7 +1,6 @@
 """What every typesetter offers: papers, worked solutions and keys as PDF.
 
-`kinegrade.exam.typst` and `kinegrade.exam.latex` are the two presses; `kinegrade.exam.generate`
-uses either.
+There are two presses, `press.typst` and `press.latex`.
 """
 
 from __future__ import annotations

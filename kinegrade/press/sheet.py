@@ -1,8 +1,8 @@
 """What stands on the pages of an exam, of its key and of a gallery of templates, free of any
 typesetter.
 
-The exam's setting, or the gallery, fills these values; a press (`kinegrade.exam.typst`) lays them
-out. Three kinds of text:
+The exam's setting, the gallery and a quiz fill these values; each typesetter has its layouts of
+them. Three kinds of text:
 
 * plain: printed as it is, whatever characters it holds (names, course, codes, units like "m/s^2");
 * prose: Markdown with `$...$` LaTeX math (statements, titles, meanings, rules, givens);

@@ -26,8 +26,8 @@ from kinegrade.language import Language
 from kinegrade.press.protocol import Press
 from kinegrade.press.sheet import Paper
 from kinegrade.problem.library import find_template_names, load_template
-from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
-from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION, long_equation
+from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
+from tests.press.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION, long_equation
 
 pytestmark = [pytest.mark.needs_tex, pytest.mark.xdist_group("latex")]
 

@@ -8,7 +8,7 @@ import pytest
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.latex import LatexPress
-from tests.exam.papers import ENGLISH
+from tests.press.papers import ENGLISH
 
 
 def test_without_latex_the_way_out_is_named(

@@ -21,7 +21,7 @@ from kinegrade.exam.pages import (
 )
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import SetPaper
-from kinegrade.exam.typst_source import write_key_source, write_paper_source
+from kinegrade.press.typst.paper import write_key_source, write_paper_source
 from tests.small_class import write_class
 
 CLASS = Roster((Student("007", "王伟", "", "007"), Student("0012", "Zoë", "", "0012")), ())

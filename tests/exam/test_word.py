@@ -23,8 +23,8 @@ from kinegrade.exam.paper_tree import write_paper_tree
 from kinegrade.exam.word import MISSING, PandocPress
 from kinegrade.press.program_run import ProgramRun
 from kinegrade.press.sheet import Paper
-from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION
-from tests.exam.solutions import polygon_scene
+from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION
+from tests.press.solutions import polygon_scene
 
 W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
 M = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from importlib.resources import files
 from io import BytesIO
 from struct import unpack
 from unicodedata import normalize
@@ -17,9 +16,9 @@ import typst
 from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.solution_source import write_solution_source
-from kinegrade.press.fonts import find_installed_fonts
 from kinegrade.press.sheet import PaperSize, SolutionSheet
+from kinegrade.press.typst.compiler import make_compiler
+from kinegrade.press.typst.solution import write_solution_source
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -32,7 +31,7 @@ from kinegrade.worked.document import (
     Term,
     TermTable,
 )
-from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION, long_equation, polygon_scene
+from tests.press.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION, long_equation, polygon_scene
 
 Print = Callable[..., list[str]]
 TERMS = " + ".join(
@@ -49,8 +48,7 @@ def worked(*blocks: Block, sheet: SolutionSheet = ENGLISH_SOLUTION) -> SolutionS
 
 @pytest.fixture(scope="module")
 def compiler() -> typst.Compiler:
-    layouts = str(files("kinegrade.exam") / "layouts")
-    return typst.Compiler(root=layouts, font_paths=find_installed_fonts(), ignore_system_fonts=True)
+    return make_compiler()
 
 
 @pytest.fixture(scope="module")

@@ -10,14 +10,14 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Protocol
 
-from kinegrade.exam.formula import convert_formula
-from kinegrade.exam.layout_call import Sheet, write_layout_call
-from kinegrade.exam.typst import TypstPress, make_legible
 from kinegrade.language import Language
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.typst import write_line
 from kinegrade.press.join import join_pages
+from kinegrade.press.legible import make_legible
 from kinegrade.press.sheet import PaperSize
+from kinegrade.press.typst.layout_call import Sheet, write_formula, write_layout_call
+from kinegrade.press.typst.press import TypstPress
 
 _ROW_TEXTS = ("typed", "read_as", "right", "verdict", "points", "reason")
 _SHEET_TEXTS = ("course", "title", "date", "student", "name", "code", "total")
@@ -183,7 +183,7 @@ def _write_question(question: _Question, words: _Words, missing: frozenset[str])
 
 def _write_row(row: _Row, where: str, words: _Words, missing: frozenset[str]) -> Sheet:
     parts = gather(
-        symbol=lambda: f"${convert_formula(row.symbol, f'{where}, symbol')}$",
+        symbol=lambda: write_formula(row.symbol, f"{where}, symbol"),
         meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
         remark=lambda: write_line(row.remark, f"{where}, remark") if row.remark else None,
     )

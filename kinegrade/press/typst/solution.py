@@ -7,18 +7,23 @@ the page (equations, tables of terms) goes to the layout in pieces, which it mea
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict
 from re import fullmatch
 
-from kinegrade.exam.formula import convert_formula, write_unit
-from kinegrade.exam.layout_call import Sheet, write_layout_call
 from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.figure.typst import write_typst
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.equation_line import split_equation_line
 from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
-from kinegrade.press.solution_blocks import has_exact_decimal, stays
+from kinegrade.press.solution_blocks import FORMULA_ALONE, UNKNOWN, has_exact_decimal, stays
+from kinegrade.press.typst.layout_call import (
+    Sheet,
+    write_formula,
+    write_layout_call,
+    write_signed,
+    write_value,
+    write_words,
+)
 from kinegrade.question_numbers import find_other_number
 from kinegrade.worked.document import (
     Block,
@@ -35,8 +40,6 @@ from kinegrade.worked.document import (
 
 _TEXT_WIDTH = {"a4": 170.0, "letter": 175.9}  # millimetres between the margins
 _GAP = 6.0  # millimetres between pictures
-_FORMULA_ALONE = r"\$[^$]+\$"
-_UNKNOWN = "?"
 
 
 def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
@@ -53,7 +56,7 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
         name: getattr(sheet, name)
         for name in ("language", "course", "title", "date", "student", "name", "code")
     }
-    data |= {"size": size, "words": asdict(words) | {"page": words.page.split("{}")}}
+    data |= {"size": size, "words": write_words(words)}
     return write_layout_call("solution", data)
 
 
@@ -109,22 +112,22 @@ def _write_content(block: Block, where: str, size: PaperSize) -> Sheet:
 def _write_line(latex: str, where: str) -> Sheet:
     parts = split_equation_line(latex)
     return gather(
-        left=lambda: _write_math(parts.left, where),
+        left=lambda: write_formula(parts.left, where),
         pieces=lambda: convert_each(lambda piece: _write_piece(piece, where), parts.pieces),
     )
 
 
 def _write_piece(latex: str, where: str) -> Sheet:
-    return {"code": _write_math(latex, where), "relation": latex[0] not in "+-"}
+    return {"code": write_formula(latex, where), "relation": latex[0] not in "+-"}
 
 
 def _write_term(term: Term, where: str) -> Sheet:
     sheet = gather(
-        symbol=lambda: _write_math(term.symbol, where),
+        symbol=lambda: write_formula(term.symbol, where),
         magnitude=lambda: _write_cell(term.magnitude, where),
         direction=lambda: _write_cell(term.direction, where),
     )
-    return sheet | {"sign": {"-": "\u2212"}.get(term.sign, term.sign)}
+    return sheet | {"sign": write_signed(term.sign)}
 
 
 def _write_cell(text: str, where: str) -> Sheet:
@@ -133,8 +136,8 @@ def _write_cell(text: str, where: str) -> Sheet:
     """
     return {
         "text": write_line(text, where),
-        "formula": bool(fullmatch(_FORMULA_ALONE, text)),
-        "unknown": text == _UNKNOWN,
+        "formula": bool(fullmatch(FORMULA_ALONE, text)),
+        "unknown": text == UNKNOWN,
     }
 
 
@@ -164,21 +167,17 @@ def _write_picture(picture: Picture, where: str) -> Sheet:
 
 def _write_result(result: Result, where: str) -> Sheet:
     sheet = gather(
-        symbol=lambda: _write_math(result.symbol, where),
+        symbol=lambda: write_formula(result.symbol, where),
         exact=lambda: (
-            None if _is_same_as_decimal(result) else _write_math(result.exact or "", where)
+            None if _is_same_as_decimal(result) else write_formula(result.exact or "", where)
         ),
         sense=lambda: write_line(result.sense, where),
     )
-    unit = "" if result.unit == "1" else write_unit(result.unit)
-    space = "" if unit in ("", "°") else "\u202f"
-    value = result.decimal.replace("-", "\u2212") + space + unit
-    return sheet | {"relation": "=" if has_exact_decimal(result) else "≈", "decimal": value}
+    return sheet | {
+        "relation": "=" if has_exact_decimal(result) else "≈",
+        "decimal": write_value(result.decimal, result.unit),
+    }
 
 
 def _is_same_as_decimal(result: Result) -> bool:
     return result.exact is None or result.exact == result.decimal
-
-
-def _write_math(latex: str, where: str) -> str:
-    return f"${convert_formula(latex, where)}$" if latex else "$$"

@@ -13,19 +13,21 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from importlib.resources import files
 from typing import Literal, TypeVar
 
 import typst
 
 from kinegrade.errors import TypesetError, write_message
 from kinegrade.exam.formula import write_literal
-from kinegrade.exam.typst_source import write_gallery_source, write_key_source, write_paper_source
 from kinegrade.language.gathering import convert_each
-from kinegrade.press.fonts import find_installed_fonts
 from kinegrade.press.join import count_pages, join_pages
-from kinegrade.press.protocol import Press, Printout, unprintable_character
-from kinegrade.press.sheet import Gallery, KeyBook, KeyPaper, Paper, PaperSize, SolutionSheet
+from kinegrade.press.legible import make_owner_legible, make_owners_legible
+from kinegrade.press.protocol import Printout, unprintable_character
+from kinegrade.press.sheet import Gallery, KeyBook, Paper, PaperSize, SolutionSheet
+from kinegrade.press.typst.compiler import make_compiler
+from kinegrade.press.typst.gallery import write_gallery_source
+from kinegrade.press.typst.key import write_key_source
+from kinegrade.press.typst.paper import write_paper_source
 
 # Papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
 KEY_CHUNK = 10
@@ -34,7 +36,6 @@ _FIXED_TIME = (
 )
 
 _Sheet = TypeVar("_Sheet", Paper, SolutionSheet)
-_Owned = TypeVar("_Owned", Paper, SolutionSheet, KeyPaper)
 
 _BOX = re.compile(r'the text `"(.*?)"` could not be displayed')
 _ESCAPE = re.compile(r"\\u\{([0-9a-f]+)\}")
@@ -49,10 +50,7 @@ class TypstPress:
 
     def __init__(self, paper_size: PaperSize = "a4") -> None:
         self._size: PaperSize = paper_size
-        layouts = str(files("kinegrade.exam") / "layouts")  # as root: Typst reads no other folder
-        self._compiler = typst.Compiler(
-            root=layouts, font_paths=find_installed_fonts(), ignore_system_fonts=True
-        )
+        self._compiler = make_compiler()
         self._looked_at: dict[str, bool] = {}  # whether a font prints a character
 
     def papers(self, papers: Mapping[str, Paper]) -> dict[str, Printout]:
@@ -92,7 +90,7 @@ class TypstPress:
         """One student's worked solutions as PDF; names are printed and errors raised as by
         `paper`.
         """
-        from kinegrade.exam.solution_source import write_solution_source  # noqa: PLC0415  # few exams need it
+        from kinegrade.press.typst.solution import write_solution_source  # noqa: PLC0415  # few exams need it
 
         named = self._legible(sheet)
         return self._explaining(write_solution_source(named, self._size), f"solutions {sheet.code}")
@@ -129,16 +127,13 @@ class TypstPress:
         first_page = 1
         for part in book.chunks(KEY_CHUNK):
             pdf = self._explaining(
-                write_key_source(self._legible_book(part), first_page, self._size), "key"
+                write_key_source(make_owners_legible(part, self), first_page, self._size), "key"
             )
             first_page += count_pages(pdf)
             yield pdf
 
     def _legible(self, sheet: _Sheet) -> _Sheet:
         return make_owner_legible(sheet, self.unprintable([sheet.name, sheet.student]))
-
-    def _legible_book(self, book: KeyBook) -> KeyBook:
-        return make_owners_legible(book, self)
 
     def _boxes(self, characters: Sequence[str]) -> set[str]:
         """Those of `characters` that the compiler complains about; it may take several runs to find
@@ -206,32 +201,6 @@ def _print_each(
     except TypesetError as error:
         raise TypesetError(*dict.fromkeys(error.problems)) from error
     return dict(zip(sheets, map(Printout, pages), strict=True))
-
-
-def make_owners_legible(book: KeyBook, press: Press) -> KeyBook:
-    """A key with the name and id on each paper as `press` can print them."""
-    papers = tuple(book.papers)
-    missing = press.unprintable(text for paper in papers for text in (paper.name, paper.student))
-    return replace(book, papers=tuple(make_owner_legible(paper, missing) for paper in papers))
-
-
-def make_owner_legible(sheet: _Owned, missing: frozenset[str]) -> _Owned:
-    """A sheet with each character in `missing` written as its code point in its owner's name and
-    id.
-    """
-    name, student = make_legible(sheet.name, missing), make_legible(sheet.student, missing)
-    return replace(sheet, name=name, student=student)
-
-
-def make_legible(name: str, missing: frozenset[str]) -> str:
-    """`name` with each character in `missing` written as its code point.
-
-    >>> make_legible("Zoë 😀", frozenset("😀"))
-    'Zoë [U+1F600]'
-    """
-    return "".join(
-        f"[U+{ord(character):04X}]" if character in missing else character for character in name
-    )
 
 
 def _find_boxed(error: typst.TypstError) -> list[str]:

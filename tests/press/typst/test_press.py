@@ -12,11 +12,11 @@ import pytest
 from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.typst import KEY_CHUNK, TypstPress
 from kinegrade.figure.scene import Scene
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize
-from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
+from kinegrade.press.typst.press import KEY_CHUNK, TypstPress
+from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
 
 NAMES = [
     '#read("/etc/passwd")',

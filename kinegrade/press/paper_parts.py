@@ -1,0 +1,56 @@
+"""What every layout of a paper has in common: how points are written, how the marker's table is
+divided, which number stands beside a question's, where its figure stands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import lru_cache
+
+from kinegrade.exam.words import Words
+from kinegrade.figure.scene import Scene
+from kinegrade.press.sheet import Paper, QuestionSheet
+from kinegrade.question_numbers import find_other_number
+
+COLUMNS_OF_MARKS = 13  # the total among them: as many as stand side by side in the marker's table
+_BESIDE = 80.0  # millimetres: a wider figure leaves too narrow a column of text beside it
+
+
+@lru_cache(maxsize=1024)
+def write_points_text(points: Fraction) -> str:
+    """Points as they are printed: a decimal where one is exact, else a fraction.
+
+    >>> [write_points_text(Fraction(value)) for value in ("4", "5/2", "1/3")]
+    ['4', '2.5', '1/3']
+    """
+    decimal = f"{float(points):.6g}"
+    return decimal if Fraction(decimal) == points else str(points)
+
+
+def write_points_in_words(points: Fraction, words: Words) -> str:
+    """Points with the word for them: "1 point", "2.5 points"."""
+    return (words.point if points == 1 else words.points).format(write_points_text(points))
+
+
+def write_other_number(question: QuestionSheet, words: Words) -> str:
+    """The question's number in the answer sheet, where it is another than on the paper, else ""."""
+    other = find_other_number(question.identifier, question.number)
+    return "" if other is None else words.known.format(other)
+
+
+def arrange_marks(
+    paper: Paper, total: str, widest: int = COLUMNS_OF_MARKS
+) -> list[Sequence[tuple[str, str]]]:
+    """The columns of the marker's table, number and points of each question and of the total, in
+    rows of at most `widest`.
+    """
+    questions = ((str(each.number), each.points) for each in paper.questions)
+    columns = [(name, write_points_text(points)) for name, points in questions]
+    columns.append((total, write_points_text(paper.points)))
+    return [columns[start : start + widest] for start in range(0, len(columns), widest)]
+
+
+def fits_beside(figure: Scene) -> bool:
+    """Whether text fits beside the figure; a flat one stands better below it."""
+    return figure.width <= _BESIDE and figure.height >= figure.width / 4

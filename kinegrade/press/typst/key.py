@@ -1,0 +1,83 @@
+"""The instructor's key as Typst source."""
+
+from __future__ import annotations
+
+from kinegrade.exam.formula import write_literal, write_unit
+from kinegrade.exam.words import choose_words
+from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.prose.typst import write_line
+from kinegrade.press.paper_parts import write_points_text
+from kinegrade.press.sheet import (
+    KeyAnswer,
+    KeyBook,
+    KeyEntry,
+    KeyPaper,
+    KeyParameter,
+    PaperSize,
+)
+from kinegrade.press.typst.layout_call import (
+    Sheet,
+    write_formula,
+    write_layout_call,
+    write_signed,
+    write_value,
+    write_words,
+)
+from kinegrade.press.typst.room import is_wide_symbol
+from kinegrade.question_numbers import find_bank_number
+from kinegrade.worked.formula_width import measure_width
+
+_PLAIN_EXACT = 26  # letters' widths of an exact value that surely fits its column
+
+
+def write_key_source(book: KeyBook, first_page: int = 1, size: PaperSize = "a4") -> str:
+    """Typst source of a key, its pages numbered from `first_page`; raises TypesetError with all
+    faults.
+    """
+    sheet: Sheet = {
+        "papers": convert_each(_write_paper, book.papers),
+        "words": write_words(choose_words(book.language)),
+    }
+    sheet |= {name: getattr(book, name) for name in ("language", "course", "title", "warning")}
+    return write_layout_call("key", sheet | {"size": size, "first-page": first_page})
+
+
+def _write_paper(paper: KeyPaper) -> Sheet:
+    entries = convert_each(
+        lambda entry: _write_entry(entry, f"{paper.code}, {entry.identifier}"), paper.entries
+    )
+    return {"student": paper.student, "name": paper.name, "code": paper.code, "entries": entries}
+
+
+def _write_entry(entry: KeyEntry, where: str) -> Sheet:
+    sheet = gather(
+        title=lambda: write_line(entry.title, where),
+        parameters=lambda: convert_each(
+            lambda parameter: _write_parameter(parameter, where), entry.parameters
+        ),
+        answers=lambda: convert_each(lambda answer: _write_answer(answer, where), entry.answers),
+    )
+    return sheet | {"number": find_bank_number(entry.identifier)}
+
+
+def _write_parameter(parameter: KeyParameter, where: str) -> str:
+    """`r = 1/5 = 0.2 m`; the decimal is not repeated where the exact value is written the same
+    way.
+    """
+    equation = f"{write_formula(parameter.symbol, where)};"
+    if parameter.exact is not None and parameter.exact != parameter.decimal:
+        equation += f'" = ";{write_formula(parameter.exact, where)};'
+    value = write_literal(f" = {write_value(parameter.decimal, parameter.unit)}")
+    return f"{{{equation}{value}}}"
+
+
+def _write_answer(answer: KeyAnswer, where: str) -> Sheet:
+    return {
+        "symbol": write_formula(answer.symbol, where),
+        "exact": None if answer.exact is None else write_formula(answer.exact, where),
+        "wide": is_wide_symbol(answer.symbol) or measure_width(answer.exact or "") > _PLAIN_EXACT,
+        "decimal": write_signed(answer.decimal),
+        "unit": write_unit(answer.unit),
+        "interval": write_signed(answer.interval),
+        "points": write_points_text(answer.points),
+    }

@@ -1,0 +1,115 @@
+"""Papers as Typst source: one call of a layout with one string of data.
+
+Plain text goes into the data as it is, prose, math and figures as Typst code made by their writers.
+The layouts (`layouts/*.typ`) evaluate such code. As all data is one string, what two papers share
+is the same to Typst, which then need not lay it out again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+from kinegrade.exam.formula import write_unit
+from kinegrade.exam.words import Words, choose_words
+from kinegrade.figure.typst import write_typst_picture
+from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.prose.typst import write_line, write_prose
+from kinegrade.press.code_mark import make_code_mark
+from kinegrade.press.paper_parts import (
+    arrange_marks,
+    fits_beside,
+    write_other_number,
+    write_points_in_words,
+    write_points_text,
+)
+from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, QuestionSheet
+from kinegrade.press.typst.layout_call import (
+    Sheet,
+    write_formula,
+    write_layout_call,
+    write_words,
+)
+from kinegrade.press.typst.room import fits_page, is_wide_symbol
+
+
+def write_paper_source(paper: Paper, size: PaperSize = "a4") -> str:
+    """Typst source of one student's paper; raises TypesetError with all faults of its texts."""
+    words = choose_words(paper.language)
+    sheet = gather(
+        rules=lambda: _halve(
+            convert_each(lambda rule: write_prose(rule, "rules"), paper.rules), paper.rules
+        ),
+        questions=lambda: convert_each(
+            lambda question: _write_question(question, words), paper.questions
+        ),
+    )
+    sheet |= {
+        name: getattr(paper, name)
+        for name in ("course", "title", "date", "student", "name", "code")
+    }
+    return write_layout_call(
+        "paper",
+        sheet
+        | {
+            "language": paper.language,
+            "size": size,
+            "mark": _write_code_image(paper.code),
+            "marks": arrange_marks(paper, words.total),
+            "words": write_words(words),
+        },
+    )
+
+
+def _write_code_image(code: str) -> str:
+    """The QR code as an SVG image of one path, its size without the white margin."""
+    mark = make_code_mark(code)
+    path = "".join(f"M{x} {y}h{length}v1h-{length}z" for x, y, length in mark.runs)
+    box = f'viewBox="0 0 {mark.size} {mark.size}"'
+    return f'<svg xmlns="http://www.w3.org/2000/svg" {box}><path d="{path}"/></svg>'
+
+
+def _halve(pieces: Sequence[str], texts: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
+    """The pieces in two columns, of nearly equal length where each is as long as its text."""
+    lengths = [len(text) for text in texts]
+    middle = min(
+        range(len(texts) + 1), key=lambda index: abs(sum(lengths[:index]) - sum(lengths[index:]))
+    )
+    return pieces[:middle], pieces[middle:]
+
+
+def _write_question(question: QuestionSheet, words: Words) -> Sheet:
+    where = question.identifier
+    figure = question.figure
+    sheet = gather(
+        title=lambda: write_line(question.title, f"{where}, title"),
+        statement=lambda: write_prose(question.statement, f"{where}, statement"),
+        rows=lambda: convert_each(
+            lambda row: _write_answer_row(row, where, words.unitless), question.rows
+        ),
+    )
+    return sheet | {
+        "number": str(question.number),
+        "known": write_other_number(question, words) or None,
+        "points": write_points_in_words(question.points, words),
+        "source": words.source.format(question.source) if question.source else None,
+        "short": fits_page(question),
+        "figure": f"[{write_typst_picture(figure)}]" if figure else None,
+        "figure_width": round(figure.width, 3) if figure else None,
+        "beside": figure is not None and fits_beside(figure),
+    }
+
+
+@lru_cache(maxsize=1024)
+def _write_answer_row(row: AnswerRow, where: str, unitless: str) -> Sheet:
+    """The same for a whole class."""
+    sheet = gather(
+        symbol=lambda: write_formula(row.symbol, f"{where}, symbol"),
+        meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
+        sign=lambda: write_line(row.sign, f"{where}, sign") if row.sign else None,
+    )
+    return sheet | {
+        "wide": is_wide_symbol(row.symbol),
+        "unit": unitless if row.unit == "1" else write_unit(row.unit),
+        "points": write_points_text(row.points),
+    }
