@@ -22,7 +22,6 @@ SEEN_BY_OTHERS = {
     "filters": "jinja2 reads it",
 }
 USED_BY_TESTS = {
-    "IDENTIFIERS": "all known mistakes, which the sentences and the templates are held against",
     "REASONS": "all reasons for a refusal, each of which a test meets",
     "SOURCES": "all systems that responses come from, each of which a test reads",
     "mistake_sentence": "one sentence by its identifier",

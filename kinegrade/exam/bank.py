@@ -44,7 +44,7 @@ from kinegrade.fields.values import choice, date_text, flag, whole
 from kinegrade.language.lines import shorten
 from kinegrade.press.protocol import ENGINES
 from kinegrade.problem.library import find_shipped
-from kinegrade.problem.mistake_kinds import load_sentences
+from kinegrade.problem.mistake_names import MISTAKE_NAMES
 from kinegrade.problem.template import Translated
 from kinegrade.problem.tolerance import ONE_PER_CENT
 from kinegrade.problem.translations import translated_or_one
@@ -141,7 +141,7 @@ def _read_frame(table: Table, text: str) -> Bank:
         shuffle=table.with_default("shuffle", flag, False),
         versions=table.with_default("versions", whole(1, len(LETTERS)), 0),
         engine=table.with_default("engine", choice(ENGINES), "typst"),
-        credit=read_credit(table, load_sentences),
+        credit=read_credit(table, lambda: MISTAKE_NAMES),
         solutions=table.with_default("solutions", flag, False),
         lms=table.optional("lms", choice(_SYSTEMS)),
     )

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.language import Language
-from kinegrade.problem.mistake_kinds import load_sentences
+from kinegrade.problem.mistake_names import describe_mistakes
 
 
 @dataclass(frozen=True)
@@ -48,5 +48,5 @@ def read_exam_wording(exam: ExamFolder, language: Language) -> ExamWording:
             for question, template in templates.items()
             for name, parameter in template.parameters.items()
         },
-        {identifier: sentence[language] for identifier, sentence in load_sentences().items()},
+        describe_mistakes(language),
     )

@@ -26,7 +26,7 @@ from kinegrade.language import Language
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.assemble import assemble
-from kinegrade.problem.mistake_kinds import load_sentences
+from kinegrade.problem.mistake_names import describe_mistakes
 from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.problem.solving import (
     find_certain_values,
@@ -188,10 +188,10 @@ def _find_mistakes(
     stated: StatedAnswer, wished: Fraction | None, source: QuizSource
 ) -> Iterator[QuizMistake]:
     """What known mistakes lead to outside the interval of what is right."""
-    tolerance, words = tolerance_of(stated.tolerance), load_sentences()
+    tolerance, sentences = tolerance_of(stated.tolerance), describe_mistakes(source.language)
     low, high = tolerance.interval(find_exact_value(stated))
     for identifier, value in read_mistakes(stated.mistakes).items():
         if not low <= value <= high:
-            sentence = words[identifier][source.language] if identifier in words else identifier
+            sentence = sentences.get(identifier, identifier)
             credit = source.credits.get(identifier, _NO_CREDIT) if wished is None else wished
             yield QuizMistake(identifier, value, credit, sentence, *tolerance.interval(value))

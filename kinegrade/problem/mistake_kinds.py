@@ -2,25 +2,21 @@
 answer.
 
 A mistake is data: shares of terms (`kinegrade.mechanics.slips`), a change of the givens, or a
-factor of the answer. Its identifier is stable: banks set credits by it, and marks name it. Its
-sentence is in `mistake_words.toml`.
+factor of the answer. `mistake_names` has its identifier and the sentence that describes it.
 """
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cache
-from importlib.resources import files
-from typing import Any
+from typing import Any, Literal
 
 from flint import arb, fmpq
 
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.expression import Call, Expression, Name, walk
-from kinegrade.language import Language
 from kinegrade.mechanics.joints import GROUND
+from kinegrade.problem.mistake_names import MistakeName
 from kinegrade.problem.signs import CONVENTIONS
 from kinegrade.problem.template import Ask, Template
 
@@ -36,7 +32,7 @@ class Mistake:
     `_take_plain_lengths` works with the numbers of lengths as they stand.
     """
 
-    identifier: str
+    identifier: MistakeName | Literal[""]  # "" for working without a mistake
     shares: Mapping[str, Any] = field(default_factory=dict)
     givens: Callable[[Template, Givens, Any], Givens] = lambda template, values, arithmetic: values
     other_branch: bool = False
@@ -114,12 +110,11 @@ MISTAKES = (
     Mistake("rpm-not-converted", givens=_take_plain_rates),
     Mistake("millimetres-for-metres", givens=_take_plain_lengths, plain_lengths=True),
 )
-_IN_THE_ANSWER: Mapping[str, Any] = {
+_IN_THE_ANSWER: Mapping[MistakeName, Any] = {
     "sense-reversed": fmpq(-1),
     "power-of-ten-up": fmpq(10),
     "power-of-ten-down": fmpq(1, 10),
 }
-IDENTIFIERS = (*(mistake.identifier for mistake in MISTAKES), *_IN_THE_ANSWER)
 _UNSIGNED = frozenset(CONVENTIONS[keyword].en for keyword in ("magnitude", "unsigned"))
 
 
@@ -222,21 +217,3 @@ def _calls(tree: Expression, functions: tuple[str, ...], count: int) -> bool:
         isinstance(part, Call) and part.function in functions and len(part.arguments) == count
         for part in walk(tree)
     )
-
-
-@cache
-def load_sentences() -> dict[str, dict[Language, str]]:
-    """The sentence of every mistake in both languages, by its identifier."""
-    table: dict[str, Any] = tomllib.loads(
-        files("kinegrade.problem").joinpath("mistake_words.toml").read_text("utf-8")
-    )
-    return table
-
-
-def describe_mistake(identifier: str, language: Language) -> str:
-    """What a mistake is, in one sentence for the student who made it.
-
-    >>> describe_mistake("coriolis-halved", "en")
-    'The factor 2 of the Coriolis acceleration was forgotten.'
-    """
-    return load_sentences()[identifier][language]

@@ -118,7 +118,7 @@ class Quantity:
         """What known mistakes lead to, in `unit`, by their identifiers; those that change nothing
         are not there.
 
-        Empty for givens and at infinity. `problem.mistake_kinds` lists the mistakes and their
+        Empty for givens and at infinity. `problem.mistake_names` lists the mistakes and their
         sentences.
         """
         if self.consequences is None or self.at_infinity:

@@ -32,7 +32,7 @@ from kinegrade.figure.svg import to_svg
 from kinegrade.language import Language
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.library import find_template_names, load_template
-from kinegrade.problem.mistake_kinds import describe_mistake
+from kinegrade.problem.mistake_names import describe_mistakes
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import write_statement
 from kinegrade.processes import Start, open_executor
@@ -158,7 +158,7 @@ def test_a_quiz_in_the_other_language(small_class: Path) -> None:
     assert paper.questions[1].title == "曲柄"
     assert "精确值" in paper.questions[0].rule
     mistake = paper.questions[0].asks[0].mistakes[0]
-    assert mistake.sentence == describe_mistake(mistake.identifier, "zh")
+    assert mistake.sentence == describe_mistakes("zh")[mistake.identifier]
     assert quiz_of(small_class / "EXAM").language == "en"
 
 

@@ -1,0 +1,50 @@
+"""What the known mistakes are called: by identifier in banks and marks, by a sentence for people.
+
+An identifier is stable: banks set credits by it, and marks name it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Literal, get_args
+
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message
+
+MistakeName = Literal[
+    "coriolis-dropped",
+    "coriolis-halved",
+    "coriolis-reversed",
+    "relative-normal-dropped",
+    "path-normal-dropped",
+    "relative-for-absolute",
+    "absolute-for-relative",
+    "meshing-reversed",
+    "arm-for-sum",
+    "wrong-pole",
+    "centre-for-pole",
+    "transport-for-absolute",
+    "other-branch",
+    "sine-for-cosine",
+    "degrees-for-radians",
+    "diameter-for-radius",
+    "rpm-not-converted",
+    "millimetres-for-metres",
+    "sense-reversed",
+    "power-of-ten-up",
+    "power-of-ten-down",
+]
+MISTAKE_NAMES: tuple[MistakeName, ...] = get_args(MistakeName)
+
+
+@cache
+def describe_mistakes(language: Language) -> Mapping[str, str]:
+    """By identifier what each mistake is, in one sentence for the student who made it.
+
+    >>> describe_mistakes(Language("en"))["coriolis-halved"]
+    'The factor 2 of the Coriolis acceleration was forgotten.'
+    """
+    catalogue = open_catalogue(language)
+    return {name: catalogue.write(Message(f"mistake.{name}")) for name in MISTAKE_NAMES}
