@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any, assert_never
 
 from kinegrade.expression import Call, Expression, Name, Number, Operation, evaluate
+from kinegrade.language.message import Message
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.quantities import Quantities, find_body_names, make_quantities
@@ -33,10 +34,14 @@ from kinegrade.worked.numbers import (
     write_short,
     write_with_unit,
 )
-from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.poles import explain_pole, name_pole
 from kinegrade.worked.scalars import find_rotation_value, write_rotation
-from kinegrade.worked.senses import describe_direction, describe_rotation
+from kinegrade.worked.senses import (
+    describe_direction,
+    find_rotation_sense,
+    is_zero,
+    write_beside_value,
+)
 from kinegrade.worked.solution_case import Case
 from kinegrade.worked.summands import NUMBER, write_component
 
@@ -82,7 +87,7 @@ def _count_as_asked(ask: Ask, case: Case) -> str:
     sign = "-" if double(answer.number) < 0 else ""
     return (
         f"{ask.symbol} &= {sign}{write_absolute_value(ask.symbol)} = {write_quantity(answer)}"
-        rf"\quad\text{{({fill_phrase('as_asked', case.language)})}}"
+        f"{write_beside_value(Message('solution.as-asked'), case)}"
     )
 
 
@@ -336,20 +341,25 @@ def _name_poles(tree: Expression, case: Case) -> Expression:
 
 def state_result(ask: Ask, case: Case) -> Result:
     """An answer as the list at the end states it."""
-    answer = case.solution.answers[ask.name]
+    answer, sense = case.solution.answers[ask.name], _find_sense(ask, case)
     return Result(
-        ask.symbol, answer.closed_form, answer.decimal(6), answer.unit, _describe_sense(ask, case)
+        ask.symbol,
+        answer.closed_form,
+        answer.decimal(6),
+        answer.unit,
+        case.write(sense) if sense else "",
     )
 
 
-def _describe_sense(ask: Ask, case: Case) -> str:
-    """The sense or direction of an answer in words, "" where there is none."""
+def _find_sense(ask: Ask, case: Case) -> Message | None:
+    """The sense or direction of an answer, None where there is none."""
     tree = ask.quantity
     if not isinstance(tree, Call):
-        return ""
+        return None
     if tree.function in ("omega", "alpha"):
-        return describe_rotation(case.solution.answers[ask.name].value, case)
+        return find_rotation_sense(case.solution.answers[ask.name].value)
     if tree.function == "magnitude" and is_vector_call(tree.arguments[0]):
         facts = Facts(case, Findings(), Quantities(case.motion, case.arithmetic))
-        return describe_direction(_Writer(case, facts).fact(tree.arguments[0]).value, case)
-    return ""
+        value = _Writer(case, facts).fact(tree.arguments[0]).value
+        return None if is_zero(value) else describe_direction(value)
+    return None

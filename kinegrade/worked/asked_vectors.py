@@ -10,12 +10,12 @@ from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError
 from kinegrade.expression import Call, Expression, Name, Number, Operation, list_parts
-from kinegrade.mechanics.joints import GROUND
+from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, list_term_parts
 from kinegrade.problem.quantities import Quantities
-from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.document import Block, Display
 from kinegrade.worked.findings import Fact, Findings, Piece, make_key, write_point_symbol
 from kinegrade.worked.numbers import (
     double,
@@ -25,7 +25,6 @@ from kinegrade.worked.numbers import (
     write_number,
     write_short,
 )
-from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.points import find_point, write_part_symbol, write_way
 from kinegrade.worked.scalars import find_rotation_value, write_rotation
 from kinegrade.worked.solution_case import LETTERS, Case
@@ -166,12 +165,11 @@ class Facts:
                 Call("coriolis", (Name(point), Name(body), Name(frame)))
             )
             parts.append((coriolis.symbol, coriolis.value))
-        yield Prose(
-            fill_phrase(
-                f"relative_left_{level}",
-                self.case.language,
+        yield self.case.say(
+            Message(
+                f"solution.relative-left-{level}",
                 point=self.case.naming.point(point),
-                frame=self.body(frame),
+                frame=self.case.naming.body(frame),
             )
         )
         yield Display(tuple(write_sum_line(axis, name, parts, level, "-") for axis in "xy"))
@@ -245,14 +243,6 @@ class Facts:
         parts = [(left.symbol, left.value), (right.symbol, right.value)]
         yield Display(tuple(write_sum_line(axis, name, parts, level, sign) for axis in "xy"))
         return Fact(name, value, True)
-
-    def body(self, name: str) -> str:
-        """A body in prose."""
-        return (
-            fill_phrase("ground", self.case.language)
-            if name == GROUND
-            else self.case.naming.body(name)
-        )
 
 
 def find_level(tree: Expression) -> Level:

@@ -8,15 +8,15 @@ from collections.abc import Iterator
 from itertools import islice
 
 from kinegrade.expression import Name
+from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.centrode import Centrodes, find_circle
 from kinegrade.problem.template import Ask
-from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.document import Block, Display
 from kinegrade.worked.findings import Findings
 from kinegrade.worked.formula_text import collect_symbols
 from kinegrade.worked.needed_rates import find_calls
 from kinegrade.worked.numbers import write_number, write_quantity, write_short
-from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.poles import explain_pole, name_pole
 from kinegrade.worked.solution_case import Case
 
@@ -49,10 +49,9 @@ def _explain_circle(body: str, angle: str, case: Case) -> Iterator[Block]:
         )
     )
     letter = case.naming.point(name_pole(body, case))
-    yield Prose(
-        fill_phrase(
-            "centrode",
-            case.language,
+    yield case.say(
+        Message(
+            "solution.centrode",
             body=case.naming.body(body),
             angle=collect_symbols(case.template)[angle],
         )
@@ -64,12 +63,12 @@ def _explain_circle(body: str, angle: str, case: Case) -> Iterator[Block]:
         )
     )
     circle = find_circle(poles[0], poles[1], poles[2], arithmetic)
-    yield Prose(fill_phrase("centrode_circle", case.language))
+    yield case.say(Message("solution.centrode-circle"))
     radius = write_number(circle.radius, "m")
     yield Display(
         (
             f"{_RADIUS} &= {radius}",
-            rf"\text{{{fill_phrase('centre', case.language)}}} &: "
+            rf"\text{{{case.write(Message('solution.centre-of-circle'))}}} &: "
             rf"({_write_coordinates(circle.centre)})\,\unit{{m}}",
         )
     )

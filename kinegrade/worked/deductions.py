@@ -9,12 +9,12 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
-from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formula_width import chain_lines
 from kinegrade.worked.numbers import double, length, write_angle, write_number, write_short
-from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.projection import Deduction, Projection, Share
 from kinegrade.worked.senses import write_rotation_sense, write_sense_along
 from kinegrade.worked.solution_case import Case
@@ -27,7 +27,7 @@ from kinegrade.worked.vectors import (
 )
 
 _NUMBER = re.compile(r"-?[0-9.]+")
-_AXES = {0.0: "axis_x", 90.0: "axis_y"}
+_AXES = {0.0: Message("solution.axis-x"), 90.0: Message("solution.axis-y")}
 UNITS: dict[tuple[Level, bool], str] = {
     ("velocity", False): "m/s",
     ("acceleration", False): "m/s^2",
@@ -131,7 +131,7 @@ def explain_deduction(
     """A deduction in words and equations; relations between rates have been written before."""
     case, single = stage.case, len(deduction.unknowns) == 1 and not deduction.scalars
     for projection in deduction.projections:
-        yield Prose(_announce_axis(stage, projection))
+        yield case.say(_announce_axis(stage, projection))
         yield Display(
             tuple(
                 write_solution(stage, projection, solved, deduction.unknowns[0])
@@ -140,7 +140,7 @@ def explain_deduction(
             )
         )
     if not single:
-        yield Prose(fill_phrase("together", case.language))
+        yield case.say(Message("solution.together"))
         yield Display(
             tuple(line for rate in deduction.unknowns for line in _write_results(stage, rate))
         )
@@ -178,14 +178,18 @@ def write_solution(
     yield from list(_write_results(stage, rate))[1:]
 
 
-def _announce_axis(stage: Stage, projection: Projection) -> str:
+def _announce_axis(stage: Stage, projection: Projection) -> Message:
     """On which axis the equation is projected, and why."""
-    key = _AXES.get(projection.axis, "axis_at")
-    axis = fill_phrase(key, stage.case.language, angle=write_angle(projection.axis))
+    axis = _name_axis(projection.axis)
     if projection.dropped is None:
-        return fill_phrase("project_along", stage.case.language, axis=axis)
+        return Message("solution.project-along", axis=axis)
     dropped = write_letters(projection.equation, projection.dropped, stage.case, bold=True)
-    return fill_phrase("project_drop", stage.case.language, axis=axis, dropped=dropped)
+    return Message("solution.project-drop", axis=axis, dropped=dropped)
+
+
+def _name_axis(angle: float) -> Message:
+    """The axis at an angle in degrees."""
+    return _AXES.get(angle) or Message("solution.axis-at", angle=write_angle(angle))
 
 
 def _write_results(stage: Stage, rate: str) -> Iterator[str]:

@@ -11,6 +11,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 from kinegrade.figure.scene import Scene
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message
 
 
 @dataclass(frozen=True)
@@ -26,6 +29,11 @@ class Prose:
     """A paragraph."""
 
     text: str  # prose
+
+
+def say(message: Message, language: Language) -> Prose:
+    """A paragraph that says a message."""
+    return Prose(open_catalogue(language).write(message))
 
 
 @dataclass(frozen=True)

@@ -2,33 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
+from functools import reduce
 from typing import assert_never
 
+from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Parallel, Pin, Roll, Sleeve
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.relations import name_omega
-from kinegrade.worked.document import Block, Prose
-from kinegrade.worked.phrases import fill_phrase
+from kinegrade.worked.document import Block
 from kinegrade.worked.solution_case import Case
-
-_STOPS: Mapping[str, tuple[str, str]] = {"en": (".", "; "), "zh": ("。", "；")}
 
 
 def describe_motions(case: Case) -> Iterator[Block]:
     """A sentence that says how each body moves."""
     mechanism = case.motion.frames.mechanism
-    sentences = [_describe_motion(body, mechanism, case) for body in mechanism.bodies]
-    end, between = _STOPS[case.language]
-    text = between.join(sentences)
-    yield Prose(text[0].upper() + text[1:] + end)
+    motions = (_describe_motion(body, mechanism, case) for body in mechanism.bodies)
+    yield case.say(Message("solution.motion-list-closed", motions=reduce(_list_motions, motions)))
 
 
-def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> str:
+def _list_motions(first: Message, following: Message) -> Message:
+    return Message("solution.motion-list", first=first, next=following)
+
+
+def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
     """How one body moves."""
     name = case.naming.body(body.name)
     if body.particle:
-        return fill_phrase("particle", case.language, body=case.naming.point(body.name))
+        return Message("solution.particle", point=case.naming.point(body.name))
     pivot = next(
         (
             joint.point
@@ -38,9 +39,9 @@ def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> str:
         None,
     )
     if pivot is not None:
-        return fill_phrase("rotates", case.language, body=name, point=case.naming.point(pivot))
+        return Message("solution.rotates", body=name, point=case.naming.point(pivot))
     if body.name in find_translating(mechanism):
-        return fill_phrase("translates", case.language, body=name)
+        return Message("solution.translates", body=name)
     roll = next(
         (
             joint
@@ -50,22 +51,24 @@ def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> str:
         None,
     )
     if roll is not None:
-        return fill_phrase("rolls", case.language, body=name, other=describe_track(roll, case))
+        return Message("solution.rolls", body=name, other=describe_track(roll, case))
     still = name_omega(body.name) in case.motion.rates and case.arithmetic.is_zero(
         case.motion.omega(body.name)
     )
-    return fill_phrase("plane_instant" if still else "plane", case.language, body=name)
+    if still:
+        return Message("solution.plane-instant", body=name)
+    return Message("solution.plane", body=name)
 
 
-def describe_track(roll: Roll, case: Case) -> str:
+def describe_track(roll: Roll, case: Case) -> Text:
     """What a body rolls on, in prose."""
     if roll.of != GROUND:
         return case.naming.body(roll.of)
     match roll.on:
         case Line():
-            return fill_phrase("ground", case.language)
+            return case.naming.body(GROUND)
         case Circle():
-            return fill_phrase("fixed_circle", case.language)
+            return Message("solution.fixed-circle")
         case _:
             assert_never(roll.on)
 

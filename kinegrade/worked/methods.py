@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Literal, assert_never
 
 from kinegrade.expression import Name
+from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
@@ -20,7 +22,7 @@ from kinegrade.worked.deductions import (
     write_rotation_result,
     write_solution,
 )
-from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.document import Block, Display
 from kinegrade.worked.findings import Findings, write_point_symbol
 from kinegrade.worked.known_vectors import is_stated_negative
 from kinegrade.worked.needed_rates import find_calls
@@ -32,7 +34,6 @@ from kinegrade.worked.numbers import (
     write_number,
     write_short,
 )
-from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.points import write_way
 from kinegrade.worked.poles import name_pole
 from kinegrade.worked.projection import PARALLEL, find_deductions
@@ -45,7 +46,9 @@ from kinegrade.worked.vectors import (
     write_magnitude_formula,
     write_symbol,
 )
-from kinegrade.worked.wording import write_introduction
+from kinegrade.worked.wording import introduce_equation
+
+_Construction = Literal["pole", "pole-parallel", "pole-infinity"]
 
 
 @dataclass(frozen=True)
@@ -75,15 +78,23 @@ def explain_by_method(step: Step, stage: Stage, findings: Findings) -> Iterator[
         yield from _explain_by_pole(coupler, stage, findings)
 
 
-def write_method_title(stage: Stage) -> str | None:
+def name_method(stage: Stage) -> Message | None:
     """The title of a step by another method than the base point's, else None."""
     coupler = find_coupler(stage)
-    method = choose_method(coupler, stage.case) if coupler else "base-point"
-    if coupler is None or method == "base-point":
-        return None
-    return fill_phrase(
-        f"title_{method}", stage.case.language, body=stage.case.naming.body(coupler.body)
-    )
+    return _name_method_for(coupler, stage.case) if coupler else None
+
+
+def _name_method_for(coupler: Coupler, case: Case) -> Message | None:
+    body, method = case.naming.body(coupler.body), choose_method(coupler, case)
+    match method:
+        case "base-point":
+            return None
+        case "projection":
+            return Message("solution.title-projection", body=body)
+        case "pole":
+            return Message("solution.title-pole", body=body)
+        case _:
+            assert_never(method)
 
 
 def choose_method(coupler: Coupler, case: Case) -> Method:
@@ -140,17 +151,16 @@ def _explain_by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterat
     projection = first.projections[0]
     base, point = case.naming.point(coupler.base.point), case.naming.point(coupler.point.point)
     yield from _explain_base_speed(coupler, case)
-    yield Prose(
-        fill_phrase(
-            "method_projection",
-            case.language,
+    yield case.say(
+        Message(
+            "solution.method-projection",
             body=case.naming.body(coupler.body),
             first=base,
             second=point,
         )
     )
     yield Display(tuple(write_solution(stage, projection, (), first.unknowns[0])))
-    yield Prose(write_introduction(coupler.equation, case))
+    yield case.say(introduce_equation(coupler.equation, case))
     yield make_term_table(coupler.equation, case)
     yield from explain_remarks(coupler.equation, case)
     yield from explain_deduction(stage, second, set(first.unknowns))
@@ -161,10 +171,9 @@ def _explain_by_pole(coupler: Coupler, stage: Stage, findings: Findings) -> Iter
     case, body = stage.case, coupler.body
     name = name_pole(body, case)
     letter = case.naming.point(name)
-    yield Prose(
-        fill_phrase(
-            _choose_construction(coupler, case),
-            case.language,
+    yield case.say(
+        Message(
+            f"solution.method-{_choose_construction(coupler, case)}",
             body=case.naming.body(body),
             pole=letter,
             first=case.naming.point(coupler.base.point),
@@ -203,13 +212,13 @@ def _explain_base_speed(coupler: Coupler, case: Case) -> Iterator[Block]:
         )
 
 
-def _choose_construction(coupler: Coupler, case: Case) -> str:
+def _choose_construction(coupler: Coupler, case: Case) -> _Construction:
     """Which construction of a pole applies."""
     if case.arithmetic.is_zero(case.motion.omega(coupler.body)):
-        return "method_pole_infinity"
+        return "pole-infinity"
     first, second = coupler.base.value, coupler.point.coefficient or Vector(0, 0)
     parallel = abs(double(first.cross(second))) < PARALLEL * size(first) * size(second)
-    return "method_pole_parallel" if parallel else "method_pole"
+    return "pole-parallel" if parallel else "pole"
 
 
 def _write_pole_lines(

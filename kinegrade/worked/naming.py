@@ -10,39 +10,28 @@ from functools import cached_property
 from typing import assert_never
 
 from kinegrade.expression import Call, Name
-from kinegrade.language import LANGUAGES, Language
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Text
+from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.notation import write_point_symbol
 from kinegrade.problem.template import Template
+from kinegrade.worked.body_words import name_barely, name_by_number, name_kind
 
-_BODIES = {  # the words that templates use for bodies
-    "crank": ("the crank", "曲柄"),
-    "rocker": ("the rocker", "摇杆"),
-    "rod": ("the rod", "杆"),
-    "bar": ("the bar", "杆"),
-    "wheel": ("the wheel", "轮"),
-    "gear": ("the gear", "齿轮"),
-    "rack": ("the rack", "齿条"),
-    "disc": ("the disc", "圆盘"),
-    "disk": ("the disc", "圆盘"),
-    "sleeve": ("the sleeve", "套筒"),
-    "cam": ("the cam", "凸轮"),
-    "arm": ("the carrier", "系杆"),
-    "plate": ("the plate", "平板"),
-    "planet": ("the planet gear", "行星轮"),
-    "tappet": ("the follower", "从动件"),
-    "follower": ("the follower", "从动件"),
-    "jaw": ("the jaw", "颚板"),
-    "strut": ("the strut", "撑杆"),
-    "coupler": ("the coupler", "连杆"),
-    "slider": ("the slider", "滑块"),
-    "table": ("the table", "台面"),
-    "ring": ("the ring", "圆环"),
-    "sun": ("the sun gear", "太阳轮"),
-    "roller": ("the roller", "滚子"),
-}
 # Named by their end points
 _LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"})
+
+
+@dataclass(frozen=True)
+class _Label:
+    """What tells a body from others: the template's word for it, its letters in LaTeX math, its
+    number in prose; "" for what it has not.
+    """
+
+    word: str = ""
+    letters: str = ""
+    number: str = ""
 
 
 @dataclass(frozen=True)
@@ -56,23 +45,45 @@ class Naming:
         """A point in LaTeX math."""
         return write_point_symbol(name)
 
-    def body(self, name: str) -> str:
-        """A body in prose: the paper's letters, or the word for it."""
-        if not name.islower():
-            head, _, letters = name.partition("_")
-            if letters and head.islower():
-                return f"{self._word(head)} ${letters}$"
-            return self._wheel(name) if self._is_round(name) else f"${write_point_symbol(name)}$"
-        kind = name.rstrip("0123456789")
-        ends = "".join(map(write_point_symbol, self._points(name)[:2]))
-        if kind in _LINKS and len(self._points(name)) > 1:
-            return f"{self._word(kind)} ${ends}$"
-        return f"{self._bare(kind)} {name[len(kind) :]}" if kind != name else self._word(kind)
+    def body(self, name: str) -> Text:
+        """A body in prose: by the paper's letters, or the word for it."""
+        if name == GROUND:
+            return Message("solution.ground")
+        label = self._find_label(name)
+        if label.number:
+            return name_by_number(label.word, label.number)
+        if not label.word:
+            return f"${label.letters}$"
+        word = name_kind(label.word)
+        if not label.letters:
+            return word
+        return Message("solution.body-with-letters", body=word, letters=label.letters)
 
     def letters(self, name: str) -> str:
         """A body in a subscript, in LaTeX math: its letters, else the word for it."""
-        words = self.body(name)
-        return words.split("$")[1] if "$" in words else rf"\text{{{words.removeprefix('the ')}}}"
+        label = self._find_label(name)
+        if label.letters:
+            return label.letters
+        if label.number:
+            return self._write_text(name_by_number(label.word, label.number))
+        return self._write_text(name_barely(label.word))
+
+    def _write_text(self, words: Text) -> str:
+        return rf"\text{{{open_catalogue(self.language).write(words)}}}"
+
+    def _find_label(self, name: str) -> _Label:
+        if not name.islower():
+            head, _, letters = name.partition("_")
+            if letters and head.islower():
+                return _Label(head, letters)
+            if self._is_round(name):
+                return self._label_wheel(name)
+            return _Label(letters=write_point_symbol(name))
+        kind = name.rstrip("0123456789")
+        points = self._points(name)
+        if kind in _LINKS and len(points) > 1:
+            return _Label(kind, "".join(map(write_point_symbol, points[:2])))
+        return _Label(kind, number=name[len(kind) :])
 
     def _is_round(self, body: str) -> bool:
         """Whether a body has a circle with which it rolls, meshes or touches."""
@@ -80,31 +91,22 @@ class Naming:
             joint.circle and joint.body == body for joint in self.template.scheme.joints
         )
 
-    def _wheel(self, body: str) -> str:
+    def _label_wheel(self, body: str) -> _Label:
         """The wheel, or the gear; with its letter where there are several, or where the letter is a
         Roman numeral.
         """
         kind = "gear" if "gear" in self.template.about.family else "wheel"
-        several = sum(self._is_round(other.name) for other in self.template.scheme.bodies) > 1
-        roman = set(body) <= set("IV")
-        return (
-            f"{self._bare(kind)} {body if roman else f'${write_point_symbol(body)}$'}"
-            if several or roman
-            else self._word(kind)
-        )
-
-    def _bare(self, name: str) -> str:
-        """The word for a body without its article."""
-        return self._word(name).removeprefix("the ")
+        if set(body) <= set("IV"):
+            return _Label(kind, number=body)
+        if sum(self._is_round(other.name) for other in self.template.scheme.bodies) > 1:
+            symbol = write_point_symbol(body)
+            return _Label(kind, symbol, f"${symbol}$")
+        return _Label(kind)
 
     def _points(self, body: str) -> tuple[str, ...]:
         return next(
             (other.points for other in self.template.scheme.bodies if other.name == body), ()
         )
-
-    def _word(self, name: str) -> str:
-        words = _BODIES.get(name)
-        return words[LANGUAGES.index(self.language)] if words else name
 
     def omega(self, body: str) -> str:
         """The symbol of a body's angular velocity."""
@@ -154,7 +156,7 @@ class Naming:
         return (
             symbol
             if symbol not in taken and "_" not in body
-            else rf"\omega_{{\text{{{self._bare(body)}}}}}"
+            else rf"\omega_{{{self._write_text(name_barely(body))}}}"
         )
 
     def _asked_rotations(self) -> Iterator[tuple[str, str, str]]:

@@ -5,10 +5,12 @@ construction of a pole.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from decimal import Decimal
 
 from kinegrade.figure.pole_construction import Pole, draw_pole_construction
 from kinegrade.figure.polygon import Arrow, draw_polygon
 from kinegrade.figure.vectors import PointArrow, draw_with_vectors
+from kinegrade.language.message import Message
 from kinegrade.mechanics.joints import GROUND, Roll
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.mechanics.plan import Step
@@ -22,10 +24,9 @@ from kinegrade.worked.document import Picture, Pictures
 from kinegrade.worked.methods import choose_method, find_coupler
 from kinegrade.worked.needed_rates import find_calls, find_chains
 from kinegrade.worked.numbers import NEGLIGIBLE
-from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.poles import name_pole
 from kinegrade.worked.scalars import find_term, write_speed
-from kinegrade.worked.solution_case import Case
+from kinegrade.worked.solution_case import LETTERS, Case
 from kinegrade.worked.vectors import write_letters
 
 
@@ -33,7 +34,7 @@ def draw_mechanism(case: Case) -> Picture:
     """The mechanism with the letters of its points."""
     mechanism = convert_to_floats(case.motion.frames.mechanism)
     scene = draw_with_vectors(mechanism, case.template.figure, ())
-    return Picture(scene, fill_phrase("picture_mechanism", case.language))
+    return Picture(scene, case.write(Message("solution.picture-mechanism")))
 
 
 def draw_stage(step: Step, stage: Stage) -> Iterator[Pictures]:
@@ -85,7 +86,7 @@ def draw_given(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Pict
     if found or arrows:
         mechanism = convert_to_floats(case.motion.frames.mechanism)
         scene = draw_with_vectors(mechanism, case.template.figure, arrows, found)
-        yield Pictures((Picture(scene, fill_phrase(f"picture_{level}", case.language)),))
+        yield Pictures((Picture(scene, _name_picture(level, case)),))
 
 
 def _draw_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
@@ -108,7 +109,7 @@ def _draw_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
     if found:
         mechanism = convert_to_floats(case.motion.frames.mechanism)
         scene = draw_with_vectors(mechanism, case.template.figure, (), found)
-        yield Pictures((Picture(scene, fill_phrase(f"picture_{stage.level}", case.language)),))
+        yield Pictures((Picture(scene, _name_picture(stage.level, case)),))
 
 
 def _find_rolling(step: Step, case: Case) -> Roll | None:
@@ -122,32 +123,30 @@ def draw_answer(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
     name.
     """
     pictures = []
-    for function, key in (
-        ("velocity", "picture_points"),
-        ("acceleration", "picture_points_acceleration"),
-    ):
+    for level in LETTERS:
         arrows = {
-            arrow.at: arrow for ask in asked for arrow in _find_asked_arrows(ask, function, case)
+            arrow.at: arrow for ask in asked for arrow in _find_asked_arrows(ask, level, case)
         }
         if arrows:
             mechanism = convert_to_floats(case.motion.frames.mechanism)
             scene = draw_with_vectors(mechanism, case.template.figure, tuple(arrows.values()))
-            pictures.append(Picture(scene, fill_phrase(key, case.language)))
+            caption = Message(f"solution.picture-points-{level}")
+            pictures.append(Picture(scene, case.write(caption)))
     if pictures:
         yield Pictures(tuple(pictures))
 
 
-def _find_asked_arrows(ask: Ask, function: str, case: Case) -> Iterator[PointArrow]:
+def _find_asked_arrows(ask: Ask, level: Level, case: Case) -> Iterator[PointArrow]:
     """The vectors of points that an ask names."""
     quantities = Quantities(case.motion, case.arithmetic)
     for call in find_calls(ask.quantity):
-        if call.function != function:
+        if call.function != level:
             continue
         for body, point in find_chains(call, case.motion, quantities):
-            motion = case.motion.velocity if function == "velocity" else case.motion.acceleration
+            motion = case.motion.velocity if level == "velocity" else case.motion.acceleration
             value = _make_floats(motion(point, body))
             if _is_seen(value):
-                letters = f"{function[0]}_{{{case.naming.point(point)}}}"
+                letters = f"{LETTERS[level]}_{{{case.naming.point(point)}}}"
                 yield PointArrow(
                     letters, _make_floats(case.motion.points[point]), value, known=False
                 )
@@ -171,7 +170,7 @@ def _draw_vectors(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
         tuple(arrows.values()),
         _find_turnings(rates, case, stage.level),
     )
-    return Picture(scene, fill_phrase(f"picture_{stage.level}", case.language))
+    return Picture(scene, _name_picture(stage.level, case))
 
 
 def _find_point_arrows(
@@ -215,9 +214,8 @@ def _draw_equation(equation: VectorEquation, stage: Stage) -> Picture:
         for side in (equation.left, equation.right)
     )
     scene = draw_polygon(left, right)
-    return Picture(
-        scene, fill_phrase(f"polygon_{stage.level}", case.language, scale=f"{1 / scene.scale:.3g}")
-    )
+    scale = Decimal(f"{1 / scene.scale:.3g}")
+    return Picture(scene, case.write(Message(f"solution.polygon-{stage.level}", scale=scale)))
 
 
 def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
@@ -228,7 +226,13 @@ def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
     rotation = next(iter(_find_turnings([f"omega {body}"], case, "velocity")), None)
     pole = Pole(case.naming.point(name_pole(body, case)), at)
     scene = draw_pole_construction(mechanism, case.template.figure, pole, rays, rotation)
-    return Picture(scene, fill_phrase("picture_pole", case.language, body=case.naming.body(body)))
+    caption = Message("solution.picture-pole", body=case.naming.body(body))
+    return Picture(scene, case.write(caption))
+
+
+def _name_picture(level: Level, case: Case) -> str:
+    """The caption of a picture of the mechanism with its vectors."""
+    return case.write(Message(f"solution.picture-{level}"))
 
 
 def _make_floats(vector: Vector) -> Vector:

@@ -5,8 +5,9 @@ fixed axis, or from its base point.
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator
-from typing import assert_never
+from typing import Literal, assert_never
 
+from kinegrade.language.message import Message
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.relations import Chain, Term, add_vectors
@@ -18,7 +19,7 @@ from kinegrade.mechanics.vector_equation import (
     list_term_parts,
 )
 from kinegrade.worked.deductions import UNITS
-from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.document import Block, Display
 from kinegrade.worked.findings import Fact, Findings, Piece, make_key, write_point_symbol
 from kinegrade.worked.known_vectors import find_positive_sense
 from kinegrade.worked.numbers import (
@@ -31,10 +32,12 @@ from kinegrade.worked.numbers import (
     write_number,
     write_short,
 )
-from kinegrade.worked.phrases import fill_phrase
-from kinegrade.worked.senses import describe_direction
+from kinegrade.worked.senses import find_axis_sense, is_zero, write_beside_value
 from kinegrade.worked.solution_case import LETTERS, Case
 from kinegrade.worked.summands import NUMBER, Summand, write_component, write_sum, write_sum_line
+
+_Place = Literal["of", "at"]  # a point of the body that turns, or one at the same place
+_Start = Literal["point", "base"]  # from a fixed axis, or from a moving base point
 
 
 def find_vector(chain: Chain, motion: Motion, level: Level) -> Vector:
@@ -101,10 +104,9 @@ def _explain_single(term: Term, name: str, case: Case) -> Iterator[Block]:
     size = length(value, case.arithmetic)
     omega = case.naming.omega(body)
     bars = omega if double(case.motion.rates[term.rate]) >= 0 else write_absolute_value(omega)
-    yield Prose(
-        fill_phrase(
-            f"known_point{_find_place(term, case)}",
-            case.language,
+    yield case.say(
+        Message(
+            f"solution.known-point-{_find_place(term, case)}",
             point=point,
             base=base,
             body=case.naming.body(body),
@@ -120,13 +122,11 @@ def _explain_single(term: Term, name: str, case: Case) -> Iterator[Block]:
     )
 
 
-def _find_place(term: Term, case: Case) -> str:
-    """Which sentence fits a point: another one where the point only coincides with one of the body
-    that turns.
-    """
+def _find_place(term: Term, case: Case) -> _Place:
+    """Whether a point is one of the body that turns, or is only at the same place."""
     name = term.rate.removeprefix("omega ")
     points = next(body.points for body in case.motion.frames.mechanism.bodies if body.name == name)
-    return "" if term.point in points else "_at"
+    return "of" if term.point in points else "at"
 
 
 def _explain_circling(term: Term, name: str, case: Case) -> Generator[Block, None, Fact]:
@@ -134,7 +134,7 @@ def _explain_circling(term: Term, name: str, case: Case) -> Generator[Block, Non
     part as given.
     """
     point, centre = case.naming.point(term.point), case.naming.point(term.base)
-    yield Prose(fill_phrase("known_circle", case.language, point=point, centre=centre))
+    yield case.say(Message("solution.known-circle", point=point, centre=centre))
     normal, tangential = (
         term.normal(case.motion.rates),
         term.coefficient() * case.motion.changes[term.rate],
@@ -155,10 +155,10 @@ def _explain_circling(term: Term, name: str, case: Case) -> Generator[Block, Non
 
 def write_way(vector: Vector, case: Case) -> str:
     """The direction of a vector after its magnitude in an equation, "" for a zero vector."""
-    words = describe_direction(vector, case)
-    if "$" in words or not words:
-        return rf",\quad {write_angle(bearing(vector))}" if words else ""
-    return rf"\quad\text{{({words})}}"
+    if is_zero(vector):
+        return ""
+    sense = find_axis_sense(vector)
+    return write_beside_value(sense, case) if sense else rf",\quad {write_angle(bearing(vector))}"
 
 
 def _explain_carried(
@@ -171,22 +171,21 @@ def _explain_carried(
     base_name = write_point_symbol(last.base, level, case)
     yield from find_point(before, base_name, case, level, findings)
     point, base = case.naming.point(last.point), case.naming.point(last.base)
-    key = f"{'known_base' if before else 'known_point'}{_find_place(last, case)}"
-    yield Prose(
-        fill_phrase(
-            key,
-            case.language,
+    start: _Start = "base" if before else "point"
+    yield case.say(
+        Message(
+            f"solution.known-{start}-{_find_place(last, case)}",
             point=point,
             base=base,
             body=case.naming.body(last.rate.removeprefix("omega ")),
         )
     )
-    start = (base_name if before else "", find_vector(before, case.motion, level))
+    known = (base_name if before else "", find_vector(before, case.motion, level))
     yield Display(
         tuple(
             (
                 f"{write_component(name, axis)} &= "
-                f"{_write_carried_component(axis, start, last, case, level)}"
+                f"{_write_carried_component(axis, known, last, case, level)}"
             )
             for axis in "xy"
         )
@@ -261,10 +260,9 @@ def _explain_composed(
     number = findings.numbers.get(last.rate, "")
     transport = rf"{head}_{{\mathrm{{e}}{number}}}"
     yield from find_point(before, transport, case, level, findings)
-    yield Prose(
-        fill_phrase(
-            "known_relative",
-            case.language,
+    yield case.say(
+        Message(
+            "solution.known-relative",
             point=case.naming.point(last.point),
             frame=case.naming.body(last.frame),
         )

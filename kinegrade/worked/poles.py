@@ -6,12 +6,12 @@ import re
 from collections.abc import Iterator
 
 from kinegrade.expression import Call, Name
+from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
-from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.document import Block, Display
 from kinegrade.worked.findings import Findings, write_point_symbol
 from kinegrade.worked.needed_rates import find_calls
 from kinegrade.worked.numbers import double, write_number, write_short
-from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.points import find_point, find_vector
 from kinegrade.worked.solution_case import Case
 from kinegrade.worked.summands import write_component
@@ -43,13 +43,13 @@ def explain_pole(body: str, case: Case, findings: Findings) -> Iterator[Block]:
         return
     name = findings.poles[body] = name_pole(body, case)
     if case.arithmetic.is_zero(case.motion.omega(body)):
-        yield Prose(fill_phrase("pole_far", case.language, body=case.naming.body(body)))
+        yield case.say(Message("solution.pole-far", body=case.naming.body(body)))
         return
     base = case.motion.frames.bases[body]
     symbol = write_point_symbol(base.point, "velocity", case)
     yield from find_point(base.chain, symbol, case, "velocity", findings)
     letter = case.naming.point(name)
-    yield Prose(fill_phrase("pole_of", case.language, body=case.naming.body(body), pole=letter))
+    yield case.say(Message("solution.pole-of", body=case.naming.body(body), pole=letter))
     velocity = find_vector(base.chain, case.motion, "velocity")
     yield Display(tuple(_write_pole_line(axis, letter, body, velocity, case) for axis in "xy"))
 

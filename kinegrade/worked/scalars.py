@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any, assert_never
 
 from kinegrade.expression import Expression, Number
+from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import (
     GROUND,
@@ -24,12 +25,11 @@ from kinegrade.mechanics.joints import (
 from kinegrade.mechanics.relations import Relation, Term, name_omega
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.deductions import UNITS, measure_along_direction, write_rotation_result
-from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formula_text import collect_symbols, write_latex
 from kinegrade.worked.kinds import describe_track
 from kinegrade.worked.known_vectors import find_positive_sense, find_stated_sense
 from kinegrade.worked.numbers import double, write_bracketed, write_number, write_short
-from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.senses import describe_direction, write_rotation_sense, write_sense_along
 from kinegrade.worked.solution_case import LETTERS, Case
 
@@ -40,8 +40,8 @@ class Statement:
     display.
     """
 
-    title: str
-    reason: str
+    title: Message
+    reason: Message
     line: str
 
 
@@ -65,9 +65,9 @@ def state_relation(relation: Relation, case: Case, level: Level) -> Statement:
 
 def _state_equal_rotation(joint: Parallel | Sleeve, case: Case, level: Level) -> Statement:
     """Two bodies that do not turn relative to each other."""
-    body, other = case.naming.body(joint.body), name_body(joint.of, case)
-    reason = fill_phrase(f"parallel_{level}", case.language, body=body, other=other)
-    title = fill_phrase("title_parallel", case.language, body=body, other=other)
+    body, other = case.naming.body(joint.body), case.naming.body(joint.of)
+    reason = Message(f"solution.parallel-{level}", body=body, other=other)
+    title = Message("solution.title-parallel", body=body, other=other)
     line = f"{write_rotation(joint.body, case, level)} &= {write_rotation(joint.of, case, level)}"
     return Statement(title, reason, line)
 
@@ -77,7 +77,7 @@ def explain_scalar_step(
 ) -> Iterator[Block]:
     """A step of one scalar relation: the relation and the rate it gives."""
     statement = state_relation(relation, case, level)
-    yield Prose(statement.reason)
+    yield case.say(statement.reason)
     result = _write_rate_result(unknown, case, level)
     worked = (statement.line, *_write_solved_relation(relation, unknown, case, level), result)
     match relation.source:
@@ -153,11 +153,6 @@ def _write_relative_rotation(body: str, of: str, case: Case, level: Level) -> st
     return rotation if of == GROUND else f"({rotation} - {write_rotation(of, case, level)})"
 
 
-def name_body(body: str, case: Case) -> str:
-    """A body in prose."""
-    return fill_phrase("ground", case.language) if body == GROUND else case.naming.body(body)
-
-
 def _write_formula(tree: Expression, case: Case) -> str:
     """An expression of the template in symbols."""
     return write_latex(tree, collect_symbols(case.template))
@@ -167,42 +162,58 @@ def _state_rolling(roll: Roll, relation: Relation, case: Case, level: Level) -> 
     """No slip: the centre's speed along the track is the radius times the relative rotation."""
     term = find_term(relation.turning[0][0], case)
     body, other = case.naming.body(roll.body), describe_track(roll, case)
-    kind = "rotation_absolute" if roll.of == GROUND else "rotation_relative"
-    relative = fill_phrase(kind, case.language, body=body, other=other)
-    reason = fill_phrase(
-        "no_slip",
-        case.language,
-        centre=case.naming.point(roll.circle.centre),
-        relative=relative,
-        positive=_describe_positive_sense(term, case, level),
-    ).replace("  ", " ")
-    if roll.of == GROUND and level == "velocity":
-        reason = f"{fill_phrase('pole_contact', case.language, body=body)} {reason}"
     sign = "-" if _find_slip_sign(roll, relation, case) > 0 else ""
     line = (
         rf"{write_speed(term, case, level)} &= {sign}{_write_radius(roll, case)}\,"
         f"{_write_relative_rotation(roll.body, roll.of, case, level)}"
     )
-    return Statement(fill_phrase("title_roll", case.language, body=body, other=other), reason, line)
+    title = Message("solution.title-roll", body=body, other=other)
+    return Statement(title, _explain_rolling(roll, term, case, level), line)
 
 
-def _describe_positive_sense(term: Term, case: Case, level: Level) -> str:
-    """In which sense a guided point's speed counts positive, in brackets; "" where its direction
-    has no short name.
+def _explain_rolling(roll: Roll, term: Term, case: Case, level: Level) -> Message:
+    """Why the rotation of a rolling body and the motion of its centre are linked."""
+    body, motion = case.naming.body(roll.body), _name_motion_along_path(roll, term, case, level)
+    if roll.of != GROUND:
+        other = describe_track(roll, case)
+        relative = Message("solution.rotation-relative-to", body=body, other=other)
+        return Message("solution.no-slip", motion=motion, rotation=relative)
+    rotation = Message("solution.rotation-of", body=body)
+    match level:
+        case "velocity":
+            return Message(
+                "solution.no-slip-on-ground", body=body, motion=motion, rotation=rotation
+            )
+        case "acceleration":
+            return Message("solution.no-slip", motion=motion, rotation=rotation)
+        case _:
+            assert_never(level)
+
+
+def _name_motion_along_path(roll: Roll, term: Term, case: Case, level: Level) -> Message:
+    """The motion of a rolling body's centre, with its positive sense where it moves in the plane of
+    the page.
     """
+    centre = case.naming.point(roll.circle.centre)
     if term.frame != GROUND:
-        return ""
-    centre = case.naming.point(term.base)
+        return Message("solution.motion-along-path", centre=centre)
+    return Message(
+        "solution.motion-along-path-positive",
+        centre=centre,
+        speed=write_speed(term, case, level),
+        way=_describe_positive_sense(term, case),
+    )
+
+
+def _describe_positive_sense(term: Term, case: Case) -> Message:
+    """In which sense a guided point's speed counts positive."""
     match term.kind:
         case "arc":
-            words = fill_phrase("around", case.language, centre=centre)
+            return Message("solution.around", centre=case.naming.point(term.base))
         case "sliding" | "rotation":
-            words = describe_direction(find_positive_sense(term, case), case)
+            return describe_direction(find_positive_sense(term, case))
         case _:
             assert_never(term.kind)
-    return fill_phrase(
-        "positive_way", case.language, symbol=f"${write_speed(term, case, level)}$", way=words
-    )
 
 
 def _find_slip_sign(roll: Roll, relation: Relation, case: Case) -> float:
@@ -281,8 +292,8 @@ def _state_meshing(mesh: Mesh, case: Case, level: Level) -> Statement:
         rf"{sign}{others}\,{_write_relative_rotation(mesh.of, mesh.carrier, case, level)}"
     )
     return Statement(
-        fill_phrase("title_mesh", case.language, body=body, other=other),
-        fill_phrase("mesh", case.language, carrier=name_body(mesh.carrier, case)),
+        Message("solution.title-mesh", body=body, other=other),
+        Message("solution.mesh", carrier=case.naming.body(mesh.carrier)),
         line,
     )
 
@@ -308,9 +319,7 @@ def _state_imposed(driver: Driver, case: Case, level: Level) -> Statement:
         f"{left} &= {_write_driver_expression(driver, left, case, level)}"
         f"{write_number(value, unit)}{way}"
     )
-    return Statement(
-        fill_phrase("title_given", case.language), _state_given(driver, case, level), line
-    )
+    return Statement(Message("solution.title-given"), _state_given(driver, case, level), line)
 
 
 def _find_driven_value(driver: Driver, level: Level) -> Any:
@@ -346,21 +355,31 @@ def _write_driver_expression(driver: Driver, name: str, case: Case, level: Level
     return "" if isinstance(tree, Number) or same else f"{text} = "
 
 
-def _state_given(driver: Driver, case: Case, level: Level) -> str:
+def _state_given(driver: Driver, case: Case, level: Level) -> Message:
     """What is given, in a sentence."""
-    body = case.naming.body(driver.body)
     match driver:
-        case Rotation(of=of):
-            key = "given_rotation" if of == GROUND else "given_rotation_of"
-            parts = {"other": name_body(of, case)}
-        case Component(of=of):
-            key = "given_point" if of == GROUND else "given_point_of"
-            point, way = case.naming.point(driver.point), describe_direction(driver.direction, case)
-            parts = {"other": name_body(of, case), "point": point, "way": way}
+        case Rotation():
+            return _state_given_rotation(driver, case, level)
+        case Component():
+            return _state_given_component(driver, case, level)
         case Circulation():
-            key = "given_circle"
             point, centre = case.naming.point(driver.point), case.naming.point(driver.centre)
-            parts = {"point": point, "centre": centre}
+            return Message(f"solution.given-circle-{level}", point=point, centre=centre)
         case _:
             assert_never(driver)
-    return fill_phrase(f"{key}_{level}", case.language, body=body, **parts)
+
+
+def _state_given_rotation(driver: Rotation, case: Case, level: Level) -> Message:
+    body = case.naming.body(driver.body)
+    if driver.of == GROUND:
+        return Message(f"solution.given-rotation-{level}", body=body)
+    other = case.naming.body(driver.of)
+    return Message(f"solution.given-rotation-of-{level}", body=body, other=other)
+
+
+def _state_given_component(driver: Component, case: Case, level: Level) -> Message:
+    point, way = case.naming.point(driver.point), describe_direction(driver.direction)
+    if driver.of == GROUND:
+        return Message(f"solution.given-point-{level}", point=point, way=way)
+    other = case.naming.body(driver.of)
+    return Message(f"solution.given-point-of-{level}", point=point, way=way, other=other)

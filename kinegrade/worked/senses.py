@@ -2,26 +2,44 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
+from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.numbers import bearing, double, write_angle
-from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.solution_case import Case
 
-_AXES = {0.0: "right", 90.0: "up", 180.0: "left", 270.0: "down"}
+_AXES: Mapping[float, Message] = {
+    0.0: Message("solution.right"),
+    90.0: Message("solution.up"),
+    180.0: Message("solution.left"),
+    270.0: Message("solution.down"),
+}
+
+
+def find_axis_sense(vector: Vector) -> Message | None:
+    """To which side a vector points along an axis; None for a slanting one."""
+    return _AXES.get(bearing(vector))
+
+
+def find_rotation_sense(value: Any) -> Message | None:
+    """Clockwise or counter-clockwise, None for zero."""
+    number = double(value)
+    return None if number == 0 else name_rotation_sense(number > 0)
+
+
+def name_rotation_sense(counter_clockwise: bool) -> Message:
+    """The sense of a rotation."""
+    if counter_clockwise:
+        return Message("solution.counter-clockwise")
+    return Message("solution.clockwise")
 
 
 def write_rotation_sense(value: Any, case: Case) -> str:
     """The sense of a rotation as a text within an equation; nothing for zero."""
-    words = describe_rotation(value, case)
-    return rf"\quad\text{{({words})}}" if words else ""
-
-
-def describe_rotation(value: Any, case: Case) -> str:
-    """Clockwise or counter-clockwise, "" for zero."""
-    number = double(value)
-    return "" if number == 0 else fill_phrase("ccw" if number > 0 else "cw", case.language)
+    sense = find_rotation_sense(value)
+    return write_beside_value(sense, case) if sense else ""
 
 
 def write_sense_along(
@@ -34,20 +52,26 @@ def write_sense_along(
     """
     if value == 0:
         return ""
-    angle = bearing(positive if value > 0 else -positive)
-    if angle in _AXES:
-        return rf"\quad\text{{({fill_phrase(_AXES[angle], case.language)})}}"
+    sense = find_axis_sense(positive if value > 0 else -positive)
+    if sense is not None:
+        return write_beside_value(sense, case)
     if ends is not None:
         start, end = map(case.naming.point, ends if value > 0 else reversed(ends))
-        return rf"\quad({fill_phrase('from_to', case.language, start=start, end=end)})"
-    return "" if value > 0 else rf"\quad\text{{({fill_phrase('opposite', case.language)})}}"
+        return rf"\quad({case.write(Message('solution.from-to', start=start, end=end))})"
+    return "" if value > 0 else write_beside_value(Message("solution.opposite"), case)
 
 
-def describe_direction(vector: Vector, case: Case) -> str:
-    """The direction of a vector in prose, "" for a zero vector."""
-    if not double(vector.x) and not double(vector.y):
-        return ""
-    angle = bearing(vector)
-    if angle in _AXES:
-        return fill_phrase(_AXES[angle], case.language)
-    return fill_phrase("at_angle", case.language, angle=f"${write_angle(angle)}$")
+def write_beside_value(message: Message, case: Case) -> str:
+    """A message in brackets, as a text within an equation after its value."""
+    return rf"\quad\text{{({case.write(message)})}}"
+
+
+def describe_direction(vector: Vector) -> Message:
+    """The direction of a vector other than zero in prose."""
+    sense = find_axis_sense(vector)
+    return sense or Message("solution.at-angle", angle=write_angle(bearing(vector)))
+
+
+def is_zero(vector: Vector) -> bool:
+    """Whether a vector has no direction."""
+    return not double(vector.x) and not double(vector.y)

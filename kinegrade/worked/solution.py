@@ -9,9 +9,9 @@ are those of the key.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import assert_never
 
 from kinegrade.language import Language
+from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.joints import Parallel, Sleeve
 from kinegrade.mechanics.plan import Step
@@ -21,21 +21,11 @@ from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Ask, Method
 from kinegrade.worked.answers import explain_answer, state_result
 from kinegrade.worked.deductions import Stage
-from kinegrade.worked.document import (
-    Block,
-    Display,
-    Heading,
-    Pictures,
-    Prose,
-    Results,
-    TermTable,
-    WorkedSolution,
-)
+from kinegrade.worked.document import Block, Heading, Pictures, Results, WorkedSolution
 from kinegrade.worked.findings import Findings
 from kinegrade.worked.kinds import describe_motions
-from kinegrade.worked.methods import explain_by_method, write_method_title
+from kinegrade.worked.methods import explain_by_method, name_method
 from kinegrade.worked.needed_rates import NOTHING, Needs, find_needs, select_steps
-from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.pictures import (
     draw_answer,
     draw_given,
@@ -47,7 +37,7 @@ from kinegrade.worked.positions import explain_positions
 from kinegrade.worked.scalars import imposes_single_rate
 from kinegrade.worked.solution_case import Case
 from kinegrade.worked.steps import explain_step, find_stage
-from kinegrade.worked.wording import write_title
+from kinegrade.worked.wording import name_step
 
 
 def write_worked_solution(
@@ -58,37 +48,26 @@ def write_worked_solution(
     """
     case = Case(solution, language, method or solution.template.about.method)
     asked = tuple(solution.template.asks[name] for name in asks)
-    return WorkedSolution(tuple(_capitalise_prose(block) for block in _write_blocks(case, asked)))
-
-
-def _capitalise_prose(block: Block) -> Block:
-    """The block with a capital letter at the start of its prose."""
-    match block:
-        case Prose(text=text):
-            return Prose(_capitalise_title(text))
-        case Heading() | Display() | TermTable() | Pictures() | Results():
-            return block
-        case _:
-            assert_never(block)
+    return WorkedSolution(tuple(_write_blocks(case, asked)))
 
 
 def _write_blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
     """The chapters in order."""
     findings = Findings()
     if case.motion.rates:
-        yield Heading(fill_phrase("kinds", case.language), 1)
+        yield Heading(case.write(Message("solution.kinds")), 1)
         yield from describe_motions(case)
     yield from _write_position_chapter(case, asked)
     needs = collect_needs(case, asked)
     velocities, accelerations = select_steps(case.motion, needs)
     if velocities:
-        yield Heading(fill_phrase("velocities", case.language), 1)
-        yield Prose(fill_phrase("positive", case.language))
+        yield Heading(case.write(Message("solution.velocities")), 1)
+        yield case.say(Message("solution.positive"))
         yield from _write_level_chapter(velocities, case, "velocity", findings)
     if accelerations:
-        yield Heading(fill_phrase("accelerations", case.language), 1)
+        yield Heading(case.write(Message("solution.accelerations")), 1)
         yield from _write_level_chapter(accelerations, case, "acceleration", findings)
-    yield Heading(fill_phrase("answers", case.language), 1)
+    yield Heading(case.write(Message("solution.answers")), 1)
     yield from explain_pose_answers(
         case.solution, (ask.name for ask in asked if is_positional(ask)), case.language
     )
@@ -112,7 +91,7 @@ def _write_position_chapter(case: Case, asked: Sequence[Ask]) -> Iterator[Block]
     """Where the points of the mechanism are; for a problem of positions alone the answers show
     it.
     """
-    yield Heading(fill_phrase("positions", case.language), 1)
+    yield Heading(case.write(Message("solution.positions")), 1)
     if all(is_positional(ask) for ask in asked):
         yield Pictures((draw_mechanism(case),))
     yield from explain_positions(case.solution, tuple(case.template.scheme.points), case.language)
@@ -129,8 +108,7 @@ def _write_level_chapter(
     number = 0
     if imposed:
         number = 1
-        given = _capitalise_title(fill_phrase("title_given", case.language))
-        yield Heading(fill_phrase("step", case.language, number=1, title=given), 2)
+        yield _write_step_title(number, Message("solution.title-given"), case)
         for step in imposed:
             yield from explain_step(step, find_stage(step, case, level, set()), findings)
         yield from draw_given(imposed, case, level)
@@ -150,14 +128,16 @@ def _write_numbered_step(
 ) -> Iterator[Block]:
     """One step under its title: the equations, their results, the pictures."""
     by_method = tuple(explain_by_method(step, stage, findings))
-    name = (write_method_title(stage) if by_method else None) or write_title(step, stage)
-    yield Heading(
-        fill_phrase("step", stage.case.language, number=number, title=_capitalise_title(name)), 2
-    )
+    title = (name_method(stage) if by_method else None) or name_step(step, stage)
+    yield _write_step_title(number, title, stage.case)
     yield from by_method or explain_step(step, stage, findings)
     yield from draw_stage(step, stage)
     for equation in stage.equations:
         findings.note(equation, stage.case)
+
+
+def _write_step_title(number: int, title: Message, case: Case) -> Heading:
+    return Heading(case.write(Message("solution.step", number=number, title=title)), 2)
 
 
 def _is_given(step: Step, case: Case) -> bool:
@@ -174,8 +154,3 @@ def _holds_still(step: Step, case: Case) -> bool:
     relations = [case.motion.frames.relations[index] for index in step.relations]
     held = isinstance(relations[0].source, (Parallel, Sleeve))
     return len(relations) == 1 and held and len(relations[0].turning) == 1
-
-
-def _capitalise_title(title_: str) -> str:
-    """A title with a capital letter first, unless it begins with a symbol."""
-    return title_[0].upper() + title_[1:]

@@ -9,12 +9,15 @@ from typing import Any, assert_never
 
 from kinegrade.expression import Call, Name
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.sentences import JointSentence
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Method, Template
+from kinegrade.worked.document import Prose, say
 from kinegrade.worked.naming import Naming
 
 LETTERS: Mapping[Level, str] = {"velocity": "v", "acceleration": "a"}
@@ -57,6 +60,14 @@ class Case:
     def naming(self) -> Naming:
         """The names of bodies, points and rates."""
         return Naming(self.template, self.language)
+
+    def write(self, message: Message) -> str:
+        """What a message says in the language of the solution."""
+        return open_catalogue(self.language).write(message)
+
+    def say(self, message: Message) -> Prose:
+        """A paragraph that says a message."""
+        return say(message, self.language)
 
     def joint(self, term: Term) -> JointSentence | None:
         """The sentence of the joint that guides a sliding or circling point, None for a free

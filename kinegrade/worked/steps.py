@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
+from functools import reduce
 from typing import assert_never
 
+from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.vector_equation import (
     Level,
@@ -15,14 +17,13 @@ from kinegrade.mechanics.vector_equation import (
     write_vector_equation,
 )
 from kinegrade.worked.deductions import UNITS, Stage, explain_deduction
-from kinegrade.worked.document import Block, Display, Prose, Term, TermTable
+from kinegrade.worked.document import Block, Display, Term, TermTable
 from kinegrade.worked.findings import Fact, Findings, make_key, write_point_symbol
 from kinegrade.worked.kinds import find_translating
 from kinegrade.worked.numbers import double, length, write_bracketed, write_number, write_short
-from kinegrade.worked.phrases import fill_phrase
 from kinegrade.worked.points import find_point, write_way
 from kinegrade.worked.projection import find_deductions
-from kinegrade.worked.scalars import explain_scalar_step, name_body, state_relation
+from kinegrade.worked.scalars import explain_scalar_step, state_relation
 from kinegrade.worked.solution_case import Case
 from kinegrade.worked.summands import write_component
 from kinegrade.worked.vectors import (
@@ -33,7 +34,7 @@ from kinegrade.worked.vectors import (
     write_magnitude_formula,
     write_subscript,
 )
-from kinegrade.worked.wording import describe_meanings, select_scalars, write_introduction
+from kinegrade.worked.wording import describe_meanings, introduce_equation, select_scalars
 
 
 def find_stage(step: Step, case: Case, level: Level, known: Collection[str]) -> Stage:
@@ -60,12 +61,12 @@ def explain_step(step: Step, stage: Stage, findings: Findings) -> Iterator[Block
         yield from _explain_earlier_vectors(equation, case, findings)
     for equation in stage.equations:
         yield from _explain_contact(equation, case)
-        yield Prose(write_introduction(equation, case))
+        yield case.say(introduce_equation(equation, case))
         yield make_term_table(equation, case)
         yield from explain_remarks(equation, case)
     for relation in scalars:
         statement = state_relation(relation, case, stage.level)
-        yield Prose(statement.reason)
+        yield case.say(statement.reason)
         yield Display((statement.line,))
     solved: set[str] = set()
     for deduction in find_deductions(stage.equations, scalars, step.unknowns):
@@ -124,12 +125,11 @@ def _explain_contact(equation: VectorEquation, case: Case) -> Iterator[Block]:
             and relative.part == ""
             and equation.level == "velocity"
         ):
-            yield Prose(
-                fill_phrase(
-                    "contact_face",
-                    case.language,
+            yield case.say(
+                Message(
+                    "solution.contact-face",
                     point=case.naming.point(relative.point),
-                    frame=name_body(relative.frame, case),
+                    frame=case.naming.body(relative.frame),
                 )
             )
 
@@ -143,7 +143,7 @@ def _same_path(equation: VectorEquation) -> bool:
 
 def _explain_agreement(equation: VectorEquation, case: Case) -> Iterator[Block]:
     """The known motion of the point that both sides describe."""
-    yield Prose(write_introduction(equation, case))
+    yield case.say(introduce_equation(equation, case))
     known = next(
         side for side in (equation.left, equation.right) if not any(part.unknown for part in side)
     )
@@ -191,39 +191,40 @@ def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
     """
     listed = list(describe_meanings(equation, case))
     if listed:
-        yield Prose(
-            fill_phrase(
-                "here", case.language, equations=fill_phrase("comma", case.language).join(listed)
-            )
-        )
+        yield case.say(Message("solution.here", equations=_list_equations(listed)))
     shifted = {
         part.term.rate.removeprefix("omega ")
         for part in equation.parts
         if part.coincident and part.term
     } & find_translating(case.motion.frames.mechanism)
     for name in sorted(shifted):
-        yield Prose(
-            fill_phrase(f"shifted_{equation.level}", case.language, frame=case.naming.body(name))
-        )
+        yield case.say(Message(f"solution.shifted-{equation.level}", frame=case.naming.body(name)))
     zeros = [
         f"${write_letters(equation, part, case)}=0$"
         for part in equation.parts
         if vanishes(part) and not (shifted and (part.coincident or part.role == "coriolis"))
     ]
     if zeros:
-        joined = fill_phrase("comma", case.language).join(dict.fromkeys(zeros))
-        yield Prose(fill_phrase("zero_parts", case.language, zeros=joined))
+        listed_zeros = _list_equations(dict.fromkeys(zeros))
+        yield case.say(Message("solution.zero-parts", zeros=listed_zeros))
     marked = next((part for part in equation.parts if part.coincident), None)
     if marked is not None and marked.term is not None and not shifted:
-        yield Prose(
-            fill_phrase(
-                "coincident",
-                case.language,
+        yield case.say(
+            Message(
+                "solution.coincident",
                 mark=_find_mark(equation, marked, case),
                 point=case.naming.point(marked.point),
                 frame=case.naming.body(marked.term.rate.removeprefix("omega ")),
             )
         )
+
+
+def _list_equations(equations: Iterable[Text]) -> Text:
+    """Equations in a sentence, one after another."""
+    return reduce(
+        lambda first, following: Message("solution.equation-list", first=first, next=following),
+        equations,
+    )
 
 
 def _find_mark(equation: VectorEquation, part: Part, case: Case) -> str:

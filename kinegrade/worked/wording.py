@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from functools import reduce
+from typing import assert_never
 
+from kinegrade.language.message import Listing, Message, list_all
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import Relation, Term
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.deductions import Stage
-from kinegrade.worked.phrases import fill_phrase
-from kinegrade.worked.scalars import name_body, state_relation
+from kinegrade.worked.scalars import state_relation
 from kinegrade.worked.solution_case import Case
 from kinegrade.worked.vectors import (
     is_composed,
@@ -21,6 +23,12 @@ from kinegrade.worked.vectors import (
     write_primed,
 )
 
+_TOGETHER: Mapping[int, Message] = {
+    2: Message("solution.title-two-equations"),
+    3: Message("solution.title-three-equations"),
+    4: Message("solution.title-four-equations"),
+}
+
 
 def select_scalars(step: Step, case: Case) -> tuple[Relation, ...]:
     """The relations of a step that are not vector equations."""
@@ -28,41 +36,35 @@ def select_scalars(step: Step, case: Case) -> tuple[Relation, ...]:
     return tuple(relation for relation in relations if not relation.is_vector)
 
 
-def write_title(step: Step, stage: Stage) -> str:
+def name_step(step: Step, stage: Stage) -> Message:
     """The title of a step."""
     case, scalars = stage.case, select_scalars(step, stage.case)
     if len(stage.equations) == 1:
-        return _write_equation_title(stage.equations[0], case)
+        return _name_equation(stage.equations[0], case)
     if stage.equations:
-        count = fill_phrase(f"count_{len(stage.equations)}", case.language)
-        return fill_phrase("title_together", case.language, count=count)
+        return _TOGETHER[len(stage.equations)]
     return state_relation(scalars[0], case, stage.level).title
 
 
-def _write_equation_title(equation: VectorEquation, case: Case) -> str:
+def _name_equation(equation: VectorEquation, case: Case) -> Message:
     """The title of a step of one vector equation: by its method."""
-    compositions = equation.compositions
+    compositions, rotations = equation.compositions, _find_rotations(equation)
     if len(compositions) > 1:
-        return fill_phrase(
-            "title_composed_twice", case.language, point=case.naming.point(compositions[0].point)
-        )
+        point = case.naming.point(compositions[0].point)
+        return Message("solution.title-composed-twice", point=point)
     if compositions:
-        return fill_phrase(
-            "title_composed",
-            case.language,
+        return Message(
+            "solution.title-composed",
             point=case.naming.point(compositions[0].point),
             frame=case.naming.body(compositions[0].frame),
         )
-    rotation = next((part for part in equation.parts if part.role == "rotation"), None)
-    if rotation is None:
-        return fill_phrase(
-            "title_fixed", case.language, point=case.naming.point(equation.parts[0].point)
-        )
-    bases = fill_phrase("and", case.language).join(
-        f"${case.naming.point(term.base)}$" for term in _find_rotations(equation)
-    )
-    key = "title_base" if len(_find_rotations(equation)) == 1 else "title_bases"
-    return fill_phrase(key, case.language, body=_name_turning_bodies(equation, case), base=bases)
+    if not rotations:
+        return Message("solution.title-fixed", point=case.naming.point(equation.parts[0].point))
+    bases = list_all(f"${case.naming.point(term.base)}$" for term in rotations)
+    body = _list_turning_bodies(equation, case)
+    if len(rotations) == 1:
+        return Message("solution.title-base", body=body, base=bases)
+    return Message("solution.title-bases", body=body, bases=bases)
 
 
 def _find_rotations(equation: VectorEquation) -> tuple[Term, ...]:
@@ -75,63 +77,77 @@ def _find_rotations(equation: VectorEquation) -> tuple[Term, ...]:
     return tuple(found.values())
 
 
-def _name_turning_bodies(equation: VectorEquation, case: Case) -> str:
+def _list_turning_bodies(equation: VectorEquation, case: Case) -> Listing:
     """The bodies that turn about base points in an equation, in prose."""
-    names = dict.fromkeys(
-        part.term.rate.removeprefix("omega ")
-        for part in equation.parts
-        if part.role == "rotation" and part.term
-    )
-    return fill_phrase("and", case.language).join(case.naming.body(name) for name in names)
+    return list_all(case.naming.body(_find_body(term)) for term in _find_rotations(equation))
 
 
-def write_introduction(equation: VectorEquation, case: Case) -> str:
+def _find_body(term: Term) -> str:
+    """The body that turns in a term."""
+    return term.rate.removeprefix("omega ")
+
+
+def introduce_equation(equation: VectorEquation, case: Case) -> Message:
     """The theorem by which the equation holds."""
     compositions = equation.compositions
     if len(compositions) == 1:
-        relative = compositions[0]
-        return fill_phrase(
-            f"composed_{equation.level}",
-            case.language,
-            point=case.naming.point(relative.point),
-            frame=case.naming.body(relative.frame),
-            of=_name_owner(equation, case),
-        )
+        return _introduce_composition(equation, compositions[0], case)
     if compositions:
-        return _describe_two_frames(equation, compositions, case)
+        return _introduce_two_frames(equation, compositions, case)
     turning = _find_rotations(equation)
     if not turning:
-        return fill_phrase(
-            "equal_motion", case.language, point=case.naming.point(equation.parts[0].point)
-        )
+        return Message("solution.equal-motion", point=case.naming.point(equation.parts[0].point))
     if len(turning) > 1:
-        return _describe_chained_bases(equation, turning, case)
-    return fill_phrase(
-        f"base_equation_{equation.level}",
-        case.language,
-        body=_name_turning_bodies(equation, case),
+        return _introduce_chained_bases(equation, turning, case)
+    return Message(
+        f"solution.base-equation-{equation.level}",
+        body=_list_turning_bodies(equation, case),
         point=case.naming.point(turning[0].point),
         base=case.naming.point(turning[0].base),
     )
 
 
-def _describe_chained_bases(equation: VectorEquation, turning: Sequence[Term], case: Case) -> str:
+def _introduce_composition(equation: VectorEquation, relative: Part, case: Case) -> Message:
+    """The composition of the motions of a point relative to a moving frame."""
+    point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
+    match equation.level:
+        case "velocity":
+            body = getattr(equation.relation.source, "body", GROUND)
+            if body == GROUND:
+                return Message(
+                    "solution.composed-velocity-of-fixed-point", point=point, frame=frame
+                )
+            owner = case.naming.body(body)
+            return Message("solution.composed-velocity", point=point, frame=frame, body=owner)
+        case "acceleration":
+            return Message("solution.composed-acceleration", point=point, frame=frame)
+        case _:
+            assert_never(equation.level)
+
+
+def _introduce_chained_bases(
+    equation: VectorEquation, turning: Sequence[Term], case: Case
+) -> Message:
     """The sentence for a point reached through several rotating bodies, one after the other."""
     legs = (
-        fill_phrase(
-            "leg",
-            case.language,
+        Message(
+            "solution.leg",
             point=case.naming.point(term.point),
             base=case.naming.point(term.base),
-            body=case.naming.body(term.rate.removeprefix("omega ")),
+            body=case.naming.body(_find_body(term)),
         )
         for term in turning
     )
-    joined = fill_phrase("legs", case.language).join(legs)
-    return fill_phrase(f"base_chain_{equation.level}", case.language, legs=joined)
+    return Message(f"solution.base-chain-{equation.level}", legs=reduce(_list_legs, legs))
 
 
-def _describe_two_frames(equation: VectorEquation, compositions: Sequence[Part], case: Case) -> str:
+def _list_legs(first: Message, following: Message) -> Message:
+    return Message("solution.leg-list", first=first, next=following)
+
+
+def _introduce_two_frames(
+    equation: VectorEquation, compositions: Sequence[Part], case: Case
+) -> Message:
     """The sentence for a point relative to two moving frames, or for a point of one that slides in
     another.
     """
@@ -140,21 +156,23 @@ def _describe_two_frames(equation: VectorEquation, compositions: Sequence[Part],
     if any(part in equation.left for part in compositions) and any(
         part in equation.right for part in compositions
     ):
-        return fill_phrase(
-            f"composed_twice_{equation.level}",
-            case.language,
-            point=points[0],
-            frames=fill_phrase("and", case.language).join(names),
+        return Message(
+            f"solution.composed-twice-{equation.level}", point=points[0], frames=list_all(names)
         )
-    return fill_phrase(
-        f"composed_on_{equation.level}",
-        case.language,
-        first=points[0],
-        frame=names[0],
-        second=points[1],
-        primed=write_primed(points[1]),
-        other=names[1],
-    )
+    match equation.level:
+        case "velocity":
+            return Message(
+                "solution.composed-on-velocity",
+                first=points[0],
+                frame=names[0],
+                second=points[1],
+                primed=write_primed(points[1]),
+                other=names[1],
+            )
+        case "acceleration":
+            return Message("solution.composed-on-acceleration", second=points[1])
+        case _:
+            assert_never(equation.level)
 
 
 def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
@@ -180,11 +198,3 @@ def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
         ):
             symbol = rf"\boldsymbol{{{write_letter(equation)}}}_{{\mathrm{{{role}}}{number}}}"
             yield f"${symbol}={'+'.join(symbols) or '0'}$"
-
-
-def _name_owner(equation: VectorEquation, case: Case) -> str:
-    """The body whose point moves in the moving frame."""
-    body = getattr(equation.relation.source, "body", GROUND)
-    if body == GROUND:
-        return fill_phrase("of_ground", case.language)
-    return fill_phrase("of_body", case.language, body=name_body(body, case))

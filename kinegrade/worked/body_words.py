@@ -1,0 +1,79 @@
+"""The words for the kinds of bodies that templates name: the crank, gear 2."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from kinegrade.language.message import Message, Text
+
+_Kind = Literal[
+    "bar",
+    "cam",
+    "carrier",
+    "coupler",
+    "crank",
+    "disc",
+    "follower",
+    "gear",
+    "jaw",
+    "planet-gear",
+    "plate",
+    "rack",
+    "ring",
+    "rocker",
+    "rod",
+    "roller",
+    "sleeve",
+    "slider",
+    "strut",
+    "sun-gear",
+    "table",
+    "wheel",
+]
+_KINDS: Mapping[str, _Kind] = {  # by the words that templates use for bodies
+    "arm": "carrier",
+    "bar": "bar",
+    "cam": "cam",
+    "coupler": "coupler",
+    "crank": "crank",
+    "disc": "disc",
+    "disk": "disc",
+    "follower": "follower",
+    "gear": "gear",
+    "jaw": "jaw",
+    "planet": "planet-gear",
+    "plate": "plate",
+    "rack": "rack",
+    "ring": "ring",
+    "rocker": "rocker",
+    "rod": "rod",
+    "roller": "roller",
+    "sleeve": "sleeve",
+    "slider": "slider",
+    "strut": "strut",
+    "sun": "sun-gear",
+    "table": "table",
+    "tappet": "follower",
+    "wheel": "wheel",
+}
+
+
+def name_kind(word: str) -> Text:
+    """A body by the word for its kind, with its article; a word of the template that is not known
+    stays as it is.
+    """
+    kind = _KINDS.get(word)
+    return Message(f"solution.body-{kind}") if kind else word
+
+
+def name_by_number(word: str, number: str) -> Text:
+    """A body by the word for its kind and its number, or its letter in prose."""
+    kind = _KINDS.get(word)
+    return Message(f"solution.numbered-{kind}", number=number) if kind else f"{word} {number}"
+
+
+def name_barely(word: str) -> Text:
+    """The word for a kind of body without an article."""
+    kind = _KINDS.get(word)
+    return Message(f"solution.bare-{kind}") if kind else word
