@@ -89,6 +89,13 @@ def test_a_sentence_takes_the_form_of_a_noun_that_it_needs(german: Catalogue) ->
     assert german.text("worked.turns", body=ROD) == "Die Stange $AB$ dreht sich."
 
 
+def test_every_noun_of_a_list_takes_the_form_that_the_sentence_needs(german: Catalogue) -> None:
+    rods = list_all([ROD, Message("worked.rod", name="BC")])
+    assert german.text("worked.base", point="B", body=rods).endswith(
+        "der Stange $AB$ und der Stange $BC$."
+    )
+
+
 def test_a_list_of_nouns_and_a_number_are_written_in_the_language(german: Catalogue) -> None:
     assert german.write(list_all([ROD, "OA", "BC"])) == "die Stange $AB$, OA und BC"
     assert german.write(Decimal("0.250")) == "0,250"
