@@ -20,6 +20,9 @@ from typing import NamedTuple
 
 from kinegrade.csv_writing import write_csv_text
 from kinegrade.errors import TableError
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Fault, Text
 
 _SHOWN_CHARACTERS = 1000
 _SEPARATORS = ",;\t"
@@ -51,19 +54,27 @@ _OTHER_FORMATS = (
 
 @dataclass(frozen=True, slots=True)
 class Complaint:
-    """Something a person should check; `line` is None where no single line is concerned."""
+    """Something a person should check; `line` is None where no single line is concerned.
+
+    It is written in the language of whatever shows it; one that was read from a file is text.
+    """
 
     file: str
     line: int | None
     column: str
     content: str
-    problem: str
-    done: str
+    problem: Text
+    done: Text
 
-    def __str__(self) -> str:
+    @property
+    def fault(self) -> Fault:
+        """The same in one line, without what the cell holds."""
         place = self.file if self.line is None else f"{self.file}:{self.line}"
         where = ": ".join(part for part in (place, self.column) if part)
-        return f"{where}: {self.problem} - {self.done}"
+        return Fault(where, self.problem, do=self.done)
+
+    def __str__(self) -> str:
+        return open_catalogue(ENGLISH).write(self.fault)
 
 
 class Row(NamedTuple):

@@ -176,7 +176,7 @@ def _write(
     absent = len(grades.students) - len(grades.exported(ungraded=options.ungraded))
     exported = Message("terminal.exported", file=str(output), count=students, system=dialect.name)
     say(Message("terminal.left-alone", exported=exported, count=absent) if absent else exported)
-    finish_with_complaints(tuple(map(str, complaints)))
+    finish_with_complaints([complaint.fault for complaint in complaints])
 
 
 def _choose_dialect(system: GradeSystem, language: Language) -> Dialect:

@@ -7,6 +7,7 @@ from collections import defaultdict
 from collections.abc import Sequence
 from pathlib import Path
 
+from kinegrade.errors import Problem
 from kinegrade.language.message import Message, Text
 from kinegrade.tables import Complaint
 
@@ -14,26 +15,30 @@ _SHOWN = 10  # of a kind
 _PARTICULARS = re.compile(r'"[^"]*"|[-+0-9.,/^*√π()]*[0-9][-+0-9.,/^*√π()]*')
 
 
-def shorten_list(complaints: Sequence[Complaint], file: Path) -> tuple[Text, ...]:
+def shorten_list(complaints: Sequence[Complaint], file: Path) -> tuple[Problem, ...]:
     """The complaints in their order, at most SHOWN of each kind; `file` has all of them.
 
     Complaints are of one kind if they say the same about different cells, students or numbers.
     """
     kinds: dict[str, list[Complaint]] = defaultdict(list)
-    shown: list[Text] = []
+    shown: list[Problem] = []
     for complaint in complaints:
-        kind = _PARTICULARS.sub("…", complaint.problem)
+        kind = _find_kind(complaint.problem)
         kinds[kind].append(complaint)
         if len(kinds[kind]) <= _SHOWN:
-            shown.append(str(complaint))
+            shown.append(complaint.fault)
     for each in kinds.values():
         if len(each) > _SHOWN:
             shown.append(
                 Message(
                     "terminal.more-alike",
                     count=len(each) - _SHOWN,
-                    first=str(each[0]),
+                    first=each[0].fault,
                     file=str(file),
                 )
             )
     return tuple(shown)
+
+
+def _find_kind(problem: Text) -> str:
+    return problem.key if isinstance(problem, Message) else _PARTICULARS.sub("…", problem)
