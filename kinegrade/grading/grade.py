@@ -59,7 +59,7 @@ def grade(
     """
     written = output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force)
     with bulk_work(), written as path:
-        folder, files = MarksWriter(path), _read_files(answers)
+        folder, files = MarksWriter(path, exam.language), _read_files(answers)
         sheet, rules = class_sheet(files, exam), _choose_policy(exam, policy)
         pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
         accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)

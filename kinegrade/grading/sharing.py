@@ -32,6 +32,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Exam, Examinee
 from kinegrade.grading.pool import make_exam_as_put
 from kinegrade.grading.sharing_fits import Numbers, Windows, find_windows
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.cells import explain_edited
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import ANSWERS
@@ -164,7 +165,7 @@ def _find_wrong_answers(exam: Exam, answers: Iterable[MarkedAnswer]) -> _Wrong:
     columns = {ask.column: place for place, ask in enumerate(exam.asks)}
     numbers = [np.full(len(students), np.nan) for _ in columns]
     typed: dict[tuple[int, int], str] = {}
-    faults: dict[str, None] = {}
+    faults: dict[Fault, None] = {}
     for answer in answers:
         student, ask = students.get(answer.student), columns.get(answer.column)
         number = _read_number(answer)
@@ -186,15 +187,22 @@ def _read_number(answer: MarkedAnswer) -> float | None:
         return None
 
 
-def _explain(answer: MarkedAnswer, student: int | None, ask: int | None) -> str:
-    if student is None or ask is None:
-        who = f'student "{answer.student}"' if student is None else f'ask "{answer.column}"'
-        return (
-            f"{ANSWERS.name}: {who} is not in the exam - expected marks made from this exam "
-            "folder - name the folder by which they were made"
-        )
-    problem = f'"{answer.read_as[:40]}" stands where a number should'
-    return explain_edited(f'{ANSWERS.name}: student "{answer.student}", {answer.column}', problem)
+def _explain(answer: MarkedAnswer, student: int | None, ask: int | None) -> Fault:
+    if student is None:
+        return _explain_stranger(Message("marks.unknown-student", name=Quoted(answer.student)))
+    if ask is None:
+        return _explain_stranger(Message("marks.unknown-ask", name=Quoted(answer.column)))
+    place = Message(
+        "marks.answer-place",
+        file=ANSWERS.name,
+        student=Quoted(answer.student),
+        column=answer.column,
+    )
+    return explain_edited(place, Message("marks.not-number", cell=Quoted(answer.read_as[:40])))
+
+
+def _explain_stranger(problem: Message) -> Fault:
+    return Fault(ANSWERS.name, problem, Message("marks.of-this-exam"), Message("marks.name-exam"))
 
 
 @dataclass(frozen=True)

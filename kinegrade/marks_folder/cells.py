@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import lru_cache
@@ -14,30 +14,37 @@ from operator import itemgetter
 from pathlib import Path
 
 from kinegrade.errors import TableError
-from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Fault, Message, Quoted, Text, list_plainly
 from kinegrade.marks_folder.layout import TableFile
 from kinegrade.tables import Table, parse_table
 
-EXPECTED = "expected the file as kinegrade grade wrote it - grade again"
+AS_WRITTEN = Message("marks.as-written")
+_GRADE_AGAIN = Message("marks.grade-again")
 Record = tuple[str, ...]
 _AMOUNT = re.compile(r"[0-9]{1,20}(?:\.[0-9]{1,20})?")
 _LONGEST_SHOWN = 40
 
 
-def explain_edited(where: Path | str, problem: str) -> str:
-    """The message for a file that was edited so that it can no longer be read."""
-    return f"{where}: {problem} - {EXPECTED}"
+def explain_edited(where: Path | Text, problem: Text) -> Fault:
+    """What is wrong with a file that was edited so that it can no longer be read."""
+    place = str(where) if isinstance(where, Path) else where
+    return Fault(place, problem, AS_WRITTEN, _GRADE_AGAIN)
 
 
-def explain_cell(path: Path, line: int, column: str, cell: str, expected: str) -> str:
-    """The message for one cell."""
-    shown = show_in_one_line(cell[:_LONGEST_SHOWN])
-    return f'{path}:{line}: {column} is "{shown}" - expected {expected} - grade again'
+def explain_cell(path: Path, line: int, column: str, cell: str, expected: Message) -> Fault:
+    """What is wrong with one cell."""
+    what = Message("marks.cell", column=column, cell=Quoted(cell[:_LONGEST_SHOWN]))
+    return Fault(f"{path}:{line}", what, expected, _GRADE_AGAIN)
 
 
-def explain_amount(path: Path, line: int, column: str, cell: str) -> str:
-    """The message for a cell that should hold a number of points."""
-    return explain_cell(path, line, column, cell, "a number of zero or more")
+def explain_amount(path: Path, line: int, column: str, cell: str) -> Fault:
+    """What is wrong with a cell that should hold a number of points."""
+    return explain_cell(path, line, column, cell, Message("marks.amount"))
+
+
+def explain_missing(path: Path, columns: Sequence[str]) -> Fault:
+    """What is wrong with a file that lacks these columns."""
+    return explain_edited(path, Message("marks.no-column", columns=list_plainly(columns)))
 
 
 def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
@@ -53,15 +60,16 @@ def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
             header = next(reader, [])
             missing = [name for name in file.columns if name not in header]
             if missing:
-                raise TableError(explain_edited(path, f"no column {', '.join(missing)}"))
+                raise TableError(explain_missing(path, missing))
             chosen = itemgetter(*map(header.index, file.columns))
             for cells in reader:
                 if len(cells) != len(header):
-                    problem = f"{len(cells)} cells under {len(header)}"
-                    raise TableError(explain_edited(f"{path}:{reader.line_num}", problem))
+                    width = Message("marks.width", count=len(cells), header=len(header))
+                    raise TableError(explain_edited(f"{path}:{reader.line_num}", width))
                 yield reader.line_num, chosen(cells)
     except (UnicodeDecodeError, csv.Error) as fault:
-        raise TableError(explain_edited(path, f"is not a CSV file in UTF-8 ({fault})")) from fault
+        problem = Message("marks.not-csv", fault=str(fault))
+        raise TableError(explain_edited(path, problem)) from fault
 
 
 def read_records_if_any(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
@@ -78,7 +86,7 @@ def read_whole(folder: Path, file: TableFile) -> Table:
     table = parse_table(content, str(path))
     required = [name for name in file.columns if name not in file.optional]
     missing = [name for name in required if name not in table.header]
-    faults = [explain_edited(path, f"no column {', '.join(missing)}")] if missing else []
+    faults = [explain_missing(path, missing)] if missing else []
     for each in table.complaints:
         where = path if each.line is None else f"{path}:{each.line}"
         faults.append(explain_edited(where, each.problem))
@@ -107,6 +115,10 @@ def _readable(path: Path) -> Iterator[None]:
         yield
     except OSError as fault:
         raise TableError(
-            f"{path}: cannot be read ({fault.strerror}) - expected a folder made by kinegrade "
-            "grade - check the name"
+            Fault(
+                str(path),
+                Message("marks.not-readable", reason=fault.strerror or ""),
+                Message("marks.folder"),
+                Message("marks.check-name"),
+            )
         ) from fault

@@ -13,8 +13,8 @@ from pathlib import Path
 
 from kinegrade.amounts import PLACES, write_amount
 from kinegrade.errors import TableError
-from kinegrade.language.lines import show_in_one_line
-from kinegrade.marks_folder.cells import EXPECTED
+from kinegrade.language.message import Fault, Message, Part, Quoted, list_statements
+from kinegrade.marks_folder.cells import AS_WRITTEN
 from kinegrade.marks_folder.layout import ANSWERS, GRADES, KEPT, STATUSES
 from kinegrade.marks_folder.rows import ClassTotals, StudentSums, StudentTotal
 
@@ -24,53 +24,61 @@ _MOST_NAMED = 20
 
 def refuse_changed_totals(folder: Path, totals: ClassTotals, sums: Iterable[StudentSums]) -> None:
     """Raises TableError naming each row of grades.csv that contradicts marks.csv or kept.csv."""
-    faults = list(_find_faults(totals, sums))
+    path = folder / GRADES.name
+    faults = list(_find_faults(path, totals, sums))
     if not faults:
         return
-    path = folder / GRADES.name
-    shown = [f"{path}{fault}" for fault in faults[:_MOST_NAMED]]
+    shown = faults[:_MOST_NAMED]
     more = len(faults) - len(shown)
     if more:
-        shown.append(f"{path}: {more} more rows do not agree with {ANSWERS.name}")
-    raise TableError(
-        *(f"{fault} - {EXPECTED}; to change marks, grade by a --policy" for fault in shown)
-    )
+        shown.append(_explain(path, Message("marks.more-rows", count=more, file=ANSWERS.name)))
+    raise TableError(*shown)
 
 
-def _find_faults(totals: ClassTotals, sums: Iterable[StudentSums]) -> Iterator[str]:
-    """The faults of grades.csv, each as the text that follows its path."""
-    yield from _find_doubled(totals)
+def _explain(where: Path | str, problem: Message) -> Fault:
+    return Fault(str(where), problem, AS_WRITTEN, Message("marks.grade-again-or-policy"))
+
+
+def _find_faults(path: Path, totals: ClassTotals, sums: Iterable[StudentSums]) -> Iterator[Fault]:
+    """The faults of grades.csv, which is at `path`."""
+    yield from _find_doubled(path, totals)
     rows = dict(totals.by_student)
     full = 0  # lines of the first student: no student has more
     for each in sums:
         row = rows.pop(each.student, None)
         if row is None:
-            yield f': student "{show_in_one_line(each.student)}" has marks and no row here'
+            yield _explain(path, Message("marks.no-row", student=Quoted(each.student)))
             continue
         lines = sum(each.lines.values())
         if not full:
             full = lines
-            yield from (f": no column {name}" for name in each.points if name not in row.points)
-        problems = "; ".join(_find_problems(row, each, is_whole=lines == full))
+            yield from (
+                _explain(path, Message("marks.no-column", columns=name))
+                for name in each.points
+                if name not in row.points
+            )
+        problems = _find_problems(row, each, is_whole=lines == full)
         if problems:
-            yield _name_row(row, problems)
+            yield _name_row(path, row, list_statements(problems))
     for row in rows.values():
-        yield _name_row(row, f"has no lines in {ANSWERS.name}")
+        yield _name_row(path, row, Message("marks.no-lines", file=ANSWERS.name))
 
 
-def _find_doubled(totals: ClassTotals) -> Iterator[str]:
+def _find_doubled(path: Path, totals: ClassTotals) -> Iterator[Fault]:
     seen: set[str] = set()
     for row in totals.students:
         if row.student in seen:
-            yield _name_row(row, "stands there twice")
+            yield _name_row(path, row, Message("marks.twice"))
         seen.add(row.student)
 
 
-def _name_row(row: StudentTotal, problem: str) -> str:
-    return f':{row.line}: student "{show_in_one_line(row.student)}": {problem}'
+def _name_row(path: Path, row: StudentTotal, problem: Part) -> Fault:
+    student = Quoted(row.student)
+    where = f"{path}:{row.line}"
+    return _explain(where, Message("marks.row", student=student, problem=problem))
 
 
-def _find_problems(row: StudentTotal, sums: StudentSums, *, is_whole: bool) -> list[str]:
+def _find_problems(row: StudentTotal, sums: StudentSums, *, is_whole: bool) -> list[Message]:
     """Where a student's row contradicts the sums.
 
     Missing lines of marks.csv are left to the commands that report or compare them.
@@ -83,21 +91,20 @@ def _find_problems(row: StudentTotal, sums: StudentSums, *, is_whole: bool) -> l
     return problems or list(_find_wrong_percent(row))
 
 
-def _find_wrong_points(row: StudentTotal, sums: StudentSums) -> Iterator[str]:
+def _find_wrong_points(row: StudentTotal, sums: StudentSums) -> Iterator[Message]:
     for name, points in row.points.items():
         expected, lines = sums.points.get(name, Fraction(0)), sums.lines.get(name, 0)
         yield from _describe_difference(name, points, expected, lines)
 
 
-def _find_wrong_total(row: StudentTotal, sums: StudentSums, lines: int) -> Iterator[str]:
+def _find_wrong_total(row: StudentTotal, sums: StudentSums, lines: int) -> Iterator[Message]:
     if row.kept is None:
         yield from _describe_difference("total", row.total, sums.total, lines)
     elif row.total != row.kept.stands:
-        stands = write_amount(row.kept.stands)
-        yield f"total is {write_amount(row.total)}, {stands} by {KEPT.name}"
+        yield _contradict("total", row.total, row.kept.stands, KEPT.name)
 
 
-def _find_wrong_percent(row: StudentTotal) -> Iterator[str]:
+def _find_wrong_percent(row: StudentTotal) -> Iterator[Message]:
     """The percentage is compared with the total and the maximum beside it, all three rounded."""
     if row.percent is None:
         return
@@ -105,24 +112,37 @@ def _find_wrong_percent(row: StudentTotal) -> Iterator[str]:
     rounding = Fraction(1, 100) * (1 + (1 / row.out_of if row.out_of else 0))
     if abs(row.percent - expected) > rounding:
         shown = write_amount(expected, places=2)
-        yield f"percent is {write_amount(row.percent)}, {shown} by the total"
+        yield Message("marks.percent", percent=write_amount(row.percent), expected=shown)
 
 
-def _find_wrong_status(row: StudentTotal, sums: StudentSums) -> Iterator[str]:
+def _find_wrong_status(row: StudentTotal, sums: StudentSums) -> Iterator[Message]:
     """Folders of earlier versions have no status."""
     if row.status is None:
         return
     if row.status not in STATUSES:
-        yield f'status is "{show_in_one_line(row.status[:40])}", neither {" nor ".join(STATUSES)}'
+        marked, absent = STATUSES
+        status = Quoted(row.status[:40])
+        yield Message("marks.status", status=status, marked=marked, absent=absent)
     elif row.status == "absent" and sums.answered:
-        yield f"status is absent, and {ANSWERS.name} has answers"
+        yield Message("marks.absent", status=row.status, file=ANSWERS.name)
 
 
 def _describe_difference(
     name: str, amount: Fraction, expected: Fraction, lines: int
-) -> Iterator[str]:
-    """The message where an amount is not the sum of so many lines, each of them rounded."""
+) -> Iterator[Message]:
+    """What is said where an amount is not the sum of so many lines, each of them rounded."""
     if amount == expected:
         return
     if abs(amount - expected) > (lines + 1) * _HALF_A_PLACE:
-        yield f"{name} is {write_amount(amount)}, {write_amount(expected)} by {ANSWERS.name}"
+        yield _contradict(name, amount, expected, ANSWERS.name)
+
+
+def _contradict(name: str, amount: Fraction, expected: Fraction, file: str) -> Message:
+    """What is said of an amount where a file gives another one."""
+    return Message(
+        "marks.contradicted",
+        column=name,
+        amount=write_amount(amount),
+        expected=write_amount(expected),
+        file=file,
+    )

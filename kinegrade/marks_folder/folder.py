@@ -17,6 +17,7 @@ from pathlib import Path
 from kinegrade.csv_writing import restore
 from kinegrade.errors import TableError
 from kinegrade.exact.written import NumberError, read_number
+from kinegrade.language.message import Message
 from kinegrade.marks_folder.cells import (
     Record,
     explain_cell,
@@ -88,7 +89,7 @@ class MarksFolder:
         for line, (student, listed) in read_records_if_any(self.path, PRINTED):
             found[student] = tuple(listed.split(QUESTIONS_BETWEEN))
             if sorted(found[student]) != sorted(self.totals.questions):
-                expected = f"the questions of {GRADES.name} in the order of the paper"
+                expected = Message("marks.printed-order", file=GRADES.name)
                 path = self.path / PRINTED.name
                 raise TableError(explain_cell(path, line, "questions", listed, expected))
         return found
@@ -129,7 +130,8 @@ class MarksFolder:
         for line, cells in read_records(self.path, COMPLAINTS):
             file, number, column, content, problem, done = map(restore, cells)
             if number and not number.isdecimal():
-                raise TableError(explain_cell(path, line, "line", number, "the number of a line"))
+                expected = Message("marks.line-number")
+                raise TableError(explain_cell(path, line, "line", number, expected))
             found.append(
                 Complaint(file, int(number) if number else None, column, content, problem, done)
             )
@@ -166,5 +168,6 @@ def _number(text: str, path: Path, line: int) -> str:
     try:
         read_number(text)
     except NumberError as fault:
-        raise TableError(explain_cell(path, line, "read_as", text, "a number")) from fault
+        expected = Message("marks.number")
+        raise TableError(explain_cell(path, line, "read_as", text, expected)) from fault
     return text

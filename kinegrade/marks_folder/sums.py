@@ -11,7 +11,7 @@ from pathlib import Path
 from kinegrade.amounts import add_amounts
 from kinegrade.csv_writing import restore
 from kinegrade.errors import TableError
-from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Message, Quoted
 from kinegrade.marks_folder.cells import Record, explain_edited, read_amount, read_records
 from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import StudentSums
@@ -30,7 +30,7 @@ def read_sums(folder: Path) -> Iterator[StudentSums]:
     for student, lines in groupby(read_records(folder, ANSWERS), _read_student):
         sums = _find_sums(student, lines, path)
         if student in seen:
-            problem = f'the lines of student "{show_in_one_line(student)}" do not stand together'
+            problem = Message("marks.lines-apart", student=Quoted(student))
             raise TableError(explain_edited(f"{path}:{sums.line}", problem))
         seen.add(student)
         yield sums

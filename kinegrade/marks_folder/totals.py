@@ -9,6 +9,7 @@ from pathlib import Path
 
 from kinegrade.csv_writing import restore
 from kinegrade.errors import TableError
+from kinegrade.language.message import Fault
 from kinegrade.marks_folder.cells import explain_amount, find_amount, read_whole
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import ClassTotals, KeptTotal, StudentTotal
@@ -36,7 +37,7 @@ class _Reader:
     table: Table
     questions: tuple[str, ...]
     kept: Mapping[str, KeptTotal]
-    faults: list[str] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
 
     def total(self, row: Row) -> StudentTotal:
         """A row, typed."""

@@ -15,6 +15,8 @@ from pathlib import Path
 
 from kinegrade.amounts import write_amount
 from kinegrade.csv_writing import encode, neutralise, write_csv, write_csv_text, write_for_people
+from kinegrade.language import Language
+from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.marks_folder.layout import (
     ANSWERS,
     COMPLAINTS,
@@ -31,14 +33,13 @@ from kinegrade.marks_folder.layout import (
 from kinegrade.marks_folder.rows import Grade, KeptTotal, Orders
 from kinegrade.tables import Complaint
 
-_NO_POLICY = "# No policy: marked as the papers say.\n"
-
 
 @dataclass(frozen=True, slots=True)
 class MarksWriter:
-    """Writes into a folder that exists."""
+    """Writes into a folder that exists, in the language of the exam."""
 
     path: Path
+    language: Language
 
     @contextmanager
     def answers(self) -> Iterator[Callable[[AnswerCells], None]]:
@@ -65,12 +66,14 @@ class MarksWriter:
 
     def complaints(self, complaints: Iterable[Complaint]) -> None:
         """What a person should look at."""
-        rows = map(_write_complaint, complaints)
+        words = open_catalogue(self.language)
+        rows = (_write_complaint(complaint, words) for complaint in complaints)
         write_for_people(self.path / COMPLAINTS.name, COMPLAINTS.columns, rows)
 
     def policy(self, text: str) -> None:
         """The policy by which the class was marked; empty where the papers alone decide."""
-        (self.path / POLICY).write_bytes((text or _NO_POLICY).encode("utf-8"))
+        remark = open_catalogue(self.language).text("marks.no-policy")
+        (self.path / POLICY).write_bytes((text or f"# {remark}\n").encode("utf-8"))
 
     def kept(self, kept: Iterable[KeptTotal]) -> None:
         """The students whose earlier total stands."""
@@ -113,9 +116,10 @@ def _write_amounts(grade: Grade) -> tuple[str, ...]:
     return (*amounts, write_amount(grade.percent, places=2))
 
 
-def _write_complaint(complaint: Complaint) -> tuple[str, ...]:
+def _write_complaint(complaint: Complaint, words: Catalogue) -> tuple[str, ...]:
     line = "" if complaint.line is None else str(complaint.line)
-    texts = complaint.column, complaint.content, complaint.problem, complaint.done
+    said = words.write(complaint.problem), words.write(complaint.done)
+    texts = complaint.column, complaint.content, *said
     return (neutralise(complaint.file), line, *map(neutralise, texts))
 
 

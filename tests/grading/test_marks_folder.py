@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TableError
+from kinegrade.language import ENGLISH
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.layout import ANSWERS, COMPLAINTS, FILES, KEPT, AnswerCells
 from kinegrade.marks_folder.rows import Grade, KeptTotal
@@ -29,7 +30,7 @@ COMPLAINT = Complaint("a.csv", None, "q1.v", "=1+1", "unreadable", "no points")
 
 
 def test_what_is_written_is_read_again(tmp_path: Path) -> None:
-    writer, folder = MarksWriter(tmp_path), MarksFolder(tmp_path)
+    writer, folder = MarksWriter(tmp_path, ENGLISH), MarksFolder(tmp_path)
     cells = (["7", "7"], ["q1", "q2"], ["v", "v"], ["'=1", '"0,5"'], ["", "0.5"], ["m/s", "1"])
     with writer.answers() as write:
         write(AnswerCells(*cells, ["wrong", "right"], ["0.5", "2"], ["2", "2"], ["", "key"]))
