@@ -13,6 +13,7 @@ from openpyxl import Workbook
 
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.lms.responses.answer_table import Responses, read_responses
+from tests.said import said
 
 SAMPLES = Path(__file__).parent / "samples" / "moodle"
 ASKS = {"q1": ("v_B", "omega_AB"), "q2": ("a_B",)}
@@ -72,7 +73,7 @@ def told(read: Responses) -> list[tuple[int | None, str, str]]:
     last.
     """
     complaints = [*read.table.complaints, *(each.complaint for each in read.answers.left_out)]
-    return [(each.line, each.problem, each.done) for each in complaints]
+    return [(each.line, said(each.problem), said(each.done)) for each in complaints]
 
 
 def workbook(path: Path, *rows: Sequence[object]) -> Path:

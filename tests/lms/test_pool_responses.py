@@ -116,7 +116,7 @@ def test_a_question_that_is_no_variant_is_refused_whole(exam: Path, tmp_path: Pa
     rows[1] = (rows[1][0], [strange, *rows[1][1][1:]], rows[1][2])
     status, said = grade(exam, tmp_path, download(rows))
     assert status == 2
-    assert "1 answered questions are not certainly one variant of the pool of 3 (line " in said
+    assert "1 answered question is not certainly one variant of the pool of 3 (line " in said
     assert re.search(r"\(line \d+, q1.v_B, q1.a_B: none of them may be meant\)", said)
     assert not (tmp_path / "MARKS").exists()
 

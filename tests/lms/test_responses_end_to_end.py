@@ -18,6 +18,7 @@ from kinegrade.lms.responses.answer_table import read_responses
 from kinegrade.lms.responses.other_paper import right_answers
 from kinegrade.tables import Table, read_table
 from tests.lms.response_files import csv_text, workbook, write_asks
+from tests.said import said
 from tests.small_class import STUDENTS, asks_of
 
 Way = Callable[[Path, dict[str, list[str]], list[str]], Path]
@@ -209,10 +210,10 @@ def test_the_paper_of_somebody_else_is_told_and_not_marked(
     )
     assert [row.cells[0] for row in read.table.rows] == ["007"]
     (complaint,) = read.table.complaints
-    assert complaint.problem.startswith(
+    assert said(complaint.problem).startswith(
         'student "a/b" was given another paper: the right answer to q1.v_B is '
     )
-    assert (complaint.line, complaint.done) == (3, "not graded")
+    assert (complaint.line, said(complaint.done)) == (3, "not graded")
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from kinegrade.errors import ExamError, TableError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.lms.responses.answer_table import SOURCES, read_responses
 from tests.lms.response_files import cells, csv_text, responses, told, workbook, write_asks
+from tests.said import all_said, said
 
 CANVAS = ("name", "id", "sis_id", "section", "submitted", "attempt")
 QUESTIONS = ("101: Find v_B,\nof the slider", "1.0", "102: omega", "1.0", "103: a_B", "2.0")
@@ -56,7 +57,9 @@ def test_canvas_is_read_by_position_and_attempts_by_their_time(tmp_path: Path) -
         ("0012345", "4", "5", "6"),
     ]
     assert [row.line for row in read.table.rows] == [4, 3]  # the header takes two lines
-    assert read.assumed[-1] == "download.csv: 101 is q1.v_B; 102 is q1.omega_AB; 103 is q2.a_B"
+    assert (
+        said(read.assumed[-1]) == "download.csv: 101 is q1.v_B; 102 is q1.omega_AB; 103 is q2.a_B"
+    )
 
 
 def test_canvas_knows_the_id_of_the_institution_from_its_own(tmp_path: Path) -> None:
@@ -129,7 +132,7 @@ def test_a_google_form_by_the_order_of_its_questions(tmp_path: Path) -> None:
         ("student", "q1.v_B", "q1.omega_AB", "q2.a_B"),
         ("0012345", "1 m/s", "2", "=3"),
     ]
-    assert 'students are identified by "Student ID *" and "Email Address"' in read.assumed[1]
+    assert 'students are identified by "Student ID *" and "Email Address"' in said(read.assumed[1])
 
 
 def test_a_google_form_by_the_names_of_the_asks_in_any_order(tmp_path: Path) -> None:
@@ -218,7 +221,7 @@ def test_a_wenjuanxing_questionnaire(tmp_path: Path) -> None:
     read = responses(tmp_path, csv_text(header, row).encode("gb18030"))
     assert read.source == "wjx"
     assert cells(read)[1] == ("0012345", "1 m/s", "2", "3")
-    assert "download.csv: read as GB18030" in read.assumed
+    assert "download.csv: read as GB18030" in all_said(read.assumed)
     with pytest.raises(
         TableError, match=r"has no questions like 1、学号 - expected the responses of a 问卷星"
     ):

@@ -12,6 +12,7 @@ from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.lms.responses.answer_table import answer_table
 from tests.lms.response_files import cells, csv_text, responses, told, write_asks
+from tests.said import all_said, said
 
 HEADER = ("Timestamp", "Email Address", "Student ID", "[v_B]", "[omega_AB]", "[a_B]")
 
@@ -76,7 +77,7 @@ def test_ids_without_zeros_or_in_another_case_are_restored_and_said_once(tmp_pat
     read = responses(tmp_path, form(*people))
     assert [row.cells[0] for row in read.table.rows] == ["0012345", "S9", "0012346", "0012345"]
     assert told(read) == []
-    assert read.assumed[-1] == (
+    assert said(read.assumed[-1]) == (
         'download.csv: 2 student ids are not as in the exam, such as "12345" for "0012345" - taken '
         "for these students, as each can mean only one; keep ids as text, as in answers.xlsx"
     )
@@ -98,19 +99,19 @@ def test_a_file_without_any_student_of_the_exam_is_refused_and_not_a_class_of_ab
 def test_ids_that_a_program_wrote_as_fractions_are_restored(tmp_path: Path) -> None:
     read = responses(tmp_path, form(("", "12345.0"), ("", "12346.0"), ("", "S9")))
     assert [row.cells[0] for row in read.table.rows] == ["0012345", "0012346", "S9"]
-    assert '"12345.0" for "0012345"' in read.assumed[-1]
+    assert '"12345.0" for "0012345"' in said(read.assumed[-1])
 
 
 @pytest.mark.parametrize("cell", ['="0012345"', "'0012345", "#0012345", "００12345"])
 def test_an_id_in_a_wrapper_or_in_wide_digits_is_said_once_too(tmp_path: Path, cell: str) -> None:
     read = responses(tmp_path, form(("", cell), ("", "S9")))
-    [said] = [line for line in read.assumed if "not as in the exam" in line]
-    assert f'1 student id is not as in the exam: "{cell}" for "0012345"' in said
+    [line] = [line for line in all_said(read.assumed) if "not as in the exam" in line]
+    assert f'1 student id is not as in the exam: "{cell}" for "0012345"' in line
 
 
 def test_ids_as_in_the_exam_are_not_spoken_of(tmp_path: Path) -> None:
     read = responses(tmp_path, form(("", " 0012345 "), ("wei@example.org", "?")))
-    assert not [line for line in read.assumed if "not as in the exam" in line]
+    assert not [line for line in all_said(read.assumed) if "not as in the exam" in line]
 
 
 def test_an_id_that_can_mean_two_students_is_refused(tmp_path: Path) -> None:
@@ -194,7 +195,7 @@ def test_a_declared_encoding_is_believed_where_the_file_is_not_utf_8(
     content = form(("", "S9")).replace("1,2,3", f"{typed},2,3")
     read = responses(tmp_path, content.encode(declared), encoding=declared)
     assert cells(read)[1] == ("S9", typed, "2", "3")
-    assert f"download.csv: read as {declared}" in read.assumed
+    assert f"download.csv: read as {declared}" in all_said(read.assumed)
     assert told(read) == []
 
 

@@ -10,13 +10,23 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from kinegrade.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.student_ids import describe_restoration
+from kinegrade.language.message import (
+    Fault,
+    Message,
+    Part,
+    Quoted,
+    list_all,
+    list_choices,
+    list_plainly,
+    list_statements,
+)
 from kinegrade.lms.responses.detection import DIALECTS, detected
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
@@ -28,7 +38,6 @@ from kinegrade.tables import (
     Table,
     drop_headers,
     read_table,
-    shorten,
     trim,
 )
 
@@ -36,6 +45,7 @@ if TYPE_CHECKING:
     from kinegrade.exam.variants import Variants
 
 SOURCES = tuple(DIALECTS)
+Assumption: TypeAlias = Fault | Message
 _FEW = 3  # this many unknown rows may each be a typing error; more are another class
 _POOLED = ("moodle", "canvas")  # the systems that draw questions from pools
 
@@ -48,7 +58,7 @@ class Responses:
 
     answers: AnswerFile
     source: str
-    assumed: tuple[str, ...]
+    assumed: tuple[Assumption, ...]
 
     @property
     def table(self) -> Table:
@@ -94,16 +104,13 @@ def read_responses(
     people = People(exam.head.students)
     columns = people.columns(everybody, typed.people, typed.named)
     if not columns.indices and typed.rows:
-        raise TableError(
-            f"{table.file}: no column says whose answers these are - expected the ids or the "
-            "e-mail addresses of the exam's students - download the file with them"
-        )
+        raise TableError(Fault(table.file, Message("responses.no-people")))
     found = people.find_all(everybody, table.header, columns)
     _refuse_another_class(table, everybody, columns, found, exam.head.students)
     variants = None if own_papers or system not in _POOLED else pool_of(exam)
     answers = _answers(_Read(table, typed, columns, found), variants, exam)
-    assumed = (*_assumed(table, system, source, typed, columns), *_restored(table.file, found))
-    return Responses(answers, system, assumed)
+    assumed = _assumed(table, system, source, typed, columns)
+    return Responses(answers, system, (*assumed, *_restored(table.file, found)))
 
 
 def _refuse_another_class(
@@ -114,15 +121,16 @@ def _refuse_another_class(
     students: Sequence[Candidate],
 ) -> None:
     """Raises TableError where a file has rows and none belongs to a student of the exam."""
-    if len(found) < _FEW or any(each.student is not None or each.hint for each in found):
+    if len(found) < _FEW or any(each.student is not None or each.likely for each in found):
         return
-    shown = trim(rows[0].cell(columns.indices[0]))
+    shown = Quoted(trim(rows[0].cell(columns.indices[0])))
     raise TableError(
-        f"{table.file}: none of its {len(found)} rows is of a student of the exam "
-        f'("{shorten(shown)}" ...) - '
-        f'expected ids like "{shorten(students[0].student)}", or e-mail addresses of the roster '
-        "- "
-        "name the file of this class, or correct the ids"
+        Fault(
+            table.file,
+            Message("responses.another-class", count=len(found), first=shown),
+            Message("responses.ids-like", id=Quoted(students[0].student)),
+            Message("responses.name-class-file"),
+        )
     )
 
 
@@ -164,9 +172,12 @@ def _answers(read: _Read, variants: Variants | None, exam: ExamFolder) -> Answer
 def _known(source: str, path: Path) -> str:
     if source not in DIALECTS:
         raise TableError(
-            f'{path.name}: "{source}" is no system known here - expected one of '
-            f"{', '.join(DIALECTS)} "
-            "- name one of them, or none"
+            Fault(
+                path.name,
+                Message("responses.unknown-system", name=Quoted(source)),
+                Message("responses.systems", systems=list_plainly(DIALECTS)),
+                Message("responses.name-one-or-none"),
+            )
         )
     return source
 
@@ -188,10 +199,11 @@ def _left_out(table: Table, typed: TypedRows, found: Sequence[Found]) -> Iterato
         yield LeftOut(who.student or "", complaint, each.attempted)
 
 
-def _restored(file: str, found: Sequence[Found]) -> Iterator[str]:
+def _restored(file: str, found: Sequence[Found]) -> Iterator[Fault]:
     restored = {each.restored: each.student for each in found if each.student and each.restored}
     if restored:
-        yield f"{file}: {' - '.join(describe_restoration(restored))}"
+        problem, done = describe_restoration(restored)
+        yield Fault(file, problem, do=done)
 
 
 def _rows(found: Sequence[tuple[TypedRow, Found]]) -> Iterator[Row]:
@@ -211,24 +223,30 @@ def _unknown(table: Table, found: Sequence[tuple[TypedRow, Found]]) -> Iterator[
                 who.column,
                 whole(each.row),
                 who.problem,
-                f"not graded{who.hint}",
+                _explain_left_out(who),
             )
+
+
+def _explain_left_out(who: Found) -> Message:
+    if not who.likely:
+        return Message("marking.not-graded")
+    return Message("marking.correct-file", students=list_choices(map(Quoted, who.likely)))
 
 
 def _assumed(
     table: Table, name: str, source: str | None, typed: TypedRows, columns: Columns
-) -> Iterator[str]:
+) -> Iterator[Message]:
     if source is None and name != "sheet":
-        yield f"{table.file}: taken for {DIALECTS[name].title}"
+        yield Message("responses.taken-for", file=table.file, system=DIALECTS[name].title)
     if table.encoding not in ("UTF-8", "XLSX"):
-        yield f"{table.file}: read as {table.encoding}"
+        yield Message("responses.read-as", file=table.file, encoding=table.encoding)
     if name != "sheet":
-        yield f"{table.file}: students are identified by {' and '.join(_titles(table, columns))}"
+        yield Message("responses.identified", file=table.file, columns=_titles(table, columns))
     if typed.assumed:
-        yield f"{table.file}: {typed.assumed}"
+        what = list_statements(typed.assumed)
+        yield Message("responses.assumed", file=table.file, what=what)
 
 
-def _titles(table: Table, columns: Columns) -> list[str]:
-    return [f'"{" ".join(table.header[place].split())}"' for place in columns.indices] or [
-        "nothing"
-    ]
+def _titles(table: Table, columns: Columns) -> Part:
+    titles = [Quoted(" ".join(table.header[place].split())) for place in columns.indices]
+    return list_all(titles) if titles else Message("responses.nothing")

@@ -10,9 +10,10 @@ from collections.abc import Mapping, Sequence
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.language.message import Fault, Listing, Message, Quoted, list_plainly
 from kinegrade.tables import Table, make_header_key
 
-_ADVICE = "write the ask's name into each question's title, like [q1.v_B]"
+_NAME_ASKS = Message("responses.name-asks")
 _DERIVED = re.compile(r"\S.{0,60} [-–] ", re.DOTALL)
 _MOST_DERIVED = 2
 
@@ -58,10 +59,15 @@ def _holds(title: str, name: str) -> bool:
     return name in title and re.search(f"{before}{re.escape(name)}{after}", title) is not None
 
 
-def summary(head: ExamHead) -> str:
-    """The exam's questions in a few words, for messages."""
-    counts = ", ".join(f"{each.question}: {len(each.asks)}" for each in head.questions)
-    return f"{len(head.columns)} asks in {len(head.questions)} questions ({counts})"
+def expect_exam(head: ExamHead, advice: Message) -> Message:
+    """What the exam has, and what to do where a download does not agree with it."""
+    return Message(
+        "responses.exam",
+        asks=Message("responses.asks", count=len(head.columns)),
+        questions=Message("responses.questions", count=len(head.questions)),
+        counts=list_plainly(f"{each.question}: {len(each.asks)}" for each in head.questions),
+        advice=advice,
+    )
 
 
 def columns_of_asks(table: Table, places: Sequence[int], head: ExamHead) -> Mapping[str, int]:
@@ -73,8 +79,12 @@ def columns_of_asks(table: Table, places: Sequence[int], head: ExamHead) -> Mapp
     """
     named = asks_by_name(table.header, places, head)
     twice = [
-        f"{table.file}: {column} is named by the columns {', '.join(_shown(table, found))} - "
-        f"expected one column for each ask - {_ADVICE}"
+        Fault(
+            table.file,
+            Message("responses.named-twice", ask=column, columns=_shown(table, found)),
+            Message("responses.one-column"),
+            _NAME_ASKS,
+        )
         for column, found in named.items()
         if len(found) > 1
     ]
@@ -83,16 +93,17 @@ def columns_of_asks(table: Table, places: Sequence[int], head: ExamHead) -> Mapp
     if named:
         return {column: places[0] for column, places in named.items()}
     if len(places) != len(head.columns):
-        shown = ": " + ", ".join(_shown(table, places[:6])) if places else ""
-        raise TableError(
-            f"{table.file}: {len(places)} columns may hold answers{shown} - the exam has "
-            f"{summary(head)} - {_ADVICE}"
+        problem = (
+            Message("responses.columns", count=len(places), columns=_shown(table, places[:6]))
+            if places
+            else Message("responses.no-columns")
         )
+        raise TableError(Fault(table.file, problem, do=expect_exam(head, _NAME_ASKS)))
     return dict(zip(head.columns, places, strict=True))
 
 
-def _shown(table: Table, places: Sequence[int]) -> list[str]:
-    return [f'"{" ".join(table.header[place].split())[:60]}"' for place in places]
+def _shown(table: Table, places: Sequence[int]) -> Listing:
+    return list_plainly(Quoted(" ".join(table.header[place].split())[:60]) for place in places)
 
 
 def without_derived(header: Sequence[str], places: Sequence[int]) -> tuple[int, ...]:

@@ -15,13 +15,14 @@ from dataclasses import dataclass
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks
 from kinegrade.lms.responses.asked_units import asked_unit, in_unit
 from kinegrade.lms.responses.people import Kind, People
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
 from kinegrade.tables import Row, Table, make_header_key, trim
 
-TITLE = "the Student Analysis of a Canvas quiz"
+TITLE = Message("responses.canvas")
 _TEST_STUDENTS = ("Student, Test", "Test Student")
 _QUESTION = re.compile(r"\d+: ")
 _POINTS = re.compile(r"\d+(?:\.\d+)?")
@@ -52,11 +53,7 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """
     questions = _questions(table.header)
     if not questions:
-        raise TableError(
-            f'{table.file}: has no columns like "12345: text" followed by points - expected '
-            f"{TITLE} "
-            "- download that of a classic quiz"
-        )
+        raise TableError(Fault(table.file, Message("responses.no-pairs", report=TITLE)))
     columns = _columns(table, questions, head)
     people = range(1, questions[0])  # the first is the name
     named = _named(table.header, people)
@@ -78,7 +75,7 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
         tuple(typed),
         tuple(people),
         named,
-        assumed="; ".join(_assumed(table, columns, sources, len(rows))),
+        assumed=tuple(_assumed(table, columns, sources, len(rows))),
     )
 
 
@@ -95,16 +92,17 @@ def _assumed(
     columns: Mapping[str, Sequence[int]],
     sources: Sequence[Sequence[_Source]],
     count: int,
-) -> Iterator[str]:
+) -> Iterator[Message]:
     """Which column was taken for what, in which unit, and whose row was skipped."""
     for column, places in columns.items():
-        yield f"{', '.join(table.header[place].partition(':')[0] for place in places)} is {column}"
+        numbers = list_plainly(table.header[place].partition(":")[0] for place in places)
+        yield Message("responses.column", columns=numbers, asks=column)
     for column, each in zip(columns, sources, strict=True):
         units = sorted({source.unit for source in each if source.unit})
         if units:
-            yield f"{column} is in {', '.join(units)} there, and converted"
+            yield Message("responses.converted", ask=column, units=list_plainly(units))
     if count < len(table.rows):
-        yield "Canvas's test student is skipped"
+        yield Message("responses.test-student")
 
 
 def _questions(header: Sequence[str]) -> list[int]:

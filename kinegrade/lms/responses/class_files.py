@@ -11,7 +11,8 @@ from pathlib import Path
 from kinegrade.answer_file import AnswerFile
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.lms.responses.answer_table import read_responses
+from kinegrade.language.message import Fault, Message
+from kinegrade.lms.responses.answer_table import Assumption, read_responses
 from kinegrade.lms.responses.typed_rows import Attempts
 
 
@@ -33,7 +34,7 @@ class ClassFiles:
     """The answer sheets made from the files, and what was assumed, one line for each assumption."""
 
     files: tuple[AnswerFile, ...]
-    assumed: tuple[str, ...]
+    assumed: tuple[Assumption, ...]
 
 
 def read_class(paths: Sequence[Path], exam: ExamFolder, wishes: ReadingWishes) -> ClassFiles:
@@ -59,10 +60,7 @@ def _refuse_one_file_twice(paths: Sequence[Path]) -> None:
     seen: set[Path] = set()
     for path in paths:
         if path.resolve() in seen:
-            raise TableError(
-                f"{path}: is given twice - expected each file of the class once - "
-                "leave one out, or name the file that was meant"
-            )
+            raise TableError(Fault(str(path), Message("responses.given-twice")))
         seen.add(path.resolve())
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.lms.responses import canvas, google_forms, moodle, ms_forms, sheet, wjx
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 from kinegrade.tables import Table
@@ -17,7 +18,7 @@ from kinegrade.tables import Table
 class Dialect:
     """How a system writes responses: their title, how they are recognised, how they are read."""
 
-    title: str
+    title: Message
     recognises: Callable[[Sequence[str]], bool]
     read: Callable[[Table, ExamHead, Attempts], TypedRows]
 
@@ -38,9 +39,13 @@ def detected(table: Table) -> str:
         (name for name, dialect in DIALECTS.items() if dialect.recognises(table.header)), None
     )
     if name is None:
-        shown = ", ".join(show_in_one_line(cell[:60]) for cell in table.header[:6])
+        shown = list_plainly(show_in_one_line(cell[:60]) for cell in table.header[:6])
         raise TableError(
-            f"{table.file}: its columns ({shown} ...) are those of no system known here - "
-            f"expected one of {', '.join(DIALECTS)} - say which it is, if it is one of them"
+            Fault(
+                table.file,
+                Message("responses.no-system", columns=shown),
+                Message("responses.systems", systems=list_plainly(DIALECTS)),
+                Message("responses.say-which"),
+            )
         )
     return name

@@ -6,19 +6,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from functools import cache
 
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster import COLUMN_NAMES
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.known import known_languages
+from kinegrade.language.message import Message, Quoted
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks, without_derived
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
 from kinegrade.tables import Table, make_header_key
 
 _LONGEST_TITLE = 80  # of a question for id, address or name
-_TITLES: Mapping[str, re.Pattern[str]] = {
-    "id": re.compile(r"学号|學號|\b(?:student|id|matriculation) (?:id|number|no)\b"),
-    "email": re.compile(r"\be-?mail\b|邮箱|電子郵件"),
-    "name": re.compile(r"姓名|\b(?:your|full|first|last|student|family|given) name\b"),
+_TITLES: Mapping[str, Message] = {
+    "id": Message("responses.titles-of-ids"),
+    "email": Message("responses.titles-of-addresses"),
+    "name": Message("responses.titles-of-names"),
 }
 _COLUMN_NAMES = {"id": "student", "email": "email", "name": "name"}
 
@@ -51,8 +55,8 @@ def form_rows(
     }
     rest = [place for place in questions if place not in {*columns.values(), *about["name"]}]
     rows = tuple(TypedRow(row, tuple(map(row.cell, columns.values()))) for row in table.rows)
-    assumed = "; ".join(
-        f'"{" ".join(table.header[place].split())[:60]}" is {column}'
+    assumed = tuple(
+        Message("responses.column", columns=_show(table.header[place]), asks=column)
         for column, place in columns.items()
     )
     return TypedRows(
@@ -65,4 +69,19 @@ def _asks_for(kind: str, title: str) -> bool:
     key = make_header_key(re.sub(r"[*?:：？_.]", " ", title[: _LONGEST_TITLE + 1]))
     if len(title) > _LONGEST_TITLE:
         return False
-    return key in COLUMN_NAMES[_COLUMN_NAMES[kind]] or _TITLES[kind].search(key) is not None
+    return (
+        key in COLUMN_NAMES[_COLUMN_NAMES[kind]]
+        or _match_titles(_TITLES[kind]).search(key) is not None
+    )
+
+
+@cache
+def _match_titles(titles: Message) -> re.Pattern[str]:
+    """Finds one of the titles in any language; a Latin one only as whole words."""
+    spellings = (open_catalogue(language).write(titles) for language in known_languages())
+    each = "|".join(re.escape(one) for listed in spellings for one in listed.split("|"))
+    return re.compile(rf"(?<![a-z0-9])(?:{each})(?![a-z0-9])")
+
+
+def _show(title: str) -> Quoted:
+    return Quoted(" ".join(title.split())[:60])

@@ -7,11 +7,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.language.message import Message
 from kinegrade.lms.responses.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 from kinegrade.tables import Table, make_header_key
 
-TITLE = "the responses of a Google form"
+TITLE = Message("responses.google-forms")
 _ADDRESS = ("email address", "username")
 _SCORE = "score"
 

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.lms.responses.ask_headers import summary
+from kinegrade.language.message import Fault, Message, Quoted, list_plainly
+from kinegrade.lms.responses.ask_headers import expect_exam
 from kinegrade.lms.responses.cloze import Wording, part_count, parts, wording
 from kinegrade.lms.responses.moodle_columns import (
     NOTHING,
@@ -24,7 +25,8 @@ from kinegrade.lms.responses.moodle_columns import (
 from kinegrade.lms.responses.typed_rows import Attempts, NotTaken, TypedRow, TypedRows, whole
 from kinegrade.tables import Complaint, Row, Table, shorten, trim
 
-TITLE = "the responses of a Moodle quiz"
+TITLE = Message("responses.moodle")
+_NOT_GRADED = Message("marking.not-graded")
 _STATE_COLUMNS = 4
 _NAMES = 2  # the first two columns, by which no student is found
 
@@ -68,7 +70,10 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
         responses, faults = _responses(table, row, slots)
         rows.append(TypedRow(row, responses, right=_right(row, slots), texts=_texts(row, slots)))
         complaints += faults
-    assumed = "; ".join(f"{table.header[slot.column]} is {', '.join(slot.asks)}" for slot in slots)
+    assumed = tuple(
+        Message("responses.column", columns=table.header[slot.column], asks=list_plainly(slot.asks))
+        for slot in slots
+    )
     return TypedRows(
         head.columns,
         frozenset(slot.column for slot in slots),
@@ -82,9 +87,9 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
 
 
 def _averages(table: Table, row: Row, columns: MoodleColumns) -> Complaint:
-    problem = "no student: a row of averages"
+    problem = Message("responses.averages")
     return Complaint(
-        table.file, row.line, table.header[columns.grade], whole(row), problem, "not graded"
+        table.file, row.line, table.header[columns.grade], whole(row), problem, _NOT_GRADED
     )
 
 
@@ -101,24 +106,23 @@ def _not_taken(
         # status, start, end and duration come before the grade; all are dashes where the student
         # has not begun
         if all(cell == NOTHING for cell in before[-_STATE_COLUMNS:]):
-            return NotTaken(
-                row, column, "no attempt, or one without answers", "not graded", attempted=False
-            )
-        state = f' ("{shorten(before[-_STATE_COLUMNS])}")' if len(before) >= _STATE_COLUMNS else ""
-        problem = f"the attempt was not submitted{state}, and Moodle exports nothing of it"
-        done = (
-            "not graded: close the attempt in Moodle first where it is in progress, then "
-            "download again"
-        )
+            problem = Message("responses.no-attempt")
+            return NotTaken(row, column, problem, _NOT_GRADED, attempted=False)
+        problem, done = _explain_not_submitted(before), Message("responses.close-attempt")
         return NotTaken(row, column, problem, done, attempted=True)
     if attempts == "finished":
-        problem = "the attempt has no grade: it is not finished"
-        done = (
-            "not graded, unless unfinished attempts are included (--unfinished): close the "
-            "attempt in Moodle first, then download again"
-        )
+        problem = Message("responses.unfinished")
+        done = Message("responses.close-or-include")
         return NotTaken(row, column, problem, done, attempted=True)
     return None
+
+
+def _explain_not_submitted(before: Sequence[str]) -> Message:
+    """With the status, where the cells before the grade have it."""
+    if len(before) < _STATE_COLUMNS:
+        return Message("responses.not-submitted")
+    state = Quoted(shorten(before[-_STATE_COLUMNS]))
+    return Message("responses.not-submitted-but", state=state)
 
 
 def _response(row: Row, question: QuestionColumns) -> str:
@@ -145,11 +149,9 @@ def _slots(table: Table, columns: MoodleColumns, head: ExamHead) -> tuple[_Slot,
 
 
 def _disagreement(table: Table, counts: Sequence[int], head: ExamHead) -> TableError:
-    shown = ", ".join(map(str, counts))
-    return TableError(
-        f"{table.file}: its {len(counts)} questions have {shown} answers - the exam has "
-        f"{summary(head)} - download the responses of the quiz that was made from this exam"
-    )
+    problem = Message("responses.answers", count=len(counts), answers=list_plainly(counts))
+    advice = expect_exam(head, Message("responses.made-from-exam"))
+    return TableError(Fault(table.file, problem, do=advice))
 
 
 def _parts_of(table: Table, question: QuestionColumns) -> tuple[Wording | None, int | None]:
@@ -200,7 +202,7 @@ def _responses(
             typed = ("",) * len(slot.asks)
         elif typed is None:
             typed = ("",) * len(slot.asks)
-            problem = f"{len(slot.asks)} parts were expected, and which is which is unclear"
+            problem = Message("responses.parts", count=len(slot.asks))
             faults.append(
                 Complaint(
                     table.file,
@@ -208,7 +210,7 @@ def _responses(
                     table.header[slot.column],
                     shorten(cell),
                     problem,
-                    f"{', '.join(slot.asks)} count as blank; correct them by hand",
+                    Message("responses.parts-blank", asks=list_plainly(slot.asks)),
                 )
             )
         responses += typed

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from kinegrade.errors import TableError
 from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Fault, Message, list_all, list_plainly
 from kinegrade.tables import Table, make_header_key, trim
 
 NOTHING = "-"  # what Moodle writes in an empty cell
@@ -32,7 +33,7 @@ _RIGHT_ANSWER = {
     "正解",
 }
 _QUESTION = {"question", "frage", "pregunta", "题目", "問題"}
-_ADVICE = "download the quiz's responses report as CSV, with its column of responses"
+_ADVICE = Message("responses.download-report")
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,23 +89,15 @@ def moodle_columns(table: Table) -> MoodleColumns:
     """
     grades = grade_columns(table.header)
     if len(grades) != 1:
-        problem = (
-            "is Moodle's grades report, without responses"
-            if grades
-            else "has no grades like Grade/10.00"
-        )
-        raise TableError(f"{table.file}: {problem} - expected the quiz's responses - {_ADVICE}")
+        problem = Message("responses.grades-report") if grades else Message("responses.no-grades")
+        raise TableError(Fault(table.file, problem, Message("responses.of-quiz"), _ADVICE))
     first = grades[0] + 1
     names = table.header[first:]
     width = columns_per_question(names)
     if width is None:
-        shown = (
-            ", ".join(show_in_one_line(name[:_LONGEST_SHOWN]) for name in names[:6]) or "nothing"
-        )
-        raise TableError(
-            f"{table.file}: after the grade comes {shown} - expected numbered columns like "
-            f"Response 1, Response 2 - {_ADVICE}"
-        )
+        shown = list_plainly(map(_shorten, names[:6])) if names else Message("responses.nothing")
+        problem = Message("responses.after-grade", columns=shown)
+        raise TableError(Fault(table.file, problem, Message("responses.numbered"), _ADVICE))
     starts = range(first, len(table.header), width)
     response = _response(table, names[:width], starts)
     right = response + 1 if response + 1 < width else None
@@ -130,14 +123,17 @@ def _response(table: Table, names: Sequence[str], starts: Iterable[int]) -> int:
         len(names) == 2 and stems[0] in _QUESTION and stems[1] in _RIGHT_ANSWER
     )
     if missing:
-        shown = " and ".join(show_in_one_line(name[:_LONGEST_SHOWN]) for name in names)
-        raise TableError(
-            f"{table.file}: has {shown}, but no responses - expected a column of them - {_ADVICE}"
-        )
+        problem = Message("responses.no-responses", columns=list_all(map(_shorten, names)))
+        expected = Message("responses.column-of-responses")
+        raise TableError(Fault(table.file, problem, expected, _ADVICE))
     if len(names) == 2 and stems[1] not in _RIGHT_ANSWER:
         first, second = (_letters(table, [start + place for start in starts]) for place in (0, 1))
         return 1 if stems[0] in _QUESTION or first > 2 * second else 0
     return 1 if len(names) == _MOST_COLUMNS else 0
+
+
+def _shorten(name: str) -> str:
+    return show_in_one_line(name[:_LONGEST_SHOWN])
 
 
 def _stem(name: str) -> str:

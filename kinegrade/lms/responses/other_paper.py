@@ -11,6 +11,7 @@ import re
 from collections.abc import Mapping, Sequence
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.language.message import Message
 from kinegrade.tables import trim
 
 _NUMBER = re.compile(r"[-+]?\d{1,30}(?:[.,]\d{1,60})?(?:[eE][-+]?\d{1,3})?")
@@ -31,24 +32,24 @@ def right_answers(exam: ExamFolder, student: str) -> Mapping[str, float]:
     }
 
 
-def difference(columns: Sequence[str], stated: Sequence[str], right: Mapping[str, float]) -> str:
-    """How the right answers stated by a download differ from those of the student's paper; "" where
-    they agree.
+def difference(
+    columns: Sequence[str], stated: Sequence[str], right: Mapping[str, float]
+) -> Message | None:
+    """How the right answers stated by a download differ from those of the student's paper; None
+    where they agree.
 
     A stated answer may have a decimal comma and a unit; a text that does not begin with a number is
     not compared.
 
     >>> difference(["q1.v_B"], ["-1,5 m/s"], {"q1.v_B": 2.5})
-    "the right answer to q1.v_B is -1,5 m/s there and 2.5 on the student's paper"
+    Message('responses.right-answer', ask='q1.v_B', there='-1,5 m/s', paper='2.5')
     """
     for column, text in zip(columns, stated, strict=False):
         value = value_of(text)
         if value is not None and column in right and not agree(value, right[column]):
-            return (
-                f"the right answer to {column} is {text} there and {right[column]:.6g} on the "
-                "student's paper"
-            )
-    return ""
+            paper = f"{right[column]:.6g}"
+            return Message("responses.right-answer", ask=column, there=text, paper=paper)
+    return None
 
 
 def value_of(text: str) -> float | None:

@@ -12,6 +12,7 @@ from typing import Literal
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster import make_student_key
 from kinegrade.exam.student_ids import StudentIds
+from kinegrade.language.message import Message, Quoted, Text, list_all
 from kinegrade.tables import Row, make_header_key, shorten, trim
 
 Kind = Literal["id", "email"]
@@ -19,15 +20,15 @@ Kind = Literal["id", "email"]
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """The student of a row; else the column at fault, why, and who is probably meant.
+    """The student of a row; else the column at fault, why, and the students who may be meant.
 
     `restored` is the id as it stands in the file where it is not the exam's.
     """
 
     student: str | None
     column: str = ""
-    problem: str = ""
-    hint: str = ""
+    problem: Text = ""
+    likely: tuple[str, ...] = ()
     restored: str = ""
 
 
@@ -151,28 +152,19 @@ class People:
             return Found(named.pop())
         index = next((index for index, cell in cells.items() if make_student_key(cell)), None)
         if index is None:
-            return Found(None, "", "no student id and no e-mail address")
+            return Found(None, "", Message("responses.no-id"))
         if named:
-            who = " and ".join(sorted(named))
-            return Found(
-                None,
-                header[index],
-                f"id and e-mail address are those of different students ({who})",
-            )
+            students = list_all(sorted(named))
+            return Found(None, header[index], Message("responses.different", students=students))
         return self._unknown(cells[index], header[index])
 
     def _unknown(self, cell: str, column: str) -> Found:
-        shown = shorten(make_student_key(cell))
+        shown = Quoted(shorten(make_student_key(cell)))
         if make_header_key(cell) in self._by_email:
-            return Found(
-                None, column, f'several students of the exam have the e-mail address "{shown}"'
-            )
-        likely = self._likely(cell)
-        meant = " or ".join(f'"{each}"' for each in self._ids.near(cell)) or (
-            f'"{likely}"' if likely else ""
-        )
-        hint = f"; probably {meant}: correct the file and grade again" if meant else ""
-        return Found(None, column, f'no student "{shown}" in the exam', hint)
+            return Found(None, column, Message("responses.shared-address", address=shown))
+        login = self._likely(cell)
+        likely = self._ids.near(cell) or ((login,) if login else ())
+        return Found(None, column, Message("marking.no-student", student=shown), likely)
 
 
 def _grouped(

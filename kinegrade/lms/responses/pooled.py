@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from kinegrade.answer_file import Sources
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.lms.responses.other_paper import agree, difference, right_answers, value_of
 from kinegrade.lms.responses.people import Found
 from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
@@ -26,11 +27,7 @@ if TYPE_CHECKING:
 Pairs = Sequence[tuple[TypedRow, Found]]
 _SAME = 1e-6  # relative: right answers are written with all their digits
 _BLANK = ("", "-")
-_ADVICE = (
-    "in Moodle (Results > Responses) tick the question text and the right answer, show the report "
-    "and download it, in Canvas download the Student Analysis; if no student answered a pool, add "
-    "--own-papers"
-)
+_ADVICE = Message("responses.download-texts")
 
 
 def pool_of(exam: ExamFolder) -> Variants | None:
@@ -55,20 +52,25 @@ def own_papers_only(
     for each, who in pairs:
         right = right_answers(exam, who.student) if each.right and who.student else {}
         other = difference(typed.columns, each.right, right)
-        problem = f'student "{who.student}" was given another paper: {other}'
-        checked.append((each, Found(None, "", problem) if other else who))
+        checked.append((each, _explain_other(who, other) if other else who))
         if other:
-            others.append(f"line {each.row.line}: {other}")
+            others.append(Message("responses.line", line=each.row.line, difference=other))
     known = sum(who.student is not None for _, who in pairs)
     if len(others) > 1 and 2 * len(others) > known:
         raise TableError(
-            f"{file}: {len(others)} of {known} students were given other papers than their own "
-            f"({others[0]}) - expected each student's own paper - if they answered a pool, leave "
-            "out --own-papers, or, where an earlier version made the pool, write it again by "
-            "kinegrade quiz --variants with as many variants as it has, which gives the same pool, "
-            "and grade again"
+            Fault(
+                file,
+                Message("responses.other-papers", count=known, others=len(others), first=others[0]),
+                Message("responses.own-papers"),
+                Message("responses.answered-pool"),
+            )
         )
     return checked
+
+
+def _explain_other(who: Found, other: Message) -> Found:
+    student = Quoted(who.student or "")
+    return Found(None, "", Message("responses.other-paper", student=student, difference=other))
 
 
 def put_to(
@@ -78,24 +80,36 @@ def put_to(
     TableError where that is not certain.
     """
     if not any(any(each.right) or any(each.texts) for each, _ in pairs) and pairs:
+        pool = str(exam.pool)
         raise TableError(
-            f"{file}: the exam has a pool of {variants.count} variants ({exam.pool}), and "
-            "nothing here says who was given which - expected the texts of the questions or the "
-            f"right answers - {_ADVICE}"
+            Fault(
+                file,
+                Message("responses.pool", count=variants.count, pool=pool),
+                Message("responses.texts"),
+                _ADVICE,
+            )
         )
     finder = _Finder(typed, variants)
     found: dict[int, Sources] = {}
-    unknown: list[str] = []
+    unknown: list[Message] = []
     for each, who in pairs:
         if who.student is not None:
             sources, faults = finder.sources(each)
             found[each.row.line] = sources
-            unknown += [f"line {each.row.line}, {fault}" for fault in faults]
+            unknown += faults
     if unknown:
         raise TableError(
-            f"{file}: {len(unknown)} answered questions are not certainly one variant of the pool "
-            f"of {variants.count} ({unknown[0]}) - expected each to be recognised by its text and "
-            f"right answers - {_ADVICE}"
+            Fault(
+                file,
+                Message(
+                    "responses.uncertain",
+                    count=len(unknown),
+                    variants=variants.count,
+                    first=unknown[0],
+                ),
+                Message("responses.recognised"),
+                _ADVICE,
+            )
         )
     return found
 
@@ -105,7 +119,7 @@ class _Finder:
     typed: TypedRows
     variants: Variants
 
-    def sources(self, each: TypedRow) -> tuple[Sources, list[str]]:
+    def sources(self, each: TypedRow) -> tuple[Sources, list[Message]]:
         """Whose line of the key the questions of a row belong to, for every column; and what is not
         recognised.
         """
@@ -117,9 +131,15 @@ class _Finder:
                 for number in drawn:
                     found[number] = likely[0].source
             elif any(trim(each.responses[number]) not in _BLANK for number in drawn):
-                names = ", ".join(self.typed.columns[number] for number in drawn)
-                faults.append(f"{names}: {len(likely) or 'none'} of them may be meant")
+                faults.append(self._explain(each, drawn, len(likely)))
         return tuple(found), faults
+
+    def _explain(self, each: TypedRow, drawn: Sequence[int], likely: int) -> Message:
+        line = each.row.line
+        asks = list_plainly(self.typed.columns[number] for number in drawn)
+        if likely:
+            return Message("responses.several-meant", line=line, asks=asks, count=likely)
+        return Message("responses.none-meant", line=line, asks=asks)
 
     def _drawn(self) -> Iterator[tuple[int, ...]]:
         places = {column: number for number, column in enumerate(self.typed.columns)}

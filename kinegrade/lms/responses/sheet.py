@@ -9,11 +9,12 @@ from collections.abc import Sequence
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster import COLUMN_NAMES
+from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
 from kinegrade.tables import Table, make_header_key
 
-TITLE = "an answer sheet"
+TITLE = Message("responses.sheet")
 
 
 def recognises(header: Sequence[str]) -> bool:
@@ -24,11 +25,7 @@ def recognises(header: Sequence[str]) -> bool:
 def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """All columns but that of the ids. Raises TableError where no column identifies the student."""
     if not recognises(table.header):
-        raise TableError(
-            f'{table.file}: no column "student" - expected one with the student ids, or one '
-            '"email" '
-            "- fill in the answers.csv of the exam folder"
-        )
+        raise TableError(Fault(table.file, Message("responses.no-student-column")))
     student, email = _places(table.header, "student"), _places(table.header, "email")
     named: dict[Kind, Sequence[int]] = {"id": student[:1], "email": email[:1]}
     others = [place for place in range(len(table.header)) if place not in student[:1]]

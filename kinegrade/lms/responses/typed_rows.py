@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from kinegrade.csv_writing import write_csv_text
+from kinegrade.language.message import Message
 from kinegrade.lms.responses.people import Kind
 from kinegrade.tables import Complaint, Row, shorten
 
@@ -40,8 +41,8 @@ class NotTaken:
 
     row: Row
     column: str
-    problem: str
-    done: str
+    problem: Message
+    done: Message
     attempted: bool
 
 
@@ -62,7 +63,7 @@ class TypedRows:
     people: tuple[int, ...]
     named: Mapping[Kind, Sequence[int]] = field(default_factory=dict)
     complaints: tuple[Complaint, ...] = ()
-    assumed: str = ""
+    assumed: tuple[Message, ...] = ()
     not_taken: tuple[NotTaken, ...] = ()
     drawn: tuple[tuple[str, ...], ...] = ()
 

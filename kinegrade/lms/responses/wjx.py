@@ -9,11 +9,12 @@ from collections.abc import Sequence
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 from kinegrade.tables import Table, trim
 
-TITLE = "the responses of a 问卷星 questionnaire"
+TITLE = Message("responses.wjx")
 _NUMBER = "序号"
 _QUESTION = re.compile(r"\s*\d+、")
 
@@ -29,10 +30,7 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """
     questions = _questions(table.header)
     if not questions:
-        raise TableError(
-            f"{table.file}: has no questions like 1、学号 - expected {TITLE} "
-            "- download its answers as texts"
-        )
+        raise TableError(Fault(table.file, Message("responses.no-numbers", report=TITLE)))
     return form_rows(table, head, questions=questions, known={})
 
 
