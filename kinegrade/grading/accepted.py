@@ -14,7 +14,7 @@ from itertools import chain
 from types import MappingProxyType
 from typing import Any
 
-from kinegrade.errors import ExpressionError, PolicyError
+from kinegrade.errors import ExpressionError, KinegradeError, PolicyError
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import Balls
 from kinegrade.exact.field import Field
@@ -25,6 +25,7 @@ from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import Accepted, Policy
 from kinegrade.grading.typed_value import PRECISION, Amount, convert, make_rational_amount
 from kinegrade.grading.unit_spelling import WrittenUnit, read_unit
+from kinegrade.language.message import Fault, Message, Part, Quoted
 
 _PURE = WrittenUnit(Fraction(1), 0, 0, 0, 0)
 
@@ -116,16 +117,27 @@ def _find_used(accepted: Accepted) -> set[str]:
     return set(find_names(accepted.tree)) - {"pi"}
 
 
-def _explain(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]]) -> str:
+def _explain(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]]) -> Fault:
     """One line however many papers are affected: a fault in an expression shows on most of them."""
     student, fault = failing[0]
-    others = f" and {len(failing) - 1} more" if len(failing) > 1 else ""
-    return (
-        f'policy: {ask.column}: accepted answer {accepted.number}, "{accepted.text}", has no value '
-        "for student "
-        f'"{student}"{others} ({str(fault).partition(": check")[0]}) - expected one number - fix '
-        "it"
+    problem = Message(
+        "policy.no-value",
+        number=accepted.number,
+        text=Quoted(accepted.text),
+        students=_name_students(student, len(failing) - 1),
+        reason=_find_reason(fault),
     )
+    where = Message("policy.place", ask=ask.column)
+    return Fault(where, problem, Message("policy.one-number"), Message("policy.fix-it"))
+
+
+def _name_students(student: str, more: int) -> Part:
+    first = Quoted(student)
+    return Message("grammar.names-and-more", names=first, count=more) if more else first
+
+
+def _find_reason(fault: Exception) -> Part:
+    return fault.faults[0] if isinstance(fault, KinegradeError) else str(fault)
 
 
 def _work_out(
@@ -177,7 +189,7 @@ def _convert_to_si(number: _Number, arithmetic: Any) -> Any:
     amount, unit = number
     written = read_unit(unit) if unit != "1" else _PURE
     if written is None:
-        raise ExpressionError(f'the unit "{unit}" is not known')
+        raise ExpressionError(Message("policy.unknown-unit", unit=Quoted(unit)))
     size = (
         arithmetic.number(make_rational_amount(amount).size)
         if isinstance(amount, Fraction)

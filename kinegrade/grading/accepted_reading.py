@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from kinegrade.angular import is_angle
-from kinegrade.errors import FieldError, did_you_mean, find_nearest, join_alternatives
+from kinegrade.errors import FieldError, find_nearest, suggest
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.expression import Expression, find_names, read_expression
@@ -21,6 +21,7 @@ from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import FULL_CREDIT, Accepted
 from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion, read_unit
 from kinegrade.language.lines import shorten
+from kinegrade.language.message import Message, Quoted, list_choices
 
 _EXAMPLE = '{ value = "2*sqrt(3)" }'
 _LONGEST_SHOWN = 80
@@ -57,9 +58,10 @@ class AcceptedReader:
     def _student(self, value: object) -> str:
         """The id of a student of the exam."""
         if not isinstance(value, str) or isinstance(value, Digits):
-            raise FieldError(found(value), "a student's id in quotation marks")
+            raise FieldError(found(value), Message("policy.quoted-id"))
         if value not in self.students:
-            raise FieldError(f"no student {found(value)}", do=_read_likely(value, self.students))
+            unknown = Message("policy.no-student", student=found(value))
+            raise FieldError(unknown, do=_suggest_student(value, self.students))
         return value
 
     def _scale(self, entry: Table, ask: Ask, tree: Expression) -> Conversion:
@@ -70,7 +72,8 @@ class AcceptedReader:
         used = [name for name in find_names(tree) if name != "pi"]
         units = self._units(ask, used)
         for name in sorted(set(used) - units.keys()):
-            entry.fault("value", f'unknown name "{name}"', do=did_you_mean(name, units))
+            unknown = Message("policy.unknown-name", name=Quoted(name))
+            entry.fault("value", unknown, do=suggest(name, units))
         if "unit" in entry:
             return entry.with_default("unit", partial(_read_conversion, ask), Conversion())
         angles = frozenset(name for name in used if units.get(name) in ("deg", "rad"))
@@ -93,21 +96,23 @@ class AcceptedReader:
 def _read_tree(value: object) -> Expression:
     """The number or expression of a value."""
     if isinstance(value, bool) or not isinstance(value, str | int):
-        raise FieldError(found(value), 'a number or an expression like "2*sqrt(3)"')
+        raise FieldError(found(value), Message("policy.expression"))
     return read_expression(str(value))
 
 
 def _read_conversion(ask: Ask, unit: object) -> Conversion:
     """The conversion from a stated unit to the ask's."""
     if not isinstance(unit, str) or isinstance(unit, Digits):
-        raise FieldError(found(unit), f'a unit like "{ask.unit}"')
+        raise FieldError(found(unit), Message("policy.unit", unit=Quoted(ask.unit)))
     try:
         return find_conversion(unit, ask.unit)
     except (WrongUnit, Unreadable) as fault:
         raise FieldError(str(fault)) from fault
 
 
-def _read_likely(student: str, students: frozenset[str]) -> str:
+def _suggest_student(student: str, students: frozenset[str]) -> Message:
     """A hint that does not list the whole class."""
     near = find_nearest(student, students)
-    return f"did you mean {join_alternatives(near)}?" if near else "check the id against the roster"
+    if not near:
+        return Message("policy.check-id")
+    return Message("grammar.did-you-mean", names=list_choices(map(Quoted, near)))

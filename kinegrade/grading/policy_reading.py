@@ -47,10 +47,8 @@ from kinegrade.grading.policy import FULL_CREDIT, NO_ROOM, Attempts, Policy, Rul
 from kinegrade.language.message import Message
 from kinegrade.stated_marking import StatedCredit, StatedTolerance, read_credit, read_tolerance
 
-_POLICY_FILE = FileKind("a policy file", PolicyError, 1_000_000)
-_HEAD_FILE = FileKind(
-    "an exam's head", PolicyError, 0, "restore the exam folder as it was generated"
-)
+_POLICY_FILE = FileKind(Message("policy.file"), PolicyError, 1_000_000)
+_HEAD_FILE = FileKind(Message("policy.exam-head"), PolicyError, 0, Message("policy.restore-exam"))
 _ATTEMPTS: tuple[Attempts, ...] = get_args(Attempts)
 _VOIDS: tuple[Void, ...] = get_args(Void)
 _FIGURES = whole(1, 15)
@@ -83,7 +81,7 @@ def read_policy(path: Path, exam: ExamFolder) -> Policy:
 
 def stated_policy(exam: ExamFolder) -> Policy:
     """What applies without a policy: the credit table of the exam's bank. Raises PolicyError."""
-    nothing = parsed_table("no policy", {}, _POLICY_FILE)
+    nothing = parsed_table(str(exam.head_file), {}, _POLICY_FILE)
     return _Reader(exam).policy(nothing, "", _read_stated(exam))
 
 

@@ -417,8 +417,8 @@ def test_a_fault_of_a_policy_says_what_was_expected(
 @pytest.mark.parametrize(
     ("value", "reason"),
     [
-        ("1/(v_B - 2)", "division by zero"),
-        ("sqrt(-v_B)", "sqrt(...): square root of a negative number"),
+        ("1/(v_B - 2)", "division by zero: check the values given"),
+        ("sqrt(-v_B)", "sqrt(...): square root of a negative number: check the values given"),
         ("(1, 2)", "a pair (x, y): expected a number or an angle here"),
         ("1e99*1e99", "a value beyond 1e99 or below 1e-99"),
         ("9**16**16", "a power must be a whole number of at most 16: for roots write sqrt(...)"),
