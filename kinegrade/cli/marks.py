@@ -10,9 +10,10 @@ import click
 
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.help import command
-from kinegrade.cli.options import FILE, FORCE, JOBS, finish_with_complaints, refusing
-from kinegrade.cli.terminal import say
+from kinegrade.cli.options import FILE, FORCE, JOBS, LANGUAGE, finish_with_complaints, refusing
+from kinegrade.cli.terminal import say, terminal_words
 from kinegrade.language import LANGUAGES
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Part
 from kinegrade.marks_folder.layout import COMPLAINTS, KEPT
 
@@ -157,9 +158,12 @@ def _list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[M
     type=FILE,
     metavar="FILE",
 )
+@LANGUAGE
 @FORCE
 @refusing
-def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
+def diff(
+    before: Path, after: Path, output: Path | None, language: Language, *, force: bool
+) -> None:
     """Show how the marks in MARKS2 differ from those in MARKS1."""
     from kinegrade.grading.comparison import compare, write_comparison_csv, write_comparison_text
     from kinegrade.marks_folder.folder import open_marks
@@ -169,8 +173,9 @@ def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
     if output is not None:
         from kinegrade.files import write_file
 
-        write_file(output, write_comparison_csv(comparison), force=force)
-    click.echo(write_comparison_text(comparison))
+        content = write_comparison_csv(comparison, open_catalogue(language))
+        write_file(output, content, force=force)
+    click.echo(write_comparison_text(comparison, terminal_words()))
 
 
 @command("report")

@@ -14,6 +14,7 @@ from functools import reduce
 from kinegrade.answer_file import AnswerFile, LeftOut
 from kinegrade.exam.folder.keys import Sitting
 from kinegrade.grading.sheet import Entry, Part, Place, Sheet, read_part
+from kinegrade.language.message import Message, Quoted
 from kinegrade.tables import Complaint, Table, shorten, trim
 
 _DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d "
@@ -140,11 +141,14 @@ def _find_conflicts(
         if not is_answered(mine) or not is_answered(others) or trim(mine) == trim(others):
             continue
         place, there = first.place(number), other.place(number)
-        problem = (
-            f'student "{student}" has "{shorten(trim(others))}" here and '
-            f'"{shorten(trim(mine))}" in {_show(place)}'
+        problem = Message(
+            "marking.conflict",
+            student=Quoted(student),
+            here=Quoted(shorten(trim(others))),
+            there=Quoted(shorten(trim(mine))),
+            place=_show(place),
         )
-        done = f"that of {place.file} counts; correct one of the files and grade again"
+        done = Message("marking.first-counts", file=place.file)
         column = columns[there.file][number]
         yield Complaint(there.file, there.line, column, shorten(others), problem, done)
 
@@ -156,9 +160,8 @@ def _show(place: Place) -> str:
 def _find_missing_columns(names: str, columns: Sequence[str], exam: Sitting) -> Iterator[Complaint]:
     for ask, name in zip(exam.asks, columns, strict=True):
         if not name:
-            yield Complaint(
-                names, None, ask.column, "", "no such column", "all its answers count as blank"
-            )
+            problem, done = Message("marking.no-column"), Message("marking.column-blank")
+            yield Complaint(names, None, ask.column, "", problem, done)
 
 
 def _find_left_out(left_out: Sequence[LeftOut], entries: _Entries) -> Iterator[Complaint]:
@@ -179,11 +182,5 @@ def _find_missing_students(
 ) -> Iterator[Complaint]:
     for student in exam.students:
         if student not in entries and student not in said:
-            yield Complaint(
-                names,
-                None,
-                "",
-                student,
-                f'no row for student "{student}"',
-                "all answers count as blank",
-            )
+            problem = Message("marking.no-row", student=Quoted(student))
+            yield Complaint(names, None, "", student, problem, Message("marking.all-blank"))

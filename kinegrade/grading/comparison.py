@@ -14,7 +14,16 @@ from fractions import Fraction
 from kinegrade.amounts import write_amount, write_change
 from kinegrade.csv_writing import encode_for_people, neutralise, write_csv_text
 from kinegrade.grading.text_table import align, cut
+from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import (
+    Listing,
+    Message,
+    Part,
+    Text,
+    list_plainly,
+    list_statements,
+)
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 
@@ -23,6 +32,8 @@ HEADER = (
     "verdict_before", "verdict_after", "response_before", "response_after",
     "reason_before", "reason_after",
 )  # fmt: skip
+_ONLY_FIRST = Message("marks.only-first")
+_ONLY_SECOND = Message("marks.only-second")
 _WIDEST_NAME = 24
 _NOTHING = MarkedAnswer("", "", "", "", "", "", "", Fraction(0), Fraction(0), "")
 _Answers = Mapping[tuple[str, str], MarkedAnswer]  # by student and answer column
@@ -45,10 +56,10 @@ class _AskChange:
         return (self.after or _NOTHING).points - (self.before or _NOTHING).points
 
     @property
-    def why(self) -> str:
-        """In words: the answer before and after, and the reason for the new verdict."""
+    def why(self) -> Part:
+        """The answer before and after, and the reason for the new verdict."""
         before, after = self.before or _NOTHING, self.after or _NOTHING
-        parts = []
+        parts: list[Part] = []
         if before.typed != after.typed:
             parts.append(f'"{before.typed}" -> "{after.typed}"')
         parts.append(
@@ -57,8 +68,12 @@ class _AskChange:
             else f"{before.verdict} -> {after.verdict}"
         )
         if before.out_of != after.out_of:
-            parts.append(f"worth {write_amount(before.out_of)} -> {write_amount(after.out_of)}")
-        return ": ".join(filter(None, (", ".join(parts), after.reason)))
+            worth = write_amount(before.out_of), write_amount(after.out_of)
+            parts.append(Message("marks.worth", before=worth[0], after=worth[1]))
+        changes = list_plainly(parts)
+        if not after.reason:
+            return changes
+        return Message("marks.why", changes=changes, reason=after.reason)
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,21 +134,18 @@ def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
     )
 
 
-def write_comparison_csv(comparison: Comparison) -> bytes:
+def write_comparison_csv(comparison: Comparison, words: Catalogue) -> bytes:
     """A CSV file: for each student the total, followed by the answers that are judged
     differently.
     """
-    return encode_for_people(write_csv_text(HEADER, _write_rows(comparison)))
+    return encode_for_people(write_csv_text(HEADER, _write_rows(comparison, words)))
 
 
-def _write_rows(comparison: Comparison) -> Iterator[tuple[str, ...]]:
+def _write_rows(comparison: Comparison, words: Catalogue) -> Iterator[tuple[str, ...]]:
     for each in comparison.changes:
         person = each.student, neutralise(each.name)
         old, new = each.before, each.after
-        reasons = (
-            ("" if old else "only in the second"),
-            (_describe_kept(new) if new else "only in the first"),
-        )
+        reasons = ("" if old else _ONLY_SECOND), (_describe_kept(new) if new else _ONLY_FIRST)
         yield (
             *person,
             "total",
@@ -142,7 +154,7 @@ def _write_rows(comparison: Comparison) -> Iterator[tuple[str, ...]]:
             "",
             "",
             "",
-            *map(neutralise, reasons),
+            *(neutralise(words.write(reason)) for reason in reasons),
         )
         for ask in each.asks:
             sides = ask.before or _NOTHING, ask.after or _NOTHING
@@ -153,18 +165,19 @@ def _write_rows(comparison: Comparison) -> Iterator[tuple[str, ...]]:
             yield (*person, ask.column, *amounts, *map(neutralise, texts))
 
 
-def write_comparison_text(comparison: Comparison) -> str:
+def write_comparison_text(comparison: Comparison, words: Catalogue) -> str:
     """The same for a person: an aligned table, and a summary line."""
     rows: list[tuple[str, ...]] = []
     for each in comparison.changes:
         person = show_in_one_line(each.student), cut(show_in_one_line(each.name), _WIDEST_NAME)
         points = _write_amounts(_worth(each.before), _worth(each.after))[:3]
-        rows.append((*person, "total", *points, _write_presence(each)))
+        rows.append((*person, "total", *points, words.write(_describe_presence(each))))
         for ask in each.asks:
             points = _write_amounts(_worth(ask.before), _worth(ask.after))[:3]
-            rows.append(("", "", ask.column, *points, show_in_one_line(ask.why)))
-    table = align((*HEADER[:6], "why"), rows, numbers=(3, 4, 5)) if rows else ""
-    return f"{table}{_write_summary(comparison)}"
+            rows.append(("", "", ask.column, *points, show_in_one_line(words.write(ask.why))))
+    header = (*HEADER[:6], words.text("marks.why-heading"))
+    table = align(header, rows, numbers=(3, 4, 5)) if rows else ""
+    return f"{table}{words.write(_summarise(comparison))}"
 
 
 def _answers(marks: MarksFolder) -> _Answers:
@@ -190,7 +203,7 @@ def _worth(side: MarkedAnswer | StudentTotal | None) -> _Worth | None:
     return side.worth if side else None
 
 
-def _describe_kept(total: StudentTotal) -> str:
+def _describe_kept(total: StudentTotal) -> Text:
     """Why the total is an earlier one; empty where it is not."""
     return total.kept.reason if total.kept else ""
 
@@ -209,32 +222,29 @@ def _write_amounts(before: _Worth | None, after: _Worth | None) -> tuple[str, ..
     return (*points, change, *out_of)
 
 
-def _write_presence(change: _StudentChange) -> str:
+def _describe_presence(change: _StudentChange) -> Text:
     if change.before is None:
-        return "only in the second"
+        return _ONLY_SECOND
     if change.after is None:
-        return "only in the first"
+        return _ONLY_FIRST
     if change.after.kept:
         return change.after.kept.reason
     worth = change.before.out_of, change.after.out_of
-    return (
-        ""
-        if worth[0] == worth[1]
-        else f"out of {write_amount(worth[0])} -> {write_amount(worth[1])}"
-    )
+    if worth[0] == worth[1]:
+        return ""
+    return Message("marks.out-of", before=write_amount(worth[0]), after=write_amount(worth[1]))
 
 
-def _write_summary(comparison: Comparison) -> str:
+def _summarise(comparison: Comparison) -> Listing:
     unchanged = comparison.students - comparison.up - comparison.down
     alone = [
         change for change in comparison.changes if change.before is None or change.after is None
     ]
-    lone = f"; {len(alone)} in one of the two only" if alone else ""
-    points, percent = (
-        write_change(comparison.mean_points),
-        write_change(comparison.mean_percent, places=2),
+    moved = Message("marks.moved", up=comparison.up, down=comparison.down, unchanged=unchanged)
+    mean = Message(
+        "marks.mean-change",
+        points=write_change(comparison.mean_points),
+        percent=write_change(comparison.mean_percent, places=2),
     )
-    return (
-        f"{comparison.up} up, {comparison.down} down, {unchanged} unchanged{lone}; "
-        f"mean change {points} points, {percent} percentage points"
-    )
+    lone = [Message("marks.in-one-only", count=len(alone))] if alone else []
+    return list_statements([moved, *lone, mean])

@@ -15,6 +15,7 @@ from typing import TypeVar
 
 from kinegrade.amounts import PLACES, write_amount
 from kinegrade.grading.marks import ClassGrades
+from kinegrade.language.message import Message, Quoted
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import Grade, KeptTotal, StudentTotal
 from kinegrade.tables import Complaint
@@ -56,12 +57,17 @@ def _find_kept(marks: ClassGrades, before: Mapping[str, StudentTotal]) -> Iterat
 
 def _keep_total(grade: Grade, earlier: StudentTotal) -> KeptTotal:
     """With the reason why the total is not the sum of the questions."""
-    before = f"{write_amount(earlier.total)} of {write_amount(earlier.out_of)}"
-    now = f"{write_amount(grade.total)} of {write_amount(grade.out_of)}"
+    reason = Message(
+        "marking.total-kept",
+        before=write_amount(earlier.total),
+        before_out_of=write_amount(earlier.out_of),
+        now=write_amount(grade.total),
+        out_of=write_amount(grade.out_of),
+    )
     return KeptTotal(
         grade.student,
         grade.name,
-        f"earlier total kept: {before} before, {now} by this marking",
+        reason,
         earlier.total,
         earlier.out_of,
         grade.total,
@@ -76,5 +82,5 @@ def _round_up(amount: Fraction) -> Fraction:
 
 
 def _complain_of_stranger(student: str) -> Complaint:
-    problem = f'student "{student}" has earlier marks but is not in the exam'
-    return Complaint(GRADES.name, None, "student", "", problem, "nothing kept")
+    problem = Message("marking.earlier-marks", student=Quoted(student))
+    return Complaint(GRADES.name, None, "student", "", problem, Message("marking.nothing-kept"))

@@ -28,6 +28,7 @@ from kinegrade.grading.judged_block import USUAL_CREDITS, JudgedBlock, Row
 from kinegrade.grading.policy import AS_PRINTED, Policy
 from kinegrade.grading.pool import Pool
 from kinegrade.grading.sheet import Entry, Sheet, find_repeated
+from kinegrade.language.message import Message
 from kinegrade.marks_folder.rows import Grade
 from kinegrade.tables import Complaint, shorten, trim
 
@@ -170,8 +171,10 @@ def _merge_complaints(alike: Sequence[Complaint]) -> Complaint:
     if len(alike) == 1:
         return first
     files = ", ".join(dict.fromkeys(each.file for each in alike))
-    problem = f"{len(alike)} answers, such as {trim(first.content)} {first.problem}"
-    return Complaint(files, None, "", first.content, problem, "judged as they were read")
+    problem = Message(
+        "marking.alike", count=len(alike), first=trim(first.content), problem=first.problem
+    )
+    return Complaint(files, None, "", first.content, problem, Message("marking.as-read"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,10 +287,21 @@ class _Marker:
             content, verdict = shorten(reading.typed), judged.kinds[place]
             if reading.kind in ("unreadable", "wrong unit"):
                 points = judged.credits[judged.shares[place]] * self.asks[number].points
-                done = f"{verdict}, {'some' if points else 'no'} points"
+                done = (
+                    Message("marking.some-points", verdict=verdict)
+                    if points
+                    else Message("marking.no-points", verdict=verdict)
+                )
                 yield Complaint(file, line, column, content, reading.reason, done)
             if reading.remark:
-                said = Complaint(file, line, column, content, reading.remark, f"judged {verdict}")
+                said = Complaint(
+                    file,
+                    line,
+                    column,
+                    content,
+                    reading.remark,
+                    Message("marking.judged", verdict=verdict),
+                )
                 reason = next((each for each in reasons if reading.remark.endswith(each)), None)
                 if reason is None:
                     yield said

@@ -25,6 +25,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.grading.judge import Kind
 from kinegrade.grading.marks import MarkedBlock
+from kinegrade.language.message import Fault, Message
 
 _LOOKED_AT = 400  # students, evenly across the class: enough for a share, few enough for any class
 _LEAST = 4  # answers: fewer say nothing about a class
@@ -81,14 +82,9 @@ class OtherPapers:
             and _expect_by_chance(answers.swapped, bounds) <= _BY_CHANCE * swapped
         )
         if certain:
-            raise ExamError(
-                f"{file}: {self.strange} of {self.numbers} answers are wrong on the papers by "
-                "which they are marked, and most are right on other papers of this exam - "
-                "expected each student's answers to that student's paper - check that ids "
-                "and rows belong together; answers to a pool are graded from the system's download "
-                "with question texts and right answers (--from moodle); if all is as it should "
-                "be, add --own-papers"
-            )
+            problem = Message("marking.other-papers", count=self.numbers, wrong=self.strange)
+            expected, do = Message("marking.own-answers"), Message("marking.check-rows")
+            raise ExamError(Fault(file, problem, expected, do))
 
     def _questions(self) -> list[list[int]]:
         groups = groupby(enumerate(self.asks), lambda each: each[1].question)

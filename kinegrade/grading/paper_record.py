@@ -17,6 +17,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import decoding
 from kinegrade.exam.folder.numbers import require_number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.rows import Put
 
 
@@ -69,11 +70,9 @@ class PaperRecords:
         paper = self._as_put(self.paper(student), self.put.get(student, {}))
         unknown = next((column for column in columns if column not in paper.answers), None)
         if unknown is not None:
-            raise ExamError(
-                f'{self.exam.key}: the paper of student "{student}" does not ask {unknown}, which '
-                "was marked - expected the marks of this exam - name the exam folder by which they "
-                "were made"
-            )
+            problem = Message("marks.not-asked", student=Quoted(student), ask=unknown)
+            expected, do = Message("marks.of-this-exam"), Message("marks.name-exam")
+            raise ExamError(Fault(str(self.exam.key), problem, expected, do))
         return paper
 
     def _as_put(self, paper: PaperRecord, put: Mapping[str, str]) -> PaperRecord:
@@ -107,7 +106,8 @@ def _read_answers(line: KeyLine) -> Iterator[tuple[str, RightAnswer]]:
             try:
                 yield column, _read_right_answer(stated)
             except FieldError as fault:
-                raise FieldError(f"{column}: {fault}") from fault
+                problem = Message("marks.of-answer", ask=column, fault=fault.faults[0])
+                raise FieldError(problem) from fault
 
 
 def _read_right_answer(stated: StatedAnswer) -> RightAnswer:

@@ -20,6 +20,14 @@ from kinegrade.errors import TableError
 from kinegrade.exam.folder.keys import Ask, Sitting
 from kinegrade.exam.roster import COLUMN_NAMES, make_student_key
 from kinegrade.exam.student_ids import StudentIds, describe_restoration
+from kinegrade.language.message import (
+    Fault,
+    Message,
+    Quoted,
+    Text,
+    list_choices,
+    list_plainly,
+)
 from kinegrade.tables import (
     Complaint,
     Row,
@@ -30,6 +38,7 @@ from kinegrade.tables import (
     trim,
 )
 
+_NO_STUDENT_COLUMN = Message("marking.no-student-column")
 _NEEDLESS = {*COLUMN_NAMES["name"], *COLUMN_NAMES["email"], "paper"}
 
 
@@ -148,29 +157,27 @@ def _find_columns(table: Table, asks: Sequence[Ask]) -> _Columns:
     found = _find_ask_columns(table.header, asks)
     faults = []
     if student is None:
-        faults.append('no column "student" - expected one with the student ids')
+        faults.append(_explain(table, _NO_STUDENT_COLUMN, Message("marking.column-of-ids")))
     if all(index is None for index in found):
-        faults.append(
-            f"no answer column - expected {', '.join(ask.column for ask in asks[:4])} ..."
-        )
+        first = list_plainly(ask.column for ask in asks[:4])
+        expected = Message("marking.answer-columns", columns=first)
+        faults.append(_explain(table, Message("marking.no-answer-column"), expected))
     strange = [
         cell for cell in header if _ANSWER_COLUMN.fullmatch(cell) and cell not in _list_keys(asks)
     ]
     if not faults and len(strange) > sum(index is not None for index in found):
-        faults.append(
-            f"most answer columns are not asked in this exam ({', '.join(strange[:4])} ...)"
-        )
+        first = list_plainly(strange[:4])
+        faults.append(_explain(table, Message("marking.another-exam", columns=first)))
     if student is None or faults:
-        raise TableError(
-            *(
-                f"{table.file}: {fault} - fill in the answers.csv of the exam folder"
-                for fault in faults
-            )
-        )
+        raise TableError(*faults)
     unused = (index for index in range(len(header)) if index not in {student, *found})
     return _Columns(
         student, found, tuple(index for index in unused if header[index] not in _NEEDLESS)
     )
+
+
+def _explain(table: Table, problem: Message, expected: Text = "") -> Fault:
+    return Fault(table.file, problem, expected, Message("marking.fill-in"))
 
 
 def _list_keys(asks: Sequence[Ask]) -> set[str]:
@@ -226,16 +233,15 @@ def _complain_of_restored(
 def _complain_of_unknown(table: Table, row: Row, columns: _Columns, ids: StudentIds) -> Complaint:
     cell = row.cell(columns.student)
     key, likely = make_student_key(cell), ids.near(cell)
-    problem = f'no student "{shorten(key)}" in the exam' if key else "no student id"
-    meant = " or ".join(f'"{student}"' for student in likely)
-    hint = f"; probably {meant}: correct the id and grade again" if meant else ""
+    unknown = Message("marking.no-student", student=Quoted(shorten(key)))
+    correct = Message("marking.correct-id", students=list_choices(map(Quoted, likely)))
     return Complaint(
         table.file,
         row.line,
         table.header[columns.student],
         _join_row(row),
-        problem,
-        f"not graded{hint}",
+        unknown if key else Message("marking.no-id"),
+        correct if likely else Message("marking.not-graded"),
     )
 
 
@@ -265,13 +271,13 @@ def _find_extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
         name = shorten(table.header[index])
         filled = [row for row in table.rows if trim(row.cell(index))]
         if trim(name):
-            done = "ignored" + ("; its cells follow" if filled else "")
+            done = Message("marking.cells-follow") if filled else Message("marking.ignored")
             yield Complaint(
                 table.file,
                 None,
                 name,
                 "",
-                "not an answer column of the exam, or its second one",
+                Message("marking.no-answer-column-here"),
                 done,
             )
         for row in filled:
@@ -281,8 +287,8 @@ def _find_extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
                 row.line,
                 name,
                 content,
-                "stands in a column that is ignored",
-                "kept here only",
+                Message("marking.in-ignored-column"),
+                Message("marking.kept-here"),
             )
 
 
@@ -292,12 +298,16 @@ def find_repeated(entries: Sequence[Entry], counted: Entry) -> Iterator[Complain
     for entry in entries:
         if entry is counted:
             continue
-        where = "" if entry.file == counted.file else f" of {counted.file}"
-        problem = f"another row for this student stands on line {counted.line}{where}"
+        where = _name_line(entry, counted)
+        problem = Message("marking.another-row", row=where)
         same = list(map(trim, entry.responses)) == answers
-        done = (
-            "ignored, the answers are the same"
-            if same
-            else f"line {counted.line}{where} counts; this row is kept here only"
-        )
+        done = Message("marking.same-answers") if same else Message("marking.row-counts", row=where)
         yield Complaint(entry.file, entry.line, "", entry.whole, problem, done)
+
+
+def _name_line(entry: Entry, counted: Entry) -> Message:
+    """The line of the row that counts, with its file where it is another one."""
+    line = counted.line or 0
+    if entry.file == counted.file:
+        return Message("marking.line", line=line)
+    return Message("marking.line-of", line=line, file=counted.file)

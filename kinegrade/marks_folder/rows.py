@@ -10,6 +10,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from kinegrade.amounts import add_amounts
+from kinegrade.language.message import Text
 
 Put = Mapping[str, Mapping[str, str]]  # whose line of the key, by student and answer column
 Orders = Mapping[str, tuple[str, ...]]  # the questions as printed, by student
@@ -51,7 +52,7 @@ class KeptTotal:
 
     student: str
     name: str
-    reason: str
+    reason: Text
     before: Fraction
     before_out_of: Fraction
     by_this_marking: Fraction

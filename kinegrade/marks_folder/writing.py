@@ -77,7 +77,9 @@ class MarksWriter:
 
     def kept(self, kept: Iterable[KeptTotal]) -> None:
         """The students whose earlier total stands."""
-        write_for_people(self.path / KEPT.name, KEPT.columns, map(_write_kept, kept))
+        words = open_catalogue(self.language)
+        rows = (_write_kept(each, words) for each in kept)
+        write_for_people(self.path / KEPT.name, KEPT.columns, rows)
 
     def printed(self, orders: Orders) -> None:
         """The order of the questions on paper, by student, where it differs from the bank's."""
@@ -123,6 +125,11 @@ def _write_complaint(complaint: Complaint, words: Catalogue) -> tuple[str, ...]:
     return (neutralise(complaint.file), line, *map(neutralise, texts))
 
 
-def _write_kept(kept: KeptTotal) -> tuple[str, ...]:
+def _write_kept(kept: KeptTotal, words: Catalogue) -> tuple[str, ...]:
     amounts = kept.before, kept.before_out_of, kept.by_this_marking, kept.out_of, kept.stands
-    return (kept.student, neutralise(kept.name), *map(write_amount, amounts), kept.reason)
+    return (
+        kept.student,
+        neutralise(kept.name),
+        *map(write_amount, amounts),
+        words.write(kept.reason),
+    )

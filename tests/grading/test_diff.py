@@ -20,12 +20,15 @@ from kinegrade.grading.comparison import (
     write_comparison_text,
 )
 from kinegrade.grading.kept_totals import never_lower
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.lms import moodle
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import StudentTotal
 from tests.grading.policies import marked, policy_of, regraded
 from tests.small_class import kinegrade
 
+WORDS = open_catalogue(ENGLISH)
 ANSWERS = """student,name,q1.v_B,q1.omega_AB,q2.a_B
 007,王伟,1.76,0,-0.125
 0012,"O'Neil, Zoë",9,0,-0.125
@@ -73,15 +76,15 @@ def test_a_marking_does_not_differ_from_itself(answered: Path) -> None:
     marks = regraded(answered, "MARKS", POLICY)
     comparison = compare(MarksFolder(marks), MarksFolder(marks))
     assert comparison.changes == ()
-    assert write_comparison_csv(comparison).decode("utf-8-sig") == ",".join(HEADER) + "\n"
-    assert write_comparison_text(comparison) == (
+    assert write_comparison_csv(comparison, WORDS).decode("utf-8-sig") == ",".join(HEADER) + "\n"
+    assert write_comparison_text(comparison, WORDS) == (
         "0 up, 0 down, 4 unchanged; mean change 0 points, 0 percentage points"
     )
 
 
 def test_who_changes_by_how_much_and_why(answered: Path) -> None:
     first, second = regraded(answered, "MARKS"), regraded(answered, "MARKS2", POLICY)
-    assert write_comparison_text(compare(MarksFolder(first), MarksFolder(second))) == TABLE
+    assert write_comparison_text(compare(MarksFolder(first), MarksFolder(second)), WORDS) == TABLE
     back = compare(MarksFolder(second), MarksFolder(first))
     assert (back.up, back.down, back.mean_points) == (2, 1, Fraction(1, 8))
     assert [change.student for change in back.changes] == ["007", "0012", "S9", "12"]
@@ -130,13 +133,30 @@ def test_cells_of_the_file_do_not_run_in_a_spreadsheet(answered: Path) -> None:
     )
     rows = list(
         csv.DictReader(
-            write_comparison_csv(compare(MarksFolder(first), MarksFolder(second)))
+            write_comparison_csv(compare(MarksFolder(first), MarksFolder(second)), WORDS)
             .decode("utf-8-sig")
             .splitlines()
         )
     )
     assert {row["name"] for row in rows if row["student"] == "S9"} == {"'=HYPERLINK(1)"}
     assert [row["response_after"] for row in rows if row["student"] == "12"] == ["", "'=1+1"]
+
+
+def test_changes_are_shown_in_the_language_of_the_terminal_and_written_in_the_one_asked_for(
+    answered: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, second = regraded(answered, "MARKS"), regraded(answered, "MARKS2")
+    for name in ("grades.csv", "marks.csv"):
+        text = (second / name).read_text(encoding="utf-8").replace("0012,", "0013,")
+        (second / name).write_text(text, encoding="utf-8")
+    monkeypatch.setenv("LC_ALL", "zh_CN.UTF-8")
+    done = kinegrade("diff", first, second, "-o", answered.parent / "changes.csv")
+    assert done.exit_code == 0, done.stderr
+    assert "0 人上升、0 人下降、3 人不变；2 人仅在其中一份中" in done.stdout
+    rows = rows_of(answered.parent / "changes.csv")
+    assert rows[0]["reason_after"] == "only in the first"
+    kinegrade("diff", first, second, "-o", answered.parent / "zh.csv", "--lang", "zh")
+    assert rows_of(answered.parent / "zh.csv")[0]["reason_after"] == "仅在第一份中"
 
 
 def test_students_and_asks_of_one_marking_only_are_told(answered: Path) -> None:
@@ -157,7 +177,7 @@ def test_students_and_asks_of_one_marking_only_are_told(answered: Path) -> None:
         ("12", "q2.a_B"),
         ("0013", "q1.v_B", "q1.omega_AB", "q2.a_B"),
     ]
-    text = write_comparison_text(comparison)
+    text = write_comparison_text(comparison, WORDS)
     assert text.endswith(
         "0 up, 0 down, 2 unchanged; 3 in one of the two only; "
         "mean change 0 points, 0 percentage points"
@@ -177,7 +197,8 @@ def test_an_answer_of_another_row_is_shown(answered: Path) -> None:
         compare(
             MarksFolder(regraded(answered, "MARKS", "attempts = 'first'")),
             MarksFolder(regraded(answered, "MARKS2")),
-        )
+        ),
+        WORDS,
     )
     assert 'q1.v_B            0      4      +4  "" -> "1.73", blank -> right: key 1.73205' in text
     assert "\x1b" not in text
@@ -207,7 +228,7 @@ def test_nobody_falls_below_an_earlier_total(answered: Path) -> None:
     ]
     assert [row["name"] for row in kept] == ["王伟", "O'Neil, Zoë", "'=HYPERLINK(1)"]
     assert "earlier total kept: 3 of 9.5 before, 0 of 6.5 by this marking" in write_comparison_text(
-        compare(MarksFolder(first), MarksFolder(second))
+        compare(MarksFolder(first), MarksFolder(second)), WORDS
     )
     assert (
         moodle.export(MarksFolder(second)).splitlines()[1] == "007,王伟,3.7632,1: 0/4; 2: 2.5/2.5"

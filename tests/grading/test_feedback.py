@@ -374,9 +374,8 @@ def test_marks_of_another_exam_with_the_same_students_are_refused_by_feedback_an
         file.read_text(encoding="utf-8").replace("7,q1,v_B", "7,q1,v_Z"), encoding="utf-8"
     )
     message = (
-        r'key.jsonl: the paper of student "7" does not ask q1.v_Z, which was marked - expected the '
-        r"marks of "
-        "this exam - name the exam folder by which they were made"
+        r'key.jsonl: the paper of student "7" does not ask q1.v_Z, which was marked - expected '
+        "marks made from this exam folder - name the folder by which they were made"
     )
     with pytest.raises(ExamError, match=message):
         list(make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))

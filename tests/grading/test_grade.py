@@ -17,6 +17,7 @@ from kinegrade.grading.grade import grade
 from kinegrade.grading.marks import ClassGrades, Grade
 from kinegrade.lms import moodle
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
+from tests.said import said
 
 HEADER = "student,name,q1.v_B,q1.omega_AB,q2.a_B\n"
 ROWS = """007,王伟,"1,73",0.002,-0.125
@@ -143,7 +144,7 @@ def test_ids_without_zeros_or_in_another_case_keep_their_points_where_one_studen
         '2 student ids are not as in the exam, such as "7" for "007"',
     )
     assert restored.done.startswith("taken for these students, as each can mean only one")
-    assert [(each.line, each.done) for each in others] == [
+    assert [(each.line, said(each.done)) for each in others] == [
         (4, 'not graded; probably "0012" or "12": correct the id and grade again')
     ]
 
@@ -151,7 +152,7 @@ def test_ids_without_zeros_or_in_another_case_keep_their_points_where_one_studen
 def test_an_id_is_not_restored_for_somebody_who_has_a_row(exam_folder: Path) -> None:
     marks = marked(exam_folder, HEADER + f"007,王伟,{RIGHT},0,-0.125\n7,x,1,1,1\n")
     assert verdicts(exam_folder, "007") == ["right"] * 3
-    assert [each.done for each in marks.complaints if each.line == 3] == [
+    assert [said(each.done) for each in marks.complaints if each.line == 3] == [
         'not graded; probably "007": correct the id and grade again'
     ]
 
@@ -189,7 +190,7 @@ def test_a_repeated_row_with_the_same_answers_is_ignored(exam_folder: Path) -> N
         exam_folder, HEADER + ROWS + '007,W, "1,73" ,0.002,-0.125\n'.replace(' "1,73" ', RIGHT)
     )
     assert verdicts(exam_folder, "007") == ["right"] * 3
-    assert [complaint.done for complaint in marks.complaints if complaint.line == 2] == [
+    assert [said(complaint.done) for complaint in marks.complaints if complaint.line == 2] == [
         "ignored, the answers are the same"
     ]
 
@@ -238,8 +239,8 @@ def test_another_encoding_is_read_and_said(exam_folder: Path) -> None:
         exam_folder, (HEADER + ROWS.replace("Zoë", "")).replace("²", "^2").encode("gb18030")
     )
     assert verdicts(exam_folder, "007") == ["right"] * 3
-    assert marks.complaints[0].problem.startswith("not valid UTF-8 from this line on")
-    assert marks.complaints[0].done.startswith("read as GB18030")
+    assert said(marks.complaints[0].problem).startswith("not valid UTF-8 from this line on")
+    assert said(marks.complaints[0].done).startswith("read as GB18030")
 
 
 def test_a_comma_that_may_be_a_thousands_separator_is_shown_to_a_person(exam_folder: Path) -> None:
@@ -269,7 +270,7 @@ def test_a_student_s_own_answers_or_a_declaration_say_what_a_comma_is(exam_folde
         "right",
     ]
     assert (
-        declared.complaints[0].problem
+        said(declared.complaints[0].problem)
         == "2 answers, such as 1,732 read as 1.732: the decimal mark was declared to be the comma"
     )
 

@@ -28,6 +28,7 @@ from tests.grading.policies import (
     regraded,
     told,
 )
+from tests.said import said
 
 ATTEMPTS = "007,9,0,1\n007,2,0,30\n007,2,9,30\n"
 ACCEPTED = "[questions.q1.asks.v_B]\naccept = [{}]\n"
@@ -292,12 +293,14 @@ def test_of_several_rows_the_policy_says_which_counts(
     marks = marked(ATTEMPTS, policy_of(f"attempts = '{attempts}'", tmp_path))
     assert marks.grades[0].total == total
     rows = [
-        complaint for complaint in marks.complaints if complaint.problem.startswith("another row")
+        complaint
+        for complaint in marks.complaints
+        if said(complaint.problem).startswith("another row")
     ]
     assert [complaint.line for complaint in rows] == [
         number for number in (2, 3, 4) if number != line
     ]
-    assert {complaint.done for complaint in rows} == {
+    assert {said(complaint.done) for complaint in rows} == {
         f"line {line} counts; this row is kept here only"
     }
     assert [complaint.content for complaint in rows] == [
