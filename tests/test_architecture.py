@@ -57,7 +57,6 @@ ON_THE_WAY_DOWN = {
     "kinegrade.exam.latex_text",
     "kinegrade.exam.quiz_prose",
     "kinegrade.exam.solution_words",
-    "kinegrade.exam.words",
     "kinegrade.lms.quiz.plain_math",
 }
 SIBLINGS = ("figure", "grading", "lms")

@@ -13,10 +13,10 @@ from kinegrade.exam.latex_key import write_key_body
 from kinegrade.exam.latex_solution import write_solution_body
 from kinegrade.exam.latex_source import write_document, write_paper_body
 from kinegrade.exam.pages import lay_out_paper
-from kinegrade.exam.words import choose_words
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.tikz import write_tikz
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.sheet import SolutionSheet
 from kinegrade.problem.library import load_template
@@ -29,9 +29,10 @@ from tests.press.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_a_paper_for_latex(golden_bank: Bank, hold: Hold, language: Language) -> None:
     page = lay_out_paper(golden_bank, papers(golden_bank)[1], language)
+    words = open_catalogue(language).raw("paper", "layout.")
     hold(
         f"paper-{language}.tex",
-        write_document([write_paper_body(page)], language, "a4", choose_words(language), "fonts"),
+        write_document([write_paper_body(page)], language, "a4", words, "fonts"),
     )
 
 

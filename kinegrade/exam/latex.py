@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.latex_faults import find_faults
@@ -28,8 +28,8 @@ from kinegrade.exam.latex_solution import write_solution_body
 from kinegrade.exam.latex_source import write_document, write_paper_body
 from kinegrade.exam.latex_text import is_surely_printed, write_plain
 from kinegrade.exam.solution_words import choose_solution_words
-from kinegrade.exam.words import choose_words
 from kinegrade.language import ENGLISH, Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each
 from kinegrade.press.legible import make_owner_legible, make_owners_legible
 from kinegrade.press.protocol import Printout
@@ -51,11 +51,20 @@ class _Kind(Generic[_Sheet]):
 
     name: str
     body: Callable[[_Sheet], str]
-    words: Callable[[str], Any]
+    words: Callable[[Language], Mapping[str, str]]
 
 
-_PAPERS: _Kind[Paper] = _Kind("papers", write_paper_body, choose_words)
-_SOLUTIONS: _Kind[SolutionSheet] = _Kind("solutions", write_solution_body, choose_solution_words)
+def _read_paper_words(language: Language) -> Mapping[str, str]:
+    return open_catalogue(language).raw("paper", "layout.")
+
+
+def _read_solution_words(language: Language) -> Mapping[str, str]:
+    words = choose_solution_words(language)
+    return asdict(words) | {"page": words.page.format("<page>", "<pages>")}
+
+
+_PAPERS: _Kind[Paper] = _Kind("papers", write_paper_body, _read_paper_words)
+_SOLUTIONS: _Kind[SolutionSheet] = _Kind("solutions", write_solution_body, _read_solution_words)
 
 
 class LatexPress:
@@ -81,7 +90,7 @@ class LatexPress:
     def key(self, book: KeyBook) -> Printout:
         """The instructor's key; names are printed and errors raised as by `papers`."""
         named = make_owners_legible(book, self)
-        body, words = write_key_body(named), choose_words(book.language)
+        body, words = write_key_body(named), _read_paper_words(book.language)
         with self._typeset([body], book.language, words, "key") as (folder, _):
             pdf = make_pdf(folder)
         source = write_document([body], book.language, self._size, words, str(find_font_folder()))
@@ -135,7 +144,7 @@ class LatexPress:
 
     @contextmanager
     def _typeset(
-        self, bodies: list[str], language: Language, words: Any, where: str
+        self, bodies: list[str], language: Language, words: Mapping[str, str], where: str
     ) -> Iterator[tuple[Path, Outcome]]:
         """The folder where the pages of the bodies lie, as long as the context lasts. Raises
         TypesetError.
@@ -157,7 +166,7 @@ def _make_printout(name: str, pdf: bytes, source: str) -> Printout:
 
 def _find_missing(characters: Iterable[str]) -> frozenset[str]:
     """Those of the characters that XeTeX has no font for."""
-    words = choose_words(ENGLISH)
+    words = _read_paper_words(ENGLISH)
     source = write_document([" ".join(map(write_plain, characters))], ENGLISH, "a4", words, FONTS)
     with temporary_folder() as folder:
         return run(source, folder, _START_SECONDS).missing

@@ -9,19 +9,17 @@ are named by them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict
 from itertools import groupby
-from typing import Any
 
 from pylatex import Command, Document, NoEscape, Package
 from pylatex.base_classes import Arguments, Environment, Options
 
 from kinegrade.exam.latex_math import write_math
 from kinegrade.exam.latex_text import write_comment, write_plain, write_unit
-from kinegrade.exam.words import Words, choose_words
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.tikz import write_tikz
 from kinegrade.language import Language
+from kinegrade.language.catalogue import PLACE, Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.latex import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark
@@ -38,7 +36,7 @@ _BESIDE_STUDENT = (
     8  # columns of the marker's table that leave room for the student's name beside them
 )
 
-_LANGUAGE_OPTIONS: Mapping[str, tuple[str, ...]] = {"en": (), "zh": ("chinese",)}
+_PLACES = ("page", "pages")  # of the fixed words: what the style gives them, in this order
 _SIZE_OPTIONS: Mapping[PaperSize, tuple[str, ...]] = {"a4": (), "letter": ("letter",)}
 
 
@@ -61,10 +59,14 @@ class Answers(Block):
 
 
 def write_document(
-    bodies: Iterable[str], language: Language, size: PaperSize, words: Any, fonts: str
+    bodies: Iterable[str],
+    language: Language,
+    size: PaperSize,
+    words: Mapping[str, str],
+    fonts: str,
 ) -> str:
-    """A whole LaTeX source; `words` is a dataclass of fixed words, `fonts` the folder of the
-    Chinese fonts.
+    """A whole LaTeX source; `words` holds the fixed words, `fonts` is the folder of the Chinese
+    fonts.
     """
     whole = Document(
         documentclass="article",
@@ -76,9 +78,9 @@ def write_document(
         indent=True,
         microtype=False,
     )
-    chosen = [*_LANGUAGE_OPTIONS[language], *_SIZE_OPTIONS[size]]
-    whole.packages.append(Package("kinegrade", options=chosen or None))
-    whole.preamble.extend(_write_word(name, text) for name, text in asdict(words).items())
+    chosen = [open_catalogue(language).text("language.page.script"), *_SIZE_OPTIONS[size]]
+    whole.packages.append(Package("kinegrade", options=chosen))
+    whole.preamble.extend(_write_word(name, text) for name, text in words.items())
     whole.preamble.append(Command("chinesefonts", NoEscape(fonts)))
     whole.extend(NoEscape(body) for body in bodies)
     return str(whole.dumps())
@@ -86,7 +88,7 @@ def write_document(
 
 def write_paper_body(paper: Paper) -> str:
     """One student's paper; raises TypesetError with all faults of its texts."""
-    words, where = choose_words(paper.language), f"paper {paper.code}"
+    words, where = open_catalogue(paper.language), f"paper {paper.code}"
     parts = gather(
         rules=lambda: convert_each(lambda rule: write_prose(rule, "rules"), paper.rules),
         questions=lambda: convert_each(
@@ -130,18 +132,17 @@ def write_named(where: str, identifier: str, template: str) -> str:
 
 def _write_word(name: str, text: str) -> Command:
     """The fixed words as commands: `\\wordpage{1}{3}` where there are places for numbers."""
-    places = text.count("{}")
-    pieces = [write_plain(piece) for piece in text.split("{}")]
-    filled = "".join(
-        piece + (f"#{index}" if index <= places else "")
-        for index, piece in enumerate(pieces, start=1)
-    )
-    options = Options(places) if places else None
+    pieces = PLACE.split(text)
+    plain, places = pieces[::3], pieces[1::3]
+    numbers = [_PLACES.index(place) + 1 for place in places]
+    filled = [
+        f"#{number}{write_plain(piece)}" for number, piece in zip(numbers, plain[1:], strict=True)
+    ]
     return Command(
         "newcommand",
-        NoEscape("\\word" + name.replace("_", "")),
-        options,
-        extra_arguments=NoEscape(filled),
+        NoEscape("\\word" + name.replace("-", "").replace("_", "")),
+        Options(max(numbers)) if numbers else None,
+        extra_arguments=NoEscape(write_plain(plain[0]) + "".join(filled)),
     )
 
 
@@ -187,7 +188,7 @@ def _write_rule_columns(rules: Sequence[str]) -> list[str]:
     return ["\n".join(column) for column in columns]
 
 
-def _write_question(question: QuestionSheet, words: Words, paper: str) -> str:
+def _write_question(question: QuestionSheet, words: Catalogue, paper: str) -> str:
     where = write_named(paper, question.identifier, question.template)
     parts = gather(
         title=lambda: write_line(question.title, f"{where}, title"),
@@ -205,9 +206,8 @@ def _write_question(question: QuestionSheet, words: Words, paper: str) -> str:
     block.append(NoEscape(_write_statement(parts["statement"], question.figure, parts["figure"])))
     block.append(NoEscape(write_environment(Answers(), parts["rows"])))
     if question.source:
-        block.append(
-            NoEscape(write_command("source", write_plain(words.source.format(question.source))))
-        )
+        source = words.text("paper.source", source=question.source)
+        block.append(NoEscape(write_command("source", write_plain(source))))
     return f"{write_comment(where)}\n{block.dumps()}"
 
 
@@ -219,13 +219,13 @@ def _write_statement(text: str, figure: Scene | None, drawn: str) -> str:
     return write_command("statement", text) + "\n" + write_command("below", drawn)
 
 
-def _write_ask(row: AnswerRow, words: Words, where: str) -> str:
+def _write_ask(row: AnswerRow, words: Catalogue, where: str) -> str:
     parts = gather(
         symbol=lambda: write_math(row.symbol, f"{where}, symbol"),
         meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
         sign=lambda: write_line(row.sign, f"{where}, sign"),
     )
-    printed = write_plain(words.unitless) if row.unit == "1" else write_unit(row.unit)
+    printed = write_plain(words.text("paper.unitless")) if row.unit == "1" else write_unit(row.unit)
     return write_command(
         "ask",
         parts["symbol"],

@@ -9,10 +9,10 @@ from fractions import Fraction
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.rules import write_rules
 from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
-from kinegrade.exam.words import choose_words
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.sheet import (
@@ -30,13 +30,7 @@ from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template import Ask
 
-WARNING = {
-    "en": "For the instructor only: this key shows every answer.",
-    "zh": "仅供教师使用：本册含全部答案。",
-}
-
 Sketcher = Callable[[Mechanism, FigureHints], Scene]
-_FULL_TURNS = {"en": "; full turns do not matter", "zh": "；相差整周视为相同"}
 
 
 def lay_out_paper(
@@ -68,7 +62,7 @@ def write_title(bank: Bank, paper: SetPaper, language: Language) -> str:
 
 def write_version_name(letter: str, language: Language) -> str:
     """A version as it is printed."""
-    return choose_words(language).version.format(letter)
+    return open_catalogue(language).text("paper.version", letter=letter)
 
 
 def _lay_out_question(
@@ -95,7 +89,9 @@ def _lay_out_question(
 
 def make_answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
     """The box of one answer."""
-    sign = ask.sign.in_language(language) + (_FULL_TURNS[language] if ask.cyclic else "")
+    sign = ask.sign.in_language(language)
+    if ask.cyclic:
+        sign = open_catalogue(language).text("paper.sign-with-full-turns", sign=sign)
     return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, sign, points)
 
 
@@ -108,7 +104,7 @@ def make_key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) ->
         language,
         bank.course.in_language(language),
         bank.title.in_language(language),
-        WARNING[language],
+        open_catalogue(language).text("paper.key-warning"),
         shown,
     )
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from kinegrade.exam.formula import write_unit
-from kinegrade.exam.words import Words, choose_words
+from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.pandoc import make_formula, write_line, write_prose
 from kinegrade.language.prose.pandoc_tree import (
@@ -53,7 +53,7 @@ def write_paper_tree(paper: Paper, figures: Mapping[int, str]) -> bytes:
 
     Raises TypesetError with all faults of the paper's texts.
     """
-    words = choose_words(paper.language)
+    words = open_catalogue(paper.language)
     parts = gather(
         rules=lambda: convert_each(
             lambda rule: [make_plain(write_line(rule, "rules"))], paper.rules
@@ -64,7 +64,12 @@ def write_paper_tree(paper: Paper, figures: Mapping[int, str]) -> bytes:
     )
     head = [*_write_title(paper), _write_fields(paper, words), *_write_marks(paper, words)]
     rules = (
-        [make_styled("Rules", [_write_bold_line(words.rules), make_bullets(parts["rules"])])]
+        [
+            make_styled(
+                "Rules",
+                [_write_bold_line(words.text("paper.layout.rules")), make_bullets(parts["rules"])],
+            )
+        ]
         if parts["rules"]
         else []
     )
@@ -81,9 +86,13 @@ def _write_title(paper: Paper) -> list[Node]:
     ]
 
 
-def _write_fields(paper: Paper, words: Words) -> Node:
+def _write_fields(paper: Paper, words: Catalogue) -> Node:
     """The student's name and id and the paper's code, side by side."""
-    fields = ((words.name, paper.name), (words.student, paper.student), (words.paper, paper.code))
+    fields = (
+        (words.text("paper.layout.name"), paper.name),
+        (words.text("paper.layout.student"), paper.student),
+        (words.text("paper.layout.paper"), paper.code),
+    )
     cells = [
         make_plain([make_text(label), make_line_break(), make_strong([make_text(value)])])
         for label, value in fields
@@ -91,13 +100,13 @@ def _write_fields(paper: Paper, words: Words) -> Node:
     return make_table("fields", _FIELD_WIDTHS, _FIELD_SIDES, (), (cells,))
 
 
-def _write_marks(paper: Paper, words: Words) -> Iterator[Node]:
+def _write_marks(paper: Paper, words: Catalogue) -> Iterator[Node]:
     """For the marker: under each question's number its points, and room for the mark."""
-    for part in arrange_marks(paper, words.total, _MARKS):
+    for part in arrange_marks(paper, words.text("paper.layout.total"), _MARKS):
         rows = (
-            (words.number_column, *(number for number, _ in part)),
-            (words.out_of, *(points for _, points in part)),
-            (words.mark, *(_NO_BREAK for _ in part)),
+            (words.text("paper.layout.number-column"), *(number for number, _ in part)),
+            (words.text("paper.layout.out-of"), *(points for _, points in part)),
+            (words.text("paper.layout.mark"), *(_NO_BREAK for _ in part)),
         )
         widths = (0.16, *(0.07 for _ in part))
         yield make_table(
@@ -118,7 +127,7 @@ def _write_bold_line(words: str) -> Node:
 
 
 def _write_question(
-    question: QuestionSheet, figures: Mapping[int, str], words: Words
+    question: QuestionSheet, figures: Mapping[int, str], words: Catalogue
 ) -> list[Node]:
     where = question.identifier
     parts = gather(
@@ -131,22 +140,25 @@ def _write_question(
         picture = make_image(
             figures[question.number],
             question.figure.width,
-            f"{words.number_column} {question.number}",
+            f"{words.text('paper.layout.number-column')} {question.number}",
         )
         blocks.append(make_styled("Figure", [make_paragraph([picture])]))
-    heads = (words.asked, _NO_BREAK, words.answer, words.point_column)
+    heads = (
+        words.text("paper.layout.asked"),
+        _NO_BREAK,
+        words.text("paper.layout.answer"),
+        words.text("paper.layout.point-column"),
+    )
     blocks.append(
         make_table("answers", _ROW_WIDTHS, _ROW_SIDES, _write_plain_cells(heads), parts["rows"])
     )
-    source = (
-        [make_styled("Source", [make_paragraph([make_text(words.source.format(question.source))])])]
-        if question.source
-        else []
-    )
-    return [*blocks, *source]
+    if question.source:
+        source = make_text(words.text("paper.source", source=question.source))
+        blocks.append(make_styled("Source", [make_paragraph([source])]))
+    return blocks
 
 
-def _write_head(question: QuestionSheet, title: Sequence[Node], words: Words) -> list[Node]:
+def _write_head(question: QuestionSheet, title: Sequence[Node], words: Catalogue) -> list[Node]:
     """Number, title, the number in the answer sheet where that is another, and points."""
     other = write_other_number(question, words)
     known = other and _GAP + other
@@ -158,7 +170,7 @@ def _write_head(question: QuestionSheet, title: Sequence[Node], words: Words) ->
     ]
 
 
-def _write_row(row: AnswerRow, where: str, words: Words) -> list[Node]:
+def _write_row(row: AnswerRow, where: str, words: Catalogue) -> list[Node]:
     parts = gather(
         meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
         sign=lambda: write_line(row.sign, f"{where}, sign"),
@@ -168,7 +180,7 @@ def _write_row(row: AnswerRow, where: str, words: Words) -> list[Node]:
         ],
     )
     sign = [make_line_break(), *parts["sign"]] if parts["sign"] else []
-    unit = words.unitless if row.unit == "1" else write_unit(row.unit)
+    unit = words.text("paper.unitless") if row.unit == "1" else write_unit(row.unit)
     box = make_styled("Answer box", [make_paragraph([make_text(unit)])])
     points = make_plain([make_text(f"/ {write_points_text(row.points)}")])
     return [make_plain([*parts["meaning"], *sign]), make_plain(parts["symbol"]), box, points]

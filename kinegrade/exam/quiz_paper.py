@@ -19,10 +19,11 @@ from kinegrade.exam.pages import make_answer_row
 from kinegrade.exam.quiz_document import QuizAsk, QuizFigure, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.exam.quiz_solution import write_solution_html
 from kinegrade.exam.quiz_source import QuizSource, tolerance_of
-from kinegrade.exam.quiz_words import FIGURE, AskRule, count_digits_to_type, write_marking_rules
+from kinegrade.exam.quiz_words import AskRule, count_digits_to_type, write_marking_rules
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.svg import to_svg
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.assemble import assemble
@@ -154,9 +155,8 @@ def show_instance(
 def _draw_figure(template: Template, mechanism: Mechanism, language: Language) -> QuizFigure:
     scene = sketch(mechanism, template.figure)
     title = template.about.title.in_language(language).replace("$", "")
-    return QuizFigure(
-        to_svg(scene).encode(), scene.width, scene.height, FIGURE[language].format(title)
-    )
+    description = open_catalogue(language).text("paper.figure", title=title)
+    return QuizFigure(to_svg(scene).encode(), scene.width, scene.height, description)
 
 
 def _make_ask(

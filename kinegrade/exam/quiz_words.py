@@ -1,17 +1,17 @@
-"""The fixed words of a quiz on screen: what a figure is called, and when an answer is right."""
+"""What a quiz on screen says of its rules: how many digits to type, and when an answer is right."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
 
-from kinegrade.exam.rules import EXCEPTION, FEWEST_DIGITS, write_marking_rule
+from kinegrade.exam.rules import FEWEST_DIGITS, make_marking_rule
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Text
 from kinegrade.problem.tolerance import Tolerance
-
-FIGURE = {"en": "Figure to scale: {}", "zh": "附图（按比例绘制）：{}"}
-BETWEEN = {"en": " ", "zh": ""}
 
 
 def count_digits_to_type(tolerances: Iterable[Tolerance]) -> int:
@@ -28,18 +28,26 @@ class AskRule:
     tolerance: Tolerance
     unit: str
 
-    def text(self, language: Language) -> str:
-        """When the answer is right."""
-        return write_marking_rule(self.tolerance, language, self.unit)
-
 
 def write_marking_rules(asks: Mapping[str, AskRule], language: Language) -> str:
     """When the answers of a question are right; `asks` holds the rules by symbol (math)."""
-    texts = {symbol: rule.text(language) for symbol, rule in asks.items()}
-    distinct = set(texts.values())
+    rules = {symbol: make_marking_rule(ask.tolerance, ask.unit) for symbol, ask in asks.items()}
+    distinct = set(rules.values())
     if len(distinct) == 1:
-        return distinct.pop()
-    return BETWEEN[language].join(
-        EXCEPTION[language].format(what=f"${symbol}$", rule=rule[0].lower() + rule[1:])
-        for symbol, rule in texts.items()
+        return open_catalogue(language).text("paper.rule", rule=distinct.pop())
+    exceptions = [
+        Message("paper.rule-of-quantity", symbol=symbol, rule=rule)
+        for symbol, rule in rules.items()
+    ]
+    return write_sentences(exceptions, language)
+
+
+def write_sentences(sentences: Iterable[Text], language: Language) -> str:
+    """Sentences one after another, with what the language puts between them; those that are empty
+    left out.
+    """
+    catalogue = open_catalogue(language)
+    written = filter(None, map(catalogue.write, sentences))
+    return reduce(
+        lambda first, second: catalogue.text("paper.sentences", first=first, second=second), written
     )

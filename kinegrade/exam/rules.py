@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from math import sqrt
@@ -10,65 +10,20 @@ from math import sqrt
 from kinegrade.exact.figures import figures_interval
 from kinegrade.exam.blueprint import Bank, BankQuestion
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Part, list_choices
 from kinegrade.problem.tolerance import Tolerance
 
-_WRITING = {
-    "en": "Write one number into each box, in the unit printed there, with at least {digits} "
-    "significant digits: {point} or {comma}. Do not separate thousands.",
-    "zh": "每个答案框内填写一个数，单位已印在框内，至少保留{digits}位有效数字，写成 {point} 或 {comma} 均可；"
-    "不要使用千位分隔符。",
-}
-_AXES = {
-    "en": "The $x$ axis points to the right, the $y$ axis upwards; counter-clockwise is positive "
-    "unless stated otherwise. Figures are drawn to scale.",
-    "zh": "$x$ 轴向右，$y$ 轴向上；除另有说明外，均以逆时针为正。附图按比例绘制。",
-}
-_RELATIVE = {
-    "en": "An answer is right if it differs from the exact value by at most {relative} of that "
-    "value{absolute}. {zero}",
-    "zh": "答案与精确值之差不超过精确值的 {relative}{absolute}即判为正确。{zero}",
-}
-_FIGURES = {
-    "en": "An answer is right if it agrees with the exact value to {figures} significant digits "
-    "(where that is {example}, from {low} to {high}){others}. {zero}",
-    "zh": "答案与精确值在 {figures} 位有效数字内一致（如精确值为 {example} 时，从 {low} 到 {high}）{others}即判为正确。"
-    "{zero}",
-}
-_ZERO = {
-    "en": "Where the exact value is zero, or less than {share} of the largest quantity of its kind "
-    "in the mechanism, {share} of that quantity is allowed.",
-    "zh": "精确值为零或小于该机构中同类量最大值的 {share} 时，允许偏差为该最大值的 {share}。",
-}
-_ABSOLUTE = {
-    "en": "An answer is right if it differs from the exact value by at most {amount}{table}.",
-    "zh": "答案与精确值之差不超过 {amount}{table}即判为正确。",
-}
-# Four significant digits of 11.186 may leave an allowance of 0.002: then decimals are asked for.
-_WRITE_DECIMALS = {
-    "en": " Write at least {decimals}.",
-    "zh": "至少写出{decimals}。",
-}
-_TO_THE_UNIT = {"en": "every digit before the decimal point", "zh": "整数部分的各位数字"}
-_ONE_DECIMAL = {"en": "one decimal", "zh": " 1 位小数"}
-_DECIMALS = {"en": "{count} decimals", "zh": " {count} 位小数"}
-_OR_ABSOLUTE = {
-    "en": ", or by at most {amount}{table}, whichever is more",
-    "zh": "（或不超过 {amount}{table}，取其大者）",
-}
-_OR_WITHIN = {
-    "en": ", or differs from it by at most {amounts}",
-    "zh": "，或与其之差不超过{amounts}，",
-}
-_OF_VALUE = {"en": "{relative} of it", "zh": "精确值的 {relative}"}
-_IN_UNIT = {"en": "{amount}{table}", "zh": " {amount}{table}"}
-_IN_TABLE = {"en": " in the unit of the table", "zh": "（以表中单位计）"}
-_IN_TABLE_ASIDE = {"en": " in the unit of the table", "zh": "，以表中单位计"}  # inside brackets
-_OR = {"en": " or ", "zh": "或"}
-NUMERALS = {"en": ("four", "five", "six", "seven", "eight", "nine", "ten"), "zh": "四五六七八九十"}
 FEWEST_DIGITS = 4
-EXCEPTION = {"en": "For {what}: {rule}", "zh": "{what}：{rule}"}
-_WHOLE = {"en": "question {number}", "zh": "第 {number} 题"}
-_PART = {"en": "question {number}, ${symbol}$", "zh": "第 {number} 题 ${symbol}$"}
+_NUMERALS: Mapping[int, Message] = {
+    4: Message("paper.four"),
+    5: Message("paper.five"),
+    6: Message("paper.six"),
+    7: Message("paper.seven"),
+    8: Message("paper.eight"),
+    9: Message("paper.nine"),
+    10: Message("paper.ten"),
+}
 
 
 def write_rules(bank: Bank, language: Language, order: Sequence[str] = ()) -> tuple[str, ...]:
@@ -80,36 +35,31 @@ def write_rules(bank: Bank, language: Language, order: Sequence[str] = ()) -> tu
     """
     places = order or [question.identifier for question in bank.questions]
     numbers = {identifier: number for number, identifier in enumerate(places, start=1)}
-    sentences = [
-        _write_writing_rule(bank, language),
-        _AXES[language],
-        write_marking_rule(bank.tolerance, language),
+    rules = [
+        _make_writing_rule(bank),
+        Message("paper.rule-of-axes"),
+        Message("paper.rule", rule=make_marking_rule(bank.tolerance)),
     ]
     for question in sorted(bank.questions, key=lambda each: numbers[each.identifier]):
-        number = numbers[question.identifier]
-        for tolerance, what in _find_exceptions(bank, question, number, language):
-            rule = write_marking_rule(tolerance, language)
-            sentences.append(EXCEPTION[language].format(what=what, rule=rule[0].lower() + rule[1:]))
-    return tuple(sentences)
+        rules.extend(_list_exceptions(bank, question, numbers[question.identifier]))
+    return tuple(map(open_catalogue(language).write, rules))
 
 
-def _find_exceptions(
-    bank: Bank, question: BankQuestion, number: int, language: Language
-) -> Iterator[tuple[Tolerance, str]]:
-    """The tolerances of a question that are not the bank's, with what they apply to: all of it, or
-    single asks.
-    """
+def _list_exceptions(bank: Bank, question: BankQuestion, number: int) -> Iterator[Message]:
+    """The rules of a question that are not the bank's: one for all of it, or for single asks."""
     tolerances = {ask.tolerance for ask in question.asks}
     if len(tolerances) == 1 and tolerances != {bank.tolerance}:
-        yield tolerances.pop(), _WHOLE[language].format(number=number)
+        rule = make_marking_rule(tolerances.pop())
+        yield Message("paper.rule-of-question", number=number, rule=rule)
         return
     for ask in question.asks:
         if ask.tolerance != bank.tolerance:
+            rule = make_marking_rule(ask.tolerance)
             symbol = question.template.asks[ask.name].symbol
-            yield ask.tolerance, _PART[language].format(number=number, symbol=symbol)
+            yield Message("paper.rule-of-ask", number=number, symbol=symbol, rule=rule)
 
 
-def _write_writing_rule(bank: Bank, language: Language) -> str:
+def _make_writing_rule(bank: Bank) -> Message:
     """How to write answers: with four digits, or as many as it takes to judge an answer by the
     strictest tolerance.
     """
@@ -118,105 +68,116 @@ def _write_writing_rule(bank: Bank, language: Language) -> str:
     ]
     digits = max((FEWEST_DIGITS, *carried))
     point = f"{sqrt(3) / 2:.{digits}f}"
-    numerals = NUMERALS[language][digits - FEWEST_DIGITS :]
-    return _WRITING[language].format(
-        digits=numerals[0] if numerals else str(digits), point=point, comma=point.replace(".", ",")
-    )
+    comma = point.replace(".", ",")
+    return Message("paper.rule-of-writing", digits=spell_out(digits), point=point, comma=comma)
 
 
-def write_marking_rule(tolerance: Tolerance, language: Language, unit: str = "") -> str:
+def spell_out(number: int) -> Part:
+    """A small number as a word, a larger one as it is."""
+    return _NUMERALS.get(number, number)
+
+
+def make_marking_rule(tolerance: Tolerance, unit: str = "") -> Message:
     """When an answer is right, in words a first-year reads.
 
     An amount is in the unit of the paper's table, or in `unit`, which is named with it, where there
-    is no table.
+    is no table. The sentence begins with a small letter, to follow a colon: `paper.rule` has it
+    alone.
     """
-    zero = _ZERO[language].format(share=write_percent(tolerance.share))
     if tolerance.figures:
-        return _write_figures_rule(tolerance, tolerance.figures, zero, language, unit)
-    amount = _write_amount_text(tolerance.absolute, unit)
+        return _make_figures_rule(tolerance, tolerance.figures, unit)
     if tolerance.relative == 0:
-        rule = _ABSOLUTE[language].format(amount=amount, table="" if unit else _IN_TABLE[language])
-        return rule + write_decimals_rule(tolerance.absolute, language)
-    aside = "" if unit else _IN_TABLE_ASIDE[language]
-    absolute = _OR_ABSOLUTE[language].format(amount=amount, table=aside)
-    also = absolute if tolerance.absolute else ""
-    return _RELATIVE[language].format(
-        relative=write_percent(tolerance.relative), absolute=also, zero=zero
+        return _make_amount_rule(tolerance.absolute, unit)
+    share, zero = make_percent(tolerance.relative), _make_rule_near_zero(tolerance)
+    if not tolerance.absolute:
+        return Message("paper.right-within-share", share=share, zero=zero)
+    if unit:
+        amount = _make_amount(tolerance.absolute, unit)
+        return Message("paper.right-within-share-or-amount", share=share, amount=amount, zero=zero)
+    return Message(
+        "paper.right-within-share-or-amount-in-table",
+        share=share,
+        number=tolerance.absolute,
+        zero=zero,
     )
 
 
-def write_decimals_rule(allowed: Fraction, language: Language) -> str:
-    """How many decimals to write where an amount is allowed, whatever the size of the answer.
+def _make_rule_near_zero(tolerance: Tolerance) -> Message:
+    return Message("paper.near-zero", share=make_percent(tolerance.share))
 
-    Rounding to them takes at most half of what is allowed. Empty where nothing is allowed, as in a
+
+def _make_amount_rule(allowed: Fraction, unit: str) -> Message:
+    rule = Message("paper.right-within-amount", amount=_make_amount(allowed, unit))
+    decimals = make_decimals_rule(allowed)
+    return Message("paper.sentences", first=rule, second=decimals) if decimals else rule
+
+
+def make_decimals_rule(allowed: Fraction) -> Message | None:
+    """How many decimals to write where an amount is allowed, whatever the size of the answer: four
+    significant digits of 11.186 may leave an allowance of 0.002.
+
+    Rounding to them takes at most half of what is allowed. None where nothing is allowed, as in a
     damaged key.
 
-    >>> write_decimals_rule(Fraction(1, 500), "en"), write_decimals_rule(Fraction(2), "en")
-    (' Write at least 3 decimals.', ' Write at least every digit before the decimal point.')
+    >>> make_decimals_rule(Fraction(1, 500)), make_decimals_rule(Fraction(2))
+    (Message('paper.write-decimals', count=3), Message('paper.write-whole'))
     """
     if allowed <= 0:
-        return ""
+        return None
     count = 0
     while Fraction(1, 10**count) > allowed:
         count += 1
-    match count:
-        case 0:
-            decimals = _TO_THE_UNIT[language]
-        case 1:
-            decimals = _ONE_DECIMAL[language]
-        case _:
-            decimals = _DECIMALS[language].format(count=count)
-    return _WRITE_DECIMALS[language].format(decimals=decimals)
+    return Message("paper.write-decimals", count=count) if count else Message("paper.write-whole")
 
 
-def _write_figures_rule(
-    tolerance: Tolerance, figures: int, zero: str, language: Language, unit: str = ""
-) -> str:
+def _make_figures_rule(tolerance: Tolerance, figures: int, unit: str) -> Message:
     """The rule of significant figures, by an example: to 3 of them, 1.2304 allows 1.225 to
     1.235.
     """
     example = f"{'1.23456'[: figures + 1]}04"
     low, high = figures_interval(Fraction(example), figures)
+    parts: dict[str, Part] = {
+        "figures": figures,
+        "example": Decimal(example),
+        "low": low,
+        "high": high,
+        "zero": _make_rule_near_zero(tolerance),
+    }
     amounts = []
     if tolerance.relative:
-        amounts.append(_OF_VALUE[language].format(relative=write_percent(tolerance.relative)))
+        amounts.append(Message("paper.share-of-value", share=make_percent(tolerance.relative)))
     if tolerance.absolute:
-        amount = _write_amount_text(tolerance.absolute, unit)
-        table = "" if unit else _IN_TABLE[language]
-        amounts.append(_IN_UNIT[language].format(amount=amount, table=table))
-    others = _OR_WITHIN[language].format(amounts=_OR[language].join(amounts)) if amounts else ""
-    return _FIGURES[language].format(
-        figures=figures,
-        example=example,
-        low=write_plain(low),
-        high=write_plain(high),
-        others=others,
-        zero=zero,
-    )
+        amounts.append(_make_amount(tolerance.absolute, unit))
+    if not amounts:
+        return Message("paper.right-to-figures", **parts)
+    return Message("paper.right-to-figures-or-within", amounts=list_choices(amounts), **parts)
 
 
-def _write_amount_text(amount: Fraction, unit: str) -> str:
+def _make_amount(amount: Fraction, unit: str) -> Message:
     r"""A tolerance as prose, with its unit where one is named: a pure number has none.
 
-    >>> _write_amount_text(Fraction(1, 4), "m/s"), _write_amount_text(Fraction(1, 4), "deg")
-    ('$0.25\\,\\unit{m/s}$', '$0.25^\\circ$')
+    >>> _make_amount(Fraction(1, 4), "m/s")
+    Message('paper.amount', number='$0.25\\,\\unit{m/s}$')
     """
     match unit:
-        case "" | "1":
-            return write_plain(amount)
+        case "":
+            return Message("paper.amount-in-table", number=amount)
+        case "1":
+            return Message("paper.amount", number=amount)
         case "deg":
-            return rf"${write_plain(amount)}^\circ$"
+            return Message("paper.amount", number=rf"${write_plain(amount)}^\circ$")
         case _:
-            return rf"${write_plain(amount)}\,\unit{{{unit}}}$"
+            number = rf"${write_plain(amount)}\,\unit{{{unit}}}$"
+            return Message("paper.amount", number=number)
 
 
-def write_percent(share: Fraction) -> str:
+def make_percent(share: Fraction) -> Message:
     """A share in per cent.
 
-    >>> write_percent(Fraction(1, 100))
+    >>> open_catalogue(Language("en")).write(make_percent(Fraction(1, 100)))
     '1 %'
     """
-    return f"{write_plain(share * 100)} %"
+    return Message("paper.percent", number=share * 100)
 
 
 def write_plain(number: Fraction) -> str:

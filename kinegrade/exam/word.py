@@ -23,9 +23,9 @@ from kinegrade.errors import TypesetError, did_you_mean, write_message
 from kinegrade.exam.formula import formula_place
 from kinegrade.exam.paper_tree import write_paper_tree
 from kinegrade.exam.word_reference import fill_layout, make_word_reference
-from kinegrade.exam.words import choose_words
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import write_typst
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.press.program_run import run_program
 from kinegrade.press.sheet import Paper, PaperSize
 from kinegrade.press.typst.compiler import make_compiler
@@ -38,7 +38,6 @@ _MEDIA_TYPES: Mapping[_Picture, str] = {"png": "image/png", "svg": "image/svg+xm
 MISSING = "pandoc not found - expected the optional extra - pip install 'kinegrade[word]'"
 _PIXELS = 300  # to the inch, of a figure in Word
 _SECONDS = 60  # a paper takes a fraction of one
-_TAGS: Mapping[str, str] = {"en": "en", "zh": "zh-CN"}
 _CSS_SIZES = {"a4": "A4", "letter": "letter"}
 _UNREAD = re.compile(r"Could not convert TeX math (.*?), rendering as TeX")
 
@@ -89,10 +88,11 @@ class PandocPress:
         page = Template(
             (files("kinegrade.exam") / "layouts" / "paper.html").read_text(encoding="utf-8")
         )
-        owner = f"{choose_words(paper.language).paper} {paper.code} · {paper.student}"
+        words = open_catalogue(paper.language)
+        owner = f"{words.text('paper.owner', code=paper.code)} · {paper.student}"
         style = fill_layout("paper.css", size=_CSS_SIZES[self._size])
         return page.substitute(
-            language=_TAGS[paper.language],
+            language=words.text("language.tag"),
             title=escape(f"{paper.title} {paper.code}"),
             style=style,
             body=body,

@@ -14,12 +14,12 @@ from string import Template
 from xml.sax.saxutils import escape
 from zipfile import ZipFile, ZipInfo
 
-from kinegrade.exam.words import choose_words
+from kinegrade.language.catalogue import PLACE, open_catalogue
 from kinegrade.press.sheet import Paper, PaperSize
 
 _PAGES = {"a4": (11906, 16838), "letter": (12240, 15840)}  # twentieths of a point, as Word counts
 _MARGINS = 2 * 1134
-_LATIN = {"en": "en-GB", "zh": "en-US"}
+_FIELDS = {"page": "PAGE", "pages": "NUMPAGES"}  # as Word calls these numbers
 _FOOTER = "footer1.xml"
 _RELATION = (
     f'<Relationship Id="rIdFooter" Target="{_FOOTER}" '
@@ -34,15 +34,25 @@ _KIND = (
 def make_word_reference(default: bytes, paper: Paper, size: PaperSize) -> bytes:
     """The reference document of a paper, made of pandoc's `default` one."""
     width, height = _PAGES[size]
-    before, between, after = choose_words(paper.language).page.split("{}")
-    owner = f"{choose_words(paper.language).paper} {paper.code}    {paper.student}"
+    words = open_catalogue(paper.language)
+    page = words.raw("paper", "layout.")["page"]
+    before, first, _, between, second, _, after = PLACE.split(page)
+    owner = words.text("paper.owner", code=paper.code)
     parts = {
         "word/styles.xml": fill_layout(
-            "word-styles.xml", latin=_LATIN[paper.language], measure=str(width - _MARGINS)
+            "word-styles.xml",
+            latin=words.text("language.word-latin"),
+            measure=str(width - _MARGINS),
         ),
         "word/document.xml": fill_layout("word-page.xml", width=str(width), height=str(height)),
         f"word/{_FOOTER}": fill_layout(
-            "word-footer.xml", owner=owner, before=before, between=between, after=after
+            "word-footer.xml",
+            owner=f"{owner}    {paper.student}",
+            before=before,
+            first=_FIELDS[first],
+            between=between,
+            second=_FIELDS[second],
+            after=after,
         ),
     }
     return _replace_parts(default, parts)

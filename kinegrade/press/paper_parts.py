@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
 
-from kinegrade.exam.words import Words
 from kinegrade.figure.scene import Scene
+from kinegrade.language.catalogue import Catalogue
 from kinegrade.press.sheet import Paper, QuestionSheet
 from kinegrade.question_numbers import find_other_number
 
@@ -28,15 +28,16 @@ def write_points_text(points: Fraction) -> str:
     return decimal if Fraction(decimal) == points else str(points)
 
 
-def write_points_in_words(points: Fraction, words: Words) -> str:
+def write_points_in_words(points: Fraction, words: Catalogue) -> str:
     """Points with the word for them: "1 point", "2.5 points"."""
-    return (words.point if points == 1 else words.points).format(write_points_text(points))
+    count = int(points) if points.denominator == 1 else write_points_text(points)
+    return words.text("paper.points", count=count)
 
 
-def write_other_number(question: QuestionSheet, words: Words) -> str:
+def write_other_number(question: QuestionSheet, words: Catalogue) -> str:
     """The question's number in the answer sheet, where it is another than on the paper, else ""."""
     other = find_other_number(question.identifier, question.number)
-    return "" if other is None else words.known.format(other)
+    return "" if other is None else words.text("paper.known", number=other)
 
 
 def arrange_marks(

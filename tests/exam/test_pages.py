@@ -13,7 +13,6 @@ from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import (
-    WARNING,
     lay_out_paper,
     make_key_book,
     make_key_paper,
@@ -21,7 +20,8 @@ from kinegrade.exam.pages import (
 )
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import SetPaper
-from kinegrade.press.typst.paper import write_key_source, write_paper_source
+from kinegrade.press.typst.key import write_key_source
+from kinegrade.press.typst.paper import write_paper_source
 from tests.small_class import write_class
 
 CLASS = Roster((Student("007", "王伟", "", "007"), Student("0012", "Zoë", "", "0012")), ())
@@ -65,7 +65,7 @@ def test_no_paper_gives_an_answer_away(bank: Bank, papers: list[SetPaper], langu
 
 def test_the_key_holds_every_answer_and_warns(bank: Bank, papers: list[SetPaper]) -> None:
     book = make_key_book(bank, [make_key_paper(paper, "en") for paper in papers], "en")
-    assert book.warning == WARNING["en"]
+    assert book.warning == "For the instructor only: this key shows every answer."
     source = write_key_source(book)
     for paper in papers:
         assert paper.code in source

@@ -8,16 +8,16 @@ from fractions import Fraction
 
 from kinegrade.exam.formula import write_unit
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
-from kinegrade.exam.quiz_words import BETWEEN
+from kinegrade.exam.quiz_words import write_sentences
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Text
 from kinegrade.language.prose.plain import write_line, write_prose
 from kinegrade.lms.quiz.decimals import write_decimal
-from kinegrade.lms.quiz.html import PLACES
 from kinegrade.lms.quiz.intervals import RightInterval, turn_next_to_zero
 from kinegrade.lms.quiz.plain_math import write_plain_math
-from kinegrade.lms.quiz.question_words import WORDS
 from kinegrade.lms.quiz.remarks import Remarks
-from kinegrade.lms.quiz.typing_words import BLACKBOARD, write_rules
+from kinegrade.lms.quiz.typing_words import write_rules
 
 _MIDDLE = (
     "blackboard: {} is not in the middle of what counts as right - the middle is given there as "
@@ -37,30 +37,31 @@ def write_question_line(
     TypesetError.
     """
     where, column = question.question, f"{question.question}.{ask.identifier}"
-    figure = WORDS[language].figure_on_paper if on_paper and question.figure is not None else ""
-    turns = WORDS[language].half_turn if ask.period is not None else ""
-    rule = write_prose(write_rules(question, BLACKBOARD, language), where)
-    parts = (
+    shown = on_paper and question.figure is not None
+    rule = write_prose(write_rules(question, "blackboard", language), where)
+    parts: tuple[Text, ...] = (
         write_prose(question.statement, where),
-        figure,
+        Message("quiz.figure-on-paper") if shown else "",
         rule,
         _write_asked(ask, language, where),
-        turns,
+        Message("quiz.half-turn") if ask.period is not None else "",
     )
     interval = turn_next_to_zero(ask)
     if not interval.symmetric:
         remarks.complain(_MIDDLE.format(column))
     if ask.period is not None:
         remarks.complain(_TURNS.format(column))
-    return "\t".join(("NUM", BETWEEN[language].join(filter(None, parts)), *_write_number(interval)))
+    return "\t".join(("NUM", write_sentences(parts, language), *_write_number(interval)))
 
 
 def _write_asked(ask: QuizAsk, language: Language, where: str) -> str:
-    colon, note = PLACES[language]
-    sign = note.format(write_line(ask.sign, where)) if ask.sign else ""
     unit = {"1": "", "deg": "°"}.get(ask.unit, f" {write_unit(ask.unit)}")
-    meaning = write_line(ask.meaning, where)
-    return f"{meaning}{sign}{colon}{write_plain_math(ask.symbol, where)} = ?{unit}"
+    meaning: Text = write_line(ask.meaning, where)
+    if ask.sign:
+        sign = write_line(ask.sign, where)
+        meaning = Message("quiz.meaning-with-sign", meaning=meaning, sign=sign)
+    number = f"{write_plain_math(ask.symbol, where)} = ?{unit}"
+    return open_catalogue(language).text("quiz.asked", meaning=meaning, number=number)
 
 
 def _write_number(interval: RightInterval) -> tuple[str, ...]:

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from kinegrade.exam.quiz_document import QuizAsk, QuizFigure
 from kinegrade.exam.quiz_prose import (
     write_math_html,
     write_plain_html,
     write_unit_html,
 )
-from kinegrade.exam.rules import write_plain
-from kinegrade.exam.words import choose_words
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Text
 from kinegrade.language.prose.html import write_line
+from kinegrade.press.paper_parts import write_points_in_words
 
 _PIXELS = 5.0  # for a millimetre on paper: symbols are then as large as the text around the figure
-PLACES = {"en": (": ", " ({})"), "zh": ("：", "（{}）")}
 
 
 def write_figure_html(figure: QuizFigure, source: str) -> str:
@@ -35,25 +33,18 @@ def write_ask_html(ask: QuizAsk, language: Language, field: str = "") -> str:
     its place.
     """
     where = f"ask {ask.identifier}"
-    colon, note = PLACES[language]
-    sign = note.format(write_line(ask.sign, where)) if ask.sign else ""
+    catalogue = open_catalogue(language)
     unit = write_unit_html(ask.unit)
     spaced = unit if unit in ("", "°") else f" {unit}"
-    points = note.format(_write_points_html(ask.points, language))
     symbol = write_math_html(f"{ask.symbol} =", where)
-    meaning = f"{ask.meaning[:1].upper()}{ask.meaning[1:]}"
-    return (
-        f"<p>{write_line(meaning, where)}{sign}{colon}{symbol} {field or '?'}{spaced}{points}</p>\n"
+    meaning: Text = write_line(f"{ask.meaning[:1].upper()}{ask.meaning[1:]}", where)
+    if ask.sign:
+        sign = write_line(ask.sign, where)
+        meaning = Message("quiz.meaning-with-sign", meaning=meaning, sign=sign)
+    asked = catalogue.text(
+        "quiz.asked-for-points",
+        meaning=meaning,
+        number=f"{symbol} {field or '?'}{spaced}",
+        points=write_plain_html(write_points_in_words(ask.points, catalogue)),
     )
-
-
-def _write_points_html(points: Fraction, language: Language) -> str:
-    """A number of points in words.
-
-    >>> _write_points_html(Fraction(5, 2), "en")
-    '2.5 points'
-    """
-    words = choose_words(language)
-    return write_plain_html(
-        (words.point if points == 1 else words.points).format(write_plain(points))
-    )
+    return f"<p>{asked}</p>\n"

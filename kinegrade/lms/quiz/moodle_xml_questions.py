@@ -22,6 +22,7 @@ from typing import Literal, assert_never
 from kinegrade.exam.quiz_document import QuizAsk, QuizPaper, QuizQuestion
 from kinegrade.exam.quiz_prose import write_plain_html
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.prose.html import write_prose
 from kinegrade.lms.quiz.decimals import write_decimal
 from kinegrade.lms.quiz.html import (
@@ -34,17 +35,11 @@ from kinegrade.lms.quiz.moodle_xml_answers import (
     write_cloze_field,
 )
 from kinegrade.lms.quiz.question_html import write_rules_html, write_warnings_html
-from kinegrade.lms.quiz.question_words import WORDS
-from kinegrade.lms.quiz.typing_words import MOODLE
 
 Form = Literal["cloze", "numerical"]
 _FIGURE = "figure.svg"
 _BOX = "\x00"  # stands for a box while the text around it is escaped; no text contains it
 _LONGEST_NAME, _LONGEST_IDENTIFIER = 200, 100  # characters
-_MULTIPLIED = {
-    "en": "The marks of this question are {} times its points.",
-    "zh": "本题分值为所示分数的 {} 倍。",
-}
 _FIELD = re.compile(r"\{(?=#|[0-9]*:)")  # what Moodle would take for a box or its place
 
 
@@ -141,7 +136,7 @@ def _write_numerical(
     text = (
         _write_statement(question)
         + _write_asked(ask, sheet)
-        + write_rules_html(question, MOODLE, sheet.language)
+        + write_rules_html(question, "moodle", sheet.language)
     )
     answers = "".join(map(_write_answer, list_moodle_answers(ask)))
     return _write_element(
@@ -161,13 +156,14 @@ def _write_cloze_text(question: QuizQuestion, sheet: Sheet) -> str:
         )
         for ask in question.asks
     )
-    multiplied = (
-        f"<p>{_MULTIPLIED[sheet.language].format(sheet.scale)}</p>\n" if sheet.scale > 1 else ""
-    )
+    multiplied = ""
+    if sheet.scale > 1:
+        note = open_catalogue(sheet.language).text("quiz.multiplied", scale=sheet.scale)
+        multiplied = f"<p>{note}</p>\n"
     return (
         _write_guarded(_write_statement(question))
         + asks
-        + _write_guarded(write_rules_html(question, MOODLE, sheet.language))
+        + _write_guarded(write_rules_html(question, "moodle", sheet.language))
         + multiplied
     )
 
@@ -175,7 +171,7 @@ def _write_cloze_text(question: QuizQuestion, sheet: Sheet) -> str:
 def _write_asked(ask: QuizAsk, sheet: Sheet, field: str = "") -> str:
     """What is asked for, the box, and which turns of an angle count."""
     return write_ask_html(ask, sheet.language, field) + write_warnings_html(
-        ask, ask, WORDS[sheet.language]
+        ask, ask, sheet.language
     )
 
 

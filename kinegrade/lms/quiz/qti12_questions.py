@@ -13,18 +13,17 @@ from kinegrade.errors import TypesetError
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.exam.quiz_prose import write_plain_html
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.prose.plain import write_line
 from kinegrade.lms.quiz.canvas_units import ClassUnits, keeps_edges
 from kinegrade.lms.quiz.decimals import write_decimal
-from kinegrade.lms.quiz.html import PLACES, write_ask_html
+from kinegrade.lms.quiz.html import write_ask_html
 from kinegrade.lms.quiz.intervals import find_right_intervals
 from kinegrade.lms.quiz.packaging import make_stable_name
 from kinegrade.lms.quiz.plain_math import write_plain_math
 from kinegrade.lms.quiz.qti12_item import NumericalItem
 from kinegrade.lms.quiz.question_html import write_question_html, write_warnings_html
-from kinegrade.lms.quiz.question_words import WORDS
 from kinegrade.lms.quiz.remarks import Remarks
-from kinegrade.lms.quiz.typing_words import CANVAS
 
 _FILES = "$IMS-CC-FILEBASE$/"  # Canvas puts the address of the course's files here
 _NO_BANDS = (
@@ -64,7 +63,7 @@ def make_numerical_items(
     """
     try:
         text = write_question_html(
-            question, _FILES + name_picture(question), CANVAS, asking.language
+            question, _FILES + name_picture(question), "canvas", asking.language
         )
         found = [(ask, _make_item(question, ask, text, asking)) for ask in question.asks]
     except TypesetError as fault:
@@ -99,10 +98,10 @@ def _make_item(
         remarks.refuse(_TOO_FINE.format(question.identifier, symbol, *numbers))
         return None
     _note_remark(f"{question.question}.{ask.identifier}", ask, now, remarks)
-    asked = write_ask_html(now, language) + write_warnings_html(now, ask, WORDS[language])
+    asked = write_ask_html(now, language) + write_warnings_html(now, ask, language)
     column = write_plain_html(f"[{question.question}.{ask.identifier}]")
     heading = write_line(question.title, question.question)
-    title = f"{heading}{PLACES[language][0]}{symbol}"
+    title = open_catalogue(language).text("quiz.asked", meaning=heading, number=symbol)
     return NumericalItem(
         make_stable_name(f"{question.identifier}-{ask.identifier}"),
         title,

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.exam.quiz_prose import write_plain_html
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.prose.plain import write_line
 from kinegrade.lms.quiz.html import write_ask_html
 from kinegrade.lms.quiz.packaging import make_stable_name
@@ -21,8 +22,6 @@ from kinegrade.lms.quiz.qti21_scoring import (
     write_processing,
 )
 from kinegrade.lms.quiz.question_html import write_question_html, write_warnings_html
-from kinegrade.lms.quiz.question_words import WORDS
-from kinegrade.lms.quiz.typing_words import QTI21
 from kinegrade.lms.quiz.xml_text import Xml, write_document, write_element, write_on_lines
 
 _QTI = "http://www.imsglobal.org/xsd/imsqti_v2p1"
@@ -54,7 +53,7 @@ def write_item_document(question: QuizQuestion, language: Language, picture: str
             adaptive="false",
             timeDependent="false",
             **NAMES,
-            **{"xml:lang": WORDS[language].tag},
+            **{"xml:lang": open_catalogue(language).text("language.tag")},
         )
     )
 
@@ -62,12 +61,12 @@ def write_item_document(question: QuizQuestion, language: Language, picture: str
 def _write_body(question: QuizQuestion, language: Language, picture: str) -> str:
     """Statement and figure, then the asks, each with its box before the unit."""
     boxes = (_write_asked(place, ask, language) for place, ask in enumerate(question.asks, start=1))
-    return write_question_html(question, picture, QTI21, language) + "".join(boxes)
+    return write_question_html(question, picture, "qti21", language) + "".join(boxes)
 
 
 def _write_asked(place: int, ask: QuizAsk, language: Language) -> str:
     return write_ask_html(ask, language, _BOX.format(name_response(place))) + write_warnings_html(
-        ask, ask, WORDS[language]
+        ask, ask, language
     )
 
 

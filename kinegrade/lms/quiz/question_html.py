@@ -7,9 +7,9 @@ from functools import lru_cache
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.exam.quiz_prose import write_unit_html
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.prose.html import write_prose
 from kinegrade.lms.quiz.html import write_figure_html
-from kinegrade.lms.quiz.question_words import QuestionWords
 from kinegrade.lms.quiz.typing_words import Typing, write_rules
 
 
@@ -36,15 +36,14 @@ def _write_rules_html(text: str) -> str:
     return write_prose(text, "rule")
 
 
-def write_warnings_html(asked: QuizAsk, on_paper: QuizAsk, words: QuestionWords) -> str:
+def write_warnings_html(asked: QuizAsk, on_paper: QuizAsk, language: Language) -> str:
     """What students must note: a unit that differs from the paper's, turns that may be added; ""
     where there is nothing.
     """
-    lines = []
+    catalogue, lines = open_catalogue(language), []
     if asked.unit != on_paper.unit:
-        lines.append(
-            words.changed_unit.format(write_unit_html(asked.unit), write_unit_html(on_paper.unit))
-        )
+        here, paper = write_unit_html(asked.unit), write_unit_html(on_paper.unit)
+        lines.append(catalogue.text("quiz.changed-unit", here=here, paper=paper))
     if asked.period is not None:
-        lines.append(words.any_turns)
+        lines.append(catalogue.text("quiz.any-turns"))
     return "".join(f"<p>{line}</p>\n" for line in lines)

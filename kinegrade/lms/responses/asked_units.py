@@ -10,7 +10,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from kinegrade.lms.quiz.question_words import WORDS
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.known import known_languages
+from kinegrade.language.message import Message
 from kinegrade.problem.kept_decimals import list_finer_units
 
 _TAG = re.compile(r"<[^>]*>")
@@ -54,5 +56,6 @@ def on_the_line(unit: str) -> str:
 
 def _sentences(here: str, on_paper: str) -> Iterator[str]:
     """The sentence of the quiz in every language, without its tags."""
-    for words in WORDS.values():
-        yield words.changed_unit.format(on_the_line(here), on_the_line(on_paper))
+    sentence = Message("quiz.changed-unit", here=on_the_line(here), paper=on_the_line(on_paper))
+    for language in known_languages():
+        yield open_catalogue(language).write(sentence)

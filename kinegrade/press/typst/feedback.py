@@ -11,6 +11,7 @@ from functools import lru_cache
 from typing import Protocol
 
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.typst import write_line
 from kinegrade.press.join import join_pages
@@ -165,7 +166,7 @@ def _write_feedback_source(
         "guesses": sheet.guesses,
         "kept": sheet.kept,
         "words": fixed,
-        "language": language,
+        "language": open_catalogue(language).raw("language", "page."),
         "size": size,
     }
     return write_layout_call("feedback", {**parts, **_texts(sheet, _SHEET_TEXTS, missing), **said})

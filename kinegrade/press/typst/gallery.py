@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import groupby
 
-from kinegrade.exam.words import GalleryWords, choose_gallery_words
 from kinegrade.figure.typst import write_typst
+from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.typst import write_line
 from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure, PaperSize
@@ -14,7 +14,6 @@ from kinegrade.press.typst.layout_call import (
     Sheet,
     write_formula,
     write_layout_call,
-    write_words,
 )
 
 
@@ -22,30 +21,30 @@ def write_gallery_source(gallery: Gallery, size: PaperSize = "a4") -> str:
     """Typst source of a contact sheet of templates; raises TypesetError with all faults of their
     texts.
     """
-    words = choose_gallery_words(gallery.language)
+    words = open_catalogue(gallery.language)
     entries = convert_each(lambda entry: _write_entry(entry, words), gallery.entries)
     families = [
-        {"name": family or words.unreadable, "entries": list(members)}
+        {"name": family or words.text("gallery.unreadable"), "entries": list(members)}
         for family, members in groupby(entries, lambda entry: entry["family"])
     ]
     sheet: Sheet = {
         "families": families,
-        "words": write_words(words),
-        "language": gallery.language,
+        "words": words.raw("gallery", "layout."),
+        "language": words.raw("language", "page."),
         "size": size,
-        "title": words.title.format(len(gallery.entries)),
+        "title": words.text("gallery.title", count=len(gallery.entries)),
     }
     return write_layout_call("gallery", sheet)
 
 
-def _write_entry(entry: GalleryEntry, words: GalleryWords) -> Sheet:
+def _write_entry(entry: GalleryEntry, words: Catalogue) -> Sheet:
     sheet = gather(
         title=lambda: write_line(entry.title, f"{entry.name}, title") if entry.title else None,
         asks=lambda: _write_symbols(entry.asks, entry.name),
         on_request=lambda: _write_symbols(entry.on_request, entry.name),
         figures=lambda: convert_each(lambda draw: _write_figure(draw, entry.name), entry.figures),
     )
-    combinations = words.combinations.format(f"{entry.combinations:,}")
+    combinations = words.text("gallery.combinations", count=f"{entry.combinations:,}")
     return sheet | {
         "family": entry.family,
         "name": entry.name,

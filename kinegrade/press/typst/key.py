@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinegrade.exam.formula import write_literal, write_unit
-from kinegrade.exam.words import choose_words
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.typst import write_line
 from kinegrade.press.paper_parts import write_points_text
@@ -21,7 +21,6 @@ from kinegrade.press.typst.layout_call import (
     write_layout_call,
     write_signed,
     write_value,
-    write_words,
 )
 from kinegrade.press.typst.room import is_wide_symbol
 from kinegrade.question_numbers import find_bank_number
@@ -34,11 +33,13 @@ def write_key_source(book: KeyBook, first_page: int = 1, size: PaperSize = "a4")
     """Typst source of a key, its pages numbered from `first_page`; raises TypesetError with all
     faults.
     """
+    words = open_catalogue(book.language)
     sheet: Sheet = {
         "papers": convert_each(_write_paper, book.papers),
-        "words": write_words(choose_words(book.language)),
+        "words": words.raw("paper", "layout."),
+        "language": words.raw("language", "page."),
     }
-    sheet |= {name: getattr(book, name) for name in ("language", "course", "title", "warning")}
+    sheet |= {name: getattr(book, name) for name in ("course", "title", "warning")}
     return write_layout_call("key", sheet | {"size": size, "first-page": first_page})
 
 

@@ -7,15 +7,10 @@ out again.
 from __future__ import annotations
 
 import json
-from dataclasses import asdict
-from functools import lru_cache
 from typing import Any
 
 from kinegrade.exam.formula import convert_formula, write_literal, write_unit
-from kinegrade.exam.solution_words import SolutionWords
-from kinegrade.exam.words import GalleryWords, Words
 
-_PAGE_NUMBERS = ("page", "key_page")
 Sheet = dict[str, Any]  # what a layout reads: text, numbers, lists and dictionaries of them
 
 
@@ -28,15 +23,6 @@ def write_layout_call(layout: str, sheet: Sheet) -> str:
     """
     data = write_literal(json.dumps(sheet, ensure_ascii=False, sort_keys=True))
     return f'#import "/{layout}.typ": {layout}\n#{layout}(json(bytes({data})))\n'
-
-
-@lru_cache(maxsize=8)
-def write_words(words: Words | GalleryWords | SolutionWords) -> Sheet:
-    """The fixed words; those around page numbers as the pieces between the numbers."""
-    return {
-        name: text.split("{}") if name in _PAGE_NUMBERS else text
-        for name, text in asdict(words).items()
-    }
 
 
 def write_formula(latex: str, where: str) -> str:

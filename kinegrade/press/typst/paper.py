@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from kinegrade.exam.formula import write_unit
-from kinegrade.exam.words import Words, choose_words
 from kinegrade.figure.typst import write_typst_picture
+from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark
@@ -24,18 +24,13 @@ from kinegrade.press.paper_parts import (
     write_points_text,
 )
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, QuestionSheet
-from kinegrade.press.typst.layout_call import (
-    Sheet,
-    write_formula,
-    write_layout_call,
-    write_words,
-)
+from kinegrade.press.typst.layout_call import Sheet, write_formula, write_layout_call
 from kinegrade.press.typst.room import fits_page, is_wide_symbol
 
 
 def write_paper_source(paper: Paper, size: PaperSize = "a4") -> str:
     """Typst source of one student's paper; raises TypesetError with all faults of its texts."""
-    words = choose_words(paper.language)
+    words = open_catalogue(paper.language)
     sheet = gather(
         rules=lambda: _halve(
             convert_each(lambda rule: write_prose(rule, "rules"), paper.rules), paper.rules
@@ -52,11 +47,11 @@ def write_paper_source(paper: Paper, size: PaperSize = "a4") -> str:
         "paper",
         sheet
         | {
-            "language": paper.language,
+            "language": words.raw("language", "page."),
             "size": size,
             "mark": _write_code_image(paper.code),
-            "marks": arrange_marks(paper, words.total),
-            "words": write_words(words),
+            "marks": arrange_marks(paper, words.text("paper.layout.total")),
+            "words": words.raw("paper", "layout."),
         },
     )
 
@@ -78,21 +73,19 @@ def _halve(pieces: Sequence[str], texts: Sequence[str]) -> tuple[Sequence[str], 
     return pieces[:middle], pieces[middle:]
 
 
-def _write_question(question: QuestionSheet, words: Words) -> Sheet:
+def _write_question(question: QuestionSheet, words: Catalogue) -> Sheet:
     where = question.identifier
     figure = question.figure
     sheet = gather(
         title=lambda: write_line(question.title, f"{where}, title"),
         statement=lambda: write_prose(question.statement, f"{where}, statement"),
-        rows=lambda: convert_each(
-            lambda row: _write_answer_row(row, where, words.unitless), question.rows
-        ),
+        rows=lambda: convert_each(lambda row: _write_answer_row(row, where, words), question.rows),
     )
     return sheet | {
         "number": str(question.number),
         "known": write_other_number(question, words) or None,
         "points": write_points_in_words(question.points, words),
-        "source": words.source.format(question.source) if question.source else None,
+        "source": words.text("paper.source", source=question.source) if question.source else None,
         "short": fits_page(question),
         "figure": f"[{write_typst_picture(figure)}]" if figure else None,
         "figure_width": round(figure.width, 3) if figure else None,
@@ -101,7 +94,7 @@ def _write_question(question: QuestionSheet, words: Words) -> Sheet:
 
 
 @lru_cache(maxsize=1024)
-def _write_answer_row(row: AnswerRow, where: str, unitless: str) -> Sheet:
+def _write_answer_row(row: AnswerRow, where: str, words: Catalogue) -> Sheet:
     """The same for a whole class."""
     sheet = gather(
         symbol=lambda: write_formula(row.symbol, f"{where}, symbol"),
@@ -110,6 +103,6 @@ def _write_answer_row(row: AnswerRow, where: str, unitless: str) -> Sheet:
     )
     return sheet | {
         "wide": is_wide_symbol(row.symbol),
-        "unit": unitless if row.unit == "1" else write_unit(row.unit),
+        "unit": words.text("paper.unitless") if row.unit == "1" else write_unit(row.unit),
         "points": write_points_text(row.points),
     }

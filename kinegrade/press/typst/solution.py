@@ -7,10 +7,12 @@ the page (equations, tables of terms) goes to the layout in pieces, which it mea
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import asdict
 from re import fullmatch
 
 from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.figure.typst import write_typst
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.equation_line import split_equation_line
@@ -22,7 +24,6 @@ from kinegrade.press.typst.layout_call import (
     write_layout_call,
     write_signed,
     write_value,
-    write_words,
 )
 from kinegrade.question_numbers import find_other_number
 from kinegrade.worked.document import (
@@ -54,9 +55,10 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
     }
     data |= {
         name: getattr(sheet, name)
-        for name in ("language", "course", "title", "date", "student", "name", "code")
+        for name in ("course", "title", "date", "student", "name", "code")
     }
-    data |= {"size": size, "words": write_words(words)}
+    data |= {"language": open_catalogue(sheet.language).raw("language", "page.")}
+    data |= {"size": size, "words": asdict(words) | {"page": words.page.split("{}")}}
     return write_layout_call("solution", data)
 
 

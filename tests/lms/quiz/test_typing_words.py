@@ -11,15 +11,25 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.exam.quiz_document import Language
-from kinegrade.lms.quiz import typing_words
-from kinegrade.lms.quiz.typing_words import BLACKBOARD, CANVAS, MOODLE, QTI21, Typing, write_rules
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.lms.quiz.typing_words import Typing, make_typing_rule, write_rules
 from tests.lms.quiz.a_quiz import SPEED, question
 from tests.lms.quiz.packages import listing
 from tests.small_class import kinegrade
 
 ENGLISH, GERMAN = (",", "."), (".", ",")  # what separates thousands, and what decimals
 LANGUAGES: tuple[Language, ...] = ("en", "zh")
+POWERS_OF_TEN: dict[Typing, bool] = {
+    "moodle": True,
+    "canvas": False,
+    "qti21": True,
+    "blackboard": False,
+}
 EXAMPLE = re.compile(r"-?\d+[.,]\d+(?:e-?\d+)?")
+
+
+def rule(typing: Typing, language: Language) -> str:
+    return open_catalogue(language).write(make_typing_rule(typing, 4))
 
 
 def moodle_reads(typed: str) -> Fraction | None:
@@ -41,9 +51,9 @@ def canvas_reads(typed: str, thousands: str, decimal: str) -> Fraction | None:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("typing", [MOODLE, QTI21, BLACKBOARD])
+@pytest.mark.parametrize("typing", ["moodle", "qti21", "blackboard"])
 def test_the_examples_are_read_as_they_are_meant(typing: Typing, language: Language) -> None:
-    examples = EXAMPLE.findall(typing[language])
+    examples = EXAMPLE.findall(rule(typing, language))
     assert examples[0] == "-0.8660"
     assert [moodle_reads(example) for example in examples] == [
         Fraction(example) for example in examples
@@ -52,7 +62,7 @@ def test_the_examples_are_read_as_they_are_meant(typing: Typing, language: Langu
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_the_examples_for_canvas_are_read_as_they_are_meant(language: Language) -> None:
-    negative, positive, german, first, second = EXAMPLE.findall(CANVAS[language])
+    negative, positive, german, first, second = EXAMPLE.findall(rule("canvas", language))
     assert canvas_reads(negative, *ENGLISH) == Fraction("-0.866")
     assert canvas_reads(positive, *ENGLISH) == canvas_reads(german, *GERMAN) == Fraction("12.34")
     # What is warned of
@@ -70,22 +80,21 @@ def test_four_decimals_are_never_taken_for_a_thousandfold_in_canvas(digits: int)
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_no_system_promises_what_it_does_not_read(language: Language) -> None:
-    powers_of_ten = {"MOODLE": True, "CANVAS": False, "QTI21": True, "BLACKBOARD": False}
-    for name, promised in powers_of_ten.items():
-        assert ("e-3" in getattr(typing_words, name)[language]) == promised
-    assert not any("beside" in typing["en"] for typing in (MOODLE, CANVAS, QTI21, BLACKBOARD))
+    for typing, promised in POWERS_OF_TEN.items():
+        assert ("e-3" in rule(typing, language)) == promised
+        assert "beside" not in rule(typing, language)
     forbidden = {
         "en": ("no comma", "no unit", "no superscripts", "no other minus"),
         "zh": ("不要用逗号", "不要写单位", "不要用上标", "不要用其他减号"),
     }
-    assert all(words in MOODLE[language] for words in forbidden[language])
+    assert all(words in rule("moodle", language) for words in forbidden[language])
 
 
 def test_as_many_digits_are_asked_for_as_the_tolerance_takes() -> None:
     one = question("P", "q1", (SPEED,), rule="Right within 1 %.", digits=5)
-    assert "at least five significant digits" in write_rules(one, MOODLE, "en")
-    assert write_rules(one, MOODLE, "en").endswith("no other minus sign. Right within 1 %.")
-    assert "至少保留五位有效数字" in write_rules(one, BLACKBOARD, "zh")
+    assert "at least five significant digits" in write_rules(one, "moodle", "en")
+    assert write_rules(one, "moodle", "en").endswith("no other minus sign. Right within 1 %.")
+    assert "至少保留五位有效数字" in write_rules(one, "blackboard", "zh")
 
 
 @pytest.mark.parametrize(
