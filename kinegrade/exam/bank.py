@@ -32,7 +32,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import get_args
 
-from kinegrade.errors import BankError, did_you_mean
+from kinegrade.errors import BankError, suggest
 from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries, Entry
 from kinegrade.exam.bank_terms import read_bank_tolerance
 from kinegrade.exam.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
@@ -42,6 +42,7 @@ from kinegrade.fields.document import FileKind, read_text, toml_table
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import choice, date_text, flag, whole
 from kinegrade.language.lines import shorten
+from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.press.protocol import ENGINES
 from kinegrade.problem.library import find_shipped
 from kinegrade.problem.mistake_names import MISTAKE_NAMES
@@ -64,7 +65,7 @@ _KEYS = (
     "questions",
 )
 MAX_BYTES = 200_000
-_BANK_FILE = FileKind("a bank file", BankError, MAX_BYTES)
+_BANK_FILE = FileKind(Message("bank.a-bank-file"), BankError, MAX_BYTES)
 _SYSTEMS: tuple[LMS, ...] = get_args(LMS)
 _NO_TEXT = Translated("", "")
 
@@ -77,9 +78,8 @@ def find_bank(path: Path) -> Path:
     if not path.is_file() and str(path) in banks:
         return banks[str(path)]
     if path.suffix != ".toml" and not path.exists():
-        raise BankError(
-            f'no bank "{shorten(str(path))}": {did_you_mean(str(path), banks)}; or give a bank file'
-        )
+        name = Quoted(shorten(str(path)))
+        raise BankError(Message("bank.none", name=name, hint=suggest(str(path), banks)))
     return path
 
 
@@ -106,11 +106,9 @@ def read_kept_bank(path: Path, folder: Path, chosen: Mapping[str, str]) -> Bank:
         if candidate.template.name == chosen.get(slot.identifier)
     )
     if [question.identifier for question in found] != list(chosen):
-        raise BankError(
-            f"{path}: the questions differ from those of {HEAD} - expected "
-            f"{', '.join(chosen)} with the same templates - restore the exam folder as it was "
-            "generated"
-        )
+        questions = list_plainly(chosen)
+        what = Message("bank.differing-questions", head=HEAD, questions=questions)
+        raise BankError(Fault(str(path), what))
     return replace(kept.frame, questions=found)
 
 
@@ -159,18 +157,19 @@ def _read_slots(table: Table, entries: Entries, frame: Bank) -> tuple[Slot, ...]
         read.append(Entry(entry, entries.slots(entry, first, frame.tolerance)))
     slots = tuple(slot for entry in read for slot in entry.slots)
     if len(slots) > MAX_QUESTIONS:
-        table.fault("questions", f"{len(slots)} questions", f"at most {MAX_QUESTIONS}")
+        what = Message("bank.questions", count=len(slots))
+        table.fault("questions", what, Message("bank.questions-at-most", most=MAX_QUESTIONS))
     _require_different_names(read)
     _require_enough(read, slots)
     return slots
 
 
 def _miscounted(table: Table, count: int) -> None:
-    expected = f"1 to {MAX_QUESTIONS} tables [[questions]]"
+    expected = Message("bank.tables-from-one", most=MAX_QUESTIONS)
     if "questions" not in table:
         table.missing("questions", expected)
     elif isinstance(table.value("questions"), list):
-        table.fault("questions", f"{count} tables", expected)
+        table.fault("questions", Message("bank.tables", count=count), expected)
 
 
 def _require_different_names(entries: Sequence[Entry]) -> None:
@@ -183,8 +182,8 @@ def _require_different_names(entries: Sequence[Entry]) -> None:
             if texts.setdefault(template.name, template.file.text) != template.file.text:
                 entry.table.fault(
                     "template",
-                    f'another template of this bank has the name "{template.name}"',
-                    do="rename the file",
+                    Message("bank.name-taken", name=Quoted(template.name)),
+                    do=Message("bank.rename-file"),
                 )
 
 
@@ -197,7 +196,6 @@ def _require_enough(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:
         if left < count:
             entry.table.fault(
                 "number",
-                f"{count} different templates are to be drawn, {left} can be had besides those of "
-                "the other questions",
-                do="draw fewer",
+                Message("bank.too-few-templates", count=count, left=left),
+                do=Message("bank.draw-fewer"),
             )

@@ -10,12 +10,12 @@ from kinegrade.exam.blueprint import BankAsk
 from kinegrade.exam.points import share_points
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import choice, whole
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Text
 from kinegrade.problem.tags import KINDS, select_asks
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
 
-_POINTED = "a table of asks with their points, like { v_B = 3 }"
+_POINTED = Message("bank.asks-with-points")
 
 
 def read_asks(entry: Table, template: Template, wider: Tolerance) -> tuple[BankAsk, ...]:
@@ -27,11 +27,11 @@ def read_asks(entry: Table, template: Template, wider: Tolerance) -> tuple[BankA
         return ()
     asked = weigh_asks(entry, [template], kind, wider).get(template.name, ())
     if not asked:
-        entry.fault("asks", f"{template.name} gives points to nothing of this", _POINTED)
+        entry.fault("asks", Message("bank.gives-no-points", template=template.name), _POINTED)
     return asked
 
 
-def read_kind(entry: Table, otherwise: str = "") -> str | None:
+def read_kind(entry: Table, otherwise: Text = "") -> str | None:
     """The kind of asks that an entry wants, "" for all; None after a fault.
 
     `otherwise` describes what else is accepted.
@@ -71,7 +71,8 @@ def _read_total(entry: Table, weights: Mapping[str, Mapping[str, int]]) -> int |
         return None
     count = len(weights[longest])
     if total < count:
-        entry.fault("points", f"{longest} asks {count} quantities", "a point for each")
+        what = Message("bank.asks-quantities", template=longest, count=count)
+        entry.fault("points", what, Message("bank.point-for-each"))
         return None
     return total
 
@@ -79,7 +80,8 @@ def _read_total(entry: Table, weights: Mapping[str, Mapping[str, int]]) -> int |
 def _read_named_asks(entry: Table, template: Template, wider: Tolerance) -> tuple[BankAsk, ...]:
     """The asks that the bank names."""
     if "points" in entry:
-        entry.fault("points", "asks gives the points already", do="leave one of the two out")
+        what, do = Message("bank.points-given-twice"), Message("bank.leave-one-out")
+        entry.fault("points", what, do=do)
     asks = entry.table("asks").only(
         *template.asks, unknown=Message("fields.unknown-ask-of", template=template.name)
     )
@@ -98,5 +100,5 @@ def _read_ask(asks: Table, name: str, template: Template, wider: Tolerance) -> B
 def _read_points(ask: Table, usual: Fraction) -> Fraction:
     """The points of an ask; a template's ask that has none needs some."""
     if "points" not in ask and not usual:
-        ask.missing("points", "the points of an ask to which the template gives none")
+        ask.missing("points", Message("bank.points-of-ask"))
     return ask.with_default("points", read_points, usual)

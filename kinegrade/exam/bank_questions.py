@@ -10,19 +10,20 @@ from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
+from typing import Literal
 
-from kinegrade.errors import FieldError, KinegradeError, did_you_mean
+from kinegrade.errors import FieldError, KinegradeError, suggest
 from kinegrade.exact.angle import Inexact
 from kinegrade.exact.field import Field
 from kinegrade.exam.bank_asks import read_asks, read_kind, weigh_asks
 from kinegrade.exam.bank_terms import read_bank_tolerance
 from kinegrade.exam.blueprint import BankAsk, BankQuestion, Slot
-from kinegrade.exam.shipped_templates import Shelf, read_shelf
+from kinegrade.exam.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.expression import read_expression
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import found, text, whole
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Quoted, list_all
 from kinegrade.problem.assemble import read_parameter
 from kinegrade.problem.domain import read_choices
 from kinegrade.problem.library import load_kept_template, load_template
@@ -33,13 +34,13 @@ from kinegrade.problem.tolerance import Tolerance
 MAX_QUESTIONS = 50
 _TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
 _DRAWN_KEYS = ("number", "without", "asks", "points", "tolerance")
-_ENTRY_KEYS: Mapping[str, tuple[str, ...]] = {
+_ENTRY_KEYS: Mapping[Literal["template"] | Grouping, tuple[str, ...]] = {
     "template": ("template", "asks", "draw", "points", "tolerance"),
     "family": ("family", *_DRAWN_KEYS),
     "tag": ("tag", *_DRAWN_KEYS),
 }
 _ALL_KEYS = tuple(dict.fromkeys(key for keys in _ENTRY_KEYS.values() for key in keys))
-_ONE_KIND = 'one of template = "...", family = "..." and tag = "..."'
+_ONE_KIND = Message("bank.one-of-three")
 
 
 @dataclass(frozen=True)
@@ -83,7 +84,7 @@ class Entries:
         question = BankQuestion(identifier, template, asks, _read_domains(entry, template))
         return (Slot(identifier, (question,), drawn=False),)
 
-    def _drawn(self, entry: Table, by: str, first: int, wider: Tolerance) -> tuple[Slot, ...]:
+    def _drawn(self, entry: Table, by: Grouping, first: int, wider: Tolerance) -> tuple[Slot, ...]:
         """The questions whose templates are drawn by family or tag."""
         number = entry.with_default("number", whole(1, MAX_QUESTIONS), 1)
         entry_tolerance = read_bank_tolerance(entry, wider)
@@ -94,14 +95,13 @@ class Entries:
         asks = weigh_asks(entry, pool, kind, entry_tolerance)
         candidates = [template for template in pool if template.name in asks]
         if pool and not candidates:
-            entry.fault(
-                "asks", f'no template of the {by} "{entry.value(by)}" asks this with points'
-            )
+            name = Quoted(str(entry.value(by)))
+            entry.fault("asks", Message(f"bank.none-of-{by}-asked", name=name))
         if not candidates:
             return ()
         return tuple(_read_slot(f"q{first + index}", candidates, asks) for index in range(number))
 
-    def _pool(self, entry: Table, by: str) -> list[Template]:
+    def _pool(self, entry: Table, by: Grouping) -> list[Template]:
         """The templates of a family or with a tag, without those that the entry leaves out."""
         pool = entry.required(by, partial(self._having, by)) if self._shelf.templates else None
         if not pool:
@@ -110,16 +110,16 @@ class Entries:
         named = text if self.kept else partial(_read_left_out, names)
         without = entry.listing("without", named, '["slider-crank"]')
         if set(names) <= set(without):
-            what = f'leaves no template of the {by} "{entry.value(by)}"'
-            entry.fault("without", what, do="leave out fewer")
+            what = Message(f"bank.none-of-{by}-left", name=Quoted(str(entry.value(by))))
+            entry.fault("without", what, do=Message("bank.leave-out-fewer"))
         return [template for template in pool if template.name not in without]
 
-    def _having(self, by: str, word: object) -> tuple[Template, ...]:
+    def _having(self, by: Grouping, word: object) -> tuple[Template, ...]:
         """The shipped templates of a family or with a tag."""
         having = self._shelf.having(by, str(word))
         if not having:
-            hint = did_you_mean(str(word), self._shelf.known(by))
-            raise FieldError(f"no shipped template has the {by} {found(word)}", do=hint)
+            what = Message(f"bank.unknown-{by}", name=found(word))
+            raise FieldError(what, do=suggest(str(word), self._shelf.known(by)))
         return having
 
     @cached_property
@@ -136,7 +136,7 @@ class Entries:
         name = text(value)
         beside = name.endswith(".toml")
         if beside and not _TEMPLATE_FILE.fullmatch(name):
-            raise FieldError(found(name), "a file beside the bank, without folders")
+            raise FieldError(found(name), Message("bank.file-beside"))
         if self.kept:
             return load_kept_template(name.removesuffix(".toml"), self.folder)
         template = load_template(str(self.beside / name) if beside else name, self.folder)
@@ -144,14 +144,16 @@ class Entries:
         return template
 
 
-def _read_kind(entry: Table) -> str | None:
+def _read_kind(entry: Table) -> Literal["template"] | Grouping | None:
     """The key by which an entry names its templates; None after a fault."""
     kinds = [key for key in _ENTRY_KEYS if key in entry]
     if len(kinds) == 1:
         return kinds[0]
     misspelt = entry.only(*_ALL_KEYS).excused
     if entry.whole and misspelt.isdisjoint(_ENTRY_KEYS):
-        entry.fault(None, " and ".join(kinds) or "no template", _ONE_KIND)
+        everything = Message("bank.all-these", keys=list_all(kinds))
+        what = everything if kinds else Message("bank.no-template")
+        entry.fault(None, what, _ONE_KIND)
     return None
 
 
@@ -169,7 +171,8 @@ def _read_left_out(names: Sequence[str], value: object) -> str:
     """The name of a template that is not to be drawn; it must be one of those that could be."""
     name = text(value)
     if name not in names:
-        raise FieldError(f"{found(name)} would not be drawn", do=did_you_mean(name, names))
+        what = Message("bank.not-drawn-anyway", name=found(name))
+        raise FieldError(what, do=suggest(name, names))
     return name
 
 

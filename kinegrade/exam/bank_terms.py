@@ -7,6 +7,7 @@ from fractions import Fraction
 from kinegrade.errors import FieldError
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import amount, found, whole
+from kinegrade.language.message import Message
 from kinegrade.problem.tolerance import Tolerance
 from kinegrade.stated_marking import read_tolerance
 
@@ -19,7 +20,7 @@ def read_points(value: object) -> Fraction:
     """The points of an ask, exactly."""
     number = amount(value)
     if not 0 < number <= MAX_POINTS:
-        raise FieldError(found(value), f"points above 0, at most {MAX_POINTS}")
+        raise FieldError(found(value), Message("bank.points-from-to", most=MAX_POINTS))
     return number
 
 
@@ -30,11 +31,15 @@ def read_bank_tolerance(table: Table, default: Tolerance) -> Tolerance:
         return default
     relative, absolute = stated.relative or Fraction(0), stated.absolute or Fraction(0)
     if relative >= 1:
-        table.fault("tolerance", "a relative tolerance of 100 %", "one below 100 %")
+        what, expected = Message("bank.tolerance-of-all"), Message("bank.tolerance-below-all")
+        table.fault("tolerance", what, expected)
     if relative + absolute == 0 and stated.figures is None:
-        table.fault("tolerance", "allows nothing", "a tolerance above zero")
+        what, expected = Message("bank.tolerance-of-nothing"), Message("bank.tolerance-above-zero")
+        table.fault("tolerance", what, expected)
     if not (_is_kept(relative) and _is_kept(absolute)):
-        table.fault("tolerance", "too finely stated", f"decimals of at most {_MOST_DIGITS} digits")
+        what = Message("bank.tolerance-too-fine")
+        expected = Message("bank.tolerance-digits", most=_MOST_DIGITS)
+        table.fault("tolerance", what, expected)
     return Tolerance(relative, absolute, stated.figures)
 
 

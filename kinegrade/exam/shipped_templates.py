@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal, TypeAlias
 
-from kinegrade.errors import BankError, KinegradeError
+from kinegrade.errors import BankError, KinegradeError, Problem
 from kinegrade.problem.library import load_template
 from kinegrade.problem.statement import check_statements
 from kinegrade.problem.tags import list_tags
 from kinegrade.problem.template import Template
+
+Grouping: TypeAlias = Literal["family", "tag"]  # what a bank may draw by
 
 
 @dataclass(frozen=True)
@@ -20,15 +23,15 @@ class Shelf:
     """
 
     templates: Mapping[str, Template]
-    words: Mapping[str, Mapping[str, frozenset[str]]]
+    words: Mapping[Grouping, Mapping[str, frozenset[str]]]
 
-    def having(self, by: str, word: str) -> tuple[Template, ...]:
+    def having(self, by: Grouping, word: str) -> tuple[Template, ...]:
         """The templates of a family or with a tag."""
         return tuple(
             template for name, template in self.templates.items() if word in self.words[by][name]
         )
 
-    def known(self, by: str) -> frozenset[str]:
+    def known(self, by: Grouping) -> frozenset[str]:
         """All families, or all tags."""
         return frozenset().union(*self.words[by].values())
 
@@ -40,14 +43,14 @@ def read_shelf(folder: Path, *, kept: bool = False) -> Shelf:
     Raises BankError with the faults of all of them.
     """
     templates: dict[str, Template] = {}
-    faults: list[str] = []
+    faults: list[Problem] = []
     for name in sorted(path.stem for path in folder.glob("*.toml")):
         try:
             templates[name] = load_template(name, folder, kept=kept)
             if not kept:
                 check_statements(templates[name])
         except KinegradeError as error:
-            faults += error.problems
+            faults += error.faults
     if faults:
         raise BankError(*faults)
     families = {name: frozenset({template.about.family}) for name, template in templates.items()}

@@ -137,7 +137,7 @@ def test_points_are_shared_out_as_each_template_weighs(shelf: Path) -> None:
         (
             'template = "gear-1"; family = "gear"; tag = "acceleration"',
             [
-                ":7: questions[3].number: 1 different templates are to be drawn, 0 can be had "
+                ":7: questions[3].number: 1 template is to be drawn, 0 can be had "
                 "besides those of the other questions - draw fewer"
             ],
         ),
