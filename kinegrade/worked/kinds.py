@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import reduce
 from typing import assert_never
 
-from kinegrade.language.message import Message, Text
+from kinegrade.language.message import Message, Text, list_statements
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Parallel, Pin, Roll, Sleeve
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.relations import name_omega
@@ -18,11 +17,7 @@ def describe_motions(case: Case) -> Iterator[Block]:
     """A sentence that says how each body moves."""
     mechanism = case.motion.frames.mechanism
     motions = (_describe_motion(body, mechanism, case) for body in mechanism.bodies)
-    yield case.say(Message("solution.motion-list-closed", motions=reduce(_list_motions, motions)))
-
-
-def _list_motions(first: Message, following: Message) -> Message:
-    return Message("solution.motion-list", first=first, next=following)
+    yield case.say(Message("solution.motion-list-closed", motions=list_statements(motions)))
 
 
 def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:

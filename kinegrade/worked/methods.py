@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal, assert_never
+from typing import assert_never
 
 from kinegrade.expression import Name
 from kinegrade.language.message import Message
@@ -47,8 +47,6 @@ from kinegrade.worked.vectors import (
     write_symbol,
 )
 from kinegrade.worked.wording import introduce_equation
-
-_Construction = Literal["pole", "pole-parallel", "pole-infinity"]
 
 
 @dataclass(frozen=True)
@@ -153,7 +151,7 @@ def _explain_by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterat
     yield from _explain_base_speed(coupler, case)
     yield case.say(
         Message(
-            "solution.method-projection",
+            "solution.equal-projections",
             body=case.naming.body(coupler.body),
             first=base,
             second=point,
@@ -171,15 +169,7 @@ def _explain_by_pole(coupler: Coupler, stage: Stage, findings: Findings) -> Iter
     case, body = stage.case, coupler.body
     name = name_pole(body, case)
     letter = case.naming.point(name)
-    yield case.say(
-        Message(
-            f"solution.method-{_choose_construction(coupler, case)}",
-            body=case.naming.body(body),
-            pole=letter,
-            first=case.naming.point(coupler.base.point),
-            second=case.naming.point(coupler.point.point),
-        )
-    )
+    yield case.say(_describe_construction(coupler, letter, case))
     if case.arithmetic.is_zero(case.motion.omega(body)):
         yield from _explain_base_speed(coupler, case)
         known = write_symbol(coupler.equation, coupler.base, case)
@@ -212,13 +202,21 @@ def _explain_base_speed(coupler: Coupler, case: Case) -> Iterator[Block]:
         )
 
 
-def _choose_construction(coupler: Coupler, case: Case) -> _Construction:
-    """Which construction of a pole applies."""
+def _describe_construction(coupler: Coupler, pole: str, case: Case) -> Message:
+    """Where the pole of a body lies, by the construction that applies."""
+    body = case.naming.body(coupler.body)
+    first, second = map(case.naming.point, (coupler.base.point, coupler.point.point))
     if case.arithmetic.is_zero(case.motion.omega(coupler.body)):
-        return "pole-infinity"
-    first, second = coupler.base.value, coupler.point.coefficient or Vector(0, 0)
-    parallel = abs(double(first.cross(second))) < PARALLEL * size(first) * size(second)
-    return "pole-parallel" if parallel else "pole"
+        return Message("solution.pole-at-infinity", body=body, first=first, second=second)
+    if _are_parallel(coupler.base.value, coupler.point.coefficient or Vector(0, 0)):
+        return Message(
+            "solution.pole-by-parallel-velocities", body=body, pole=pole, first=first, second=second
+        )
+    return Message("solution.pole-by-normals", body=body, pole=pole, first=first, second=second)
+
+
+def _are_parallel(first: Vector, second: Vector) -> bool:
+    return abs(double(first.cross(second))) < PARALLEL * size(first) * size(second)
 
 
 def _write_pole_lines(

@@ -57,7 +57,7 @@ class Naming:
         word = name_kind(label.word)
         if not label.letters:
             return word
-        return Message("solution.body-with-letters", body=word, letters=label.letters)
+        return Message("solution.lettered-body", body=word, letters=label.letters)
 
     def letters(self, name: str) -> str:
         """A body in a subscript, in LaTeX math: its letters, else the word for it."""

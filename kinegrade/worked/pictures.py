@@ -232,7 +232,7 @@ def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
 
 def _name_picture(level: Level, case: Case) -> str:
     """The caption of a picture of the mechanism with its vectors."""
-    return case.write(Message(f"solution.picture-{level}"))
+    return case.write(Message(f"solution.picture-vectors-{level}"))
 
 
 def _make_floats(vector: Vector) -> Vector:

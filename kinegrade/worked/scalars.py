@@ -364,7 +364,7 @@ def _state_given(driver: Driver, case: Case, level: Level) -> Message:
             return _state_given_component(driver, case, level)
         case Circulation():
             point, centre = case.naming.point(driver.point), case.naming.point(driver.centre)
-            return Message(f"solution.given-circle-{level}", point=point, centre=centre)
+            return Message(f"solution.given-circling-{level}", point=point, centre=centre)
         case _:
             assert_never(driver)
 
@@ -374,12 +374,12 @@ def _state_given_rotation(driver: Rotation, case: Case, level: Level) -> Message
     if driver.of == GROUND:
         return Message(f"solution.given-rotation-{level}", body=body)
     other = case.naming.body(driver.of)
-    return Message(f"solution.given-rotation-of-{level}", body=body, other=other)
+    return Message(f"solution.given-relative-rotation-{level}", body=body, other=other)
 
 
 def _state_given_component(driver: Component, case: Case, level: Level) -> Message:
     point, way = case.naming.point(driver.point), describe_direction(driver.direction)
     if driver.of == GROUND:
-        return Message(f"solution.given-point-{level}", point=point, way=way)
+        return Message(f"solution.given-motion-{level}", point=point, way=way)
     other = case.naming.body(driver.of)
-    return Message(f"solution.given-point-of-{level}", point=point, way=way, other=other)
+    return Message(f"solution.given-relative-motion-{level}", point=point, way=way, other=other)
