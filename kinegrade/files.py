@@ -24,6 +24,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinegrade.errors import OutputError
+from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.leftovers import clear_leftovers, make_process_name, remove
 from kinegrade.temporary import clear_temporary_folders
 
@@ -114,9 +115,7 @@ def _find_place(path: Path) -> Path:
     except (OSError, RuntimeError) as fault:
         raise _explain_unwritable(path, fault) from fault
     if not target.name:
-        raise OutputError(
-            f"{path}: is the root of the file system - expected a name - choose a folder below it"
-        )
+        raise OutputError(Fault(str(path), Message("files.root")))
     return target
 
 
@@ -126,46 +125,36 @@ def _check_folder(
     if not target.exists():
         return
     if not target.is_dir():
-        raise OutputError(
-            f"{path}: is not a folder - expected a folder to write - choose another name"
-        )
+        raise OutputError(Fault(str(path), Message("files.not-a-folder")))
     if not force:
-        raise _explain_taken(path, "folder")
+        raise OutputError(Fault(str(path), Message("files.folder-exists")))
     names = {entry.name for entry in target.iterdir()} - DESKTOP_DROPPINGS
     if names and marker is not None and marker not in names:
-        raise OutputError(
-            f"{path}: was not written by kinegrade (no {marker} in it) - expected a new or empty "
-            "folder, or one to be replaced - choose another name"
-        )
+        raise OutputError(Fault(str(path), Message("files.not-ours", marker=marker)))
     strangers = sorted(names - set(contents)) if contents is not None else []
     if strangers:
+        lost = list_plainly(strangers[:5])
         raise OutputError(
-            f"{path}: holds {', '.join(strangers[:5])}, which would be lost - expected only what "
-            "is written again - move it elsewhere or choose another name"
+            Fault(
+                str(path),
+                Message("files.would-be-lost", names=lost),
+                Message("files.only-what-is-written-again"),
+                Message("files.move-elsewhere"),
+            )
         )
 
 
 def _check_file(path: Path, target: Path, force: bool) -> None:
     if target.exists() and not target.is_file():
-        raise OutputError(
-            f"{path}: is not a plain file - expected a file to write - choose another name"
-        )
+        raise OutputError(Fault(str(path), Message("files.not-a-file")))
     if target.exists() and not force:
-        raise _explain_taken(path, "file")
-
-
-def _explain_taken(path: Path, kind: str) -> OutputError:
-    return OutputError(
-        f"{path}: already exists - expected a new {kind} - add --force to replace it, or choose "
-        "another name"
-    )
+        raise OutputError(Fault(str(path), Message("files.file-exists")))
 
 
 def _explain_unwritable(path: Path, fault: Exception) -> OutputError:
-    return OutputError(
-        f"{path}: cannot be written ({fault}) - expected a place with room and permission - choose "
-        "another"
-    )
+    reason = Message("files.cannot-be-written", reason=str(fault))
+    expected, do = Message("files.place-with-room"), Message("files.choose-another")
+    return OutputError(Fault(str(path), reason, expected, do))
 
 
 @contextmanager
@@ -247,7 +236,7 @@ def _move_to_free_place(path: Path, partial: Path, target: Path) -> None:
                 raise FileExistsError
             os.rename(partial, target)
     except FileExistsError:
-        raise _explain_taken(path, "name") from None
+        raise OutputError(Fault(str(path), Message("files.name-taken"))) from None
 
 
 def _replace_in_two_steps(partial: Path, target: Path) -> None:

@@ -24,6 +24,7 @@ from multiprocessing import active_children, get_context
 from typing import Generic, Literal, ParamSpec, TypeVar
 
 from kinegrade.errors import WorkerError
+from kinegrade.language.message import Fault, Message
 from kinegrade.temporary import clear_temporary_folders
 from kinegrade.worker_process import DEFERRED, begin_work, do_task
 
@@ -57,10 +58,7 @@ def open_executor(jobs: int, command: str, start: Start | None = None) -> Iterat
         yield others
     except BrokenExecutor as fault:
         others.dismiss()
-        raise WorkerError(
-            f"{command}: a process was ended from outside - expected room in memory for all of "
-            "them - use fewer: --jobs 1"
-        ) from fault
+        raise WorkerError(Fault(command, Message("files.process-ended"))) from fault
     except BaseException:
         others.dismiss()
         raise

@@ -23,6 +23,7 @@ from zlib import error as DeflateError
 from openpyxl import load_workbook
 
 from kinegrade.errors import TableError
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.tables import Complaint, Row, Table, shorten, trim
 
 _LARGEST = (
@@ -47,7 +48,9 @@ _DOCUMENT_TYPE = b"<!DOCTYPE"
 _ENCODING = re.compile(rb"""^(?:\xef\xbb\xbf)?\s*<\?xml[^>]*\bencoding\s*=\s*["']([^"']*)""")
 _UTF_8 = (b"utf-8", b"utf8", b"us-ascii")
 _CELL_PART = re.compile(r"sheet|sharedstrings", re.IGNORECASE)
-_SAVE = "save the sheet as .xlsx or CSV (UTF-8)"
+_XLSX = Message("files.xlsx")
+_SAVE = Message("files.save-as-xlsx")
+_SEND_ALONE = Message("files.send-sheet-alone")
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +58,7 @@ class _Cell:
     """A cell as text; `remark` is what a person should know about it."""
 
     text: str
-    remark: str = ""
+    remark: Message | None = None
 
 
 _BLANK = _Cell("")
@@ -90,7 +93,7 @@ def read_workbook(path: Path) -> Table:
     name, lines, others = _read_sheet(path)
     if not lines:
         raise TableError(
-            f"{path.name}: has no filled sheet - expected a line of column names - {_SAVE}"
+            Fault(path.name, Message("files.no-filled-sheet"), Message("files.column-names"), _SAVE)
         )
     if has_formulas:
         lines = _note_formulas(path, name, lines)
@@ -117,20 +120,15 @@ def _inspect(path: Path) -> bool:
         with path.open("rb") as stream:
             beginning = stream.read(4)
         if beginning == _COMPOUND:
-            raise TableError(
-                f"{path.name}: is an old .xls workbook, or one with a password - expected .xlsx - "
-                f"{_SAVE}"
-            )
+            raise TableError(Fault(path.name, Message("files.old-workbook"), _XLSX, _SAVE))
         with ZipFile(path) as archive:
             return _inspect_parts(path, archive)
     except OSError as fault:
-        raise TableError(
-            f"{path}: cannot be read ({fault.strerror}) - expected a workbook - check the name"
-        ) from fault
+        reason = Message("files.cannot-be-read", reason=str(fault.strerror))
+        expected, do = Message("files.a-workbook"), Message("files.check-the-name")
+        raise TableError(Fault(str(path), reason, expected, do)) from fault
     except (BadZipFile, DeflateError, LZMAError) as fault:
-        raise TableError(
-            f"{path.name}: is not a workbook, or a damaged one - expected .xlsx - {_SAVE}"
-        ) from fault
+        raise TableError(Fault(path.name, Message("files.no-workbook"), _XLSX, _SAVE)) from fault
     except (EOFError, NotImplementedError, RuntimeError, ValueError, ArithmeticError) as fault:
         raise _explain_damaged(path, fault) from fault
 
@@ -138,16 +136,12 @@ def _inspect(path: Path) -> bool:
 def _inspect_parts(path: Path, archive: ZipFile) -> bool:
     parts = archive.infolist()
     if not any(part.filename.endswith("workbook.xml") for part in parts):
-        raise TableError(
-            f"{path.name}: is an archive, not a workbook - expected .xlsx or CSV - send the file "
-            "in it"
-        )
+        raise TableError(Fault(path.name, Message("files.archive")))
     size = sum(part.file_size for part in parts if _is_parsed(part.filename))
     if size > _LARGEST or len(parts) > _MOST_PARTS:
-        raise TableError(
-            f"{path.name}: unpacks to {size} bytes in {len(parts)} parts - expected less than "
-            f"{_LARGEST} - send the sheet alone, as CSV (UTF-8)"
-        )
+        what = Message("files.unpacks-to", size=size, parts=len(parts))
+        expected = Message("files.less-than", most=_LARGEST)
+        raise TableError(Fault(path.name, what, expected, _SEND_ALONE))
     return _has_formulas(path, archive, [each.filename for each in parts])
 
 
@@ -182,28 +176,19 @@ def _read_chunks(archive: ZipFile, part: str) -> Iterator[bytes]:
 def _refuse_foreign(path: Path, part: str, piece: bytes, *, first: bool) -> None:
     """Raises TableError for what no spreadsheet program writes and what could exhaust a parser."""
     if _DOCUMENT_TYPE in piece:
-        raise TableError(
-            f"{path.name}: {part} declares a document type - expected none, as every spreadsheet "
-            f"program writes it - {_SAVE}"
-        )
+        what, expected = Message("files.document-type", part=part), Message("files.none-as-usual")
+        raise TableError(Fault(path.name, what, expected, _SAVE))
     declared = _ENCODING.match(piece) if first else None
     if b"\0" in piece or (declared and declared[1].lower() not in _UTF_8):
-        raise TableError(
-            f"{path.name}: {part} is not in UTF-8 - expected that, as every spreadsheet program "
-            f"writes it - {_SAVE}"
-        )
+        what = Message("files.part-not-utf-8", part=part)
+        raise TableError(Fault(path.name, what, Message("files.utf-8-as-usual"), _SAVE))
 
 
 def _explain_too_many_tags(path: Path, *, cells: bool) -> TableError:
     if cells:
-        return TableError(
-            f"{path.name}: has more than {_MOST_TAGS} tags in its sheets - expected a class - send "
-            "the sheet alone, as CSV (UTF-8)"
-        )
-    return TableError(
-        f"{path.name}: has more than {_MOST_STYLE_TAGS} tags in its styles - expected a table - "
-        "send it as CSV (UTF-8)"
-    )
+        what = Message("files.too-many-tags", most=_MOST_TAGS)
+        return TableError(Fault(path.name, what, Message("files.a-class"), _SEND_ALONE))
+    return TableError(Fault(path.name, Message("files.too-many-styles", most=_MOST_STYLE_TAGS)))
 
 
 @contextmanager
@@ -226,7 +211,7 @@ def _workbook(path: Path, *, values: bool) -> Iterator[Any]:
 
 def _explain_damaged(path: Path, fault: Exception) -> TableError:
     reason = " ".join(str(fault).split())[:200] or type(fault).__name__
-    return TableError(f"{path.name}: is a damaged workbook ({reason}) - expected .xlsx - {_SAVE}")
+    return TableError(Fault(path.name, Message("files.damaged", reason=reason), _XLSX, _SAVE))
 
 
 def _read_sheet(path: Path) -> tuple[str, list[_Line], list[str]]:
@@ -252,10 +237,9 @@ def _read_filled_lines(path: Path, sheet: Any, room: _Room) -> Iterator[_Line]:
         room.characters -= sum(len(cell.text) for cell in cells)
         longest = max((len(cell.text) for cell in cells), default=0)
         if longest > _LONGEST_TEXT or room.characters < 0:
-            raise TableError(
-                f"{path.name}: sheet {sheet.title}, row {line}: holds more text than a spreadsheet "
-                f"program keeps ({longest} characters in a cell) - expected answers - {_SAVE}"
-            )
+            where = Message("files.sheet-row", file=path.name, sheet=sheet.title, row=line)
+            what = Message("files.too-much-text", count=longest)
+            raise TableError(Fault(where, what, Message("files.answers"), _SAVE))
         while cells and not trim(cells[-1].text) and not cells[-1].remark:
             cells.pop()
         if any(trim(cell.text) for cell in cells):
@@ -269,11 +253,11 @@ def _read_rows(path: Path, sheet: Any, room: _Room) -> Iterator[tuple[int, Seque
         room.rows -= 1
         room.cells -= len(row)
         if room.rows < 0 or room.cells < 0:
-            raise TableError(
-                f"{path.name}: sheet {sheet.title} reaches beyond "
-                f"{_MOST_ROWS} rows or {_MOST_CELLS} "
-                "cells - expected a class - delete everything below and beside the table"
+            what = Message(
+                "files.sheet-too-large", sheet=sheet.title, rows=_MOST_ROWS, cells=_MOST_CELLS
             )
+            do = Message("files.delete-around")
+            raise TableError(Fault(path.name, what, Message("files.a-class"), do))
         yield line, row
 
 
@@ -284,7 +268,7 @@ def _read(cell: Any) -> _Cell:
     if isinstance(value, int | float):
         return _write_number(value, cell.number_format)
     if isinstance(value, datetime | date | time | timedelta):
-        return _Cell(str(value), "is a date or a time for the spreadsheet, whatever was typed")
+        return _Cell(str(value), Message("files.cell-date"))
     return _Cell(str(value))
 
 
@@ -299,10 +283,7 @@ def _write_number(value: int | float, number_format: str) -> _Cell:
     if whole is not None and whole >= 0 and _ZEROS.fullmatch(number_format):
         text = text.zfill(len(number_format))
     eaten = abs(value) >= _LONGEST_NUMBER
-    return _Cell(
-        text,
-        "is a number of more than 15 digits, of which spreadsheets lose the last" if eaten else "",
-    )
+    return _Cell(text, Message("files.cell-digits") if eaten else None)
 
 
 def _note_formulas(path: Path, name: str, lines: list[_Line]) -> list[_Line]:
@@ -329,8 +310,10 @@ def _note_formula(cell: _Cell, formula: str | None) -> _Cell:
     text = _TEXT_FORMULA.fullmatch(formula)
     if text and cell.text in ("", text[1]):
         return _Cell(text[1])
-    value = "" if cell.text else " which was never computed"
-    return _Cell(cell.text, f"is computed by the formula {shorten(formula)}{value}")
+    shown = shorten(formula)
+    if cell.text:
+        return _Cell(cell.text, Message("files.cell-formula", formula=shown))
+    return _Cell(cell.text, Message("files.cell-never-computed", formula=shown))
 
 
 def _find_oddities(file: str, titles: Sequence[str], lines: Sequence[_Line]) -> Iterator[Complaint]:
@@ -338,37 +321,20 @@ def _find_oddities(file: str, titles: Sequence[str], lines: Sequence[_Line]) -> 
         for place, cell in enumerate(cells):
             if cell.remark:
                 column = titles[place] if place < len(titles) else ""
-                yield Complaint(
-                    file,
-                    line,
-                    column,
-                    shorten(cell.text),
-                    f"the cell {cell.remark}",
-                    "taken as its content stands here",
-                )
+                done = Message("files.taken-as-it-stands")
+                yield Complaint(file, line, column, shorten(cell.text), cell.remark, done)
 
 
 def _find_surplus(file: str, rows: Sequence[_Line], width: int) -> Iterator[Complaint]:
     for line, cells in rows:
         surplus = "; ".join(cell.text for cell in cells[width:] if trim(cell.text))
         if surplus:
-            yield Complaint(
-                file,
-                line,
-                "",
-                shorten(surplus),
-                "cells stand beside the table, under no column name",
-                "the surplus is kept here only",
-            )
+            problem, done = Message("files.beside-table"), Message("files.surplus-kept")
+            yield Complaint(file, line, "", shorten(surplus), problem, done)
 
 
 def _note_sheets(file: str, name: str, others: Sequence[str]) -> Iterator[Complaint]:
     if others:
-        yield Complaint(
-            file,
-            None,
-            "",
-            ", ".join(others),
-            "the workbook has several filled sheets",
-            f'the first, "{name}", is read; delete it if another one is meant',
-        )
+        problem = Message("files.several-sheets")
+        done = Message("files.first-sheet", sheet=Quoted(name))
+        yield Complaint(file, None, "", ", ".join(others), problem, done)

@@ -22,7 +22,7 @@ from kinegrade.csv_writing import write_csv_text
 from kinegrade.errors import TableError
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.message import Fault, Text
+from kinegrade.language.message import Fault, Message, Text
 
 _SHOWN_CHARACTERS = 1000
 _SEPARATORS = ",;\t"
@@ -42,14 +42,17 @@ _MARKS = (
     (codecs.BOM_UTF16_LE, "UTF-16-LE"),
     (codecs.BOM_UTF16_BE, "UTF-16-BE"),
 )
+STRANGE_UTF_8 = "UTF-8, backslashreplace"  # no encoding is recognised: bytes written out
 _OTHER_FORMATS = (
-    (b"PK\x03\x04", "a spreadsheet or archive"),
-    (b"\xd0\xcf\x11\xe0", "a spreadsheet"),
-    (b"%PDF", "a PDF"),
-    (b"\x89PNG", "a picture"),
-    (b"\xff\xd8\xff", "a picture"),
-    (b"\x1f\x8b", "a compressed file"),
+    (b"PK\x03\x04", Message("files.is-spreadsheet-or-archive")),
+    (b"\xd0\xcf\x11\xe0", Message("files.is-spreadsheet")),
+    (b"%PDF", Message("files.is-pdf")),
+    (b"\x89PNG", Message("files.is-picture")),
+    (b"\xff\xd8\xff", Message("files.is-picture")),
+    (b"\x1f\x8b", Message("files.is-compressed")),
 )
+_CSV_FILE = Message("files.a-csv-file")
+_SEND_CSV = Message("files.save-as-csv")
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,9 +113,9 @@ def read_table(path: Path, encoding: str | None = None) -> Table:
     try:
         content = path.read_bytes()
     except OSError as fault:
-        raise TableError(
-            f"{path}: cannot be read ({fault.strerror}) - expected a CSV file - check the name"
-        ) from fault
+        reason = Message("files.cannot-be-read", reason=str(fault.strerror))
+        do = Message("files.check-the-name")
+        raise TableError(Fault(str(path), reason, _CSV_FILE, do)) from fault
     return parse_table(content, path.name, encoding)
 
 
@@ -134,7 +137,7 @@ def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table
         records, stray_quotes = _read_records(text, separator, width)
     filled = [Row(line, tuple(cells)) for line, cells in records if any(map(trim, cells))]
     if not filled:
-        raise TableError(f"{file}: is empty - expected a line of column names - send a CSV file")
+        raise TableError(Fault(file, Message("files.empty-table")))
     header, *rows = filled
     complaints += [_complain_of_stray_quote(file, line) for line in stray_quotes]
     complaints += _find_ragged(rows, len(header.cells), file)
@@ -176,10 +179,14 @@ def _is_header(row: Row, header: Sequence[str]) -> bool:
 
 
 def shorten(text: str) -> str:
-    """A cell for a report: one longer than SHOWN_CHARACTERS is cut, which is stated."""
+    """A cell for a report: of a longer one the first SHOWN_CHARACTERS, and how many there are.
+
+    >>> shorten("9" * 5000)[-14:]
+    '9… (1000/5000)'
+    """
     if len(text) <= _SHOWN_CHARACTERS:
         return text
-    return f"{text[:_SHOWN_CHARACTERS]}… (cut; {len(text)} characters)"
+    return f"{text[:_SHOWN_CHARACTERS]}… ({_SHOWN_CHARACTERS}/{len(text)})"
 
 
 def _refuse_other_formats(content: bytes, file: str) -> None:
@@ -191,11 +198,9 @@ def _refuse_other_formats(content: bytes, file: str) -> None:
         and _find_byte_order_mark(content) is None
         and controls * _CONTROL_SHARE > len(sample)
     ):
-        kinds = ["not text"]
+        kinds = [Message("files.is-not-text")]
     if kinds:
-        raise TableError(
-            f"{file}: is {kinds[0]} - expected a CSV file - save the sheet as CSV (UTF-8)"
-        )
+        raise TableError(Fault(file, kinds[0], _CSV_FILE, _SEND_CSV))
 
 
 def _find_byte_order_mark(content: bytes) -> tuple[bytes, str] | None:
@@ -217,10 +222,9 @@ def _decode_declared(content: bytes, file: str, encoding: str | None) -> str | N
     try:
         return content.decode(encoding)
     except (LookupError, UnicodeError) as fault:
-        raise TableError(
-            f"{file}: is not in the declared encoding {encoding} ({fault}) - expected text - "
-            "declare the right one"
-        ) from fault
+        what = Message("files.not-in-declared", encoding=encoding, reason=str(fault))
+        expected, do = Message("files.text"), Message("files.declare-right")
+        raise TableError(Fault(file, what, expected, do)) from fault
 
 
 def _decode(content: bytes, file: str) -> tuple[str, str, list[Complaint]]:
@@ -234,8 +238,8 @@ def _decode(content: bytes, file: str) -> tuple[str, str, list[Complaint]]:
     text, assumed = (
         _decode_assumed(body) if not mark else (body.decode(encoding, "backslashreplace"), encoding)
     )
-    problem = f"not valid {encoding} from this line on (bytes {shown})"
-    done = f"read as {assumed}; look at the names, or save the file as CSV UTF-8"
+    problem = Message("files.not-valid", encoding=encoding, bytes=shown)
+    done = Message("files.read-as", encoding=name_encoding(assumed))
     return text, assumed, [Complaint(file, line, "", "", problem, done)]
 
 
@@ -248,7 +252,12 @@ def _decode_assumed(body: bytes) -> tuple[str, str]:
             continue
         if is_likely(text):
             return text, encoding
-    return body.decode("utf-8", "backslashreplace"), "UTF-8 with the strange bytes written out"
+    return body.decode("utf-8", "backslashreplace"), STRANGE_UTF_8
+
+
+def name_encoding(encoding: str) -> Text:
+    """The encoding of a table as messages name it."""
+    return Message("files.strange-utf-8") if encoding == STRANGE_UTF_8 else encoding
 
 
 def _is_chinese(text: str) -> bool:
@@ -338,22 +347,16 @@ def _is_strict(lines: list[str], separator: str) -> bool:
 
 
 def _complain_of_stray_quote(file: str, line: int) -> Complaint:
-    problem = "a quotation mark is opened and not closed where it should be"
-    return Complaint(
-        file, line, "", "", problem, "the line is read by itself, its quotation marks as typed"
-    )
+    problem, done = Message("files.stray-quote"), Message("files.stray-quote-done")
+    return Complaint(file, line, "", "", problem, done)
 
 
 def _find_ragged(rows: Iterable[Row], width: int, file: str) -> Iterator[Complaint]:
     for row in rows:
         count, surplus = len(row.cells), row.cells[width:]
-        problem = f"the line has {count} cells, the header {width}"
+        problem = Message("files.ragged", cells=count, width=width)
         if count < width:
-            yield Complaint(file, row.line, "", "", problem, "the missing cells are taken as blank")
+            yield Complaint(file, row.line, "", "", problem, Message("files.taken-as-blank"))
         elif any(map(trim, surplus)):
             content = write_csv_text([shorten(cell) for cell in surplus], []).rstrip("\n")
-            done = (
-                "the surplus is kept here only; if a comma inside a cell is to blame, put the "
-                "cell in quotes"
-            )
-            yield Complaint(file, row.line, "", content, problem, done)
+            yield Complaint(file, row.line, "", content, problem, Message("files.surplus-quote"))

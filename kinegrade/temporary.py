@@ -10,6 +10,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from kinegrade.errors import OutputError
+from kinegrade.language.message import Fault, Message
 from kinegrade.leftovers import clear_leftovers, make_process_name, remove
 
 _BEGINNING = "kinegrade"
@@ -24,10 +25,9 @@ def temporary_folder() -> Iterator[Path]:
     try:
         folder.mkdir(mode=0o700)
     except OSError as fault:
-        raise OutputError(
-            f"{place}: no temporary folder can be made ({fault.strerror}) - expected room and "
-            "permission - make room, or name another place with TMPDIR"
-        ) from fault
+        problem = Message("files.no-temporary-folder", reason=str(fault.strerror))
+        expected, do = Message("files.room-and-permission"), Message("files.make-room")
+        raise OutputError(Fault(str(place), problem, expected, do)) from fault
     try:
         yield folder
     finally:

@@ -16,6 +16,7 @@ from kinegrade import spreadsheet
 from kinegrade.errors import TableError
 from kinegrade.spreadsheet import is_workbook, read_workbook
 from kinegrade.tables import Table
+from tests.said import said
 
 
 def book(path: Path, *rows: list[object]) -> Path:
@@ -27,7 +28,7 @@ def book(path: Path, *rows: list[object]) -> Path:
 
 
 def told(table: Table) -> list[tuple[int | None, str, str, str]]:
-    return [(each.line, each.column, each.content, each.problem) for each in table.complaints]
+    return [(each.line, each.column, each.content, said(each.problem)) for each in table.complaints]
 
 
 def with_part(path: Path, part: str, change: Callable[[str], str]) -> Path:
@@ -168,7 +169,7 @@ def test_surplus_cells_and_other_sheets_are_told(tmp_path: Path) -> None:
         (2, "", "y; z", "cells stand beside the table, under no column name"),
     ]
     assert (
-        table.complaints[0].done
+        said(table.complaints[0].done)
         == 'the first, "Answers", is read; delete it if another one is meant'
     )
 

@@ -14,10 +14,9 @@ from pathlib import Path
 
 from kinegrade.errors import TableError
 from kinegrade.language.lines import show_in_one_line
-from kinegrade.tables import read_table, trim
+from kinegrade.tables import STRANGE_UTF_8, read_table, trim
 
 BYTE_ORDER_MARK = "\ufeff"
-_UNTOLD = "UTF-8 with the strange bytes written out"
 _NEEDS_QUOTES = re.compile(r'["\r\n]')
 
 
@@ -78,7 +77,7 @@ def read_cells(path: Path) -> CellTable:
     written back byte for byte.
     """
     table = read_table(path)  # finds encoding and separator, refuses what is no table
-    if table.encoding == _UNTOLD:
+    if table.encoding == STRANGE_UTF_8:
         raise TableError(
             f"{path.name}: its encoding cannot be recognised - expected UTF-8, UTF-16 or GB18030 - "
             "download it again"

@@ -37,6 +37,7 @@ from kinegrade.tables import (
     Row,
     Table,
     drop_headers,
+    name_encoding,
     read_table,
     trim,
 )
@@ -239,7 +240,7 @@ def _assumed(
     if source is None and name != "sheet":
         yield Message("responses.taken-for", file=table.file, system=DIALECTS[name].title)
     if table.encoding not in ("UTF-8", "XLSX"):
-        yield Message("responses.read-as", file=table.file, encoding=table.encoding)
+        yield Message("responses.read-as", file=table.file, encoding=name_encoding(table.encoding))
     if name != "sheet":
         yield Message("responses.identified", file=table.file, columns=_titles(table, columns))
     if typed.assumed:
