@@ -21,10 +21,16 @@ from typing import Any, Literal, TypeVar, assert_never
 
 from flint import fmpq
 
-from kinegrade.errors import ExpressionError, did_you_mean
+from kinegrade.errors import ExpressionError
 from kinegrade.exact.angle import Inexact
 from kinegrade.exact.surd import MAX_HEIGHT, Surd, height
-from kinegrade.language.lines import show_in_one_line
+from kinegrade.expression_faults import (
+    SLIPS,
+    explain_no_value,
+    explain_unknown_function,
+    explain_unknown_name,
+)
+from kinegrade.language.message import Message, Quoted, Text
 
 MAX_LENGTH = 400
 MAX_DEPTH = 40
@@ -34,20 +40,6 @@ _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,2})?)|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),]))",
     re.ASCII,
 )
-_DEGREES = "the number alone where the unit is deg, and parts of pi elsewhere: 30 degrees is pi/6"
-# What is expected in place of a character that the grammar does not have.
-_SLIPS: Mapping[str, str] = {
-    "°": _DEGREES,
-    "º": _DEGREES,
-    "^": "a power written as **",
-    "π": "pi",
-    "−": "a plain minus, -",
-    "·": "a product written as *",
-    "×": "a product written as *",
-    "²": "a square written as **2",
-    "³": "a cube written as **3",
-    "√": "a root written as sqrt(...)",
-}
 Mark = Literal["+", "-", "*", "/"]
 Operator = Literal["+", "-", "*", "/", "**"]
 SUMS: tuple[Mark, ...] = ("+", "-")
@@ -117,9 +109,7 @@ def read_expression(text: str) -> Expression:
     '*'
     """
     if len(text) > MAX_LENGTH:
-        raise ExpressionError(
-            f"an expression of {len(text)} characters: at most {MAX_LENGTH} are read"
-        )
+        raise ExpressionError(Message("expression.too-long", length=len(text), most=MAX_LENGTH))
     reader = _Reader(text)
     tree = reader.sum(0)
     reader.finish()
@@ -146,12 +136,16 @@ class _Reader:
         self.kind, self.token = str(match.lastgroup), str(match.group(str(match.lastgroup)))
         self.start, self.place = match.start(str(match.lastgroup)), match.end()
 
-    def fail(self, expected: str) -> ExpressionError:
+    def fail(self, expected: Text) -> ExpressionError:
         """The error at this place."""
-        found = f'"{show_in_one_line(self.token)}"' if self.token else "the end"
         return ExpressionError(
-            f'"{show_in_one_line(self.text)}", character {self.start + 1}: found {found}, '
-            f"expected {_SLIPS.get(self.token, expected)}"
+            Message(
+                "expression.found",
+                text=Quoted(self.text),
+                place=self.start + 1,
+                found=Quoted(self.token) if self.token else Message("expression.end"),
+                expected=SLIPS.get(self.token, expected),
+            )
         )
 
     def take(self, *marks: _Taken) -> _Taken | None:
@@ -165,14 +159,13 @@ class _Reader:
     def finish(self) -> None:
         """Raises ExpressionError where anything follows."""
         if self.kind != "end":
-            raise self.fail("an operator or the end")
+            raise self.fail(Message("expression.operator-or-end"))
 
     def sum(self, depth: int) -> Expression:
         """sum = product (("+" | "-") product)*"""
         if depth > MAX_DEPTH:
             raise ExpressionError(
-                f'"{show_in_one_line(self.text)}": nested deeper '
-                f"than {MAX_DEPTH}: write it more simply"
+                Message("expression.too-deep", text=Quoted(self.text), most=MAX_DEPTH)
             )
         tree = self.product(depth)
         while mark := self.take(*SUMS):
@@ -211,9 +204,9 @@ class _Reader:
         if self.take("("):
             parts = self.arguments(depth)
             if len(parts) not in (1, 2):
-                raise self.fail("one value or a pair (x, y) in the brackets before")
+                raise self.fail(Message("expression.value-or-pair"))
             return parts[0] if len(parts) == 1 else Call("", parts)
-        raise self.fail("a number, a name or a bracket")
+        raise self.fail(Message("expression.number-name-or-bracket"))
 
     def arguments(self, depth: int) -> tuple[Expression, ...]:
         """The arguments up to the closing bracket."""
@@ -223,7 +216,7 @@ class _Reader:
         while self.take(","):
             parts.append(self.sum(depth + 1))
         if not self.take(")"):
-            raise self.fail('"," or ")"')
+            raise self.fail(Message("expression.comma-or-bracket"))
         return tuple(parts)
 
 
@@ -237,7 +230,7 @@ def read_rational(digits: str) -> Any:
     whole, _, decimals = mantissa.partition(".")
     if len(whole) + len(decimals) > _MAX_DIGITS:
         raise ExpressionError(
-            f"{digits[:20]}...: a number of more than {_MAX_DIGITS} digits: round it"
+            Message("expression.too-many-digits", beginning=digits[:20], most=_MAX_DIGITS)
         )
     return fmpq(int(whole + decimals or "0")) * fmpq(10) ** (int(exponent or "0") - len(decimals))
 
@@ -264,9 +257,7 @@ def evaluate(
             return arithmetic.number(tree.value)
         case Name():
             if tree.name not in values:
-                raise ExpressionError(
-                    f'unknown name "{tree.name}": {did_you_mean(tree.name, values)}'
-                )
+                raise ExpressionError(explain_unknown_name(tree.name, values))
             return values[tree.name]
         case Call():
             arguments = [evaluate(part, values, functions, arithmetic) for part in tree.arguments]
@@ -290,22 +281,21 @@ def _call_function(
 ) -> Any:
     """A function's value; its errors become ExpressionErrors."""
     if not name and name not in functions:
-        raise ExpressionError("a pair (x, y): expected a number or an angle here")
+        raise ExpressionError(Message("expression.pair"))
     if name not in functions:
-        raise ExpressionError(
-            f'unknown function "{name}": {did_you_mean(name, [f for f in functions if f])}'
-        )
+        raise ExpressionError(explain_unknown_function(name, filter(None, functions)))
     try:
         return functions[name](*arguments)
     except (TypeError, AttributeError) as error:
-        raise ExpressionError(
-            f"{name or 'a pair'} cannot be made from the arguments in its brackets: "
-            "check their number, order and kind"
-        ) from error
+        function = name or Message("expression.a-pair")
+        raise ExpressionError(Message("expression.arguments", function=function)) from error
     except ValueError as error:
-        raise ExpressionError(f"{name}(...): {error}: check the values given") from error
+        reason = explain_no_value(error)
+        raise ExpressionError(
+            Message("expression.no-value", function=name, reason=reason)
+        ) from error
     except ZeroDivisionError as error:
-        raise ExpressionError(f"{name}(...): division by zero: check the values given") from error
+        raise ExpressionError(Message("expression.zero-in-function", function=name)) from error
 
 
 def _raise_power(base: Any, exponent: Expression, arithmetic: Any) -> Any:
@@ -319,9 +309,9 @@ def _raise_power(base: Any, exponent: Expression, arithmetic: Any) -> Any:
     try:
         raised = base**size
     except TypeError as error:
-        raise ExpressionError("only a number can be raised to a power") from error
+        raise ExpressionError(Message("expression.power-of-no-number")) from error
     except OverflowError as error:
-        raise ExpressionError("a power too large for a double: check the values given") from error
+        raise ExpressionError(Message("expression.power-too-large")) from error
     return _combine("/", arithmetic.number(fmpq(1)), raised, exponent) if negative else raised
 
 
@@ -336,9 +326,7 @@ def read_whole_power(exponent: Expression) -> int:
     )
     literal = exponent.right if negative and isinstance(exponent, Operation) else exponent
     if not isinstance(literal, Number) or literal.value.q != 1 or literal.value > _MAX_POWER:
-        raise ExpressionError(
-            f"a power must be a whole number of at most {_MAX_POWER}: for roots write sqrt(...)"
-        )
+        raise ExpressionError(Message("expression.no-whole-power", most=_MAX_POWER))
     return -int(literal.value) if negative else int(literal.value)
 
 
@@ -357,12 +345,9 @@ def _combine(mark: Mark, left: Any, right: Any, tree: Expression) -> Any:
             case _:
                 assert_never(mark)
     except ZeroDivisionError as error:
-        raise ExpressionError("division by zero: check the values given") from error
+        raise ExpressionError(Message("expression.division-by-zero")) from error
     except (TypeError, AttributeError) as error:
-        raise ExpressionError(
-            f'"{mark}" between things that do not go together: '
-            "angles go with angles, points with points, numbers with numbers"
-        ) from error
+        raise ExpressionError(Message("expression.not-together", mark=Quoted(mark))) from error
 
 
 def is_literal_zero(tree: Expression) -> bool:

@@ -14,7 +14,7 @@ from typing import Any
 from flint import fmpq
 
 from kinegrade.errors import ExpressionError
-from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Message, Quoted, list_plainly
 
 FACTORS: dict[str, tuple[Any, str]] = {
     "m": (fmpq(1), "length"),
@@ -80,13 +80,12 @@ def read_unit(text: str) -> Unit:
         match = _PART.match(text, place)
         if match is None or match["name"] not in FACTORS or (place > 0) != bool(match["mark"]):
             raise ExpressionError(
-                f'unit "{show_in_one_line(text)}": expected a product like m/s^2 of '
-                f"{', '.join(sorted(FACTORS))}"
+                Message("expression.unit", unit=Quoted(text), units=list_plainly(sorted(FACTORS)))
             )
         size, dimension = FACTORS[match["name"]]
         power = int(match["power"] or 1) * (-1 if match["mark"] == "/" else 1)
         factor, place = factor * size**power, match.end()
         exponents[dimension] += power
     if "deg" in text and text != "deg":
-        raise ExpressionError(f'unit "{text}": degrees stand alone: use rad for rates')
+        raise ExpressionError(Message("expression.degrees-alone", unit=Quoted(text)))
     return Unit(text, factor, exponents["length"], exponents["time"], exponents["angle"])

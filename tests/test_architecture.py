@@ -21,6 +21,7 @@ FLOORS = {
     "answer_file": 0,
     "errors": 0,
     "expression": 0,
+    "expression_faults": 0,
     "language": 0,
     "angular": 0,
     "exact": 0,

@@ -12,6 +12,7 @@ from flint import arb, ctx, fmpq
 
 from kinegrade.exact.elimination import Contradiction, eliminate
 from kinegrade.exact.magnitude import Magnitude
+from kinegrade.exact.refusals import NegativeRoot, NoDirection
 from kinegrade.exact.surd import Surd, enclose_at_precision
 
 PRECISIONS = (
@@ -80,7 +81,7 @@ class Balls(Magnitude):
         """The positive square root; zero for a narrow ball about zero; ValueError below zero."""
         side = self.sign(number)
         if side < 0:
-            raise ValueError("square root of a negative number")
+            raise NegativeRoot
         return arb(number).sqrt() if side else arb(number).nonnegative_part().sqrt()
 
     def cos(self, angle: Any) -> Any:
@@ -95,7 +96,7 @@ class Balls(Magnitude):
         """The angle from +x to the vector (x, y) in radians; ValueError for the zero vector."""
         if self.is_zero(y):
             if self.is_zero(x):
-                raise ValueError("the direction of a zero vector")
+                raise NoDirection
             return arb(0) if x > 0 else arb.pi()
         return arb.atan2(arb(y), arb(x))
 

@@ -16,6 +16,7 @@ from flint import arb, fmpq, fmpz
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.elimination import Contradiction, eliminate
 from kinegrade.exact.magnitude import Magnitude
+from kinegrade.exact.refusals import NegativeRoot, NoDirection
 from kinegrade.exact.surd import MAX_HEIGHT, Real, Root, Surd, enclose, height, make_surd, sign
 
 MAX_LEVEL = 5  # degree 32: beyond it balls are faster (0.3 ms at level 2, 8 ms at level 5)
@@ -78,7 +79,7 @@ class Field(Magnitude):
         Raises ValueError for a negative number, Inexact when the field would become too large.
         """
         if sign(number) < 0:
-            raise ValueError("square root of a negative number")
+            raise NegativeRoot
         root = _square_root(number, self.roots)
         if root is None:
             root = self._adjoin(number)
@@ -143,7 +144,7 @@ class Field(Magnitude):
         Raises ValueError for the zero vector.
         """
         if x == 0 and y == 0:
-            raise ValueError("the direction of a zero vector")
+            raise NoDirection
         nice = _recognise_angle(self, y, x)
         return nice if nice is not None else Angle(fmpq(0), ((fmpq(1), (x, y)),))
 
