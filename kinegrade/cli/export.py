@@ -19,6 +19,7 @@ from kinegrade.language.message import Message, Quoted, list_plainly
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from kinegrade.errors import Problem
     from kinegrade.language import Language
     from kinegrade.lms.dialect import Dialect, ExportOptions, Field
     from kinegrade.lms.grades import ClassGrades
@@ -165,7 +166,7 @@ def _write(
     if into is None:
         fresh = new_file(dialect, grades, options)
         content, students, complaints = fresh.text.encode(), fresh.students, fresh.complaints
-        notes: tuple[str, ...] = ()
+        notes: tuple[Problem, ...] = ()
     else:
         filled = fill_in(dialect, grades, into, options)
         content, students, complaints = filled.content, filled.students, filled.complaints

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 
+from kinegrade.language.message import Message
 from kinegrade.lms.dialect import Column, Dialect, Download, Key, NewFile
 
 BRIGHTSPACE = Dialect(
@@ -37,6 +38,6 @@ BRIGHTSPACE = Dialect(
         ),
         key="id",
         mark=True,
-        unfit=((re.compile(r"[<>]"), "Brightspace reads what stands between < and > as settings"),),
+        unfit=((re.compile(r"[<>]"), Message("grades.brightspace-brackets")),),
     ),
 )

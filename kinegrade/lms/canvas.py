@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 
+from kinegrade.language.message import Message
 from kinegrade.lms.dialect import Column, Dialect, Download, Key, NewFile
 
 _IGNORED = re.compile(r"(?:Current|Final) (?:Score|Points|Grade)|Override (?:Score|Grade|Status)")
@@ -32,7 +33,7 @@ CANVAS = Dialect(
             skipped_row=re.compile(
                 r"\s*(?:(?:Muted|Manual Posting.*)?\s*$|.*Points Possible)", re.IGNORECASE
             ),
-            closed={"EX": "is excused there", "N/A": "is not assigned there"},
+            closed={"EX": Message("grades.excused"), "N/A": Message("grades.not-assigned")},
             encodings=("UTF-8",),
             beginning=re.compile(
                 r"(?:Student|LastName,FirstName),ID(?:,SIS User ID,SIS Login ID(?:,Integration ID)?"
@@ -55,11 +56,10 @@ CANVAS = Dialect(
         key="id",
         keeps_keys=True,
         unfit=(
-            (_IGNORED, "Canvas ignores every column with these words"),
+            (_IGNORED, Message("grades.canvas-ignores")),
             (
                 re.compile(r"\s\([0-9]+\)$"),
-                "Canvas takes the number at its end for the id of an assignment; "
-                "give the header of an existing one by --column",
+                Message("grades.canvas-number"),
             ),
         ),
     ),

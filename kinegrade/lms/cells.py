@@ -14,6 +14,7 @@ from pathlib import Path
 
 from kinegrade.errors import TableError
 from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Fault, Message
 from kinegrade.tables import STRANGE_UTF_8, read_table, trim
 
 BYTE_ORDER_MARK = "\ufeff"
@@ -78,17 +79,12 @@ def read_cells(path: Path) -> CellTable:
     """
     table = read_table(path)  # finds encoding and separator, refuses what is no table
     if table.encoding == STRANGE_UTF_8:
-        raise TableError(
-            f"{path.name}: its encoding cannot be recognised - expected UTF-8, UTF-16 or GB18030 - "
-            "download it again"
-        )
+        raise TableError(Fault(path.name, Message("grades.unknown-encoding")))
     content = path.read_bytes()
     text = _decode(path.name, content, table.encoding)
     if text.encode(table.encoding) != content:
-        raise TableError(
-            f"{path.name}: {table.encoding} in a form that cannot be written back byte for byte - "
-            "expected the file as it was downloaded - download it again"
-        )
+        form = Message("grades.other-form", encoding=table.encoding)
+        raise TableError(Fault(path.name, form))
     header, *rows = _read_records(path.name, text, table.separator)
     faults = list(_find_ragged(path.name, header, rows))
     if faults:
@@ -102,10 +98,8 @@ def _decode(file: str, content: bytes, encoding: str) -> str:
     except UnicodeDecodeError as fault:
         line = content.count(b"\n", 0, fault.start) + 1
         shown = content[fault.start : fault.start + 8].hex(" ")
-        raise TableError(
-            f"{file}:{line}: is {encoding} by its byte-order mark, and not valid from this line "
-            f"on (bytes {shown}) - expected the file as it was downloaded - download it again"
-        ) from fault
+        broken = Message("grades.broken-bytes", encoding=encoding, bytes=shown)
+        raise TableError(Fault(f"{file}:{line}", broken)) from fault
 
 
 def _read_records(file: str, text: str, separator: str) -> Iterator[Record]:
@@ -127,10 +121,7 @@ def _split_lines(file: str, text: str, separator: str) -> Iterator[tuple[int, li
         found = shape.match(text, place)
         if not found:
             shown = show_in_one_line(text[place : place + 30])
-            raise TableError(
-                f"{file}:{line}: a quotation mark is not closed where its cell ends ({shown}) - "
-                "expected the file as it was downloaded - download it again"
-            )
+            raise TableError(Fault(f"{file}:{line}", Message("grades.open-quote", text=shown)))
         content = found["plain"] if found["quoted"] is None else found["quoted"].replace('""', '"')
         cells.append(Cell(content, place, found.start("end")))
         line += len(re.findall(r"\r\n|\r|\n", found[0]))
@@ -140,11 +131,9 @@ def _split_lines(file: str, text: str, separator: str) -> Iterator[tuple[int, li
             cells, begins = [], line
 
 
-def _find_ragged(file: str, header: Record, rows: Iterable[Record]) -> Iterator[str]:
+def _find_ragged(file: str, header: Record, rows: Iterable[Record]) -> Iterator[Fault]:
     width = len(header.cells)
     for row in rows:
         if len(row.cells) != width:
-            yield (
-                f"{file}:{row.line}: has {len(row.cells)} cells, the header {width} - expected "
-                "the same number on every line - download the file again and leave it as it is"
-            )
+            ragged = Message("grades.ragged", number=len(row.cells), width=width)
+            yield Fault(f"{file}:{row.line}", ragged)

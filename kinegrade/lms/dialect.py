@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Literal
 
+from kinegrade.language.message import Message, Text
+
 Field = Literal["id", "login", "email"]
 Role = Literal[
     "id", "login", "email", "name", "name and id", "grade", "feedback", "feedback format", "fixed"
@@ -73,7 +75,7 @@ class Download:
     item_words: ItemWords | None = None
     read_only: re.Pattern[str] | None = None
     skipped_row: re.Pattern[str] | None = None
-    closed: Mapping[str, str] = field(default_factory=dict)
+    closed: Mapping[str, Message] = field(default_factory=dict)
     locked: tuple[str, str] = ("", "")
     channel: Channel | None = None
     encodings: tuple[str, ...] = ()
@@ -122,7 +124,7 @@ class NewFile:
     quotes_all: bool = False
     mark: bool = False
     header_needed: bool = False
-    unfit: tuple[tuple[re.Pattern[str], str], ...] = ()
+    unfit: tuple[tuple[re.Pattern[str], Message], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,7 +133,7 @@ class Dialect:
     decimals of a grade it keeps.
     """
 
-    name: str
+    name: Text
     places: int
     downloads: tuple[Download, ...] = ()
     new_file: NewFile | None = None

@@ -14,8 +14,17 @@ from html import escape
 from pathlib import Path
 
 from kinegrade.amounts import write_amount
-from kinegrade.errors import TableError
+from kinegrade.errors import Problem, TableError
 from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import (
+    Fault,
+    Listing,
+    Message,
+    Quoted,
+    list_all,
+    list_choices,
+    list_plainly,
+)
 from kinegrade.lms.cells import Cell, CellTable, Record, read_cells
 from kinegrade.lms.dialect import Dialect, Download, ExportOptions
 from kinegrade.lms.grades import TOTAL, ClassGrades, StudentGrade, feedback_text
@@ -38,7 +47,7 @@ class Filled:
     content: bytes
     students: int
     complaints: tuple[Complaint, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Problem, ...]
 
 
 @dataclass(frozen=True)
@@ -77,11 +86,9 @@ def fill_in(dialect: Dialect, grades: ClassGrades, into: Path, options: ExportOp
     changes, closed = _list_changes(task, rows, matching, graded, grades)
     complaints = (*matching.complaints, *closed, *_find_misread(task, rows))
     if not changes:
-        raise TableError(
-            f"{table.file}: no grade can be filled in - expected rows of the students who were "
-            f"marked - name another file or other keys (--by){exam_hint(table, grades.students)}",
-            *map(str, complaints[:20]),
-        )
+        hint = exam_hint(table, grades.students)
+        nothing = Message("grades.no-student-fits", hint=hint)
+        raise TableError(Fault(table.file, nothing), *(each.fault for each in complaints[:20]))
     notes = tuple(_list_notes(task, keys))
     return Filled(_write_content(task, changes), _count(rows, changes), complaints, notes)
 
@@ -92,36 +99,30 @@ def _read_download(dialect: Dialect, table: CellTable) -> Download:
         if titles.issuperset(download.required):
             return download
     if not dialect.downloads:
-        raise TableError(
-            f"--into: {dialect.name} has no file to be filled in - expected a system that has one "
-            "- leave --into out"
-        )
-    expected = " or ".join(", ".join(download.required) for download in dialect.downloads)
-    raise TableError(
-        f"{table.file}: is not a file of {dialect.name} - expected the columns {expected} - "
-        "download it again"
-    )
+        raise TableError(Message("grades.no-file-to-fill", system=dialect.name))
+    columns = list_choices(list_plainly(download.required) for download in dialect.downloads)
+    other = Message("grades.other-file", system=dialect.name, columns=columns)
+    raise TableError(Fault(table.file, other))
 
 
 def _refuse_unreadable(dialect: Dialect, download: Download, table: CellTable) -> None:
-    faults = []
+    faults: list[Message] = []
     if download.encodings and table.encoding not in download.encodings:
         faults.append(
-            f"{table.file}: is {table.encoding} - expected {' or '.join(download.encodings)}, or "
-            f"{dialect.name} refuses it - download it again and do not save it from a spreadsheet"
+            Message(
+                "grades.refused-encoding",
+                encoding=table.encoding,
+                encodings=list_choices(download.encodings),
+                system=dialect.name,
+            )
         )
     if download.beginning and not download.beginning.match(f"{','.join(table.titles)},"):
-        faults.append(
-            f"{table.file}: its columns begin {', '.join(table.titles[:6])} - expected those of "
-            f"{dialect.name}, in their order - download it again"
-        )
+        titles = list_plainly(table.titles[:6])
+        faults.append(Message("grades.other-columns", titles=titles, system=dialect.name))
     if download.broken_beginning and download.broken_beginning.match(table.text):
-        faults.append(
-            f"{table.file}: begins with a byte-order mark that {dialect.name} takes for data - "
-            "expected none before such a header - download it again"
-        )
+        faults.append(Message("grades.byte-order-mark", system=dialect.name))
     if faults:
-        raise TableError(*faults)
+        raise TableError(*(Fault(table.file, fault) for fault in faults))
 
 
 def _collect_feedback(
@@ -134,33 +135,31 @@ def _collect_feedback(
     if options.feedback is False:
         return {}
     if found.feedback is None and options.feedback:
-        raise TableError(
-            f"{table.file}: no column for feedback on the total - expected one, as {dialect.name} "
-            "has it - download the file with feedback, or leave --feedback out"
-        )
+        no_column = Message("grades.no-feedback-column", system=dialect.name)
+        raise TableError(Fault(table.file, no_column))
     return found.feedback or {}
 
 
-def _list_notes(task: _Task, keys: Sequence[KeyColumn]) -> Iterator[str]:
+def _list_notes(task: _Task, keys: Sequence[KeyColumn]) -> Iterator[Problem]:
     """Which columns were used where headers did not decide that, and what is left out."""
     titles, options = task.table.titles, task.options
     if task.download.item_words is not None:
         keyed = _write_list(titles[place] for place in dict.fromkeys(key.place for key in keys))
         points = _write_list(column.header for column in task.columns.values())
         comments = _write_list(titles[place] for place in task.feedback)
-        into = f"grades into {points}" + (f", feedback into {comments}" if comments else "")
-        yield f"{task.table.file}: students are found by {keyed}; {into}"
+        into = (
+            Message("grades.into-both", points=points, comments=comments)
+            if comments.items
+            else Message("grades.into", points=points)
+        )
+        yield Fault(task.table.file, Message("grades.found-by", keys=keyed, into=into))
     wanted = options.feedback is None and task.download.channel and TOTAL in task.columns
     if wanted and not task.feedback:
-        yield (
-            f"{task.table.file}: has no column for feedback on the total, so the points by "
-            "question are left out - download the file with feedback to fill them in, or add "
-            "--no-feedback"
-        )
+        yield Fault(task.table.file, Message("grades.feedback-left-out"))
 
 
-def _write_list(titles: Iterable[str]) -> str:
-    return " and ".join(f'"{show_in_one_line(title)}"' for title in titles)
+def _write_list(titles: Iterable[str]) -> Listing:
+    return list_all(map(Quoted, titles))
 
 
 def _refuse_maxima(task: _Task, grades: ClassGrades) -> None:
@@ -207,15 +206,13 @@ def _list_changes(
     return changes, complaints
 
 
-def _find_locked(task: _Task, row: Record) -> str:
-    """Why the system would skip a whole row; "" where it would not."""
+def _find_locked(task: _Task, row: Record) -> Message | None:
+    """Why the system would skip a whole row; None where it would not."""
     header, text = task.download.locked
     places = [place for place, title in enumerate(task.table.titles) if title == header != ""]
-    return (
-        f'has "{text}" under "{header}"'
-        if any(trim(row.cells[place].text) == text for place in places)
-        else ""
-    )
+    if any(trim(row.cells[place].text) == text for place in places):
+        return Message("grades.locked-row", text=Quoted(text), header=Quoted(header))
+    return None
 
 
 def _collect_comments(
@@ -233,16 +230,18 @@ def _collect_comments(
 
 
 def _explain_closed(
-    task: _Task, row: Record, column: ItemColumn, grade: StudentGrade, reason: str
+    task: _Task, row: Record, column: ItemColumn, grade: StudentGrade, reason: Message
 ) -> Complaint:
-    problem = (
-        f'student "{show_in_one_line(grade.student)}" {reason} ({row.cells[column.place].text})'
+    problem = Message(
+        "grades.closed-cell",
+        student=Quoted(grade.student),
+        reason=reason,
+        text=row.cells[column.place].text,
     )
-    done = (
-        f"left as it is; {task.written(grade, next(iter(task.columns)))} would be the grade"
-        if len(task.columns) == 1
-        else "left as it is"
-    )
+    done = Message("grades.left-as-it-is")
+    if len(task.columns) == 1:
+        would_be = task.written(grade, next(iter(task.columns)))
+        done = Message("grades.left-with-grade", grade=would_be)
     return Complaint(task.table.file, row.line, column.header, grade.student, problem, done)
 
 
@@ -259,8 +258,11 @@ def _find_misread(task: _Task, rows: Sequence[Record]) -> Iterator[Complaint]:
                 and task.table.titles[place] not in keys
                 and shape.fullmatch(cell.text)
             ):
-                problem = (
-                    f'{task.dialect.name} reads "{cell.text}" as {cell.text.replace(",", ".", 1)}'
+                problem = Message(
+                    "grades.misread",
+                    system=task.dialect.name,
+                    text=Quoted(cell.text),
+                    number=cell.text.replace(",", ".", 1),
                 )
                 yield Complaint(
                     task.table.file,
@@ -268,17 +270,17 @@ def _find_misread(task: _Task, rows: Sequence[Record]) -> Iterator[Complaint]:
                     task.table.titles[place],
                     cell.text,
                     problem,
-                    "left as it is; correct it before you import",
+                    Message("grades.correct-first"),
                 )
 
 
 def _write_content(task: _Task, changes: Mapping[Cell, str]) -> bytes:
     content, most = task.table.with_cells(changes), task.download.most_bytes
     if most is not None and len(content) > most:
-        raise TableError(
-            f"{task.table.file}: {len(content)} bytes - expected at most {most}, or "
-            f"{task.dialect.name} refuses it - split the file"
+        large = Message(
+            "grades.too-large", number=len(content), most=most, system=task.dialect.name
         )
+        raise TableError(Fault(task.table.file, large))
     return content
 
 

@@ -14,9 +14,9 @@ from typing import assert_never
 
 from kinegrade.amounts import write_amount
 from kinegrade.csv_writing import neutralise, write_csv_text
-from kinegrade.errors import TableError
+from kinegrade.errors import Problem, TableError
 from kinegrade.exam.folder.contents import HEAD
-from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Message, Quoted, list_plainly
 from kinegrade.lms.cells import BYTE_ORDER_MARK
 from kinegrade.lms.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
 from kinegrade.lms.grades import (
@@ -73,40 +73,27 @@ def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> F
 
 def _refuse_unknown_addresses(key: Field, students: Sequence[StudentGrade]) -> None:
     if key == "email" and students and not any(each.email for each in students):
-        raise TableError(
-            "--by email: no student's address is known - expected those of the roster - name the "
-            "exam with --exam, or choose another key"
-        )
+        raise TableError(Message("grades.no-addresses"))
 
 
 def _choose_layout(dialect: Dialect, options: ExportOptions) -> NewFile:
     layout = dialect.new_file
     if layout is None:
-        raise TableError(
-            f"{dialect.name}: its rows are identified by numbers that only it assigns - expected "
-            "its own file to fill in - download it there and name it with --into"
-        )
+        raise TableError(Message("grades.only-into", system=dialect.name))
     if len(options.by) > 1:
-        raise TableError(
-            f"--by: {', '.join(options.by)} - expected one key for a new file - choose one"
-        )
+        raise TableError(Message("grades.one-key", keys=list_plainly(options.by)))
     key = options.by[0] if options.by else layout.key
     if not any(column.holds(key) for column in layout.columns):
-        known = ", ".join(
+        known = list_plainly(
             field for field in FIELDS if any(column.holds(field) for column in layout.columns)
         )
-        raise TableError(
-            f"--by: {dialect.name} does not identify students by {key} - expected another key - "
-            f"choose one of: {known}"
-        )
+        raise TableError(Message("grades.other-key", system=dialect.name, key=key, known=known))
     if options.feedback and (
         options.per_question or not any(each.role == "feedback" for each in layout.columns)
     ):
-        what = "with --per-question" if options.per_question else "in this file"
-        raise TableError(
-            f"--feedback: {dialect.name} takes none {what} - expected a file with a column for it "
-            "- leave --feedback out"
-        )
+        if options.per_question:
+            raise TableError(Message("grades.no-feedback-by-question", system=dialect.name))
+        raise TableError(Message("grades.no-feedback-here", system=dialect.name))
     return layout
 
 
@@ -123,17 +110,15 @@ def _plan(
     title = neutralise(options.title or layout.title or grades.title)
     items = items_of(grades, options)
     headers = {item: options.columns.get(item, "") for item in items}
-    faults = list(_find_title_faults(dialect, layout, title, headers))
+    faults: list[Problem] = list(_find_title_faults(dialect, layout, title, headers))
     stated = {item: _find_stated(dialect, headers[item]) for item in items}
     for item in items:
-        where = f'"{show_in_one_line(headers[item] or item_title(title, item))}"'
+        where = Message("grades.item", title=Quoted(headers[item] or item_title(title, item)))
         faults += maximum_faults(where, item, students, stated[item], options)
     targets = {item: target_maximum(stated[item], options) for item in items}
     maxima = {item: _find_maximum(students, item, targets[item]) for item in items}
     faults += [
-        f'"{show_in_one_line(item_title(title, item))}": not '
-        "all students could get the same points - "
-        "expected one maximum - give it with --maximum"
+        Message("grades.several-maxima", title=Quoted(item_title(title, item)))
         for item in items
         if len(maxima[item]) > 1 and _states(layout)
     ]
@@ -164,41 +149,36 @@ def _write_header(column: Column, title: str, maxima: set[Fraction]) -> str:
 
 def _find_title_faults(
     dialect: Dialect, layout: NewFile, title: str, headers: Mapping[str, str]
-) -> Iterator[str]:
+) -> Iterator[Message]:
     if layout.header_needed:
         for item, header in headers.items():
             shapes = [download.item for download in dialect.downloads]
             if not any(shape.fullmatch(header) for shape in shapes):
                 way = f"--column {item}=HEADER" if item else "--column HEADER"
-                if not header:
-                    what = f"question {item}" if item else "the total"
-                    yield (
-                        f"{dialect.name}: the column for {what} is not named - expected its "
-                        f"header, with the id that only {dialect.name} assigns - copy it from a "
-                        f"download and give it with {way}"
+                if header:
+                    yield Message(
+                        "grades.no-grade-header",
+                        system=dialect.name,
+                        header=Quoted(header),
+                        way=way,
                     )
-                    continue
-                yield (
-                    f'{dialect.name}: "{show_in_one_line(header)}" '
-                    "is no header of a grade column there - "
-                    f"expected it with the id that only {dialect.name} assigns - copy it from a "
-                    f"download and give it with {way}"
-                )
+                elif item:
+                    yield Message(
+                        "grades.question-column-unnamed",
+                        system=dialect.name,
+                        question=item,
+                        way=way,
+                    )
+                else:
+                    yield Message("grades.total-column-unnamed", system=dialect.name, way=way)
         return
     if all(headers.values()):
         return
     if not title:
-        yield (
-            f"{dialect.name}: the item has no title - expected one - give it with --title, or name "
-            "the exam with --exam"
-        )
+        yield Message("grades.no-title", system=dialect.name)
     for shape, reason in layout.unfit:
         if shape.search(title):
-            yield (
-                f'the title "{show_in_one_line(title)}" does not '
-                f"fit: {reason} - expected another - give "
-                "one with --title"
-            )
+            yield Message("grades.unfit-title", title=Quoted(title), reason=reason)
 
 
 def _find_stated(dialect: Dialect, header: str) -> Fraction | None:
@@ -254,8 +234,8 @@ def _write_cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> 
 def _find_keyless(key: Field, students: Sequence[StudentGrade]) -> Iterator[Complaint]:
     for each in students:
         if not known_as(each, key):
-            problem = f'student "{show_in_one_line(each.student)}" has no e-mail'
-            done = "not exported; give it in the roster, or match by id"
+            problem = Message("grades.no-address", student=Quoted(each.student))
+            done = Message("grades.give-address")
             yield Complaint(HEAD, None, "", each.student, problem, done)
 
 

@@ -8,42 +8,27 @@ headers are in the language of the exam.
 from __future__ import annotations
 
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message
 from kinegrade.lms.dialect import Column, Dialect, NewFile
-
-_GENERIC_ENGLISH = Dialect(
-    name="the generic sheet",
-    places=4,
-    new_file=NewFile(
-        columns=(
-            Column("Student ID", "id"),
-            Column("E-mail", "email"),
-            Column("Name", "name"),
-            Column("{title}", "grade"),
-            Column("Comment", "feedback"),
-        ),
-        key="id",
-        title="Grade",
-        mark=True,
-    ),
-)
-GENERIC_CHINESE = Dialect(
-    name="the generic sheet",
-    places=4,
-    new_file=NewFile(
-        columns=(
-            Column("学号", "id"),
-            Column("邮箱", "email"),
-            Column("姓名", "name"),
-            Column("{title}", "grade"),
-            Column("评语", "feedback"),
-        ),
-        key="id",
-        title="成绩",
-        mark=True,
-    ),
-)
 
 
 def generic(language: Language) -> Dialect:
     """The sheet with headers in a language."""
-    return {"en": _GENERIC_ENGLISH, "zh": GENERIC_CHINESE}[language]
+    words = open_catalogue(language)
+    return Dialect(
+        name=Message("grades.generic-sheet"),
+        places=4,
+        new_file=NewFile(
+            columns=(
+                Column(words.text("grades.column-id"), "id"),
+                Column(words.text("grades.column-email"), "email"),
+                Column(words.text("grades.column-name"), "name"),
+                Column("{title}", "grade"),
+                Column(words.text("grades.column-comment"), "feedback"),
+            ),
+            key="id",
+            title=words.text("grades.column-grade"),
+            mark=True,
+        ),
+    )

@@ -18,6 +18,7 @@ from kinegrade.csv_writing import neutralise
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.language import ENGLISH, Language
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.lms.dialect import Field
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import StudentSums, StudentTotal
@@ -151,10 +152,8 @@ def _add_exam(grades: ClassGrades, exam: ExamFolder) -> ClassGrades:
     candidates = exam.head.candidates
     strangers = [each.student for each in grades.students if each.student not in candidates]
     if strangers:
-        raise ExamError(
-            f'{exam.head_file}: no student "{strangers[0]}" ({len(strangers)} of the marked class '
-            "are not there) - expected the exam by which these marks were made - name that folder"
-        )
+        other = Message("grades.other-exam", student=Quoted(strangers[0]), number=len(strangers))
+        raise ExamError(Fault(str(exam.head_file), other))
     return replace(
         grades,
         title=" ".join(exam.head.title.split()),

@@ -9,8 +9,9 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kinegrade.errors import TableError, did_you_mean
+from kinegrade.errors import Problem, TableError, suggest
 from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.lms.cells import CellTable, Record
 from kinegrade.lms.dialect import Dialect, Download, ExportOptions
 from kinegrade.lms.grades import TOTAL, ClassGrades
@@ -77,17 +78,15 @@ def item_columns(
     )
     chooser = _Chooser(table, dialect, download, candidates, groups, keys)
     chosen: dict[str, ItemColumn] = {}
-    faults: list[str] = []
+    faults: list[Problem] = []
     for item in items_of(grades, options):
         try:
             chosen[item] = chooser.chosen(item, options)
         except TableError as fault:
-            faults += fault.problems
+            faults += fault.faults
     headers = [column.header for column in chosen.values()]
     faults += [
-        f'{table.file}: the column "{show_in_one_line(header)}" '
-        "is meant for several questions - expected "
-        "one for each - name them with --column QUESTION=HEADER"
+        Fault(table.file, Message("grades.shared-column", header=Quoted(header)))
         for header in sorted(set(headers))
         if headers.count(header) > 1
     ]
@@ -223,21 +222,30 @@ class _Chooser:
             return self.named(trim(options.columns[item]))
         if not options.title:
             fits = [] if item else self.candidates
-            what = f"for question {item}" if item else "to fill in"
+            what = (
+                Message("grades.for-question", question=item)
+                if item
+                else Message("grades.to-fill-in")
+            )
         else:
             title = item_title(options.title, item)
             fits = [each for each in self.candidates if title in (each.title, each.header)]
             # "Quiz: Midterm (Real)": the kind of activity comes before the title
             if not fits:
                 fits = [each for each in self.candidates if _drop_kind(each.title) == title]
-            what = f'called "{show_in_one_line(title)}"'
+            what = Message("grades.called", title=Quoted(title))
         if len(fits) == 1:
             return fits[0]
         way = f"--column {item}=HEADER" if item else "--column HEADER"
-        raise TableError(
-            f"{self.table.file}: {len(fits) or 'no'} grade columns {what} - expected one - name "
-            f"it with {way} (grade columns here: {self.listing()})"
+        number = Message("grades.number-of-columns", number=len(fits))
+        choice = Message(
+            "grades.which-column",
+            number=number if fits else Message("grades.no-columns"),
+            what=what,
+            way=way,
+            columns=self.listing(),
         )
+        raise TableError(Fault(self.table.file, choice))
 
     def named(self, header: str) -> ItemColumn:
         """The column with that header or title."""
@@ -253,21 +261,22 @@ class _Chooser:
             ]
         if len(fits) == 1:
             return fits[0]
-        where, shown = self.table.file, show_in_one_line(header)
-        if fits:
-            raise TableError(
-                f'{where}: {len(fits)} columns are called "{shown}" - expected one - rename the '
-                "items"
-            )
+        raise TableError(Fault(self.table.file, self._explain_none(header, len(fits), places)))
+
+    def _explain_none(self, header: str, count: int, places: Sequence[int]) -> Message:
+        """Why no column, or none of several, is the one that was named."""
+        shown = Quoted(header)
+        if count:
+            return Message("grades.columns-alike", number=count, header=shown)
         if places:
-            raise TableError(
-                f'{where}: "{shown}" is no column from which {self.dialect.name} takes grades - '
-                f"expected one that is - name another (grade columns here: {self.listing()})"
+            return Message(
+                "grades.no-grade-column",
+                header=shown,
+                system=self.dialect.name,
+                columns=self.listing(),
             )
-        raise TableError(
-            f'{where}: no column "{shown}" - expected one of the file - '
-            + did_you_mean(header, [each.header for each in self.candidates] or self.table.titles)
-        )
+        names = [each.header for each in self.candidates] or self.table.titles
+        return Message("grades.no-column", header=shown, hint=suggest(header, names))
 
     def _may_be_named(self, place: int) -> bool:
         """Whether a column may hold grades in points, judged by its cells and its header."""

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from kinegrade.errors import TableError
+from kinegrade.language.message import Fault, Message, Text, list_plainly
 from kinegrade.lms.cells import CellTable, Record
 from kinegrade.lms.dialect import Dialect, Download, ExportOptions, Key
 from kinegrade.lms.grades import StudentGrade
@@ -40,26 +41,23 @@ def key_columns(
     if found := found or _find_by_header(table, keys):
         return found
     if download.item_words is not None:
-        raise TableError(
-            f"{table.file}: no column by which {dialect.name} identifies students - expected one "
-            "that holds the ids of the marked class, or their e-mail addresses - download it with "
-            f"ID numbers, choose other keys with --by{exam_hint(table, students)}"
-        )
-    known = ", ".join(title for key in keys for title in key.headers) or "none"
-    raise TableError(
-        f"{table.file}: no column by which {dialect.name} identifies students - expected one of: "
-        f"{known} - download it with ids, or choose other keys with --by"
-    )
+        hint = exam_hint(table, students)
+        missing = Message("grades.no-key-content", system=dialect.name, hint=hint)
+        raise TableError(Fault(table.file, missing))
+    known = [title for key in keys for title in key.headers]
+    titles = list_plainly(known) if known else Message("grammar.no-names")
+    missing = Message("grades.no-key-column", system=dialect.name, titles=titles)
+    raise TableError(Fault(table.file, missing))
 
 
-def exam_hint(table: CellTable, students: Sequence[StudentGrade]) -> str:
+def exam_hint(table: CellTable, students: Sequence[StudentGrade]) -> Text:
     """What else may help where a file has addresses, and no student's is known."""
     if any(each.email for each in students):
         return ""
     for place in range(len(table.titles)):
         cells = [text for row in table.rows if (text := trim(row.cells[place].text))]
         if cells and 2 * sum("@" in cell for cell in cells) > len(cells):
-            return ", or the exam that knows the addresses (--exam)"
+            return Message("grades.or-exam")
     return ""
 
 

@@ -16,6 +16,14 @@ from decimal import Decimal
 from unicodedata import normalize
 
 from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import (
+    Listing,
+    Message,
+    Quoted,
+    list_all,
+    list_choices,
+    list_statements,
+)
 from kinegrade.lms.cells import CellTable, Record
 from kinegrade.lms.dialect import Key
 from kinegrade.lms.grades import StudentGrade, known_as
@@ -139,38 +147,40 @@ def _collect_claims(
 def _complain_of_ambiguous(
     table: CellTable, columns: Sequence[KeyColumn], grade: StudentGrade, lines: Sequence[int]
 ) -> Complaint:
-    places = " and ".join(map(str, lines))
-    problem = (
-        f'student "{show_in_one_line(grade.student)}" is found on lines {places} by '
-        f"{_write_names(table, columns)}"
+    problem = Message(
+        "grades.ambiguous",
+        student=Quoted(grade.student),
+        lines=list_all(lines),
+        keys=_write_names(table, columns),
     )
-    return Complaint(
-        table.file, lines[0], "", grade.student, problem, "none of these lines was changed"
-    )
+    done = Message("grades.lines-unchanged")
+    return Complaint(table.file, lines[0], "", grade.student, problem, done)
 
 
 def _complain_of_contested(
     table: CellTable, line: int, students: Sequence[StudentGrade]
 ) -> Complaint:
-    who = " and ".join(f'"{show_in_one_line(each.student)}"' for each in students)
+    who = list_all(Quoted(each.student) for each in students)
     return Complaint(
         table.file,
         line,
         "",
         "",
-        f"is the row of several students: {who}",
-        "the line was not changed",
+        Message("grades.contested", students=who),
+        Message("grades.line-unchanged"),
     )
 
 
 def _complain_of_missing(
     table: CellTable, columns: Sequence[KeyColumn], grade: StudentGrade, alike: Sequence[_Alike]
 ) -> Complaint:
-    problem = (
-        f'no row for student "{show_in_one_line(grade.student)}" by {_write_names(table, columns)}'
+    problem = Message(
+        "grades.no-row", student=Quoted(grade.student), keys=_write_names(table, columns)
     )
     hints = [hint for each in alike for hint in each.hints(grade)][:_MOST_HINTS]
-    done = f"not exported; {'; '.join(hints)}" if hints else "not exported"
+    done = Message("grades.not-exported")
+    if hints:
+        done = Message("grades.not-exported-but", hints=list_statements(hints))
     return Complaint(table.file, None, "", grade.student, problem, done)
 
 
@@ -190,24 +200,21 @@ class _Alike:
                     f"{found[1]}.{found[2] or ''}E+{int(found[3])}"
                 ].append(row)
 
-    def hints(self, grade: StudentGrade) -> Iterator[str]:
+    def hints(self, grade: StudentGrade) -> Iterator[Message]:
         """Rows that may be the student's, each with what to do about it."""
         wanted = self.column.wanted(grade)
         for row in self.folded.get(folded(wanted), ()) if wanted else ():
-            yield f"{self._shown(row)}, probably the same: correct one of the two and export again"
+            yield Message("grades.probably-the-same", row=self._shown(row))
         if not (wanted.isascii() and wanted.isdigit()):
             return
         for digits, rows in self.cut.items():
             whole, _, rest = f"{Decimal(wanted):.{digits}E}".partition("E+")
             for row in rows.get(f"{whole}{'' if digits else '.'}E+{rest}", ()):
-                yield (
-                    f"{self._shown(row)}, a number that a spreadsheet has cut: download the file "
-                    "again and leave it as it is"
-                )
+                yield Message("grades.cut-number", row=self._shown(row))
 
-    def _shown(self, row: Record) -> str:
-        cell = show_in_one_line(trim(row.cells[self.column.place].text)[:60])
-        return f'line {row.line} has {self.title} "{cell}"'
+    def _shown(self, row: Record) -> Message:
+        cell = Quoted(trim(row.cells[self.column.place].text)[:60])
+        return Message("grades.row-has", line=row.line, title=self.title, text=cell)
 
 
 def folded(text: str) -> str:
@@ -236,13 +243,13 @@ def _list_strangers(
             row.line,
             "",
             shown,
-            f"no student of the marked class has {shown}",
-            "the line was not changed",
+            Message("grades.stranger", shown=shown),
+            Message("grades.line-unchanged"),
         )
 
 
-def _write_names(table: CellTable, columns: Sequence[KeyColumn]) -> str:
+def _write_names(table: CellTable, columns: Sequence[KeyColumn]) -> Listing:
     """The titles of the key columns."""
-    return " or ".join(
+    return list_choices(
         table.titles[place] for place in sorted({column.place for column in columns})
     )

@@ -10,6 +10,8 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from kinegrade.amounts import write_amount
+from kinegrade.errors import Problem
+from kinegrade.language.message import Fault, Message, Quoted, Text
 from kinegrade.lms.dialect import ExportOptions
 from kinegrade.lms.grades import StudentGrade
 
@@ -30,36 +32,44 @@ def scaled(grade: StudentGrade, item: str, target: Fraction | None) -> Fraction:
 
 
 def maximum_faults(
-    where: str,
+    where: Text,
     item: str,
     students: Iterable[StudentGrade],
     stated: Fraction | None,
     options: ExportOptions,
-) -> list[str]:
+) -> list[Problem]:
     """Why the grades of an item cannot be written as they are, one line for each reason."""
-    faults: list[str] = []
+    faults: list[Problem] = []
     target = target_maximum(stated, options)
     if options.maximum is not None and stated not in (None, options.maximum):
         faults.append(
-            f"{where}: counts {_show(stated)} there, --maximum says {_show(options.maximum)} - "
-            "expected the same - leave --maximum out, or correct the item"
+            Fault(
+                where,
+                Message(
+                    "grades.other-maximum",
+                    stated=_show(stated),
+                    maximum=_show(options.maximum),
+                ),
+            )
         )
     elif options.scale and target is None:
-        faults.append(
-            f"{where}: states no maximum - expected one to scale to - give the item's with "
-            "--maximum"
-        )
+        faults.append(Fault(where, Message("grades.no-maximum")))
     graded = tuple(students)
     others = sorted({each.out_of[item] for each in graded} - {stated})
     if stated is not None and target is None and others:
         faults.append(
-            f"{where}: counts {_show(stated)} there, {_show(others[0])} in the exam - expected "
-            "the same - add --scale to scale the grades, or correct the item"
+            Fault(
+                where,
+                Message("grades.add-scale", stated=_show(stated), exam=_show(others[0])),
+            )
         )
     faults += (
-        f'student "{each.student}": {_show(each.points[item])} points of '
-        f"{_show(each.out_of[item])} - expected no more than the maximum, or the import is "
-        "refused - correct the policy and grade again"
+        Message(
+            "grades.above-maximum",
+            student=Quoted(each.student),
+            points=_show(each.points[item]),
+            maximum=_show(each.out_of[item]),
+        )
         for each in graded
         if each.points[item] > each.out_of[item]
     )

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 
+from kinegrade.language.message import Message
 from kinegrade.lms.dialect import Channel, Column, Dialect, Download, Key, NewFile
 
 SAKAI = Dialect(
@@ -36,10 +37,10 @@ SAKAI = Dialect(
         key="login",
         mark=True,
         unfit=(
-            (re.compile(r"\["), "Sakai reads what follows [ as the points"),
+            (re.compile(r"\["), Message("grades.sakai-bracket")),
             (
                 re.compile(r"\s*[#*]"),
-                "Sakai reads # and * at the beginning as signs of other columns",
+                Message("grades.sakai-signs"),
             ),
         ),
     ),

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TableError
+from kinegrade.language import Language
 from kinegrade.lms.brightspace import BRIGHTSPACE
 from kinegrade.lms.dialect import ExportOptions
-from kinegrade.lms.generic import GENERIC_CHINESE
+from kinegrade.lms.generic import generic
 from kinegrade.lms.sakai import SAKAI
 from tests.lms.marked_folder import changed, filled, fresh, grades_of
 
@@ -36,7 +37,7 @@ def test_scaling_needs_a_maximum(tmp_path: Path) -> None:
     with pytest.raises(
         TableError, match='"成绩": states no maximum - expected one to scale to - give the item'
     ):
-        fresh(tmp_path, GENERIC_CHINESE, ExportOptions(scale=True))
+        fresh(tmp_path, generic(Language("zh")), ExportOptions(scale=True))
 
 
 def test_questions_go_to_the_items_of_their_titles(tmp_path: Path) -> None:
