@@ -11,31 +11,19 @@ from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
 
-from kinegrade.errors import TypesetError
+from kinegrade.errors import Problem, TypesetError
 from kinegrade.exam.quiz_document import Quiz, QuizPaper
 from kinegrade.files import output_file
+from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.lms.quiz.blackboard_line import write_question_line
 from kinegrade.lms.quiz.decimals import write_decimal
 from kinegrade.lms.quiz.packaging import Package, make_stable_name, open_package
 from kinegrade.lms.quiz.remarks import Remarks
 
 _MOST = 250  # questions in one upload to Ultra; Original takes 500
-_NO_FIGURES = (
-    "blackboard: its text upload has no figures - they were left out; the statements are complete "
-    "without them - hand out the printed papers too"
-)
-_POINTS = "blackboard: its text upload has no points - set them there: {}"
-_LEFT_OUT = (
-    "blackboard: its numerical questions have the right number only - comments on known mistakes "
-    "and solutions were left out - give them with kinegrade feedback"
-)
-_TOO_MANY = (
-    "{}: would hold {} questions - expected up to {}, the most that Blackboard takes at a time - "
-    "write to a name that ends in .zip, which gives every paper its own file"
-)
 
 
-def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
+def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[Problem]:
     """Writes the file, with `force` over an existing plain file; gives what the instructor should
     know about it, one line for each point.
 
@@ -59,13 +47,13 @@ class _Writer:
         self._quiz, self._remarks = quiz, Remarks()
         self._points: dict[str, Fraction] = {}
 
-    def complaints(self) -> list[str]:
+    def complaints(self) -> list[Problem]:
         """What was left out. Raises ExportError with all faults."""
         self._remarks.raise_faults()
-        listed = ", ".join(
+        listed = list_plainly(
             f"{column} {write_decimal(points)}" for column, points in self._points.items()
         )
-        self._remarks.complain(_POINTS.format(listed))
+        self._remarks.complain(Message("quiz-file.points", points=listed))
         return self._remarks.complaints
 
     def write_one(self, place: Path, target: Path) -> None:
@@ -78,7 +66,9 @@ class _Writer:
                     if count <= _MOST:
                         stream.write(f"{line}\n")
         if count > _MOST:
-            self._remarks.refuse(_TOO_MANY.format(target, count, _MOST))
+            self._remarks.refuse(
+                Fault(str(target), Message("quiz-file.too-many", number=count, most=_MOST))
+            )
 
     def write_files(self, parts: Package) -> None:
         """A file for every paper, and for every ask of pooled questions."""
@@ -105,9 +95,9 @@ class _Writer:
         owned = bool(paper.student or paper.name)
         for question in paper.questions:
             if question.figure is not None:
-                self._remarks.complain(_NO_FIGURES)
+                self._remarks.complain(Message("quiz-file.no-figures"))
             if question.solution or any(ask.mistakes for ask in question.asks):
-                self._remarks.complain(_LEFT_OUT)
+                self._remarks.complain(Message("quiz-file.left-out"))
             for ask in question.asks:
                 column = f"{question.question}.{ask.identifier}"
                 self._points.setdefault(column, ask.points)

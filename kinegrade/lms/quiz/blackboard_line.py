@@ -19,16 +19,6 @@ from kinegrade.lms.quiz.plain_math import write_plain_math
 from kinegrade.lms.quiz.remarks import Remarks
 from kinegrade.lms.quiz.typing_words import write_rules
 
-_MIDDLE = (
-    "blackboard: {} is not in the middle of what counts as right - the middle is given there as "
-    "the answer, so that the tolerance is exactly the exam's - tell the students the answer from "
-    "the key"
-)
-_TURNS = (
-    "blackboard: {} is an angle, and Blackboard takes one right number - it is asked for within "
-    "half a turn of zero - check answers near half a turn by hand"
-)
-
 
 def write_question_line(
     question: QuizQuestion, ask: QuizAsk, language: Language, remarks: Remarks, *, on_paper: bool
@@ -48,9 +38,9 @@ def write_question_line(
     )
     interval = turn_next_to_zero(ask)
     if not interval.symmetric:
-        remarks.complain(_MIDDLE.format(column))
+        remarks.complain(Message("quiz-file.middle", ask=column))
     if ask.period is not None:
-        remarks.complain(_TURNS.format(column))
+        remarks.complain(Message("quiz-file.turns", ask=column))
     return "\t".join(("NUM", write_sentences(parts, language), *_write_number(interval)))
 
 

@@ -11,9 +11,10 @@ from fractions import Fraction
 from itertools import chain
 from pathlib import Path
 
-from kinegrade.errors import ExportError
+from kinegrade.errors import ExportError, Problem
 from kinegrade.exam.quiz_document import Quiz, QuizPaper
 from kinegrade.files import output_file, output_folder
+from kinegrade.language.message import Message, list_plainly
 from kinegrade.lms.quiz.decimals import write_decimal
 from kinegrade.lms.quiz.moodle_xml_questions import (
     Form,
@@ -28,31 +29,10 @@ _FOOT = "</quiz>\n"
 _MILLION = 10**6
 # MB that a site takes in one upload by default; also far below what stops the import
 _USUAL_LIMIT = 2
-_LARGE = (
-    "moodle-xml: the file has {} MB, and many sites take no more than 2 MB in one upload - add "
-    "--split 2 if yours refuses it"
-)
 _PARTS = tuple(f"quiz-{number}.xml" for number in range(1, 10000))
-_TOO_LARGE = (
-    "quiz: paper {} alone takes {} MB of Moodle XML - expected to fit into a file of {} MB - give "
-    "--split a larger number"
-)
-_SCALED = (
-    "marks in Moodle are {} times the points, because a Cloze question has whole marks only; the "
-    "maximum grade of the quiz corrects that"
-)
-_POOLS = (
-    "moodle-xml: Moodle adds a random question to a quiz with mark 1, whatever its variants are "
-    "worth - set the mark of each there: {}"
-)
-_NO_ROUTE = (
-    "moodle-xml: the questions of a Moodle quiz are the same for all students, so it cannot give "
-    "each student their own paper - these categories serve to look at papers one by one - write a "
-    "pool with --variants 20, or set the exam with versions in the bank, a quiz for each"
-)
 
 
-def write(quiz: Quiz, target: Path, *, form: Form = "cloze", force: bool = False) -> list[str]:
+def write(quiz: Quiz, target: Path, *, form: Form = "cloze", force: bool = False) -> list[Problem]:
     """Writes the questions of a quiz, with `force` over an existing plain file; gives what the
     instructor should know.
 
@@ -68,13 +48,15 @@ def write(quiz: Quiz, target: Path, *, form: Form = "cloze", force: bool = False
         stream.writelines(questions.papers())
         stream.write(_FOOT)
     size = target.stat().st_size
-    large = [_LARGE.format(_write_shown(size))] if size > _USUAL_LIMIT * _MILLION else []
-    return [*questions.remarks(), *large]
+    remarks = questions.remarks()
+    if size > _USUAL_LIMIT * _MILLION:
+        remarks.append(Message("quiz-file.large", megabytes=_write_shown(size)))
+    return remarks
 
 
 def write_parts(
     quiz: Quiz, target: Path, megabytes: Fraction, *, form: Form = "cloze", force: bool = False
-) -> list[str]:
+) -> list[Problem]:
     """The same as a folder of files quiz-1.xml, quiz-2.xml ..., each complete and of at most
     `megabytes` million bytes.
 
@@ -97,7 +79,12 @@ def _write_parts(papers: Iterable[str], megabytes: Fraction) -> Iterator[bytes]:
         written = paper.encode()
         if len(written) > most:
             raise ExportError(
-                _TOO_LARGE.format(number, _write_shown(len(written)), _write_shown(most + frame))
+                Message(
+                    "quiz-file.too-large",
+                    paper=number,
+                    megabytes=_write_shown(len(written)),
+                    most=_write_shown(most + frame),
+                )
             )
         if size + len(written) > most:
             yield _write_file(waiting)
@@ -131,9 +118,7 @@ class _Questions:
         papers = iter(self.quiz.papers)
         first = next(papers, None)
         if first is None:
-            raise ExportError(
-                "quiz: no paper - expected at least one - choose an exam that has students"
-            )
+            raise ExportError(Message("quiz-file.no-paper"))
         quiz = self.quiz
         sheet = make_sheet(quiz.language, self.form, quiz.title, quiz.identifier, first)
         self.scale = sheet.scale
@@ -147,11 +132,14 @@ class _Questions:
             for question in paper.questions:
                 self.marks.update(list_pool_marks(question, sheet))
 
-    def remarks(self) -> list[str]:
+    def remarks(self) -> list[Problem]:
         """What is left for the instructor to do, once all is written."""
-        listed = ", ".join(f"{name} {write_decimal(mark)}" for name, mark in self.marks.items())
-        return [
-            *([_SCALED.format(self.scale)] if self.scale > 1 else []),
-            *([_POOLS.format(listed)] if listed else []),
-            *([_NO_ROUTE] if self.personal else []),
-        ]
+        found: list[Problem] = []
+        if self.scale > 1:
+            found.append(Message("quiz-file.scaled", scale=self.scale))
+        if self.marks:
+            marks = (f"{name} {write_decimal(mark)}" for name, mark in self.marks.items())
+            found.append(Message("quiz-file.pools", marks=list_plainly(marks)))
+        if self.personal:
+            found.append(Message("quiz-file.no-route"))
+        return found

@@ -20,6 +20,7 @@ from functools import lru_cache
 from kinegrade.errors import ExportError
 from kinegrade.exam.quiz_document import QuizAsk
 from kinegrade.exam.quiz_prose import write_plain_html
+from kinegrade.language.message import Message, list_plainly
 from kinegrade.lms.quiz.decimals import round_to_digits, write_decimal
 from kinegrade.lms.quiz.intervals import RightInterval, find_right_intervals
 from kinegrade.lms.quiz.wrong_numbers import find_wrong_numbers
@@ -86,10 +87,7 @@ def write_cloze_field(ask: QuizAsk, mark: int) -> str:
     """
     answers = list_moodle_answers(ask)
     if any(answer.share.denominator != 1 for answer in answers):
-        raise ExportError(
-            f"ask {ask.identifier}: a share of the points that is not a whole per cent - expected "
-            "one in Cloze questions - choose 50, 25 or 20 per cent, or --as numerical"
-        )
+        raise ExportError(Message("quiz-file.no-whole-share", ask=ask.identifier))
     return f"{{{mark}:NUMERICAL:{'~'.join((*map(_write_alternative, answers), _WIDEST))}}}"
 
 
@@ -133,11 +131,9 @@ def _find_share(credit: Fraction) -> Fraction:
     for share in SHARES:
         if abs(100 * credit - share) <= _NEAR:
             return share
-    raise ExportError(
-        f"credit of {write_decimal(credit * 100)} per cent for known mistakes: Moodle has no such "
-        "share - expected one of "
-        f"{', '.join(write_decimal(share) for share in SHARES)} - choose one"
-    )
+    shares = list_plainly(write_decimal(share) for share in SHARES)
+    percent = write_decimal(credit * 100)
+    raise ExportError(Message("quiz-file.no-such-share", percent=percent, shares=shares))
 
 
 def _write_alternative(answer: MoodleAnswer) -> str:

@@ -18,6 +18,7 @@ from typing import IO
 
 from kinegrade.errors import ExportError
 from kinegrade.files import output_file
+from kinegrade.language.message import Message, Quoted
 
 _FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # the earliest that a zip can have
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,79}", re.ASCII)
@@ -69,10 +70,7 @@ class Package:
 
     def _entry(self, name: str) -> IO[bytes]:
         if name in self._names:
-            raise ExportError(
-                f'quiz: the name "{name}" stands for two things - expected one for each paper and '
-                "question - set the exam again"
-            )
+            raise ExportError(Message("quiz-file.name-taken", name=Quoted(name)))
         self._names.add(name)
         entry = zipfile.ZipInfo(name, _FIRST_DATE)
         entry.compress_type = zipfile.ZIP_DEFLATED

@@ -14,7 +14,9 @@ from pathlib import Path
 from tempfile import TemporaryFile
 from xml.sax.saxutils import quoteattr
 
+from kinegrade.errors import Problem
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper, QuizQuestion
+from kinegrade.language.message import Fault, Message
 from kinegrade.language.prose.plain import write_one_plain_line
 from kinegrade.lms.quiz import qti12_manifest
 from kinegrade.lms.quiz.canvas_units import choose_class_units
@@ -35,21 +37,9 @@ _HEAD = (
     '</qtimetadata>\n<section ident="root_section">\n'
 )
 _FOOT = "</section>\n</assessment>\n</questestinterop>\n"
-_FOR_ONE = (
-    "qti12: every paper is a quiz of its own, which no student sees until it is assigned - assign "
-    "each quiz to its students, and to no others, before you publish it"
-)
-_DRAWN_APART = (
-    "qti12: Canvas draws every question by itself - the asks of one mechanism may have different "
-    "numbers, each complete in itself - write papers instead of variants to keep them together"
-)
-_UNEVEN = (
-    "{}: is worth {} points, and the first variant {} - expected the same for all variants of an "
-    "ask - fix the points in the bank"
-)
 
 
-def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
+def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[Problem]:
     """Writes the package, with `force` over an existing plain file; gives what the instructor
     should know about it, one line for each point.
 
@@ -72,7 +62,7 @@ class _Writer:
         self._remarks = Remarks()
         self._asking = Asking(quiz.language, choose_class_units(quiz.asks), self._remarks)
 
-    def write(self) -> list[str]:
+    def write(self) -> list[Problem]:
         for paper in self._quiz.papers:
             if paper.student or paper.name:
                 self._paper(paper)
@@ -90,7 +80,7 @@ class _Writer:
         ]
         if not items:
             return
-        self._remarks.complain(_FOR_ONE)
+        self._remarks.complain(Message("quiz-file.for-one"))
         identifier = f"{items[0].identifier}-paper"
         owner = " ".join(filter(None, (paper.code, paper.student, paper.name)))
         title = write_one_plain_line(f"{self._quiz.title} · {owner}")
@@ -105,9 +95,10 @@ class _Writer:
             for ask, item in self._items(question, pooled=True):
                 worth = self._groups.add((question.question, ask.identifier), item)
                 if worth != item.points:
-                    self._remarks.refuse(_UNEVEN.format(item.identifier, item.points, worth))
+                    uneven = Message("quiz-file.uneven", points=str(item.points), first=str(worth))
+                    self._remarks.refuse(Fault(item.identifier, uneven))
             if len(question.asks) > 1:
-                self._remarks.complain(_DRAWN_APART)
+                self._remarks.complain(Message("quiz-file.drawn-apart"))
 
     def _items(
         self, question: QuizQuestion, *, pooled: bool

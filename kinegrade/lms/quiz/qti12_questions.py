@@ -14,6 +14,7 @@ from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.exam.quiz_prose import write_plain_html
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Fault, Message
 from kinegrade.language.prose.plain import write_line
 from kinegrade.lms.quiz.canvas_units import ClassUnits, keeps_edges
 from kinegrade.lms.quiz.decimals import write_decimal
@@ -26,24 +27,6 @@ from kinegrade.lms.quiz.question_html import write_question_html, write_warnings
 from kinegrade.lms.quiz.remarks import Remarks
 
 _FILES = "$IMS-CC-FILEBASE$/"  # Canvas puts the address of the course's files here
-_NO_BANDS = (
-    "qti12: Canvas gives a number all points or none - credit and comments for known mistakes "
-    "were left out - give them with kinegrade grade, from the students' responses"
-)
-_CHANGED = (
-    "qti12: Canvas keeps four decimals - {} is asked for in {} instead of {}, in the whole class, "
-    "because that is too coarse for some answers"
-)
-_TOO_FINE = (
-    "{}: {} = {} {}, right from {} to {}, is no longer right with the four decimals that Canvas "
-    'keeps - expected an answer that is - set the exam with lms = "canvas" in the bank, which '
-    "refuses such draws, or allow a wider tolerance"
-)
-_EDGES = (
-    "qti12: Canvas keeps four decimals, too few for {} on some papers: an answer near the limit of "
-    "the tolerance may be marked the other way there - mark with kinegrade grade, from the "
-    "students' responses"
-)
 
 
 @dataclass(frozen=True)
@@ -89,13 +72,15 @@ def _make_item(
     now = asking.units.fitted(question.question, ask)
     symbol = write_plain_math(ask.symbol, question.question)
     if now is None:
-        numbers = (
-            write_decimal(ask.value),
-            ask.unit,
-            write_decimal(ask.low),
-            write_decimal(ask.high),
+        too_fine = Message(
+            "quiz-file.too-fine",
+            symbol=symbol,
+            value=write_decimal(ask.value),
+            unit=ask.unit,
+            low=write_decimal(ask.low),
+            high=write_decimal(ask.high),
         )
-        remarks.refuse(_TOO_FINE.format(question.identifier, symbol, *numbers))
+        remarks.refuse(Fault(question.identifier, too_fine))
         return None
     _note_remark(f"{question.question}.{ask.identifier}", ask, now, remarks)
     asked = write_ask_html(now, language) + write_warnings_html(now, ask, language)
@@ -115,8 +100,10 @@ def _make_item(
 def _note_remark(place: str, on_paper: QuizAsk, now: QuizAsk, remarks: Remarks) -> None:
     """Reports what Canvas cannot do, or asks in another unit."""
     if on_paper.mistakes:
-        remarks.complain(_NO_BANDS)
+        remarks.complain(Message("quiz-file.no-bands"))
     if now.unit != on_paper.unit:
-        remarks.complain(_CHANGED.format(place, now.unit, on_paper.unit))
+        remarks.complain(
+            Message("quiz-file.unit-changed", ask=place, now=now.unit, before=on_paper.unit)
+        )
     if not keeps_edges(now):
-        remarks.complain(_EDGES.format(place))
+        remarks.complain(Message("quiz-file.edges", ask=place))

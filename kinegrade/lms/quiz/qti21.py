@@ -7,8 +7,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from kinegrade.errors import TypesetError
+from kinegrade.errors import Problem, TypesetError
 from kinegrade.exam.quiz_document import Quiz, QuizPaper, QuizQuestion
+from kinegrade.language.message import Message
 from kinegrade.language.prose.plain import write_one_plain_line
 from kinegrade.lms.quiz.manifest import Manifest
 from kinegrade.lms.quiz.packaging import Package, make_pool_name, make_stable_name, open_package
@@ -23,17 +24,9 @@ _HEAD = (
     "<organizations/>\n<resources>\n"
 )
 _FOOT = "</resources>\n</manifest>\n"
-_MATH = (
-    r"qti21: formulas are LaTeX between \( and \) - a platform that does not render LaTeX shows "
-    "them as typed - look at one question there before the exam"
-)
-_CANVAS = (
-    "qti21: Canvas turns these questions into texts to be matched and drops the tolerance - "
-    "send it to other systems, and qti12 to Canvas"
-)
 
 
-def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
+def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[Problem]:
     """Writes the package, with `force` over an existing plain file; gives what the instructor
     should know about it, one line for each point.
 
@@ -52,9 +45,9 @@ class _Writer:
         self._remarks = Remarks()
         self._pool: dict[str, list[str]] = {}  # identifiers of the variants, by question
 
-    def write(self) -> list[str]:
-        self._remarks.complain(_MATH)
-        self._remarks.complain(_CANVAS)
+    def write(self) -> list[Problem]:
+        self._remarks.complain(Message("quiz-file.latex-math"))
+        self._remarks.complain(Message("quiz-file.not-canvas"))
         for paper in self._quiz.papers:
             written = [question for question in paper.questions if self._item(question)]
             if paper.student or paper.name:

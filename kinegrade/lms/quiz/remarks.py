@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from kinegrade.errors import ExportError, TypesetError
+from kinegrade.errors import ExportError, Problem, TypesetError
+from kinegrade.language.message import Message
 
 _MOST_SHOWN = 40
 
@@ -13,20 +14,20 @@ class Remarks:
     """
 
     def __init__(self) -> None:
-        self._complaints: dict[str, None] = {}
-        self._faults: dict[str, None] = {}
+        self._complaints: dict[Problem, None] = {}
+        self._faults: dict[Problem, None] = {}
         self._hidden = 0
 
     @property
-    def complaints(self) -> list[str]:
+    def complaints(self) -> list[Problem]:
         """What was left out or must be done by hand, one line for each."""
         return list(self._complaints)
 
-    def complain(self, line: str) -> None:
+    def complain(self, line: Problem) -> None:
         """Adds something that the instructor should know about the file."""
         self._complaints[line] = None
 
-    def refuse(self, line: str) -> None:
+    def refuse(self, line: Problem) -> None:
         """Adds something that this format cannot express, so that no file is written."""
         if line in self._faults:
             return
@@ -37,11 +38,11 @@ class Remarks:
 
     def refuse_texts(self, fault: TypesetError) -> None:
         """Adds texts that cannot be shown faithfully."""
-        for line in fault.problems:
+        for line in fault.faults:
             self.refuse(line)
 
     def raise_faults(self) -> None:
         """Raises ExportError with all faults, if there are any."""
         if self._faults:
-            more = (f"quiz: and {self._hidden} more",) if self._hidden else ()
+            more = (Message("quiz-file.more", number=self._hidden),) if self._hidden else ()
             raise ExportError(*self._faults, *more)

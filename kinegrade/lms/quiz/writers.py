@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Protocol
 
+from kinegrade.errors import Problem
 from kinegrade.exam.quiz_document import Quiz
 from kinegrade.lms.quiz import blackboard, moodle_xml, qti12, qti21
 
@@ -19,7 +20,7 @@ from kinegrade.lms.quiz import blackboard, moodle_xml, qti12, qti21
 class Writer(Protocol):
     """Writes a quiz to a file, with `force` over an existing plain one, and gives remarks."""
 
-    def __call__(self, quiz: Quiz, target: Path, *, force: bool = False) -> list[str]: ...
+    def __call__(self, quiz: Quiz, target: Path, *, force: bool = False) -> list[Problem]: ...
 
 
 WRITERS: Mapping[str, Writer] = {

@@ -16,6 +16,7 @@ from kinegrade.lms.quiz.blackboard import write
 from tests.golden_files import Hold
 from tests.lms.quiz import a_quiz
 from tests.lms.quiz.packages import files_of, listing
+from tests.said import all_said
 
 DOUBLE = ("a_C", "v_D", "v_E", "phi", "v_F")  # whose numbers a double holds with all their digits
 
@@ -31,7 +32,7 @@ def one_ask(ask: a_quiz.QuizAsk, tmp_path: Path) -> tuple[list[str], list[str]]:
     """The fields of the line of an ask, and the complaints."""
     place = tmp_path / "quiz.txt"
     paper = QuizPaper("P", "1", "Bo", (a_quiz.question("P", "q1", (ask,)),))
-    complaints = write(Quiz("en", "", "Test", [paper]), place)
+    complaints = all_said(write(Quiz("en", "", "Test", [paper]), place))
     (found,) = lines(place)
     return found, complaints
 

@@ -20,6 +20,7 @@ from kinegrade.lms.quiz.moodle_xml import write
 from kinegrade.lms.quiz.moodle_xml_questions import Form
 from tests.lms.quiz.a_quiz import ANGLE, SPEED, pooled, quiz
 from tests.lms.quiz.moodle_rules import Answer, box_width, faults, first, read, right
+from tests.said import all_said
 from tests.small_class import generate, kinegrade, write_class
 
 FORMS = pytest.mark.parametrize("form", ["cloze", "numerical"])
@@ -189,12 +190,12 @@ def test_exams_of_one_title_do_not_share_their_pools(small_class: Path, tmp_path
 
 
 def test_the_mark_of_each_pool_is_said(tmp_path: Path) -> None:
-    *_, cloze = write(pooled(), tmp_path / "cloze.xml")
+    *_, cloze = all_said(write(pooled(), tmp_path / "cloze.xml"))
     assert cloze == (
         "moodle-xml: Moodle adds a random question to a quiz with mark 1, whatever its variants "
         "are worth - set the mark of each there: q1 17, q2 10"
     )
-    *_, numerical = write(pooled(), tmp_path / "numerical.xml", form="numerical")
+    *_, numerical = all_said(write(pooled(), tmp_path / "numerical.xml", form="numerical"))
     assert numerical.endswith(
         "q1 v_B 2.5, q1 a_C 2, q1 v_D 2, q1 v_E 2, q2 phi 2, q2 k 1, q2 v_F 2"
     )
@@ -211,10 +212,10 @@ def test_a_pool_of_numerical_questions_draws_variants_of_one_ask(tmp_path: Path)
 
 def test_that_moodle_has_no_way_to_put_own_papers_is_said(tmp_path: Path) -> None:
     no_route = "moodle-xml: the questions of a Moodle quiz are the same for all students"
-    assert any(line.startswith(no_route) for line in write(quiz(), tmp_path / "own.xml"))
+    assert any(line.startswith(no_route) for line in all_said(write(quiz(), tmp_path / "own.xml")))
     versions = [replace(paper, student="", name="Version A") for paper in quiz().papers]
     for name, put in (("pool", pooled()), ("versions", replace(quiz(), papers=versions))):
-        remarks = write(put, tmp_path / f"{name}.xml")
+        remarks = all_said(write(put, tmp_path / f"{name}.xml"))
         assert not any(line.startswith(no_route) for line in remarks)
 
 
@@ -224,7 +225,7 @@ def test_a_file_that_many_sites_do_not_take_is_named(tmp_path: Path) -> None:
         return QuizPaper(str(code), "", "", (question,))
 
     put = Quiz("en", "", "Exam", [one(code) for code in range(20)])
-    *_, remark = write(put, tmp_path / "quiz.xml")
+    *_, remark = all_said(write(put, tmp_path / "quiz.xml"))
     assert remark == (
         "moodle-xml: the file has 2.18 MB, and many sites take no more than 2 MB in one upload - "
         "add --split 2 if yours refuses it"

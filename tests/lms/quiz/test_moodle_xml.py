@@ -32,6 +32,7 @@ from kinegrade.lms.quiz.moodle_xml_questions import Form
 from tests.golden_files import Hold
 from tests.lms.quiz.a_quiz import ACCELERATION, ANGLE, SPEED, UNEVEN, ZERO, papers, pooled, quiz
 from tests.lms.quiz.moodle_rules import FRACTIONS, Answer, Question, faults, first, read, right
+from tests.said import all_said
 
 FORMS = pytest.mark.parametrize("form", ["cloze", "numerical"])
 NEAR = Fraction(1, 10**13)  # Moodle keeps fourteen digits
@@ -234,7 +235,7 @@ def test_formulas_beside_boxes_stay_as_they_are(target: Path) -> None:
 def test_marks_are_whole_and_in_the_ratio_of_the_points(target: Path) -> None:
     points = {SPEED: "2.5", UNEVEN: "1", ZERO: "0.25"}
     asks = [replace(ask, points=Fraction(worth)) for ask, worth in points.items()]
-    remarks = write(of_asks(*asks), target)
+    remarks = all_said(write(of_asks(*asks), target))
     [question] = read(target.read_text(encoding="utf-8"))
     assert [mark for mark, _ in question.boxes] == [10, 4, 1]
     assert "4 times its points" in question.text
@@ -242,7 +243,7 @@ def test_marks_are_whole_and_in_the_ratio_of_the_points(target: Path) -> None:
         "marks in Moodle are 4 times the points, because a Cloze question has whole marks only; "
         "the maximum grade of the quiz corrects that"
     ]
-    remarks = write(of_asks(*asks), target, form="numerical", force=True)
+    remarks = all_said(write(of_asks(*asks), target, form="numerical", force=True))
     assert not any("times the points" in remark for remark in remarks)
     numerical = read(target.read_text(encoding="utf-8"))
     assert [question.boxes[0][0] for question in numerical] == [

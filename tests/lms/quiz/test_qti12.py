@@ -19,6 +19,7 @@ from kinegrade.lms.quiz.qti12 import write
 from tests.golden_files import Hold
 from tests.lms.quiz import a_quiz
 from tests.lms.quiz.packages import bare, files_of, listing, misplaced
+from tests.said import all_said
 
 # the part of the standard's DTD that is used, with Canvas's own <points_per_item> where the DTD
 # allows anything
@@ -302,7 +303,7 @@ def test_an_answer_is_taken_where_its_four_decimals_are_right(
 
 def test_answers_that_may_be_lost_at_an_edge_are_named(tmp_path: Path) -> None:
     ask = a_quiz.relative("omega", Fraction("0.0055"), unit="rad/s", share=Fraction(1, 100))
-    assert write(one_ask(ask), tmp_path / "quiz.zip")[0] == (
+    assert all_said(write(one_ask(ask), tmp_path / "quiz.zip"))[0] == (
         "qti12: Canvas keeps four decimals, too few for q1.omega on some papers: an answer near "
         "the limit of the tolerance may be marked the other way there - mark with kinegrade "
         "grade, from the students' responses"
@@ -371,7 +372,7 @@ def test_the_solution_comes_once_with_the_last_ask_and_with_every_pooled_one(
 
 
 def test_pooled_questions_are_drawn_one_variant_for_every_ask(tmp_path: Path) -> None:
-    complaints = write(a_quiz.pooled(), tmp_path / "pool.zip")
+    complaints = all_said(write(a_quiz.pooled(), tmp_path / "pool.zip"))
     (quiz,) = quizzes(tmp_path / "pool.zip")
     groups = {group.get("title", ""): group for group in quiz.findall("assessment/section/section")}
     assert [len(group.findall("item")) for group in groups.values()] == [2, 2, 2, 2, 1, 1, 1]
@@ -404,7 +405,7 @@ def test_variants_of_different_worth_are_refused(tmp_path: Path) -> None:
 
 
 def test_what_was_left_out_and_what_is_to_be_done_is_said(tmp_path: Path) -> None:
-    assert write(a_quiz.quiz(), tmp_path / "quiz.zip") == [
+    assert all_said(write(a_quiz.quiz(), tmp_path / "quiz.zip")) == [
         "qti12: Canvas gives a number all points or none - credit and comments for known "
         "mistakes were left out - give them with kinegrade grade, from the students' responses",
         "qti12: Canvas keeps four decimals - q2.v_F is asked for in mm/s instead of m/s, in the "
