@@ -13,7 +13,9 @@ from pathlib import Path
 import pytest
 
 import kinegrade
+from kinegrade.language import ENGLISH, Language
 from kinegrade.problem.library import find_template_names, load_template
+from kinegrade.problem.template_texts import list_lines, list_prose
 
 PACKAGE = Path(kinegrade.__file__).parent
 ROOT = PACKAGE.parent
@@ -27,6 +29,7 @@ FLOORS = {
     "exact": 0,
     "units": 0,
     "fields": 0,
+    "sign_conventions": 0,
     "stated_marking": 0,
     "files": 0,
     "leftovers": 0,
@@ -303,14 +306,11 @@ def test_a_module_runs_nothing_that_it_reads(module: str) -> None:
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_sentence_of_a_template_is_there_in_both_languages(name: str) -> None:
     template = load_template(name)
-    texts = [template.about.title, template.words.statement]
-    texts += [part.means for part in (*template.parameters.values(), *template.asks.values())]
-    texts += [ask.sign for ask in template.asks.values()]
-    for text in texts:
-        assert text.en.strip()
-        assert text.en != text.zh
-        assert CHINESE.search(text.zh), text.zh
-        assert not CHINESE.search(text.en), text.en
+    for _, text in (*list_lines(template), *list_prose(template)):
+        english, chinese = text.in_language(ENGLISH), text.in_language(Language("zh"))
+        assert english.strip()
+        assert CHINESE.search(chinese), chinese
+        assert not CHINESE.search(english), english
 
 
 @pytest.mark.parametrize("name", find_template_names())

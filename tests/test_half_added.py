@@ -18,17 +18,20 @@ from click.testing import CliRunner, Result
 
 import kinegrade
 from kinegrade.cli import main
+from kinegrade.cli.exams import generate
 from kinegrade.cli.export import SYSTEMS, export
 from kinegrade.cli.marks import feedback, grade
 from kinegrade.cli.quiz import quiz
-from kinegrade.errors import TypesetError
+from kinegrade.cli.templates import show
+from kinegrade.errors import TemplateError, TypesetError
 from kinegrade.exam.printing import PressOrder
 from kinegrade.exam.word import PandocPress
-from kinegrade.language import LANGUAGES, Language
+from kinegrade.language import Language
+from kinegrade.language.known import known_languages
 from kinegrade.lms.quiz.writers import WRITERS
 from kinegrade.lms.responses.detection import DIALECTS
 from kinegrade.press import protocol
-from kinegrade.problem.template import Translated
+from kinegrade.problem.translated import Translated
 
 PACKAGE = Path(kinegrade.__file__).parent
 FRENCH = (
@@ -102,13 +105,18 @@ def test_an_exam_that_says_no_language_is_refused_as_well(marked: Path, tmp_path
 
 
 def test_no_text_of_another_language_stands_in_for_a_missing_one() -> None:
-    with pytest.raises((AssertionError, KeyError), match="fr"):
-        Translated("a crank", "曲柄").in_language(Language("fr"))
+    crank = Translated((("en", "a crank"), ("zh", "曲柄")))
+    with pytest.raises(TemplateError, match="fr"):
+        crank.in_language(Language("fr"))
 
 
 def test_every_language_is_offered_and_no_other() -> None:
-    for command in (quiz, feedback):
-        assert tuple(choices(command, "language").choices) == LANGUAGES
+    names = "|".join(known_languages())
+    for command in (generate, show, quiz, feedback, export):
+        assert f"--lang [{names}]" in run(command.name, "--help").stdout
+        result = run(command.name, "--lang", "zn")
+        assert result.exit_code == 2
+        assert 'unknown: "zn" - expected a language with a catalogue' in result.stderr
 
 
 def test_grades_for_a_system_that_only_the_command_line_knows_are_not_written(

@@ -12,6 +12,7 @@ import click
 
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.help import command
+from kinegrade.cli.language_choice import LanguageChoice
 from kinegrade.cli.options import FILE, FORCE, finish_with_complaints, refusing
 from kinegrade.cli.terminal import refuse_usage, refuse_value, say
 from kinegrade.language.message import Message, Quoted, list_plainly
@@ -92,7 +93,7 @@ SYSTEMS = (*get_args(GradeSystem), "xlsx")
 @click.option(
     "--lang",
     "language",
-    type=click.Choice(["en", "zh"]),
+    type=LanguageChoice(),
 )
 @FORCE
 @refusing

@@ -10,9 +10,9 @@ import click
 
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.help import command
+from kinegrade.cli.language_choice import LanguageChoice
 from kinegrade.cli.options import FILE, FORCE, JOBS, LANGUAGE, finish_with_complaints, refusing
 from kinegrade.cli.terminal import say, terminal_words
-from kinegrade.language import LANGUAGES
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Part
 from kinegrade.marks_folder.layout import COMPLAINTS, KEPT
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 _EXAM_LANGUAGE = click.option(
     "--lang",
     "language",
-    type=click.Choice(LANGUAGES),
+    type=LanguageChoice(),
 )
 
 

@@ -14,9 +14,9 @@ from typing import Any
 import click
 
 from kinegrade.cli.folders import expect_own_place
+from kinegrade.cli.language_choice import LanguageChoice
 from kinegrade.cli.terminal import refuse_value, say, terminal_words, write_line
 from kinegrade.errors import KinegradeError, OutputError, Problem
-from kinegrade.language import LANGUAGES
 from kinegrade.language.message import Message
 
 COMPLAINTS = 1
@@ -25,7 +25,7 @@ FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 LANGUAGE = click.option(
     "--lang",
     "language",
-    type=click.Choice(LANGUAGES),
+    type=LanguageChoice(),
     default="en",
     show_default=True,
 )

@@ -9,6 +9,7 @@ import click
 
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.help import command
+from kinegrade.cli.language_choice import LanguageChoice
 from kinegrade.cli.options import (
     FILE,
     FORCE,
@@ -19,7 +20,6 @@ from kinegrade.cli.options import (
     show_progress,
 )
 from kinegrade.cli.terminal import say
-from kinegrade.language import LANGUAGES
 from kinegrade.language.message import Message
 
 if TYPE_CHECKING:
@@ -87,7 +87,7 @@ SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
 @click.option(
     "--lang",
     "language",
-    type=click.Choice(LANGUAGES),
+    type=LanguageChoice(),
 )
 @JOBS
 @FORCE

@@ -27,7 +27,7 @@ from kinegrade.language.message import Message, Quoted
 if TYPE_CHECKING:
     from kinegrade.language import Language
     from kinegrade.problem.solving import Solution
-    from kinegrade.problem.template import Method
+    from kinegrade.problem.template import About, Method
 
 
 @command("list")
@@ -38,8 +38,15 @@ def list_templates(language: Language) -> None:
     from kinegrade.problem.library import find_template_names, load_template
 
     for name in find_template_names():
-        template = load_template(name)
-        click.echo(f"{name}\t{template.about.family}\t{template.about.title.in_language(language)}")
+        about = load_template(name).about
+        click.echo(f"{name}\t{about.family}\t{_write_title(about, language)}")
+
+
+def _write_title(about: About, language: Language) -> str:
+    """A template's title; the languages in which it is, where it is not in the one wanted."""
+    if about.title.has(language):
+        return about.title.in_language(language)
+    return f"({', '.join(about.title.languages)})"
 
 
 @command()
@@ -64,8 +71,10 @@ def show(
     """Show a template: statement, parameters, what can be asked, how many instances."""
     from kinegrade.problem.describing import describe_template
     from kinegrade.problem.library import load_template
+    from kinegrade.problem.template_texts import require_language
 
     template = load_template(template_name)
+    require_language([template], language)
     click.echo(describe_template(template, language))
     if output is not None:
         from kinegrade.exam.sample import print_sample

@@ -46,9 +46,9 @@ from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.press.protocol import ENGINES
 from kinegrade.problem.library import find_shipped
 from kinegrade.problem.mistake_names import MISTAKE_NAMES
-from kinegrade.problem.template import Translated
 from kinegrade.problem.tolerance import ONE_PER_CENT
-from kinegrade.problem.translations import translated_or_one
+from kinegrade.problem.translated import Translated
+from kinegrade.problem.translations import translated
 from kinegrade.stated_marking import read_credit
 
 _KEYS = (
@@ -67,7 +67,7 @@ _KEYS = (
 MAX_BYTES = 200_000
 _BANK_FILE = FileKind(Message("bank.a-bank-file"), BankError, MAX_BYTES)
 _SYSTEMS: tuple[LMS, ...] = get_args(LMS)
-_NO_TEXT = Translated("", "")
+_NO_TEXT = Translated(plain="")
 
 
 def find_bank(path: Path) -> Path:
@@ -130,8 +130,8 @@ def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False
 def _read_frame(table: Table, text: str) -> Bank:
     """Everything but the questions; an entry at fault is left empty or at its default."""
     return Bank(
-        title=table.required("title", translated_or_one) or _NO_TEXT,
-        course=table.required("course", translated_or_one) or _NO_TEXT,
+        title=table.required("title", translated) or _NO_TEXT,
+        course=table.required("course", translated) or _NO_TEXT,
         date=table.with_default("date", date_text, ""),
         tolerance=read_bank_tolerance(table, ONE_PER_CENT),
         questions=(),

@@ -15,8 +15,9 @@ from typing import Literal, assert_never
 
 from kinegrade.press.protocol import Engine
 from kinegrade.problem.keyed_order import address
-from kinegrade.problem.template import Template, Translated
+from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
+from kinegrade.problem.translated import Translated
 from kinegrade.stated_marking import StatedCredit
 
 LMS = Literal["canvas"]  # systems that do not take every answer

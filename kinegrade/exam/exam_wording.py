@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.language import Language
 from kinegrade.problem.mistake_names import describe_mistakes
+from kinegrade.problem.template_texts import require_language
 
 
 @dataclass(frozen=True)
@@ -29,8 +30,9 @@ class ExamWording:
 
 
 def read_exam_wording(exam: ExamFolder, language: Language) -> ExamWording:
-    """The words of an exam in a language."""
+    """The words of an exam in a language. Raises TemplateError where its templates lack it."""
     templates = exam.templates.readable
+    require_language(templates.values(), language)
     asks = {
         f"{question}.{name}": ask
         for question, template in templates.items()

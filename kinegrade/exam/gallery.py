@@ -26,6 +26,7 @@ from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.statement import Given, write_with_unit
 from kinegrade.problem.template import Template
+from kinegrade.problem.template_texts import require_language
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,7 @@ def _make_entry(name: str, language: Language, draws: int) -> GalleryEntry:
     """The entry of one template; if it cannot be read, its faults alone."""
     try:
         template = load_template(name)
+        require_language([template], language)
     except TemplateError as error:
         return _make_unreadable_entry(Path(name).stem, error.problems)
     figures, faults = _draw_figures(template, draws)

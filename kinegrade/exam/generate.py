@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kinegrade.errors import TableError
+from kinegrade.exam.bank_texts import require_bank_language
 from kinegrade.exam.blueprint import Bank, Blueprint
 from kinegrade.exam.class_printing import CHUNK, print_class
 from kinegrade.exam.dealing import ClassDeal, deal_exam
@@ -130,6 +131,7 @@ def generate(
     old = replaced_exam(place.path, new_numbers=wish.new) if place.force else None
     secret = wish.secret(None if old is None else old.secret)
     bank = blueprint.bank(secret.drawing)
+    require_bank_language(bank, language)
     sources = source_files(bank)
     jobs = max(min(printing.jobs, len(roster.students) // CHUNK), 1)
     with bulk_work(), place.folder() as folder, open_executor(jobs, "generate") as workers:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from msgspec import UNSET, structs
 
 from kinegrade import __version__
-from kinegrade.exam.blueprint import BankQuestion
+from kinegrade.exam.blueprint import BankAsk, BankQuestion
 from kinegrade.exam.dealing import ClassDeal
 from kinegrade.exam.folder.contents import PAPERS
 from kinegrade.exam.folder.head import FORMAT
@@ -16,7 +16,11 @@ from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.exam.printing import PrintRun
 from kinegrade.exam.roster import Student
 from kinegrade.exam.versions import list_version_letters
+from kinegrade.language import Language
 from kinegrade.press.sheet import KeyPaper
+from kinegrade.problem.signs import write_sign
+from kinegrade.problem.template import Ask as TemplateAsk
+from kinegrade.problem.translated import Translated
 
 WARNING = (
     "For the instructor only: this folder gives the key away. Students may see what is under "
@@ -44,14 +48,15 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
         versions=tuple(list_version_letters(bank.versions)),
         credit=bank.credit.record() or None,
         solutions=bank.solutions,
-        questions=tuple(_make_exam_question(dealt, question) for question in bank.questions),
+        questions=tuple(_make_exam_question(dealt, each, language) for each in bank.questions),
         students=tuple(candidates),
     )
     return structs.replace(head, **dealt.secret.record())
 
 
-def _make_exam_question(dealt: ClassDeal, question: BankQuestion) -> ExamQuestion:
-    asks = question.template.asks
+def _make_exam_question(
+    dealt: ClassDeal, question: BankQuestion, language: Language
+) -> ExamQuestion:
     deal = dealt.deals[question.identifier]
     return ExamQuestion(
         question=question.identifier,
@@ -61,15 +66,20 @@ def _make_exam_question(dealt: ClassDeal, question: BankQuestion) -> ExamQuestio
         refused=deal.refused,
         good=UNSET if deal.lasting else deal.good,
         asks=tuple(
-            Ask(
-                question.identifier,
-                ask.name,
-                asks[ask.name].unit.text,
-                ask.points,
-                asks[ask.name].sign.en,
-            )
+            _make_ask(question.identifier, ask, question.template.asks[ask.name], language)
             for ask in question.asks
         ),
+    )
+
+
+def _make_ask(question: str, asked: BankAsk, ask: TemplateAsk, language: Language) -> Ask:
+    return Ask(
+        question,
+        asked.name,
+        ask.unit.text,
+        asked.points,
+        write_sign(ask.sign, language),
+        None if isinstance(ask.sign, Translated) else ask.sign,
     )
 
 

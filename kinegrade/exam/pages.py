@@ -27,6 +27,7 @@ from kinegrade.press.sheet import (
 )
 from kinegrade.problem.hints import FigureHints
 from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.signs import write_sign
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template import Ask
 
@@ -89,7 +90,7 @@ def _lay_out_question(
 
 def make_answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
     """The box of one answer."""
-    sign = ask.sign.in_language(language)
+    sign = write_sign(ask.sign, language)
     if ask.cyclic:
         sign = open_catalogue(language).text("paper.sign-with-full-turns", sign=sign)
     return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, sign, points)

@@ -10,12 +10,13 @@ from collections.abc import Callable, Iterator
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.formula import convert_formula
-from kinegrade.language import LANGUAGES, Language
+from kinegrade.fields.place import key_path
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.slots import Slot, find_slots_in_formulas, split_slots
-from kinegrade.problem.statement import write_specimens
+from kinegrade.problem.statement import list_statement_languages, write_specimens
 from kinegrade.problem.template import Template
+from kinegrade.problem.template_texts import list_lines
 
 _Writer = Callable[[str, str], str]  # takes a text and its place, gives Typst code
 
@@ -54,13 +55,13 @@ def _find_refused(codes: dict[str, str]) -> list[str]:
 
 def _find_unfilled(template: Template) -> Iterator[str]:
     """Slots where nothing is filled in: they would be printed with their braces."""
-    for language in LANGUAGES:
-        for where, text in _list_lines(template, language):
+    for place, translated in list_lines(template):
+        for where, text in translated.list_written(place):
             inside = find_slots_in_formulas(text)
             for slot in split_slots(text):
                 if isinstance(slot, Slot) and slot not in inside:
                     yield (
-                        f"{where}: {{{{ {slot.name} }}}}: nothing is filled in here: "
+                        f"{key_path(where)}: {{{{ {slot.name} }}}}: nothing is filled in here: "
                         "write it out, or put it into the statement"
                     )
 
@@ -71,21 +72,12 @@ def _list_texts(template: Template) -> Iterator[tuple[str, str, _Writer]]:
         yield f"parameters.{name}.symbol", parameter.symbol, _write_symbol
     for name, ask in template.asks.items():
         yield f"asks.{name}.symbol", ask.symbol, _write_symbol
-    for language in LANGUAGES:
+    for language in list_statement_languages(template):
         for where, text in write_specimens(template, language):
-            yield where, text, _write_prose
-        for where, text in _list_lines(template, language):
-            yield where, text, _write_line
-
-
-def _list_lines(template: Template, language: Language) -> Iterator[tuple[str, str]]:
-    """The texts of one line with their places."""
-    yield f"title.{language}", template.about.title.in_language(language)
-    for name, parameter in template.parameters.items():
-        yield f"parameters.{name}.means.{language}", parameter.means.in_language(language)
-    for name, ask in template.asks.items():
-        yield f"asks.{name}.means.{language}", ask.means.in_language(language)
-        yield f"asks.{name}.sign.{language}", ask.sign.in_language(language)
+            yield key_path(where), text, _write_prose
+    for place, translated in list_lines(template):
+        for where, text in translated.list_written(place):
+            yield key_path(where), text, _write_line
 
 
 def _write_symbol(latex: str, where: str) -> str:

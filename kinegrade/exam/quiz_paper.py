@@ -29,6 +29,7 @@ from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.assemble import assemble
 from kinegrade.problem.mistake_names import describe_mistakes
 from kinegrade.problem.quantity import Quantity, express_in_unit
+from kinegrade.problem.signs import write_sign
 from kinegrade.problem.solving import (
     find_certain_values,
     find_parameter_values,
@@ -174,7 +175,7 @@ def _make_ask(
         row.symbol,
         row.meaning,
         stated.unit,
-        template.asks[name].sign.in_language(source.language),
+        write_sign(template.asks[name].sign, source.language),
         row.points,
         value,
         low,

@@ -18,8 +18,10 @@ from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.examining import Refused, require_doubles
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.statement import write_statement
-from kinegrade.problem.template import Method, Template, Translated
+from kinegrade.problem.template import Method, Template
+from kinegrade.problem.template_texts import require_language
 from kinegrade.problem.tolerance import ONE_PER_CENT
+from kinegrade.problem.translated import Translated
 from kinegrade.worked.solution import write_worked_solution
 
 
@@ -39,7 +41,7 @@ def make_sample_bank(template: Template) -> Bank:
     question = BankQuestion("q1", template, asks, {})
     return Bank(
         template.about.title,
-        Translated("kinegrade", "kinegrade"),
+        Translated(plain="kinegrade"),
         "",
         ONE_PER_CENT,
         (question,),
@@ -61,6 +63,7 @@ def print_worked_solution(
     `write_worked_solution`.
     """
     template = solution.template
+    require_language([template], language)
     try:
         require_doubles(solution)
     except Refused as refusal:

@@ -26,9 +26,8 @@ from kinegrade.exam.folder.records import KeyLine, KeyQuestion
 from kinegrade.exam.quiz import different
 from kinegrade.exam.quiz_paper import show_instance
 from kinegrade.files import write_file
-from kinegrade.language import LANGUAGES
 from kinegrade.language.prose.html import write_prose
-from kinegrade.problem.statement import write_statement
+from kinegrade.problem.statement import list_statement_languages, write_statement
 from kinegrade.problem.template import Template
 
 _NUMBER = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
@@ -118,7 +117,7 @@ class Variant:
             _plain_text(
                 write_prose(write_statement(self.template, parameters, language), "statement")
             )
-            for language in LANGUAGES
+            for language in list_statement_languages(self.template)
         )
 
     @cached_property

@@ -38,6 +38,7 @@ from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversi
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Quoted, Text
+from kinegrade.sign_conventions import Convention
 
 _LONGEST_ANSWER = 200
 _SHOWN_DIGITS = 12
@@ -80,12 +81,18 @@ class Reading:
     error: Fraction = Fraction(0)
 
 
-def read(typed: str, unit: str, style: DecimalStyle = PAPERS_RULE, convention: str = "") -> Reading:
+def read(
+    typed: str,
+    unit: str,
+    style: DecimalStyle = PAPERS_RULE,
+    convention: Convention | None = None,
+    sign: str = "",
+) -> Reading:
     """Reads an answer in `unit`, which is assumed where none is typed; dashes alone count as blank.
     Never raises.
 
-    `style` decides about 1,234; `convention` is the ask's sign convention, for answers with a sense
-    in words.
+    `style` decides about 1,234; `convention` and `sign` are the ask's sign convention and its
+    words, for answers with a sense in words.
 
     >>> read("8,66E-1 m/s", "m/s").value, read("866 mm/s", "m/s").read_as
     (Fraction(433, 500), '0.866')
@@ -106,14 +113,22 @@ def read(typed: str, unit: str, style: DecimalStyle = PAPERS_RULE, convention: s
     if not text.strip("- "):
         return Reading("blank", typed)
     try:
-        return _read(typed, text, unit, style, convention)
+        return _read(typed, text, unit, style, convention=convention, words=sign)
     except Unreadable as fault:
         return Reading("unreadable", typed, reason=str(fault))
     except WrongUnit as fault:
         return Reading("wrong unit", typed, reason=str(fault))
 
 
-def _read(typed: str, text: str, unit: str, style: DecimalStyle, convention: str) -> Reading:
+def _read(
+    typed: str,
+    text: str,
+    unit: str,
+    style: DecimalStyle,
+    *,
+    convention: Convention | None,
+    words: str,
+) -> Reading:
     answer, sense = split_sense(_TAIL.sub("", _undress(text)))
     answer = _TAIL.sub("", _undress(answer))
     sign = _SIGN.match(answer)
@@ -126,7 +141,7 @@ def _read(typed: str, text: str, unit: str, style: DecimalStyle, convention: str
     if isinstance(found, Formula) and found.pi and unit == "deg" and not rest.strip():
         raise Unreadable(Message("typing.pi-for-degrees"))
     written = sign[1] if sign else ""
-    turn, remark = find_direction(sense, written, convention) if sense else (1, "")
+    turn, remark = find_direction(sense, written, convention, words) if sense else (1, "")
     minus = (written == "-") != (turn < 0)
     english = open_catalogue(ENGLISH)
     doubts = _describe_doubt(found, minus), remark

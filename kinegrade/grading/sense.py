@@ -7,10 +7,12 @@ convention.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import Literal
 
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.language.message import Message, Quoted, Text
+from kinegrade.sign_conventions import UNSIGNED, Convention
 
 Sense = Literal["ccw", "cw", "right", "left", "up", "down"]
 
@@ -30,15 +32,10 @@ _ANY = "|".join(f"(?P<{sense}>{words})" for sense, words in _WORDS.items())
 _HINT = re.compile(r"cw|c\.|left|right|up|down|[向时時↺⟲↻⟳→←↑↓]|clock", re.IGNORECASE)
 _BEHIND = re.compile(rf"(?<![\s,;(\[])[\s,;(\[]*(?<![A-Za-z])(?:{_ANY})\.?[\s)\]]*$", re.IGNORECASE)
 _BEFORE = re.compile(rf"^[\s(\[]*(?:{_ANY})(?![A-Za-z])[\s)\],:.]*", re.IGNORECASE)
-_POSITIVE: tuple[tuple[re.Pattern[str], Sense | None], ...] = (
-    (re.compile(r"ccw|counter-clockwise positive|positive counter-clockwise\b.*"), "ccw"),
-    (re.compile(r"cw|clockwise positive|positive clockwise\b.*"), "cw"),
-    (re.compile(r"\+x|positive in the direction of \$\+x\$"), "right"),
-    (re.compile(r"-x|positive in the direction of \$-x\$"), "left"),
-    (re.compile(r"\+y|positive in the direction of \$\+y\$"), "up"),
-    (re.compile(r"-y|positive in the direction of \$-y\$"), "down"),
-)
-_SIGNLESS = re.compile(r"magnitude\b.*|unsigned|between 0° and 180°")
+_POSITIVE: Mapping[Convention, Sense | None] = {
+    "magnitude": None, "unsigned": None, "signed": None, "ccw": "ccw", "cw": "cw",
+    "+x": "right", "-x": "left", "+y": "up", "-y": "down",
+}  # fmt: skip
 
 
 def split_sense(text: str) -> tuple[str, Sense | None]:
@@ -56,22 +53,24 @@ def split_sense(text: str) -> tuple[str, Sense | None]:
     return text, None
 
 
-def find_direction(sense: Sense, sign: str, convention: str) -> tuple[int, Text]:
+def find_direction(
+    sense: Sense, sign: str, convention: Convention | None, words: str = ""
+) -> tuple[int, Text]:
     """(1 or -1, remark): the factor that words give to a number typed with `sign` ("", "+" or
     "-").
 
-    `convention` is the ask's, as its paper prints it in English, or its keyword. Where the ask has
-    no sign, the words change nothing and are remarked on. Raises Unreadable if words contradict or
-    repeat a sign, or do not determine this ask's sign.
+    `convention` is the ask's, None where its author states another one; `words` is how its paper
+    prints it. Where the ask has no sign, the sense changes nothing and is remarked on. Raises
+    Unreadable if a sense contradicts or repeats a sign, or does not determine this ask's sign.
     """
-    positive = next((each for pattern, each in _POSITIVE if pattern.fullmatch(convention)), None)
+    positive = None if convention is None else _POSITIVE[convention]
     name = Message(f"typing.direction-{sense}")
     if sign == "-" or (sign == "+" and sense != positive):
         raise Unreadable(Message("typing.sign-and-sense", sign=Quoted(sign), sense=name))
-    if _SIGNLESS.fullmatch(convention):
+    if convention in UNSIGNED:
         return 1, Message("typing.sense-not-asked", sense=name)
     if positive is None or sense not in (positive, _OPPOSITE[positive]):
-        raise Unreadable(_describe_no_sign(name, convention))
+        raise Unreadable(_describe_no_sign(name, words))
     return (1 if sense == positive else -1), ""
 
 

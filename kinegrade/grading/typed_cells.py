@@ -49,7 +49,7 @@ class TypedCells:
         """The reading of another text, as if it stood in the cell."""
         row, number = divmod(place, len(self.reader.asks))
         ask, style = self.reader.asks[number], self.styles.get(row, self.reader.styles.style)
-        return read(typed, ask.unit, style, ask.sign)
+        return read(typed, ask.unit, style, ask.convention, ask.sign)
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +98,7 @@ class CellReader:
             elif plain and _PLAIN.fullmatch(cell):
                 found.append((float(cell), cell.removeprefix("+"), None))
             else:
-                reading = read(cell, ask.unit, style, ask.sign)
+                reading = read(cell, ask.unit, style, ask.convention, ask.sign)
                 known = reading.value is not None and not reading.error
                 found.append(
                     (float(reading.value or 0) if known else nan, reading.read_as, reading)

@@ -24,6 +24,7 @@ from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.spread import Spread
 from kinegrade.problem.statement import find_statement_faults
 from kinegrade.problem.template import Ask, Published, Template
+from kinegrade.problem.template_texts import find_unfinished_translations
 
 _FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
 _TEXTS_TRIED = 1000  # draws at which the texts that depend on values are tried
@@ -76,6 +77,7 @@ def check(template: Template, sample: int = 200, secret: str = _SECRET) -> Repor
     asks = find_answerable(template, draws)
     report = Report(template, secret, asks.sound)
     report.faults += find_statement_faults(template)
+    report.faults += find_unfinished_translations(template)
     _weigh_texts(report, sample)
     if not template.published:
         report.faults.append(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinegrade.language import Language
+from kinegrade.problem.signs import write_sign
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import check_statements, write_statement
 from kinegrade.problem.template import Parameter, Template
@@ -36,7 +37,7 @@ def _write_lines(template: Template, language: Language) -> Iterator[str]:
     yield "asks"
     for name, ask in template.asks.items():
         points = f"{ask.points} points" if ask.points else "on request"
-        sign = ask.sign.in_language(language)
+        sign = write_sign(ask.sign, language)
         yield (
             f"  {name:<12} {ask.unit.printed:<7} {points:<11} {ask.means.in_language(language)} "
             f"({sign})"

@@ -18,11 +18,11 @@ from kinegrade.problem.template import (
     Scheme,
     Template,
     TemplateFile,
-    Translated,
     Wording,
     Words,
     list_angles,
 )
+from kinegrade.problem.translated import Translated
 
 
 @dataclass(frozen=True)

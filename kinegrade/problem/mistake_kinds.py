@@ -17,8 +17,8 @@ from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.expression import Call, Expression, Name, walk
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.mistake_names import MistakeName
-from kinegrade.problem.signs import CONVENTIONS
 from kinegrade.problem.template import Ask, Template
+from kinegrade.sign_conventions import UNSIGNED
 
 Givens = Mapping[str, Any]  # parameters in SI
 
@@ -115,7 +115,6 @@ _IN_THE_ANSWER: Mapping[MistakeName, Any] = {
     "power-of-ten-up": fmpq(10),
     "power-of-ten-down": fmpq(1, 10),
 }
-_UNSIGNED = frozenset(CONVENTIONS[keyword].en for keyword in ("magnitude", "unsigned"))
 
 
 def list_answer_factors(ask: Ask) -> dict[str, Any]:
@@ -125,7 +124,7 @@ def list_answer_factors(ask: Ask) -> dict[str, Any]:
     return {
         name: factor
         for name, factor in _IN_THE_ANSWER.items()
-        if factor > 0 or ask.sign.en not in _UNSIGNED
+        if factor > 0 or ask.sign not in UNSIGNED
     }
 
 

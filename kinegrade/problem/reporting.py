@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinegrade.problem.checking import Report
+from kinegrade.problem.template_texts import find_languages
 
 
 def write_report(report: Report) -> Iterator[str]:
@@ -12,6 +13,7 @@ def write_report(report: Report) -> Iterator[str]:
     template = report.template
     verdict = "FAULTY" if report.faults else "sound"
     yield f"{template.name}: {verdict}"
+    yield f"  complete in: {', '.join(find_languages(template)) or 'no language'}"
     yield f"  published results proved exactly: {report.proved}"
     refused = (
         ", ".join(f"{reason} {count}" for reason, count in sorted(report.refused.items())) or "none"

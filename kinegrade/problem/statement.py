@@ -14,11 +14,14 @@ from dataclasses import dataclass
 from kinegrade.errors import TemplateError
 from kinegrade.exact.angle import Angle
 from kinegrade.exact.text import LATEX, write_angle
-from kinegrade.language import LANGUAGES, Language
+from kinegrade.fields.place import Place, key_path
+from kinegrade.language import Language
 from kinegrade.problem.holding import choose_wording
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.slots import Slot, find_slots_in_formulas, split_slots
-from kinegrade.problem.template import Template, Translated
+from kinegrade.problem.template import Template
+from kinegrade.problem.template_texts import list_prose
+from kinegrade.problem.translated import Translated, find_common_languages
 
 _LONGEST = 20_000  # characters of a statement as it is printed: a page has 3,000
 
@@ -104,7 +107,7 @@ def _fill_slots(text: str, givens: Mapping[str, Given], texts: Mapping[str, str]
     )
 
 
-def write_specimens(template: Template, language: Language) -> Iterator[tuple[str, str]]:
+def write_specimens(template: Template, language: Language) -> Iterator[tuple[Place, str]]:
     """The statement and every wording in it, with their places: filled in as they are printed, at a
     value of 1.
 
@@ -138,22 +141,32 @@ def check_statements(template: Template) -> None:
 def find_statement_faults(template: Template) -> list[str]:
     """What an author has to add to the statements before students can be given them."""
     faults = _find_unused_texts(template)
-    for language in LANGUAGES:
+    for language in list_statement_languages(template):
         faults += _find_left_out(template, language)
         faults += _find_cutting_slots(template, language)
     return faults
 
 
+def list_statement_languages(template: Template) -> tuple[Language, ...]:
+    """The languages that differ in the statement or in a wording of it, and have both in full."""
+    texts = [text for _, text in list_prose(template)]
+    named = {language for text in texts for language in text.languages}
+    common = find_common_languages(texts)
+    return tuple(each for each in common if each in named) or common[:1]
+
+
 def _find_left_out(template: Template, language: Language) -> list[str]:
     """The parameters that a statement does not give to the student, whatever wordings apply."""
-    given = _find_slot_names(template.words.statement.in_language(language))
+    statement = template.words.statement
+    place = statement.find_place(("statement",), language)
+    given = _find_slot_names(statement.in_language(language))
     for name in given & set(template.words.texts):
         wordings = template.words.texts[name]
         given |= frozenset.intersection(
             *(_find_slot_names(one.text.in_language(language)) for one in wordings)
         )
     return [
-        f"{template.name}.toml: statement.{language}: the parameter {name} is not given to the "
+        f"{template.name}.toml: {key_path(place)}: the parameter {name} is not given to the "
         f"student: write {{{{ {name} }}}}"
         for name in template.parameters
         if name not in given
@@ -163,37 +176,33 @@ def _find_left_out(template: Template, language: Language) -> list[str]:
 def _find_cutting_slots(template: Template, language: Language) -> list[str]:
     """The slots between dollar signs, which would cut a formula in two."""
     return [
-        f"{template.name}.toml: {where}: {{{{ {slot.name} }}}} stands inside a formula: it brings "
-        "dollar signs of its own, so write it outside"
+        f"{template.name}.toml: {key_path(where)}: {{{{ {slot.name} }}}} stands inside a formula: "
+        "it brings dollar signs of its own, so write it outside"
         for where, text in _list_written_texts(template, language)
         for slot in find_slots_in_formulas(text)
     ]
 
 
-def _list_written_texts(template: Template, language: Language) -> Iterator[tuple[str, str]]:
+def _list_written_texts(template: Template, language: Language) -> Iterator[tuple[Place, str]]:
     """The statement and the wordings of its texts, as the author wrote them, with their places."""
-    for name, wordings in template.words.texts.items():
-        for index, one in enumerate(wordings):
-            yield f"text.{name}[{index}].{language}", one.text.in_language(language)
-    yield f"statement.{language}", template.words.statement.in_language(language)
+    for place, text in list_prose(template):
+        yield text.find_place(place, language), text.in_language(language)
 
 
 def _find_unused_texts(template: Template) -> list[str]:
-    """The texts that no statement, or only that of the other language, uses."""
+    """The texts that no statement, or only that of another language, uses."""
     faults = []
+    statements = dict(template.words.statement.list_written(("statement",)))
     for name in template.words.texts:
         lacking = [
-            language
-            for language in LANGUAGES
-            if name not in _find_slot_names(template.words.statement.in_language(language))
+            place for place, text in statements.items() if name not in _find_slot_names(text)
         ]
-        if len(lacking) == len(LANGUAGES):
+        if len(lacking) == len(statements):
             faults.append(f"text.{name}: stands in no statement: write {{{{ {name} }}}} there")
         else:
             faults += [
-                f"statement.{language}: the text {name} does not stand in it: write {{{{ {name} "
-                f"}}}}"
-                for language in lacking
+                f"{key_path(place)}: the text {name} does not stand in it: write {{{{ {name} }}}}"
+                for place in lacking
             ]
     return [f"{template.name}.toml: {fault}" for fault in faults]
 

@@ -10,27 +10,16 @@ from dataclasses import dataclass
 from typing import Literal
 
 from kinegrade.expression import Expression
-from kinegrade.language import Language
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.problem.hints import FigureHints
 from kinegrade.problem.sentences import DriverSentence, JointSentence
+from kinegrade.problem.signs import Sign
+from kinegrade.problem.translated import Translated
 from kinegrade.units import Unit
 
 Method = Literal["base-point", "projection", "pole"]
 METHODS: tuple[Method, ...] = ("base-point", "projection", "pole")
 Relation = Literal["<", "<=", "=="]
-
-
-@dataclass(frozen=True)
-class Translated:
-    """A text in both languages."""
-
-    en: str
-    zh: str
-
-    def in_language(self, language: Language) -> str:
-        """The text in one language."""
-        return {"en": self.en, "zh": self.zh}[language]
 
 
 @dataclass(frozen=True)
@@ -73,7 +62,7 @@ class Ask:
     quantity: Expression
     unit: Unit
     means: Translated
-    sign: Translated
+    sign: Sign
     points: int
     vanishes: bool
     cyclic: bool

@@ -1,35 +1,37 @@
-"""Readers of texts that a file gives in all languages: `{ en = "...", zh = "..." }`."""
+"""Readers of texts that a file gives by language, `{ en = "...", zh = "..." }`, or once for all."""
 
 from __future__ import annotations
 
 from kinegrade.errors import FieldError
-from kinegrade.fields.values import found, text
-from kinegrade.language import LANGUAGES
-from kinegrade.problem.template import Translated
+from kinegrade.fields.values import text
+from kinegrade.language.known import read_language
+from kinegrade.language.message import Message
+from kinegrade.problem.translated import Translated
 
-_EXAMPLE = "{ " + ", ".join(f'{language} = "..."' for language in LANGUAGES) + " }"
+BY_LANGUAGE = Message("texts.by-language", example='{ en = "..." }')
+_EXPECTED = Message("texts.one-or-by-language", texts=BY_LANGUAGE)
 
 
 def translated(value: object) -> Translated:
-    """A text in every language, without blanks around it.
+    """A text in the languages that are given, without blanks around it.
 
-    >>> translated({"en": "crank ", "zh": "曲柄"})
-    Translated(en='crank', zh='曲柄')
+    >>> translated({"en": "crank ", "zh": "曲柄"}).in_language("en")
+    'crank'
     """
-    if not isinstance(value, dict):
-        raise FieldError(found(value), f"texts in all languages, {_EXAMPLE}")
-    if set(value) != set(LANGUAGES):
-        named = ", ".join(map(str, value)) or "no language"
-        raise FieldError(f"a table of {named}", f"texts in all languages, {_EXAMPLE}")
-    return Translated(text(value["en"]).strip(), text(value["zh"]).strip())
-
-
-def translated_or_one(value: object) -> Translated:
-    """A text in every language, or one text that serves for all."""
     if isinstance(value, dict):
-        return translated(value)
+        return translated_by_language(value)
     try:
-        one = text(value).strip()
+        return Translated(plain=text(value).strip())
     except FieldError as error:
-        raise FieldError(error.what, f"a text, or texts {_EXAMPLE}") from error
-    return Translated(one, one)
+        raise FieldError(error.what, _EXPECTED) from error
+
+
+def translated_by_language(texts: dict[str, object]) -> Translated:
+    """The same from a table of languages. Raises FieldError where it names none, or an unknown
+    one.
+    """
+    if not texts:
+        raise FieldError(Message("texts.of-no-language"), _EXPECTED)
+    return Translated(
+        tuple((read_language(code), text(words).strip()) for code, words in texts.items())
+    )

@@ -15,6 +15,7 @@ from kinegrade.exam.blueprint import Bank
 from kinegrade.fields.document import FileKind, parsed_table
 from kinegrade.problem.library import find_shipped
 from kinegrade.problem.tolerance import Tolerance
+from kinegrade.problem.translated import Translated
 from kinegrade.stated_marking import read_credit
 from tests.problem.crank import crank_text
 
@@ -55,12 +56,8 @@ def tolerances(folder: Path, text: str) -> list[Tolerance]:
 def test_the_least_a_bank_must_say(tmp_path: Path) -> None:
     found = bank(tmp_path, HEAD + QUESTION)
     (question,) = found.questions
-    assert (found.title.en, found.title.zh, found.course.zh, found.date) == (
-        "Midterm",
-        "Midterm",
-        "力学",
-        "",
-    )
+    assert found.title == Translated(plain="Midterm")
+    assert (found.course.in_language("zh"), found.date) == ("力学", "")
     assert (question.identifier, question.template.name, question.domains) == (
         "q1",
         "slider-crank",
@@ -224,7 +221,7 @@ titel = "Midterm"
 shuffle = "yes"
 versions = 27
 engine = "word"
-course = { en = "Mechanics" }
+course = { ef = "Mechanics" }
 date = 3
 tolerance = { relative = "100 %", size = 1 }
 [[questions]]
@@ -243,8 +240,8 @@ number = 2
         'bank.toml:3: shuffle: "yes" - expected true or false',
         "bank.toml:4: versions: 27 - expected a whole number from 1 to 26",
         'bank.toml:5: engine: "word" - expected typst or latex',
-        "bank.toml:6: course: a table of en - expected texts in all languages, "
-        '{ en = "...", zh = "..." }',
+        'bank.toml:6: course: unknown: "ef" - expected a language with a catalogue - '
+        "known here: en, zh",
         'bank.toml:7: date: 3 - expected a text or a date, like "spring 2026" or 2026-05-01',
         "bank.toml:8: tolerance.size: unknown key - known here: absolute, figures, relative",
         'bank.toml:10: questions[1].tempalte: unknown key - did you mean "template"?',
@@ -399,7 +396,7 @@ def test_a_fault_says_what_was_expected(tmp_path: Path, line: str, fault: str) -
             b"#" * (MAX_BYTES + 1),
             f"too large - expected a bank file of at most {MAX_BYTES} bytes - check",
         ),
-        (b"", 'title: missing - expected a text, or texts { en = "...", zh = "..." }'),
+        (b"", 'title: missing - expected a text, or texts by language like { en = "..." }'),
     ],
 )
 def test_what_is_no_bank_is_refused(tmp_path: Path, content: bytes, problem: str) -> None:
@@ -445,7 +442,7 @@ def test_shipped_banks_are_sound_and_found_by_name(name: str) -> None:
     plan = read_blueprint(find_bank(Path(name)))
     for secret in ("spring", "autumn", "resit"):
         exam = plan.bank(secret)
-        assert exam.title.en != exam.title.zh
+        assert exam.title.in_language("en") != exam.title.in_language("zh")
         assert sum(question.points for question in exam.questions) == POINTS[name]
 
 

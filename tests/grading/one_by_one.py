@@ -54,7 +54,7 @@ def _row(
     style, decided = styles.of_row(entry.responses), []
     for ask, typed in zip(exam.asks, entry.responses, strict=True):
         reader, key = (
-            partial(read, unit=ask.unit, style=style, convention=ask.sign),
+            partial(read, unit=ask.unit, style=style, convention=ask.convention, sign=ask.sign),
             examinee.keys[ask.column],
         )
         others, ruling = (

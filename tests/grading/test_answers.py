@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from kinegrade.grading.answers import Reading, decimal_text, read
 from kinegrade.grading.decimal_style import find_file_style
 from kinegrade.grading.number_text import DecimalStyle
+from kinegrade.sign_conventions import Convention
 
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899")
 FULL_WIDTH = str.maketrans({chr(code): chr(code + 0xFEE0) for code in range(0x21, 0x7F)})
@@ -124,7 +125,7 @@ def test_a_decimal_number_written_in_any_accepted_way_reads_back_as_itself(
     text, sign = data.draw(
         signed(f"{number.text}{' ' if spelled.startswith('1') else ''}{spelled}")
     )
-    found = read(dressed(data.draw, text), unit, number.style, "counter-clockwise positive")
+    found = read(dressed(data.draw, text), unit, number.style, "ccw")
     assert (found.value, found.error, found.reason) == (
         sign * number.size * UNITS[unit][spelled],
         0,
@@ -249,11 +250,11 @@ SIGNS = "0123456789.,-+eE m/s^²⁻·()°×\u2212\u3000√π½*=≈cw顺时针ra
 @given(
     st.one_of(st.text(max_size=300), st.text(SIGNS, max_size=30)),
     st.sampled_from(["m/s", "rad/s", "deg", "1", "no unit"]),
-    st.sampled_from(["", "counter-clockwise positive", "magnitude, not negative", "?"]),
+    st.sampled_from([None, "ccw", "magnitude", "signed"]),
     st.sampled_from([*STYLES.values(), DecimalStyle("unknown", "unknown", "?", "?")]),
 )
 def test_no_text_raises_and_every_unreadable_one_has_its_reason(
-    typed: str, unit: str, convention: str, style: DecimalStyle
+    typed: str, unit: str, convention: Convention | None, style: DecimalStyle
 ) -> None:
     assert_consistent(read(typed, unit, style, convention), typed)
 

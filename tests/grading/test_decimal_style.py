@@ -8,6 +8,7 @@ import pytest
 
 from kinegrade.grading.answers import PAPERS_RULE, Reading, read
 from kinegrade.grading.decimal_style import Mark, find_file_style, gather_evidence
+from kinegrade.sign_conventions import Convention
 
 
 @pytest.mark.parametrize(("cells", "decimal", "groups"), [
@@ -79,16 +80,18 @@ def test_one_lone_mark(
 @pytest.mark.parametrize(
     ("typed", "convention", "said"),
     [
-        ("-2,236", "", "read as -2.236: "),
-        ("−2,236 m/s", "", "read as -2.236: "),
-        ("v = -2,236E0", "", ""),
-        ("-2 236", "", "read as -2236: a blank groups"),
-        ("-2,236 mm/s", "", "read as -2.236: "),
+        ("-2,236", None, "read as -2.236: "),
+        ("−2,236 m/s", None, "read as -2.236: "),
+        ("v = -2,236E0", None, ""),
+        ("-2 236", None, "read as -2236: a blank groups"),
+        ("-2,236 mm/s", None, "read as -2.236: "),
         ("2,236 rad/s clockwise", "ccw", "read as -2.236: "),
-        ("-2,236*sqrt(3)", "", '"2,236" read as 2.236: '),
+        ("-2,236*sqrt(3)", None, '"2,236" read as 2.236: '),
     ],
 )
-def test_a_minus_is_in_the_remark_about_its_number(typed: str, convention: str, said: str) -> None:
+def test_a_minus_is_in_the_remark_about_its_number(
+    typed: str, convention: Convention | None, said: str
+) -> None:
     found = read(typed, "rad/s" if convention else "m/s", PAPERS_RULE, convention)
     assert found.value is not None
     assert found.value < 0

@@ -37,11 +37,22 @@ def test_an_exam_is_read_digit_by_digit(exam_folder: Path) -> None:
     }
 
 
-def test_a_sign_convention_is_kept(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("stated", "convention"),
+    [
+        ({"sign": "counter-clockwise positive"}, "ccw"),  # as earlier versions wrote it
+        ({"sign": "im Gegenuhrzeigersinn positiv", "convention": "ccw"}, "ccw"),
+        ({"sign": "counter-clockwise positive", "convention": None}, None),
+    ],
+)
+def test_a_sign_convention_is_kept(
+    stated: dict[str, str | None], convention: str | None, tmp_path: Path
+) -> None:
     head = exam()
-    head["questions"][1]["asks"][0]["sign"] = "counter-clockwise positive"
+    head["questions"][1]["asks"][0].update(stated)
     found = open_exam(write_exam(tmp_path / "EXAM", head, [paper(student) for student in STUDENTS]))
-    assert [ask.sign for ask in found.asks] == ["", "", "counter-clockwise positive"]
+    assert [ask.sign for ask in found.asks] == ["", "", stated["sign"]]
+    assert [ask.convention for ask in found.asks] == [None, None, convention]
 
 
 def test_a_unit_that_is_no_proper_text_is_a_fault_of_the_key(tmp_path: Path) -> None:

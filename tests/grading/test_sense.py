@@ -6,10 +6,13 @@ from typing import get_args
 
 import pytest
 
+from kinegrade.exam.folder.earlier_signs import recognise_convention
 from kinegrade.grading.number_text import Unreadable, fold
 from kinegrade.grading.sense import Sense, find_direction, split_sense
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.problem.signs import write_sign
+from kinegrade.sign_conventions import CONVENTIONS, Convention
 
 WORDS: dict[Sense, tuple[str, ...]] = {
     "ccw": ("ccw", "CCW", "c.c.w.", "acw", "counter-clockwise", "Counter clockwise", "anticlockwise", "逆时针",
@@ -50,19 +53,20 @@ def test_what_is_no_such_word_stays(typed: str) -> None:
     assert split_sense(typed) == (typed, None)
 
 
-@pytest.mark.parametrize(("convention", "positive", "negative"), [
-    ("counter-clockwise "
-     "positive", "ccw", "cw"), ("positive counter-clockwise about $O$", "ccw", "cw"),
-    ("ccw", "ccw", "cw"), ("positive clockwise about "
-                           "$O$", "cw", "ccw"), ("clockwise positive", "cw", "ccw"),
-    ("cw", "cw", "ccw"),
-    ("positive in the direction of "
-     "$+x$", "right", "left"), ("positive in the direction of $-x$", "left", "right"),
-    ("positive in the direction of "
-     "$+y$", "up", "down"), ("positive in the direction of $-y$", "down", "up"),
-    ("+x", "right", "left"), ("-x", "left", "right"), ("+y", "up", "down"), ("-y", "down", "up"),
-])  # fmt: skip
-def test_the_convention_makes_it_a_sign(convention: str, positive: Sense, negative: Sense) -> None:
+@pytest.mark.parametrize(
+    ("convention", "positive", "negative"),
+    [
+        ("ccw", "ccw", "cw"),
+        ("cw", "cw", "ccw"),
+        ("+x", "right", "left"),
+        ("-x", "left", "right"),
+        ("+y", "up", "down"),
+        ("-y", "down", "up"),
+    ],
+)
+def test_the_convention_makes_it_a_sign(
+    convention: Convention, positive: Sense, negative: Sense
+) -> None:
     assert (
         find_direction(positive, "", convention)
         == find_direction(positive, "+", convention)
@@ -78,26 +82,48 @@ def test_the_convention_makes_it_a_sign(convention: str, positive: Sense, negati
 
 
 @pytest.mark.parametrize(
-    "convention",
+    ("convention", "words"),
     [
-        "with its sign",
-        "",
-        "positive as a counter-clockwise rocker carries $D$",
-        "positive in the direction of $BO$ turned through $90^\\circ$ counter-clockwise",
+        ("signed", "with its sign"),
+        (None, ""),
+        (None, "positive as a counter-clockwise rocker carries $D$"),
+        (None, "counter-clockwise positive"),  # an author's words are no keyword
     ],
 )
-def test_words_tell_nothing_where_the_convention_is_another(convention: str) -> None:
-    with pytest.raises(Unreadable, match="does not determine the sign of this answer"):
-        find_direction("ccw", "", convention)
+def test_words_tell_nothing_where_the_convention_is_another(
+    convention: Convention | None, words: str
+) -> None:
+    with pytest.raises(Unreadable, match="does not determine the sign of this answer") as caught:
+        find_direction("ccw", "", convention, words)
+    assert (f"({words})" in str(caught.value)) == bool(words)
 
 
-@pytest.mark.parametrize(
-    "convention", ["magnitude, not negative", "magnitude", "between 0° and 180°", "unsigned"]
-)
-def test_words_are_left_out_where_there_is_no_sign(convention: str) -> None:
+@pytest.mark.parametrize("convention", ["magnitude", "unsigned"])
+def test_words_are_left_out_where_there_is_no_sign(convention: Convention) -> None:
     factor, remark = find_direction("cw", "", convention)
     assert factor == 1
     assert open_catalogue(ENGLISH).write(remark) == (
         "a sense (clockwise) is not asked for; it was left out"
     )
     assert open_catalogue(Language("zh")).write(remark) == "不要求方向（顺时针）；已略去"
+
+
+@pytest.mark.parametrize("convention", CONVENTIONS)
+def test_a_convention_is_recognised_by_the_words_of_earlier_folders(
+    convention: Convention,
+) -> None:
+    assert recognise_convention(write_sign(convention, "en")) == convention
+
+
+@pytest.mark.parametrize(
+    ("words", "convention"),
+    [
+        ("positive counter-clockwise about $O$", "ccw"),
+        ("positive clockwise about $O$", "cw"),
+        ("positive from $A$ towards $B$", None),
+        ("", None),
+        (None, None),
+    ],
+)
+def test_so_are_other_words_of_authors(words: object, convention: Convention | None) -> None:
+    assert recognise_convention(words) == convention

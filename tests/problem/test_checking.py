@@ -122,14 +122,15 @@ def test_no_acceptable_instance_is_a_fault() -> None:
 
 def test_the_report_says_what_was_found() -> None:
     lines = list(write_report(check(crank(), sample=200)))
-    assert lines[:3] == [
+    assert lines[:4] == [
         "crank: FAULTY",
+        "  complete in: en, zh",
         "  published results proved exactly: 5",
         "  drawable combinations: 18; examined: 18, accepted: 2, "
         "refused: absurd 2, condition 6, degenerate 4, mechanism 4",
     ]
-    assert re.fullmatch(r"  distinct instances: about 2; [\d.]+ ms each", lines[3])
-    assert lines[4:] == [
+    assert re.fullmatch(r"  distinct instances: about 2; [\d.]+ ms each", lines[4])
+    assert lines[5:] == [
         "  v_x                  -1 .. -1         m/s     negative 100%, different 1",
         "  fault: about 2 distinct instances: at least 500 are needed for a class: widen the "
         "domains",

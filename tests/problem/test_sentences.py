@@ -10,7 +10,7 @@ from kinegrade.errors import FieldError
 from kinegrade.expression import Number
 from kinegrade.problem.sections.asks import read_sign
 from kinegrade.problem.sentences import read_driver, read_joint
-from kinegrade.problem.template import Translated
+from kinegrade.problem.translated import Translated
 
 
 @pytest.mark.parametrize(
@@ -95,9 +95,10 @@ def test_inputs_refused() -> None:
 
 
 def test_signs_in_words() -> None:
-    assert read_sign("ccw") == Translated("counter-clockwise positive", "逆时针为正")
-    assert read_sign({"en": "up", "zh": "上"}) == Translated("up", "上")
-    with pytest.raises(FieldError, match='"cw" - expected a keyword, or .* - did you mean "ccw"'):
-        read_sign("cw")
-    with pytest.raises(FieldError, match="a table - expected a keyword, or { en = "):
-        read_sign({"en": "up"})
+    assert read_sign("ccw") == "ccw"
+    assert read_sign({"en": "up", "zh": "上"}) == Translated((("en", "up"), ("zh", "上")))
+    assert read_sign({"en": "up"}) == Translated((("en", "up"),))
+    with pytest.raises(FieldError, match='"ccv" - expected a keyword, or .* - did you mean "ccw"'):
+        read_sign("ccv")
+    with pytest.raises(FieldError, match='unknown: "ef" - expected a language'):
+        read_sign({"ef": "up"})

@@ -142,8 +142,8 @@ def test_own_lists_follow_the_shared_ones_and_the_figure_is_laid_over_key_by_key
     ("shared", "reported"),
     [
         (
-            ('en = "length of the crank", ', ""),
-            "mechanisms/arm.toml:6: parameters.r.means: a table of zh - expected texts",
+            ('en = "length of the crank", ', 'ef = "length of the crank", '),
+            'mechanisms/arm.toml:6: parameters.r.means: unknown: "ef" - expected a language',
         ),
         (('P = "(0, h)"', 'P = "(0, k)"'), 'mechanisms/arm.toml:11: points.P: unknown name "k" - '),
         (('OA = "O A"', 'OA = "O B"'), 'mechanisms/arm.toml:15: bodies.OA: no point "B" - '),

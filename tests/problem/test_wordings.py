@@ -139,7 +139,7 @@ def test_a_parameter_may_be_given_by_a_text_if_every_wording_gives_it() -> None:
         ('if = "2*h < r"', "if = 1", "15: text.place[1].if: 1 - expected a text in quotation"),
         ('if = "2*h < r"', "", '14: text.place[1]: without "if" it applies at all values'),
         ('if = "2*h < r"', 'when = "h < r"', "15: text.place[1].when: unknown key - did you mean"),
-        ('zh = "偏下"', "", "14: text.place[1].zh: missing"),
+        ('zh = "偏下"', 'ez = "偏下"', "17: text.place[1].ez: unknown key - "),
         (
             "[[text.place]]",
             "[[text.r]]",

@@ -16,6 +16,7 @@ import msgspec
 
 from kinegrade.errors import ExamError, FieldError
 from kinegrade.exam.folder.contents import HEAD
+from kinegrade.exam.folder.earlier_signs import recognise_convention
 from kinegrade.exam.folder.faults import REMEDY, describe_damage
 from kinegrade.exam.folder.numbers import require_not_negative
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
@@ -98,11 +99,18 @@ def _read_question(value: object) -> ExamQuestion:
 
 
 def _name_owner(item: object) -> object:
-    """A question whose asks name the question to which they belong."""
+    """A question whose asks name the question to which they belong, and the keyword of their sign
+    convention where an earlier version wrote only its words.
+    """
     if not isinstance(item, dict) or not isinstance(item.get("asks"), list):
         return item
     whose = {"question": item.get("question")}
-    asks = [{**ask, **whose} if isinstance(ask, dict) else ask for ask in item["asks"]]
+    asks = [
+        {"convention": recognise_convention(ask.get("sign")), **ask, **whose}
+        if isinstance(ask, dict)
+        else ask
+        for ask in item["asks"]
+    ]
     return {**item, "asks": asks}
 
 

@@ -12,14 +12,15 @@ from functools import lru_cache
 from typing import NamedTuple, Protocol, assert_never
 
 from kinegrade.exact.figures import figures_interval
+from kinegrade.sign_conventions import Convention
 
 
 @dataclass(frozen=True, slots=True)
 class Ask:
     """One answer box, the same on every paper; `unit` is "1" for a pure number.
 
-    `sign` is the convention in English, "counter-clockwise positive", as it stands on papers; ""
-    where it is not known.
+    `sign` is the sign convention in words, as it stands on papers; "" where it is not known.
+    `convention` is its keyword, None for one that the template's author put into words.
     """
 
     question: str
@@ -27,6 +28,7 @@ class Ask:
     unit: str
     points: Fraction
     sign: str = ""
+    convention: Convention | None = None
 
     @property
     def column(self) -> str:

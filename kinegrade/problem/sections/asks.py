@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from kinegrade.errors import FieldError, did_you_mean
+from kinegrade.errors import FieldError, suggest
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import flag, found, whole
-from kinegrade.language import LANGUAGES
+from kinegrade.language.message import Message
 from kinegrade.problem.notation import write_symbol
-from kinegrade.problem.sections.keys import ASK, TEXTS
+from kinegrade.problem.sections.keys import ASK
 from kinegrade.problem.sections.parameters import unit
-from kinegrade.problem.sections.values import expression, present, words, written
-from kinegrade.problem.signs import CONVENTIONS
-from kinegrade.problem.template import Ask, Translated
-from kinegrade.problem.translations import translated
+from kinegrade.problem.sections.values import expression, present, written
+from kinegrade.problem.signs import Sign
+from kinegrade.problem.template import Ask
+from kinegrade.problem.translations import BY_LANGUAGE, translated, translated_by_language
+from kinegrade.sign_conventions import CONVENTIONS
 
 _LIKE = '{ quantity = "x(velocity(A))", unit = "m/s" }'
 _MOST_POINTS = 100
@@ -30,7 +31,7 @@ def _read_ask(name: str, table: Table) -> Ask | None:
     counted_in = entry.required("unit", unit)
     means = entry.required("means", translated)
     label = entry.with_default("symbol", written, write_symbol(name))
-    sign = entry.with_default("sign", read_sign, CONVENTIONS["magnitude"])
+    sign: Sign = entry.optional("sign", read_sign) or "magnitude"
     points = entry.with_default("points", whole(0, _MOST_POINTS), 0)
     vanishes = entry.with_default("vanishes", flag, False)
     cyclic = entry.with_default("cyclic", flag, False)
@@ -39,17 +40,16 @@ def _read_ask(name: str, table: Table) -> Ask | None:
     return Ask(name, label, quantity, counted_in, means, sign, points, vanishes, cyclic)
 
 
-def read_sign(value: object) -> Translated:
-    """The words of a sign convention: those of a keyword, or the author's in both languages.
+def read_sign(value: object) -> Sign:
+    """A sign convention: a keyword, or the author's texts by language.
 
-    >>> read_sign("ccw").en
-    'counter-clockwise positive'
+    >>> read_sign("ccw")
+    'ccw'
     """
-    match value:
-        case str() if value in CONVENTIONS:
-            return CONVENTIONS[value]
-        case dict() if set(value) == set(LANGUAGES):
-            return Translated(words(value["en"]), words(value["zh"]))
-        case _:
-            near = did_you_mean(value, CONVENTIONS) if isinstance(value, str) else ""
-            raise FieldError(found(value), f"a keyword, or {TEXTS}", near)
+    if isinstance(value, dict):
+        return translated_by_language(value)
+    for convention in CONVENTIONS:
+        if value == convention:
+            return convention
+    near = suggest(value, CONVENTIONS) if isinstance(value, str) else ""
+    raise FieldError(found(value), Message("texts.sign", texts=BY_LANGUAGE), near)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from kinegrade.language import LANGUAGES
-
 MAX_CHARACTERS = 100_000  # of a file; the longest that is shipped has 8,000
 
 # Tables and keys of the file, by whether every template needs them
@@ -28,12 +26,10 @@ SHARED_TABLES = ("parameters", "lengths", "points", "bodies", "figure")
 SHARED_LISTS = ("joints", "conditions")
 SHARED = (*SHARED_TABLES, *SHARED_LISTS)
 
-TEXTS = '{ en = "...", zh = "..." }'  # an example of texts in both languages
 PARAMETER = ("unit", "draw", "published", "means", "symbol")
 INPUT = ("motion", "velocity", "acceleration")
 ASK = ("quantity", "unit", "means", "sign", "points", "vanishes", "cyclic", "symbol")
 PUBLISHED = ("source", "given", "gives")
-WORDING = ("if", *LANGUAGES)
 
 FIGURE = (
     "lengths",

@@ -17,10 +17,12 @@ from __future__ import annotations
 
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import text
+from kinegrade.language.known import known_languages
+from kinegrade.language.message import Message
 from kinegrade.problem.conditions import read_condition
-from kinegrade.problem.sections.keys import WORDING
 from kinegrade.problem.sections.values import present, words
-from kinegrade.problem.template import Condition, Translated, Wording
+from kinegrade.problem.template import Condition, Wording
+from kinegrade.problem.translated import Translated
 
 _MOST = 20  # texts of a template, and wordings of a text
 _LIKE = '{ if = "alpha > 0", en = "...", zh = "..." }'
@@ -52,16 +54,24 @@ def _read_wordings(texts: Table, name: str) -> dict[int, Wording]:
 
 def _applies_always(entry: Table) -> bool:
     """Whether a wording has no condition, nor anything unknown that may be meant as one."""
-    return entry.whole and "if" not in entry and set(entry) <= set(WORDING)
+    return entry.whole and "if" not in entry and set(entry) <= {"if", *known_languages()}
 
 
 def _read_wording(table: Table) -> Wording | None:
-    entry = table.only(*WORDING)
+    entry = table.only("if", *known_languages())
     condition = entry.optional("if", _read_condition)
-    english, chinese = entry.required("en", text), entry.required("zh", text)
-    if english is None or chinese is None:
+    texts = [(language, entry.optional(language, text)) for language in known_languages()]
+    written = tuple((language, words.strip()) for language, words in texts if words is not None)
+    if not written:
+        _note_no_text(entry)
         return None
-    return Wording(condition, Translated(english.strip(), chinese.strip()))
+    return Wording(condition, Translated(written))
+
+
+def _note_no_text(entry: Table) -> None:
+    """A fault for a wording in no language, unless what stands there is at fault already."""
+    if not any(language in entry for language in known_languages()):
+        entry.fault(None, Message("texts.none"), Message("texts.in-one-language"))
 
 
 def _read_condition(value: object) -> Condition:

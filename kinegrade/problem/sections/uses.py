@@ -9,13 +9,13 @@ from kinegrade.errors import did_you_mean
 from kinegrade.expression import Expression, find_names
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.place import Place
-from kinegrade.language import LANGUAGES
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.conditions import mixes_angle_and_number
 from kinegrade.problem.draft import Draft
 from kinegrade.problem.slots import find_slot_faults
-from kinegrade.problem.template import Condition, Published, Translated, Wording
+from kinegrade.problem.template import Condition, Published, Wording
+from kinegrade.problem.translated import Translated
 
 
 @dataclass(frozen=True)
@@ -135,13 +135,12 @@ class _Uses:
         self, place: Place, text: Translated, parameters: Collection[str], texts: Collection[str]
     ) -> None:
         """A fault for everything in double braces that is no name known here, once a language."""
-        for language in LANGUAGES:
-            found = find_slot_faults(text.in_language(language), parameters, texts)
-            for fault in dict.fromkeys(found):
+        for where, written in text.list_written(place):
+            for fault in dict.fromkeys(find_slot_faults(written, parameters, texts)):
                 if fault.name:
-                    self._miss(fault.name, _Miss((*place, language), fault.what, fault.do))
+                    self._miss(fault.name, _Miss(where, fault.what, fault.do))
                 else:
-                    self.faults.note((*place, language), fault.what, do=fault.do)
+                    self.faults.note(where, fault.what, do=fault.do)
 
     def published(self, number: int, result: Published) -> None:
         """Published results hold for parameters, and are those of asks."""

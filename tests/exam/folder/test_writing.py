@@ -54,8 +54,8 @@ HEAD = ExamHead(
             good=1,
             refused={"mistake": 1},
             asks=(
-                Ask("q1", "v_B", "m/s", Fraction(3), "magnitude"),
-                Ask("q1", "a_B", "m/s^2", Fraction(5, 2), "+x"),
+                Ask("q1", "v_B", "m/s", Fraction(3), "not negative", "magnitude"),
+                Ask("q1", "a_B", "m/s^2", Fraction(5, 2), "to the right"),
             ),
         ),
     ),
@@ -122,7 +122,9 @@ def test_a_head_is_read_as_it_was_written(tmp_path: Path) -> None:
 def test_points_stand_in_the_head_as_numbers_and_the_question_once() -> None:
     question = json.loads(encode_head(HEAD))["questions"][0]
     assert question["points"] == 5.5
-    assert question["asks"][0] == {"ask": "v_B", "unit": "m/s", "points": 3, "sign": "magnitude"}
+    said = {"sign": "not negative", "convention": "magnitude"}
+    assert question["asks"][0] == {"ask": "v_B", "unit": "m/s", "points": 3, **said}
+    assert question["asks"][1]["convention"] is None
 
 
 def test_a_line_is_read_as_it_was_written_digit_by_digit() -> None:

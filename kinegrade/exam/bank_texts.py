@@ -1,0 +1,33 @@
+"""The texts of a bank by language: its own, and those of the templates that it asks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kinegrade.errors import BankError
+from kinegrade.exam.blueprint import Bank
+from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message, list_plainly
+from kinegrade.problem.template_texts import find_language_faults
+
+
+def require_bank_language(bank: Bank, language: Language) -> None:
+    """Raises BankError, with a line for the bank and for each template that lack texts in a
+    language.
+    """
+    templates = [question.template for question in bank.questions]
+    faults = (*_find_bank_faults(bank, language), *find_language_faults(templates, language))
+    if faults:
+        raise BankError(*faults)
+
+
+def _find_bank_faults(bank: Bank, language: Language) -> Iterator[Fault]:
+    texts = {"title": bank.title, "course": bank.course}
+    missing = [name for name, text in texts.items() if not text.has(language)]
+    if missing:
+        yield Fault(
+            "bank",
+            Message("texts.lacks", language=language, names=list_plainly(missing)),
+            Message("texts.all-in", language=language),
+            Message("texts.write-bank-file", language=language),
+        )

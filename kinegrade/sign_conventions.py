@@ -1,0 +1,11 @@
+"""The usual sign conventions by their keywords: templates state them, folders keep them, answers in
+words are read by them.
+"""
+
+from __future__ import annotations
+
+from typing import Literal, get_args
+
+Convention = Literal["magnitude", "ccw", "cw", "+x", "-x", "+y", "-y", "unsigned", "signed"]
+CONVENTIONS: tuple[Convention, ...] = get_args(Convention)
+UNSIGNED: frozenset[Convention] = frozenset({"magnitude", "unsigned"})  # never negative
