@@ -27,7 +27,7 @@ points = 10  # optional: shared out as the template weighs what it asks
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import get_args
@@ -38,14 +38,19 @@ from kinegrade.exam.bank_terms import read_bank_tolerance
 from kinegrade.exam.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.versions import LETTERS
-from kinegrade.fields.document import FileKind, read_text, toml_table
+from kinegrade.fields.document import Document, FileKind, read_text, toml_table
+from kinegrade.fields.faults import Faults
+from kinegrade.fields.lines import lines_of_toml
+from kinegrade.fields.place import Place
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import choice, date_text, flag, whole
 from kinegrade.language.lines import shorten
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.press.protocol import ENGINES
-from kinegrade.problem.library import find_shipped
+from kinegrade.problem.beside import Beside, Translations, lay_in, read_translations
+from kinegrade.problem.library import find_shipped, list_names
 from kinegrade.problem.mistake_names import MISTAKE_NAMES
+from kinegrade.problem.template import TemplateFile
 from kinegrade.problem.tolerance import ONE_PER_CENT
 from kinegrade.problem.translated import Translated
 from kinegrade.problem.translations import translated
@@ -67,6 +72,7 @@ _KEYS = (
 MAX_BYTES = 200_000
 _BANK_FILE = FileKind(Message("bank.a-bank-file"), BankError, MAX_BYTES)
 _SYSTEMS: tuple[LMS, ...] = get_args(LMS)
+_TEXTS = ("title", "course")  # what a translation beside a bank may hold
 _NO_TEXT = Translated(plain="")
 
 
@@ -74,7 +80,8 @@ def find_bank(path: Path) -> Path:
     """A bank's file: the one at that path, or the shipped bank of that name. Raises BankError if
     there is neither.
     """
-    banks = {file.stem: file for file in find_shipped("banks").glob("*.toml")}
+    folder = find_shipped("banks")
+    banks = {name: folder / f"{name}.toml" for name in list_names(folder)}
     if not path.is_file() and str(path) in banks:
         return banks[str(path)]
     if path.suffix != ".toml" and not path.exists():
@@ -118,24 +125,57 @@ def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False
 
     Raises BankError with all faults at once.
     """
-    text = read_text(path, _BANK_FILE)
-    table = toml_table(str(path), text, _BANK_FILE).only(*_KEYS)
+    text, translations = read_text(path, _BANK_FILE), read_translations(path, _BANK_FILE)
+    whole, faults = _open(path, text, translations)
+    table = whole.only(*_KEYS)
     entries = Entries(table.faults, folder or find_shipped("templates"), path.parent, kept)
-    frame = _read_frame(table, text)
+    frame = _read_frame(table, text, translations)
     slots = _read_slots(table, entries, frame)
-    table.faults.require_none()
+    _require_none((table.faults, *faults))
     return Blueprint(frame, slots)
 
 
-def _read_frame(table: Table, text: str) -> Bank:
+def read_bank_texts(path: Path) -> tuple[Translated, Translated]:
+    """The title and the course of the bank in a file. Raises BankError."""
+    text, translations = read_text(path, _BANK_FILE), read_translations(path, _BANK_FILE)
+    table, faults = _open(path, text, translations)
+    title, course = _read_texts(table)
+    _require_none((table.faults, *faults))
+    return title, course
+
+
+def _read_texts(table: Table) -> tuple[Translated, Translated]:
+    title, course = (table.required(key, translated) for key in _TEXTS)
+    return title or _NO_TEXT, course or _NO_TEXT
+
+
+def _open(path: Path, text: str, translations: Translations) -> tuple[Table, tuple[Faults, ...]]:
+    """The bank's tables with the texts of the translations beside it, and the faults of these."""
+    plain = toml_table(str(path), text, _BANK_FILE)
+    document = Document(str(path), text, lines_of_toml)
+    places: dict[Place, Place] = {(key,): (key,) for key in _TEXTS if key in plain}
+    laid = lay_in(plain.content, document, Beside(str(path), _BANK_FILE, translations), places)
+    return Table(Faults(laid.source, BankError), (), laid.content), laid.faults
+
+
+def _require_none(files: Iterable[Faults]) -> None:
+    """Raises BankError with the faults of all these files."""
+    faults = [fault for file in files for fault in file.raised().faults]
+    if faults:
+        raise BankError(*faults)
+
+
+def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
     """Everything but the questions; an entry at fault is left empty or at its default."""
+    title, course = _read_texts(table)
     return Bank(
-        title=table.required("title", translated) or _NO_TEXT,
-        course=table.required("course", translated) or _NO_TEXT,
+        title=title,
+        course=course,
         date=table.with_default("date", date_text, ""),
         tolerance=read_bank_tolerance(table, ONE_PER_CENT),
         questions=(),
         text=text,
+        translations=translations,
         shuffle=table.with_default("shuffle", flag, False),
         versions=table.with_default("versions", whole(1, len(LETTERS)), 0),
         engine=table.with_default("engine", choice(ENGINES), "typst"),
@@ -176,10 +216,10 @@ def _require_different_names(entries: Sequence[Entry]) -> None:
     """A fault where two different template files share a name: the exam folder keeps one file per
     name.
     """
-    texts: dict[str, str] = {}
+    files: dict[str, TemplateFile] = {}
     for entry in entries:
         for template in (slot.candidates[0].template for slot in entry.slots if not slot.drawn):
-            if texts.setdefault(template.name, template.file.text) != template.file.text:
+            if files.setdefault(template.name, template.file) != template.file:
                 entry.table.fault(
                     "template",
                     Message("bank.name-taken", name=Quoted(template.name)),

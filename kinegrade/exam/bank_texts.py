@@ -9,6 +9,7 @@ from kinegrade.exam.blueprint import Bank
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.problem.template_texts import find_language_faults
+from kinegrade.problem.translated import Translated
 
 
 def require_bank_language(bank: Bank, language: Language) -> None:
@@ -16,13 +17,21 @@ def require_bank_language(bank: Bank, language: Language) -> None:
     language.
     """
     templates = [question.template for question in bank.questions]
-    faults = (*_find_bank_faults(bank, language), *find_language_faults(templates, language))
+    own = _find_bank_faults(bank.title, bank.course, language)
+    faults = (*own, *find_language_faults(templates, language))
     if faults:
         raise BankError(*faults)
 
 
-def _find_bank_faults(bank: Bank, language: Language) -> Iterator[Fault]:
-    texts = {"title": bank.title, "course": bank.course}
+def require_bank_texts(title: Translated, course: Translated, language: Language) -> None:
+    """Raises BankError where a bank lacks its title or course in a language."""
+    faults = tuple(_find_bank_faults(title, course, language))
+    if faults:
+        raise BankError(*faults)
+
+
+def _find_bank_faults(title: Translated, course: Translated, language: Language) -> Iterator[Fault]:
+    texts = {"title": title, "course": course}
     missing = [name for name, text in texts.items() if not text.has(language)]
     if missing:
         yield Fault(

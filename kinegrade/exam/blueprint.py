@@ -14,6 +14,7 @@ from functools import partial
 from typing import Literal, assert_never
 
 from kinegrade.press.protocol import Engine
+from kinegrade.problem.beside import Translations
 from kinegrade.problem.keyed_order import address
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
@@ -50,7 +51,7 @@ class BankQuestion:
 @dataclass(frozen=True)
 class Bank:
     """An exam's questions with all that holds for the exam; `text` is the file as it was read, kept
-    with the exam.
+    with the exam, as are the texts of the `translations` beside it.
 
     `shuffle` gives every paper its own order of the questions; `versions` is the number of
     different papers, 0 for a different one for each student; `engine` is the typesetter unless an
@@ -65,6 +66,7 @@ class Bank:
     tolerance: Tolerance
     questions: tuple[BankQuestion, ...]
     text: str
+    translations: Translations = field(default_factory=dict)
     shuffle: bool = False
     versions: int = 0
     engine: Engine = "typst"

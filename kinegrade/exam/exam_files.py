@@ -4,7 +4,7 @@ folder, and by `adding` into a copy of one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 from pathlib import Path
@@ -33,9 +33,12 @@ from kinegrade.exam.pages import make_key_book
 from kinegrade.exam.printed_files import printed_files, write_key
 from kinegrade.exam.printing import Printed, PrintRun
 from kinegrade.exam.roster import Student
+from kinegrade.language import Language
 from kinegrade.press.protocol import Press
 from kinegrade.press.sheet import KeyPaper
+from kinegrade.problem.beside import Translations, name_beside
 from kinegrade.problem.sections.opening import FOLDER
+from kinegrade.problem.template import MechanismFile
 
 
 def write_papers(
@@ -90,19 +93,35 @@ def source_files(bank: Bank) -> dict[str, str]:
     """
     templates = [question.template for question in bank.questions]
     shared = [template.file.mechanism for template in templates if template.file.mechanism]
-    mechanisms: dict[str, str] = {}
+    mechanisms: dict[str, MechanismFile] = {}
     faults = {
         mechanism.name: "bank: templates of this bank share two different mechanisms named "
         f'"{mechanism.name}": rename one file'
         for mechanism in shared
-        if mechanisms.setdefault(mechanism.name, mechanism.text) != mechanism.text
+        if mechanisms.setdefault(mechanism.name, mechanism) != mechanism
     }
     if faults:
         raise BankError(*faults.values())
     return {
         BANK: bank.text,
         **{f"{TEMPLATES}/{template.name}.toml": template.file.text for template in templates},
-        **{f"{TEMPLATES}/{FOLDER}/{name}.toml": text for name, text in mechanisms.items()},
+        **{f"{TEMPLATES}/{FOLDER}/{name}.toml": each.text for name, each in mechanisms.items()},
+    }
+
+
+def translation_files(bank: Bank, languages: Collection[Language]) -> dict[str, str]:
+    """The files that translate what `source_files` gives into these languages, as they were."""
+    files: dict[str, Translations] = {BANK: bank.translations}
+    for template in (question.template for question in bank.questions):
+        files[f"{TEMPLATES}/{template.name}.toml"] = template.file.translations
+        if template.file.mechanism is not None:
+            shared = template.file.mechanism
+            files[f"{TEMPLATES}/{FOLDER}/{shared.name}.toml"] = shared.translations
+    return {
+        name_beside(file, language): text
+        for file, translations in files.items()
+        for language, text in translations.items()
+        if language in languages
     }
 
 

@@ -18,6 +18,7 @@ from kinegrade.exam.class_printing import CHUNK, print_class
 from kinegrade.exam.dealing import ClassDeal, deal_exam
 from kinegrade.exam.exam_files import (
     source_files,
+    translation_files,
     write_blank_answers,
     write_blank_workbook,
     write_head,
@@ -40,6 +41,7 @@ from kinegrade.exam.roster_complaints import roster_complaints
 from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.language import Language
+from kinegrade.language.known import known_languages
 from kinegrade.press.protocol import Engine
 from kinegrade.press.sheet import PaperSize
 from kinegrade.processes import open_executor
@@ -132,7 +134,7 @@ def generate(
     secret = wish.secret(None if old is None else old.secret)
     bank = blueprint.bank(secret.drawing)
     require_bank_language(bank, language)
-    sources = source_files(bank)
+    sources = {**source_files(bank), **translation_files(bank, known_languages())}
     jobs = max(min(printing.jobs, len(roster.students) // CHUNK), 1)
     with bulk_work(), place.folder() as folder, open_executor(jobs, "generate") as workers:
         order = printing.order(bank)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from kinegrade.errors import BankError, TableError, write_message
 from kinegrade.exam.blueprint import Bank, Blueprint
-from kinegrade.exam.exam_files import source_files
+from kinegrade.exam.exam_files import source_files, translation_files
 from kinegrade.exam.folder.contents import HEAD, TEMPLATES
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.kept_exam import student_of
@@ -31,7 +31,7 @@ class LateClass:
 def require_same_sources(exam: ExamFolder, blueprint: Blueprint) -> None:
     """Raises BankError with every text of a bank that is not the folder's copy of it."""
     bank = _same_choice(exam, blueprint)
-    sources = source_files(bank)
+    sources = source_files(bank) | translation_files(bank, (exam.language,))
     found = {question.template.name for question in bank.questions}
     faults = [
         write_message(str(exam.path / name), "differs from what was given", _EXPECTED, _RESTORING)

@@ -14,16 +14,19 @@ from itertools import islice
 
 import msgspec
 
-from kinegrade.errors import FieldError, TomlError
+from kinegrade.errors import FieldError
 from kinegrade.exact.written import NumberError, read_number
+from kinegrade.exam.bank import read_bank_texts
+from kinegrade.exam.bank_texts import require_bank_texts
+from kinegrade.exam.folder.contents import BANK
 from kinegrade.exam.folder.exact_keys import read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import KeyLine, StatedTolerance
 from kinegrade.exam.kept_exam import KeptExam
-from kinegrade.fields.toml_text import read_toml
 from kinegrade.language import Language
 from kinegrade.problem.template import Template
+from kinegrade.problem.template_texts import require_language
 from kinegrade.problem.tolerance import Tolerance
 
 _DIGITS = 8  # hexadecimal, of the identifier
@@ -60,18 +63,21 @@ class QuizSource:
 def read_quiz_source(exam: ExamFolder, language: Language | None = None) -> QuizSource:
     """What a quiz needs of an exam; in the papers' language unless another one is wanted.
 
-    Raises ExamError, with the faults of all templates.
+    Raises ExamError, with the faults of all templates; TemplateError or BankError where they lack
+    the language.
     """
     title, course = exam.head.title, exam.head.course
+    templates = exam.templates.all()
     if language and language != exam.language:
-        title, course = _translate(exam.bank, language, title, course)
+        require_language(templates.values(), language)
+        title, course = _translate(exam, language)
     return QuizSource(
         exam,
         _make_identifier(exam),
         language or exam.language,
         title,
         course,
-        exam.templates.all(),
+        templates,
         _read_tolerances(exam),
         _read_credits(exam),
     )
@@ -94,17 +100,11 @@ def _make_identifier(exam: ExamFolder) -> str:
     return digest(secret.coding.encode(), f"quiz\n{exam.bank}".encode(), "sha256").hex()[:_DIGITS]
 
 
-def _translate(bank: str, language: Language, *texts: str) -> tuple[str, ...]:
-    """Title and course in another language, where the bank has them in it."""
-    try:
-        table = read_toml(bank)
-    except TomlError:
-        return texts
-    found = (table.get(name) for name in ("title", "course"))
-    return tuple(
-        str(stated[language]) if isinstance(stated, dict) and language in stated else text
-        for stated, text in zip(found, texts, strict=True)
-    )
+def _translate(exam: ExamFolder, language: Language) -> tuple[str, str]:
+    """Title and course in another language. Raises BankError where the bank lacks them."""
+    title, course = read_bank_texts(exam.path / BANK)
+    require_bank_texts(title, course, language)
+    return title.in_language(language), course.in_language(language)
 
 
 def _read_credits(exam: ExamFolder) -> dict[str, Fraction]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Literal, TypeAlias
 
 from kinegrade.errors import BankError, KinegradeError, Problem
-from kinegrade.problem.library import load_template
+from kinegrade.problem.library import list_names, load_template
 from kinegrade.problem.statement import check_statements
 from kinegrade.problem.tags import list_tags
 from kinegrade.problem.template import Template
@@ -44,7 +44,7 @@ def read_shelf(folder: Path, *, kept: bool = False) -> Shelf:
     """
     templates: dict[str, Template] = {}
     faults: list[Problem] = []
-    for name in sorted(path.stem for path in folder.glob("*.toml")):
+    for name in list_names(folder):
         try:
             templates[name] = load_template(name, folder, kept=kept)
             if not kept:

@@ -10,9 +10,10 @@ from pathlib import Path
 import kinegrade
 from kinegrade.errors import FieldError, TemplateError, did_you_mean
 from kinegrade.fields.document import read_text
+from kinegrade.problem.beside import is_translation, read_translations
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.sections.opening import FOLDER, TEMPLATE
-from kinegrade.problem.template import Template
+from kinegrade.problem.template import MechanismFile, Template
 
 
 def find_shipped(folder: str) -> Path:
@@ -26,7 +27,12 @@ def find_shipped(folder: str) -> Path:
 
 def find_template_names() -> tuple[str, ...]:
     """The names of the shipped templates, sorted."""
-    return tuple(sorted(path.stem for path in find_shipped("templates").glob("*.toml")))
+    return tuple(list_names(find_shipped("templates")))
+
+
+def list_names(folder: Path) -> list[str]:
+    """The names of the TOML files in a folder, sorted, without translations beside others."""
+    return sorted(path.stem for path in folder.glob("*.toml") if not is_translation(path))
 
 
 def load_template(name: str, folder: Path | None = None, *, kept: bool = False) -> Template:
@@ -42,13 +48,14 @@ def load_template(name: str, folder: Path | None = None, *, kept: bool = False) 
         if name.endswith(".toml")
         else (folder or find_shipped("templates")) / f"{name}.toml"
     )
-    known = [other.stem for other in (folder or find_shipped("templates")).glob("*.toml")]
+    known = list_names(folder or find_shipped("templates"))
     if not name.endswith(".toml") and name not in known:
         raise TemplateError(f'no template "{name}": {did_you_mean(name, known)}')
     return read_template(
         path.stem,
         read_text(path, TEMPLATE),
-        partial(_read_mechanism_text, path.parent / FOLDER),
+        partial(_read_mechanism, path.parent / FOLDER),
+        read_translations(path, TEMPLATE),
         kept=kept,
     )
 
@@ -62,12 +69,13 @@ def load_kept_template(name: str, folder: Path) -> Template:
     return load_template(name, folder, kept=True)
 
 
-def _read_mechanism_text(folder: Path, name: str) -> str:
-    """The text of the mechanism of that name in a folder. Raises FieldError when there is none,
+def _read_mechanism(folder: Path, name: str) -> MechanismFile:
+    """The mechanism of that name in a folder. Raises FieldError when there is none,
     TemplateError when it cannot be read.
     """
-    known = [other.stem for other in folder.glob("*.toml")]
+    known = list_names(folder)
     if name not in known:
         what = f'no mechanism "{name}" in {FOLDER}/ beside the template'
         raise FieldError(what, do=did_you_mean(name, known))
-    return read_text(folder / f"{name}.toml", TEMPLATE)
+    path = folder / f"{name}.toml"
+    return MechanismFile(name, read_text(path, TEMPLATE), read_translations(path, TEMPLATE))

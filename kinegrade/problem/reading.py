@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from kinegrade.errors import TemplateError
 from kinegrade.fields.table import Table
+from kinegrade.problem.beside import Translations
 from kinegrade.problem.consistency import note_inconsistencies
 from kinegrade.problem.draft import Draft
 from kinegrade.problem.hints import FigureHints
@@ -34,17 +35,25 @@ from kinegrade.problem.sections.uses import check_uses
 from kinegrade.problem.template import Template
 from kinegrade.problem.translations import translated
 
+_NO_TRANSLATIONS: Translations = {}
+
 
 def read_template(
-    name: str, text: str, mechanisms: Mechanisms = no_mechanisms, *, kept: bool = False
+    name: str,
+    text: str,
+    mechanisms: Mechanisms = no_mechanisms,
+    translations: Translations = _NO_TRANSLATIONS,
+    *,
+    kept: bool = False,
 ) -> Template:
     """The template of that name. Raises TemplateError with all faults, each with its place.
 
     `name` is the file's name without `.toml`: letters, digits and hyphens. `mechanisms` gives the
-    text of the mechanism that the template shares with others. A template that is `kept` with an
+    mechanism that the template shares with others, `translations` the texts of the files that
+    translate it. A template that is `kept` with an
     exam is read without a look at dimensions, so that no later rule closes an exam's folder.
     """
-    opened = open_template(name, text, mechanisms)
+    opened = open_template(name, text, mechanisms, translations)
     table = opened.table
     draft = _read_draft(table, opened.strays)
     if _has_names(table):

@@ -6,11 +6,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from kinegrade.expression import Expression
 from kinegrade.mechanics.mechanism import Body
+from kinegrade.problem.beside import Translations
 from kinegrade.problem.hints import FigureHints
 from kinegrade.problem.sentences import DriverSentence, JointSentence
 from kinegrade.problem.signs import Sign
@@ -100,18 +101,24 @@ class Published:
 
 @dataclass(frozen=True)
 class MechanismFile:
-    """A file that holds the mechanism of several templates: its name without `.toml`, its text."""
+    """A file that holds the mechanism of several templates: its name without `.toml`, its text, and
+    those of the translations beside it.
+    """
 
     name: str
     text: str
+    translations: Translations = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class TemplateFile:
-    """A template as it was read, kept with every exam; `mechanism` where it shares one."""
+    """A template as it was read, kept with every exam, with the translations beside it; `mechanism`
+    where it shares one.
+    """
 
     text: str
     mechanism: MechanismFile | None = None
+    translations: Translations = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

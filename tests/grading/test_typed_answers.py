@@ -16,13 +16,11 @@ import sympy
 from kinegrade.grading.answers import Reading, read
 from kinegrade.grading.decimal_style import find_file_style
 from kinegrade.grading.number_text import DecimalStyle
+from kinegrade.language import ENGLISH
+from kinegrade.problem.signs import write_sign
+from kinegrade.sign_conventions import CONVENTIONS
 
 TABLE = Path(__file__).with_name("typed_answers.tsv")
-CONVENTIONS = {
-    "ccw": "counter-clockwise "
-           "positive", "cw": "positive clockwise about $O$", "magnitude": "magnitude, not negative",
-    "+x": "positive in the direction of $+x$", "+y": "positive in the direction of $+y$",
-}  # fmt: skip
 STYLES = {
     "comma": find_file_style([], "comma").style, "point": find_file_style([], "point").style,
     "undecided": find_file_style([]).of_row(["0,5", "1,234.5"]),
@@ -62,7 +60,9 @@ def test_the_table_is_long_and_says_nothing_twice() -> None:
 
 @pytest.mark.parametrize(("typed", "unit", "context", "reading", "remark"), ROWS)
 def test_typed_answers(typed: str, unit: str, context: str, reading: str, remark: str) -> None:
-    found = read(typed, unit, STYLES.get(context, DecimalStyle()), CONVENTIONS.get(context, ""))
+    convention = next((each for each in CONVENTIONS if each == context), None)
+    words = write_sign(convention, ENGLISH) if convention else ""
+    found = read(typed, unit, STYLES.get(context, DecimalStyle()), convention, words)
     assert found.typed == typed
     kind, _, reason = reading.partition(": ")
     if kind in ("blank", "unreadable", "wrong unit"):

@@ -72,9 +72,8 @@ def changed(text: str, *changes: Change) -> str:
 
 def sharing(own: tuple[Change, ...] = (), shared: tuple[Change, ...] = ()) -> Template:
     """The crank that shares its mechanism, with passages of either file replaced."""
-    return read_template(
-        "crank", changed(OWN, *own), {"arm": changed(MECHANISM, *shared)}.__getitem__
-    )
+    mechanisms = {"arm": MechanismFile("arm", changed(MECHANISM, *shared))}
+    return read_template("crank", changed(OWN, *own), mechanisms.__getitem__)
 
 
 def faults(own: tuple[Change, ...] = (), shared: tuple[Change, ...] = ()) -> list[str]:

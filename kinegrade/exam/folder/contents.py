@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from kinegrade.language.known import known_languages
+from kinegrade.problem.beside import name_beside
+
 HEAD = "exam.json"
 KEY = "key.jsonl"
 KEY_BOOK = "key.pdf"
@@ -18,6 +21,7 @@ CONTENTS = (
     KEY,
     KEY_BOOK,
     BANK,
+    *(name_beside(BANK, language) for language in known_languages()),
     TEMPLATES,
     *FOR_STUDENTS,
     ANSWERS,

@@ -11,8 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kinegrade.fields.document import Document
-from kinegrade.fields.place import Place, Where
+from kinegrade.fields.place import Place, Source, Where
 from kinegrade.problem.sections.keys import SHARED_LISTS, SHARED_TABLES
 
 Content = Mapping[str, object]
@@ -23,7 +22,7 @@ class Layer:
     """The tables of one file, and the lines on which they stand."""
 
     content: Content
-    document: Document
+    document: Source
 
 
 @dataclass(frozen=True)

@@ -3,25 +3,28 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from kinegrade.errors import FieldError, TemplateError, did_you_mean, write_message
 from kinegrade.fields.document import Document, FileKind, toml_table
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.lines import lines_of_toml
+from kinegrade.fields.place import Source
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import found
 from kinegrade.language.message import Message
+from kinegrade.problem.beside import Beside, LaidIn, Translations, lay_in
 from kinegrade.problem.sections.keys import KNOWN, MAX_CHARACTERS, NEEDED, SHARED, SHARED_LISTS
 from kinegrade.problem.sections.layers import Layer, Layers, is_sharable
+from kinegrade.problem.sections.translated_places import list_translated_places
 from kinegrade.problem.template import MechanismFile, TemplateFile
 
 FOLDER = "mechanisms"  # beside the templates
 TEMPLATE = FileKind("a template", TemplateError, 4 * MAX_CHARACTERS)
 _FILE_NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*", re.ASCII)
-# The text of the mechanism of that name; raises KinegradeError when there is none.
-Mechanisms = Callable[[str], str]
+# The mechanism of that name; raises KinegradeError when there is none.
+Mechanisms = Callable[[str], MechanismFile]
 
 
 @dataclass(frozen=True)
@@ -37,12 +40,14 @@ class Opened:
     strays: frozenset[str]
 
 
-def no_mechanisms(name: str) -> str:
+def no_mechanisms(name: str) -> MechanismFile:
     """Refuses every mechanism: a text alone has no folder beside it."""
     raise FieldError(f'no folder to look for "{name}" in', do="load the template from its file")
 
 
-def open_template(name: str, text: str, mechanisms: Mechanisms) -> Opened:
+def open_template(
+    name: str, text: str, mechanisms: Mechanisms, translations: Translations
+) -> Opened:
     """The tables of the template of that name.
 
     Raises TemplateError where a file is not TOML, or where the mechanism cannot be loaded.
@@ -51,16 +56,28 @@ def open_template(name: str, text: str, mechanisms: Mechanisms) -> Opened:
         raise TemplateError(
             f"{name}.toml: a template's name is made of small letters, digits and hyphens"
         )
-    template = _read_toml(f"{name}.toml", text)
+    file = f"{name}.toml"
+    template = _read_toml(file, text)
     if "mechanism" in template:
-        return _lay_over_mechanism(
-            template, f"{name}.toml", text, _read_mechanism(template, mechanisms)
-        )
+        mechanism = _read_mechanism(template, mechanisms)
+        kept = TemplateFile(text, mechanism, translations)
+        return _lay_over_mechanism(template, file, kept, mechanism)
+    document = Document(file, text, lines_of_toml)
+    laid = _lay_in(template.content, document, translations, file)
+    table = Table(Faults(laid.source, TemplateError), (), laid.content)
     return Opened(
-        _require_known(template, NEEDED),
-        TemplateFile(text),
-        (template.faults,),
+        _require_known(table, NEEDED),
+        TemplateFile(text, None, translations),
+        (table.faults, *laid.faults),
         _find_strays(template),
+    )
+
+
+def _lay_in(
+    content: Mapping[str, object], source: Source, translations: Translations, file: str
+) -> LaidIn:
+    return lay_in(
+        content, source, Beside(file, TEMPLATE, translations), list_translated_places(content)
     )
 
 
@@ -91,8 +108,7 @@ def _read_mechanism(template: Table, mechanisms: Mechanisms) -> MechanismFile:
     """
 
     def load(value: object) -> MechanismFile:
-        name = _read_mechanism_name(value)
-        return MechanismFile(name, mechanisms(name))
+        return mechanisms(_read_mechanism_name(value))
 
     mechanism = template.required("mechanism", load)
     if mechanism is None:
@@ -122,20 +138,25 @@ def _read_mechanism_name(value: object) -> str:
     raise FieldError(found(value), expected)
 
 
-def _lay_over_mechanism(template: Table, file: str, text: str, mechanism: MechanismFile) -> Opened:
+def _lay_over_mechanism(
+    template: Table, file: str, kept: TemplateFile, mechanism: MechanismFile
+) -> Opened:
     shared_file = f"{FOLDER}/{mechanism.name}.toml"
     shared = _read_shared(template, shared_file, mechanism)
     for key, value in shared.content.items():
         if not is_sharable(key, value):
             _refuse(shared, key, value)
+    document = Document(shared_file, mechanism.text, lines_of_toml)
+    under = _lay_in(shared.content, document, mechanism.translations, shared_file)
     layers = Layers(
-        Layer(template.content, Document(file, text, lines_of_toml)),
-        Layer(shared.content, Document(shared_file, mechanism.text, lines_of_toml)),
+        Layer(template.content, Document(file, kept.text, lines_of_toml)),
+        Layer(under.content, under.source),
     )
-    both = Table(Faults(layers, TemplateError), (), layers.content())
+    over = _lay_in(layers.content(), layers, kept.translations, file)
+    both = Table(Faults(over.source, TemplateError), (), over.content)
     table = _require_known(both, [key for key in NEEDED if key not in shared])
-    faults = (table.faults, shared.faults)
-    return Opened(table, TemplateFile(text, mechanism), faults, _find_strays(template))
+    faults = (table.faults, shared.faults, *over.faults, *under.faults)
+    return Opened(table, kept, faults, _find_strays(template))
 
 
 def _refuse(shared: Table, key: str, value: object) -> None:
