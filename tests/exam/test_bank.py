@@ -13,7 +13,7 @@ from kinegrade.errors import BankError, ExamError
 from kinegrade.exam.bank import MAX_BYTES, find_bank, read_bank, read_blueprint
 from kinegrade.exam.blueprint import Bank
 from kinegrade.fields.document import FileKind, parsed_table
-from kinegrade.problem.library import find_shipped
+from kinegrade.problem.library import find_shipped, list_names
 from kinegrade.problem.tolerance import Tolerance
 from kinegrade.problem.translated import Translated
 from kinegrade.stated_marking import read_credit
@@ -437,7 +437,7 @@ def test_a_part_of_what_a_template_asks_and_points_shared_out(tmp_path: Path) ->
 POINTS = {"demo": 34, "velocity-quiz": 30, "acceleration-midterm": 60, "final": 100}
 
 
-@pytest.mark.parametrize("name", sorted(path.stem for path in find_shipped("banks").glob("*.toml")))
+@pytest.mark.parametrize("name", list_names(find_shipped("banks")))
 def test_shipped_banks_are_sound_and_found_by_name(name: str) -> None:
     plan = read_blueprint(find_bank(Path(name)))
     for secret in ("spring", "autumn", "resit"):

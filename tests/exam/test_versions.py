@@ -225,7 +225,7 @@ def test_a_shipped_bank_is_generated_by_its_name(tmp_path: Path) -> None:
 
 
 def test_help_names_the_shipped_banks() -> None:
-    from kinegrade.problem.library import find_shipped
+    from kinegrade.problem.library import find_shipped, list_names
 
-    names = ", ".join(sorted(path.stem for path in find_shipped("banks").glob("*.toml")))
+    names = ", ".join(list_names(find_shipped("banks")))
     assert names in " ".join(kinegrade("generate", "--help").stdout.split())

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.problem.library import find_shipped, find_template_names, load_template
+from kinegrade.problem.library import find_shipped, find_template_names, list_names, load_template
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.sections.keys import MAX_CHARACTERS
 from kinegrade.problem.solving import solve_template
@@ -279,7 +279,7 @@ def test_a_text_alone_has_no_mechanisms_beside_it() -> None:
 def test_a_mechanism_is_found_beside_its_template_and_is_no_template(tmp_path: Path) -> None:
     file = with_files(tmp_path, arm=MECHANISM)
     assert load_template(str(file)) == load_template("crank", tmp_path) == sharing()
-    mechanisms = {path.stem for path in (find_shipped("templates") / "mechanisms").glob("*.toml")}
+    mechanisms = set(list_names(find_shipped("templates") / "mechanisms"))
     assert mechanisms
     assert not mechanisms & set(find_template_names())
 
