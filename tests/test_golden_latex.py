@@ -9,15 +9,16 @@ from dataclasses import replace
 import pytest
 
 from kinegrade.exam.bank import Bank
-from kinegrade.exam.latex_key import write_key_body
-from kinegrade.exam.latex_solution import write_solution_body
-from kinegrade.exam.latex_source import write_document, write_paper_body
 from kinegrade.exam.pages import lay_out_paper
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.tikz import write_tikz
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.press.latex.document import write_document
+from kinegrade.press.latex.key import write_key_body
+from kinegrade.press.latex.paper import write_paper_body
+from kinegrade.press.latex.solution import write_solution_body
 from kinegrade.press.sheet import SolutionSheet
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template

@@ -38,7 +38,9 @@ class PressOrder:
             case "typst":
                 return TypstPress(self.paper_size)
             case "latex":
-                from kinegrade.exam.latex import LatexPress  # few exams need it, and it takes long
+                from kinegrade.press.latex.press import (
+                    LatexPress,  # few exams need it, and it takes long
+                )
 
                 return LatexPress(self.paper_size)
             case _:

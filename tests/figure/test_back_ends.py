@@ -12,13 +12,13 @@ import pytest
 import typst
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.latex_run import run
 from kinegrade.figure.extent import measure_symbol
 from kinegrade.figure.scene import Label, Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.tikz import write_tikz
 from kinegrade.figure.typst import write_typst
 from kinegrade.mechanics.vector import Vector
+from kinegrade.press.latex.xetex import run
 from tests.figure.mechanisms import EIGHT
 from tests.figure.test_typst import SYMBOLS
 

@@ -3,21 +3,13 @@
 from __future__ import annotations
 
 from kinegrade.exam.latex_math import write_math
-from kinegrade.exam.latex_source import Block, write_command, write_environment
 from kinegrade.exam.latex_text import write_comment, write_plain, write_signed, write_unit
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.latex import write_line
+from kinegrade.press.latex.document import write_command, write_environment, write_value
 from kinegrade.press.paper_parts import write_points_text
 from kinegrade.press.sheet import KeyAnswer, KeyBook, KeyEntry, KeyPaper, KeyParameter
 from kinegrade.question_numbers import find_bank_number
-
-
-class KeyAnswers(Block):
-    """The table of right answers and of what is marked right."""
-
-
-class Together(Block):
-    """What stays on one page."""
 
 
 def write_key_body(book: KeyBook) -> str:
@@ -48,8 +40,9 @@ def _write_entry(entry: KeyEntry, where: str) -> str:
     head = write_command(
         "keyquestion", write_plain(find_bank_number(entry.identifier)), parts["title"], given
     )
-    table = write_environment(KeyAnswers(), parts["answers"])
-    return f"{write_comment(where)}\n{write_environment(Together(), [head, table])}"
+    table = write_environment("keyanswers", parts["answers"])
+    together = write_environment("together", [head, table])
+    return f"{write_comment(where)}\n{together}"
 
 
 def _write_parameter(parameter: KeyParameter, where: str) -> str:
@@ -59,9 +52,7 @@ def _write_parameter(parameter: KeyParameter, where: str) -> str:
     equation = write_math(parameter.symbol, where)
     if parameter.exact is not None and parameter.exact != parameter.decimal:
         equation += f" = {write_math(parameter.exact, where)}"
-    shown = "" if parameter.unit == "1" else write_unit(parameter.unit)
-    space = "" if shown in ("", "°") else r"\,"
-    return rf"\mbox{{${equation} = {{}}${write_signed(parameter.decimal)}{space}{shown}}}"
+    return rf"\mbox{{${equation} = {{}}${write_value(parameter.decimal, parameter.unit)}}}"
 
 
 def _write_answer(answer: KeyAnswer, where: str) -> str:

@@ -110,7 +110,7 @@ def make_pdf(folder: Path, pages: tuple[int, int] | None = None) -> bytes:
 
 def write_style() -> str:
     """The style file that every source asks for."""
-    return (files("kinegrade.exam") / "layouts" / STYLE).read_text(encoding="utf-8")
+    return (files("kinegrade.press.latex") / "layouts" / STYLE).read_text(encoding="utf-8")
 
 
 def find_font_folder() -> Path:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.latex import LatexPress
+from kinegrade.press.latex.press import LatexPress
 from tests.press.papers import ENGLISH
 
 

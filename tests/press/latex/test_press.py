@@ -14,15 +14,15 @@ import pytest
 from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam import latex_run
 from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.latex import LatexPress
 from kinegrade.exam.pages import lay_out_paper
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.sample import make_sample_bank
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
+from kinegrade.press.latex.press import LatexPress
+from kinegrade.press.latex.xetex import make_pdf, run
 from kinegrade.press.protocol import Press
 from kinegrade.press.sheet import Paper
 from kinegrade.problem.library import find_template_names, load_template
@@ -304,9 +304,9 @@ def test_tex_has_no_shell_and_no_files_of_others(tmp_path: Path) -> None:
         folder.mkdir()
         (folder / ".hidden.tex").write_text("SECRET", encoding="utf-8")
         source = rf"\documentclass{{article}}\begin{{document}}{attack}\end{{document}}"
-        outcome = latex_run.run(source, folder, 30)
+        outcome = run(source, folder, 30)
         assert not (folder / "made").exists()
-        assert outcome.fault or "SECRET" not in "".join(pages_of(latex_run.make_pdf(folder)))
+        assert outcome.fault or "SECRET" not in "".join(pages_of(make_pdf(folder)))
 
 
 def test_a_run_without_end_is_ended(tmp_path: Path) -> None:
@@ -315,7 +315,7 @@ def test_a_run_without_end_is_ended(tmp_path: Path) -> None:
         TypesetError,
         match=r"^latex: xelatex did not end within 1 s - expected a few pages a second - ",
     ):
-        latex_run.run(source, tmp_path, 1)
+        run(source, tmp_path, 1)
 
 
 def test_pages_that_were_never_typeset_are_no_pdf(tmp_path: Path) -> None:
@@ -323,7 +323,7 @@ def test_pages_that_were_never_typeset_are_no_pdf(tmp_path: Path) -> None:
         TypesetError,
         match=r"^latex: xdvipdfmx wrote no PDF \(.*pages.xdv.*\) - expected the pages that XeTeX",
     ):
-        latex_run.make_pdf(tmp_path, (1, 2))
+        make_pdf(tmp_path, (1, 2))
 
 
 def test_nothing_to_print_is_nothing_printed() -> None:

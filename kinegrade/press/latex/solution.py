@@ -8,13 +8,18 @@ from collections.abc import Sequence
 from re import fullmatch
 
 from kinegrade.exam.latex_math import write_math
-from kinegrade.exam.latex_source import Sheet, write_command, write_environment, write_named
-from kinegrade.exam.latex_text import write_comment, write_plain, write_signed, write_unit
+from kinegrade.exam.latex_text import write_comment, write_plain
 from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.figure.tikz import write_tikz
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.latex import write_line, write_prose
 from kinegrade.press.equation_line import split_equation_line
+from kinegrade.press.latex.document import (
+    write_command,
+    write_environment,
+    write_named,
+    write_value,
+)
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.press.solution_blocks import FORMULA_ALONE, UNKNOWN, has_exact_decimal, stays
 from kinegrade.question_numbers import find_other_number
@@ -46,7 +51,7 @@ def write_solution_body(sheet: SolutionSheet) -> str:
     questions = convert_each(
         lambda question: _write_question(question, words, where), sheet.questions
     )
-    return write_environment(Sheet(), [write_comment(where), head, *questions]) + "\n"
+    return write_environment("sheet", [write_comment(where), head, *questions]) + "\n"
 
 
 def _write_question(question: WorkedQuestion, words: SolutionWords, sheet: str) -> str:
@@ -177,13 +182,11 @@ def _write_result(result: Result, where: str) -> str:
         ),
         sense=lambda: write_line(result.sense, where),
     )
-    shown = "" if result.unit == "1" else write_unit(result.unit)
-    space = "" if shown in ("", "°") else r"\,"
     relation = "=" if has_exact_decimal(result) else r"\approx"
     value = rf"{{}}{parts['exact']} {relation} {{}}"
     return write_command(
         "result",
         parts["symbol"],
-        f"${value}${write_signed(result.decimal)}{space}{shown}",
+        f"${value}${write_value(result.decimal, result.unit)}",
         parts["sense"],
     )

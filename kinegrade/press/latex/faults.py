@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from kinegrade.errors import write_message
-from kinegrade.exam.latex_run import Outcome
 from kinegrade.language.lines import shorten
+from kinegrade.press.latex.xetex import Outcome
 from kinegrade.press.protocol import unprintable_character
 
 _PLACE = "%% "  # begins the comment lines of a source that say what follows

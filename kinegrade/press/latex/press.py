@@ -13,9 +13,17 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.latex_faults import find_faults
-from kinegrade.exam.latex_key import write_key_body
-from kinegrade.exam.latex_run import (
+from kinegrade.exam.latex_text import is_surely_printed, write_plain
+from kinegrade.exam.solution_words import choose_solution_words
+from kinegrade.language import ENGLISH, Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.gathering import convert_each
+from kinegrade.press.latex.document import write_document
+from kinegrade.press.latex.faults import find_faults
+from kinegrade.press.latex.key import write_key_body
+from kinegrade.press.latex.paper import write_paper_body
+from kinegrade.press.latex.solution import write_solution_body
+from kinegrade.press.latex.xetex import (
     FONTS,
     STYLE,
     Outcome,
@@ -24,13 +32,6 @@ from kinegrade.exam.latex_run import (
     run,
     write_style,
 )
-from kinegrade.exam.latex_solution import write_solution_body
-from kinegrade.exam.latex_source import write_document, write_paper_body
-from kinegrade.exam.latex_text import is_surely_printed, write_plain
-from kinegrade.exam.solution_words import choose_solution_words
-from kinegrade.language import ENGLISH, Language
-from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.gathering import convert_each
 from kinegrade.press.legible import make_owner_legible, make_owners_legible
 from kinegrade.press.protocol import Printout
 from kinegrade.press.sheet import KeyBook, Paper, PaperSize, SolutionSheet

@@ -1,0 +1,134 @@
+"""A student's paper as LaTeX source."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import groupby
+
+from kinegrade.exam.latex_math import write_math
+from kinegrade.exam.latex_text import write_comment, write_plain, write_unit
+from kinegrade.figure.scene import Scene
+from kinegrade.figure.tikz import write_tikz
+from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.prose.latex import write_line, write_prose
+from kinegrade.press.code_mark import make_code_mark
+from kinegrade.press.latex.document import write_command, write_environment, write_named
+from kinegrade.press.paper_parts import (
+    arrange_marks,
+    fits_beside,
+    write_other_number,
+    write_points_in_words,
+    write_points_text,
+)
+from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
+
+# Columns of the marker's table that leave room for the student's name beside them
+_BESIDE_STUDENT = 8
+
+
+def write_paper_body(paper: Paper) -> str:
+    """One student's paper; raises TypesetError with all faults of its texts."""
+    words, where = open_catalogue(paper.language), f"paper {paper.code}"
+    parts = gather(
+        rules=lambda: convert_each(lambda rule: write_prose(rule, "rules"), paper.rules),
+        questions=lambda: convert_each(
+            lambda question: _write_question(question, words, where), paper.questions
+        ),
+    )
+    texts = (paper.title, paper.course, paper.date, paper.student, paper.name, paper.code)
+    masthead = write_command("masthead", *map(write_plain, texts), _mark(paper.code))
+    rules = [write_command("rules", *_write_rule_columns(parts["rules"]))] if paper.rules else []
+    lines = (write_comment(where), masthead, _write_marks(paper), *rules, *parts["questions"])
+    return write_environment("sheet", lines) + "\n"
+
+
+def _mark(code: str) -> str:
+    r"""The QR code: its size in modules, then \dark{column}{row}{length} for each run of dark ones,
+    row by row.
+    """
+    mark = make_code_mark(code)
+    rows = groupby(mark.runs, lambda run: run.y)
+    drawn = (
+        "".join(f"\\dark{{{run.x}}}{{{y}}}{{{run.length}}}" for run in runs) + "%\n"
+        for y, runs in rows
+    )
+    return write_command("codemark", str(mark.size), "%\n" + "".join(drawn))
+
+
+def _write_marks(paper: Paper) -> str:
+    """The student, and the table of the marker's boxes; a long one stands below the student."""
+    rows = arrange_marks(paper, r"\wordtotal")
+    return write_command(
+        "candidate",
+        write_plain(paper.name),
+        write_plain(paper.student),
+        "".join(map(_mark_table, rows)),
+        "beside" if len(rows[0]) <= _BESIDE_STUDENT else "below",
+    )
+
+
+def _mark_table(columns: Sequence[tuple[str, str]]) -> str:
+    numbers, points = (" & ".join(entries) for entries in zip(*columns, strict=True))
+    return write_command(
+        "markboxes", str(len(columns)), numbers, points, " & " * (len(columns) - 1)
+    )
+
+
+def _write_rule_columns(rules: Sequence[str]) -> list[str]:
+    """The rules in two columns of about the same length."""
+    half, taken = sum(map(len, rules)) / 2, 0
+    columns: tuple[list[str], list[str]] = ([], [])
+    for rule in rules:
+        columns[taken + len(rule) / 2 > half].append(f"\\item {rule}")
+        taken += len(rule)
+    return ["\n".join(column) for column in columns]
+
+
+def _write_question(question: QuestionSheet, words: Catalogue, paper: str) -> str:
+    where = write_named(paper, question.identifier, question.template)
+    parts = gather(
+        title=lambda: write_line(question.title, f"{where}, title"),
+        statement=lambda: write_prose(question.statement, f"{where}, statement"),
+        rows=lambda: convert_each(lambda row: _write_ask(row, words, where), question.rows),
+        figure=lambda: write_tikz(question.figure) if question.figure else "",
+    )
+    head = (
+        str(question.number),
+        parts["title"],
+        write_plain(write_other_number(question, words)),
+        write_plain(write_points_in_words(question.points, words)),
+    )
+    source = words.text("paper.source", source=question.source) if question.source else ""
+    lines = (
+        _write_statement(parts["statement"], question.figure, parts["figure"]),
+        write_environment("answers", parts["rows"]),
+        source and write_command("source", write_plain(source)),
+    )
+    block = write_environment("question", filter(None, lines), *head)
+    return f"{write_comment(where)}\n{block}"
+
+
+def _write_statement(text: str, figure: Scene | None, drawn: str) -> str:
+    if figure is None:
+        return write_command("statement", text)
+    if fits_beside(figure):
+        return write_command("beside", f"{figure.width:.6g}mm", text, drawn)
+    return write_command("statement", text) + "\n" + write_command("below", drawn)
+
+
+def _write_ask(row: AnswerRow, words: Catalogue, where: str) -> str:
+    parts = gather(
+        symbol=lambda: write_math(row.symbol, f"{where}, symbol"),
+        meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
+        sign=lambda: write_line(row.sign, f"{where}, sign"),
+    )
+    printed = write_plain(words.text("paper.unitless")) if row.unit == "1" else write_unit(row.unit)
+    return write_command(
+        "ask",
+        parts["symbol"],
+        parts["meaning"],
+        parts["sign"],
+        printed,
+        write_points_text(row.points),
+    )
