@@ -14,21 +14,19 @@ from dataclasses import dataclass
 from decimal import Context, Decimal
 from fractions import Fraction
 from itertools import groupby
-from typing import assert_never
 
 from kinegrade.amounts import PLACES, write_amount
 from kinegrade.errors import ExamError
-from kinegrade.exact.written import read_number
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
-from kinegrade.grading.class_tally import hint_of, mistakes_of
-from kinegrade.grading.feedback_words import FULL, FeedbackWords, choose_feedback_words
-from kinegrade.grading.hints import Hint
+from kinegrade.grading.feedback_remarks import make_remark, name_verdict
 from kinegrade.grading.math_html import write_unit_text
 from kinegrade.grading.paper_record import PaperRecord, PaperRecords, RightAnswer
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
+from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.language.message import Fault, Message, Quoted, Text
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import MarkedAnswer
@@ -36,7 +34,6 @@ from kinegrade.question_numbers import find_other_number
 
 _LONGEST_TYPED = 80  # characters: the rest of a longer cell adds nothing
 _LONGEST_EXACT = 32
-_POLICY = "policy"  # in the reason of a verdict by a tolerance other than the paper's
 _CLOSED_FORM = re.compile(r"(?:[-+*/() 0-9]|sqrt|pi)+")
 
 
@@ -49,7 +46,7 @@ class FeedbackRow:
     symbol: str  # math
     meaning: str  # prose
     typed: str  # plain, as are the next four
-    read_as: str  # "" where nothing was read, or exactly what was typed
+    read_as: str  # how it was read; "" where nothing was, or exactly what was typed
     right: str
     verdict: str
     points: str
@@ -70,11 +67,11 @@ class FeedbackQuestion:
 
 @dataclass(frozen=True)
 class FeedbackSheet:
-    """One student's sheet, plain text except for its questions; `solution` is the name of a file
-    beside it, or "".
+    """One student's sheet in a language, plain text except for its questions; `solution` is the
+    name of a file beside it, or "".
     """
 
-    words: FeedbackWords
+    language: Language
     course: str
     title: str
     date: str
@@ -100,13 +97,10 @@ def make_feedback_sheets(
     """
     head, totals = exam.head, marks.totals.by_student
     papers = PaperRecords(exam, marks.put)
-    words = choose_feedback_words(language)
+    catalogue = open_catalogue(language)
     for student, answers in marks.answers_by_student():
         if student not in head.candidates or student not in totals:
-            raise ExamError(
-                f'{marks.path}: student "{student}" is not in {HEAD} and {GRADES.name} - '
-                f"expected the marks of this exam - grade again with {exam.path}"
-            )
+            raise ExamError(_describe_other_exam(student, marks, exam))
         candidate, total = head.candidates[student], totals[student]
         paper = papers.marked(student, (answer.column for answer in answers))
         # Every amount is written with four places, so that three thirds of a point fall short of
@@ -116,7 +110,7 @@ def make_feedback_sheets(
         yield (
             candidate,
             FeedbackSheet(
-                words,
+                language,
                 head.course,
                 head.title,
                 head.date,
@@ -125,13 +119,24 @@ def make_feedback_sheets(
                 candidate.paper,
                 _write_share(total.total, total.out_of),
                 kept,
-                tuple(_make_questions(answers, paper, wording, words)),
+                tuple(_make_questions(answers, paper, wording, catalogue)),
             ),
         )
 
 
+def _describe_other_exam(student: str, marks: MarksFolder, exam: ExamFolder) -> Fault:
+    what = Message(
+        "feedback.other-exam",
+        student=Quoted(student),
+        head=HEAD,
+        grades=GRADES.name,
+        exam=str(exam.path),
+    )
+    return Fault(str(marks.path), what)
+
+
 def _make_questions(
-    answers: Sequence[MarkedAnswer], paper: PaperRecord, wording: Wording, words: FeedbackWords
+    answers: Sequence[MarkedAnswer], paper: PaperRecord, wording: Wording, catalogue: Catalogue
 ) -> Iterator[FeedbackQuestion]:
     """The questions in the order of the paper."""
     by_question = {
@@ -140,111 +145,52 @@ def _make_questions(
     }
     for number, question in enumerate(paper.printed, start=1):
         asked = by_question.get(question, ())
-        other = find_other_number(question, number)
-        heading = (
-            words.question.format(number)
-            if other is None
-            else words.question_known.format(number, other)
-        )
+        heading = catalogue.write(_head_question(question, number))
         points = sum((answer.points for answer in asked), Fraction(0))
         out_of = sum((answer.out_of for answer in asked), Fraction(0))
-        rows = tuple(_make_feedback_row(answer, paper, wording, words) for answer in asked)
+        rows = tuple(_make_feedback_row(answer, paper, wording, catalogue) for answer in asked)
         yield FeedbackQuestion(
             heading, wording.titles.get(question, ""), _write_share(points, out_of), rows
         )
 
 
+def _head_question(question: str, number: int) -> Message:
+    other = find_other_number(question, number)
+    if other is None:
+        return Message("feedback.question", number=number)
+    return Message("feedback.question-known", number=number, other=other)
+
+
 def _make_feedback_row(
-    answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords
+    answer: MarkedAnswer, paper: PaperRecord, wording: Wording, catalogue: Catalogue
 ) -> FeedbackRow:
     """The row for one answer."""
     right = paper.answers.get(answer.column)
-    typed = (
-        answer.typed if len(answer.typed) <= _LONGEST_TYPED else f"{answer.typed[:_LONGEST_TYPED]}…"
-    )
-    read = (
-        _write_with_unit(answer.read_as, answer.unit)
-        if answer.read_as not in ("", answer.typed.strip())
-        else ""
-    )
-    remark, reason = _write_remark(answer, paper, wording, words)
+    remark = make_remark(answer, paper, wording)
+    prose = catalogue.write(remark.prose)
     return FeedbackRow(
         wording.symbols.get(answer.column, rf"\mathrm{{{answer.ask.replace('_', ' ')}}}"),
         wording.meanings.get(answer.column, ""),
-        typed,
-        read.replace("-", "−"),
+        _cut(answer.typed),
+        catalogue.write(_describe_reading(answer)),
         write_right(right) if right else "",
-        words.verdicts.get(answer.verdict, answer.verdict),
+        catalogue.write(name_verdict(answer.verdict)),
         _write_share(answer.points, answer.out_of),
-        remark,
-        bool(remark) and answer.verdict == "wrong",
-        reason,
+        prose,
+        bool(prose) and answer.verdict == "wrong",
+        remark.note,
     )
 
 
-def _write_remark(
-    answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords
-) -> tuple[str, str]:
-    """(prose, plain): the explanation of the verdict, and the note made on reading the cell."""
-    if answer.verdict == "mistake":
-        return words.or_else.join(filter(None, map(wording.mistakes.get, mistakes_of(answer)))), ""
-    if answer.verdict == "wrong":
-        found, right = hint_of(answer, paper), paper.answers.get(answer.column)
-        return (_write_hint(found, answer, right, wording, words) if found and right else ""), ""
-    if answer.verdict in ("right", "blank"):
-        return "", ""
-    if answer.verdict == "void" and answer.out_of:
-        return words.explained[FULL], ""
-    if answer.verdict in words.explained:
-        shown = words.reasons_are_shown and answer.verdict in ("wrong unit", "unreadable")
-        return words.explained[answer.verdict], answer.reason if shown else ""
-    return "", answer.reason
+def _cut(typed: str) -> str:
+    return typed if len(typed) <= _LONGEST_TYPED else f"{typed[:_LONGEST_TYPED]}…"
 
 
-def _write_hint(
-    found: Hint, answer: MarkedAnswer, right: RightAnswer, wording: Wording, words: FeedbackWords
-) -> str:
-    """A hint in words for a student, as prose."""
-    match found.kind:
-        case "power of ten":
-            factor = f"{10 ** abs(found.power):,}"
-            text = (words.too_large if found.power > 0 else words.too_small).format(factor)
-        case "another ask":
-            symbol = wording.symbols.get(found.column, "")
-            text = words.other_ask.format(symbol) if symbol else ""
-        case "close":
-            difference = abs(read_number(answer.read_as) - right.value) / abs(right.value)
-            allowed = (
-                words.by_policy
-                if _POLICY in answer.reason
-                else _write_percent(right.allowed / abs(right.value))
-            )
-            text = words.close.format(_write_percent(difference), allowed)
-        case (
-            "opposite"
-            | "degrees for radians"
-            | "radians for degrees"
-            | "revolutions per second"
-            | "revolutions per minute"
-            | "twice"
-            | "half"
-        ):
-            text = words.hints[found.kind]
-        case _:
-            assert_never(found.kind)
-    return f"{text} {words.turned}" if found.reversed_sign and text else text
-
-
-def _write_percent(share: Fraction) -> str:
-    """Two significant figures, or more where two would read 1 %.
-
-    >>> _write_percent(Fraction("0.0134")), _write_percent(Fraction("0.01004"))
-    ('1.3 %', '1.004 %')
-    """
-    places = (
-        2 if abs(share - Fraction(1, 100)) >= Fraction(1, 2000) or share == Fraction(1, 100) else 4
-    )
-    return f"{float(100 * share):.{places}g} %"
+def _describe_reading(answer: MarkedAnswer) -> Text:
+    if answer.read_as in ("", answer.typed.strip()):
+        return ""
+    number = _write_with_unit(answer.read_as, answer.unit).replace("-", "−")
+    return Message("feedback.read-as", number=number)
 
 
 def write_right(right: RightAnswer) -> str:

@@ -24,6 +24,7 @@ from kinegrade.grading.feedback_html import write_feedback_html
 from kinegrade.grading.feedback_markdown import write_feedback_markdown
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.processes import THIS_PROCESS, map_in_order, split_in_parts
 
@@ -73,11 +74,9 @@ def write_feedback(
     Raises ExamError, TableError, TypesetError, OutputError; then nothing is written.
     """
     if wishes.solutions and marks.put:
-        raise ExamError(
-            f"{marks.path}: the answers were given to questions from a pool, and {exam.path} has "
-            "worked solutions of the students' own papers - expected no solutions - "
-            "add --no-solutions"
-        )
+        what = Message("feedback.pool-solutions", exam=str(exam.path))
+        expected, do = Message("feedback.no-solutions"), Message("feedback.add-no-solutions")
+        raise ExamError(Fault(str(marks.path), what, expected, do))
     contents = _MARKER, _SHEETS
     make = partial(_make_part, wishes.form)
     with output_folder(output, marker=_MARKER, contents=contents, force=wishes.force) as folder:

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from kinegrade.grading.feedback import FeedbackSheet
 from kinegrade.grading.html_layout import load_layout
+from kinegrade.language.catalogue import open_catalogue
 
 
 def write_feedback_html(sheet: FeedbackSheet) -> str:
     """The page; all text in it is escaped, so that nothing a student typed becomes a tag."""
-    return str(load_layout("feedback.html").render(sheet=sheet, words=sheet.words))
+    catalogue = open_catalogue(sheet.language)
+    words = catalogue.raw("feedback", "sheet.")
+    tag = catalogue.text("language.tag")
+    return str(load_layout("feedback.html").render(sheet=sheet, words=words, tag=tag))

@@ -23,6 +23,7 @@ from kinegrade.grading.feedback_html import write_feedback_html
 from kinegrade.grading.feedback_markdown import write_feedback_markdown
 from kinegrade.grading.hints import Hint, find_hint
 from kinegrade.grading.paper_record import PaperRecords, RightAnswer
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.grading.marked_folder import RIGHT, Page, mark_class
 
@@ -109,7 +110,7 @@ def test_a_sheet_says_what_was_typed_how_it_was_read_what_is_right_and_why(tmp_p
     v_b, omega = first.rows
     assert (v_b.typed, v_b.read_as, v_b.right, v_b.verdict, v_b.points) == (
         "-1,732 m/s",
-        "−1.732\u202fm/s",
+        "read as −1.732\u202fm/s",
         "√3 ≈ 1.73205\u202fm/s",
         "wrong",
         "0 / 4",
@@ -206,8 +207,9 @@ def test_a_total_that_was_kept_is_told(tmp_path: Path) -> None:
     (marks / "grades.csv").write_text(grades.replace(",0,9.5,0", ",8,9.5,84.21"), encoding="utf-8")
     ((_, sheet),) = make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en")
     assert (sheet.total, sheet.kept) == ("8 / 9.5", True)
-    assert sheet.words.kept in write_feedback_markdown(sheet)
-    assert sheet.words.kept in write_feedback_html(sheet)
+    kept = open_catalogue(sheet.language).text("feedback.sheet.kept")
+    assert kept in write_feedback_markdown(sheet)
+    assert kept in write_feedback_html(sheet)
 
 
 def test_questions_follow_as_on_the_paper(tmp_path: Path) -> None:
@@ -227,7 +229,7 @@ def test_chinese_sheets_are_chinese(tmp_path: Path) -> None:
     (sheet,) = sheets(tmp_path, ("3.4641", "7 m/s", "?"), language="zh")
     rows = [row for question in sheet.questions for row in question.rows]
     assert [row.verdict for row in rows] == ["错误", "单位不符", "无法识别"]
-    assert [row.reason for row in rows] == ["", "", ""]
+    assert [bool(row.reason) for row in rows] == [False, True, True]
     assert rows[0].remark.startswith("等于正确值的两倍：可能")
     assert '<html lang="zh-CN">' in write_feedback_html(sheet)
 

@@ -6,7 +6,7 @@ printed.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Protocol
 
@@ -22,22 +22,6 @@ from kinegrade.press.typst.press import TypstPress
 
 _ROW_TEXTS = ("typed", "read_as", "right", "verdict", "points", "reason")
 _SHEET_TEXTS = ("course", "title", "date", "student", "name", "code", "total")
-_WORDS = (
-    "feedback",
-    "name",
-    "student",
-    "paper",
-    "asked",
-    "yours",
-    "right",
-    "verdict",
-    "points",
-    "total",
-    "none",
-    "kept",
-    "about_hints",
-)
-_TYPESET = {"en": Language("en"), "zh-CN": Language("zh")}  # by the tag of the words
 
 
 class _Row(Protocol):
@@ -78,28 +62,12 @@ class _Question(Protocol):
         """One for each ask."""
 
 
-class _Words(Protocol):
-    """The fixed words: those in `_WORDS`, and these."""
-
-    @property
-    def language(self) -> str:
-        """As HTML names it."""
-
-    @property
-    def page(self) -> str:
-        """Takes the page's number and the number of pages."""
-
-    @property
-    def read_as(self) -> str:
-        """Takes the number that was read."""
-
-
 class FeedbackSheet(Protocol):
     """One student's sheet; the texts of `_SHEET_TEXTS` are plain."""
 
     @property
-    def words(self) -> _Words:
-        """In the language of the sheet."""
+    def language(self) -> Language:
+        """Of its words."""
 
     @property
     def code(self) -> str:
@@ -151,49 +119,39 @@ def _write_feedback_source(
     """Typst source of a sheet, the characters `missing` as code points. Raises TypesetError with
     all faults.
     """
-    words = sheet.words
-    language = _TYPESET[words.language]
+    catalogue = open_catalogue(sheet.language)
     parts = gather(
         questions=lambda: convert_each(
-            lambda question: _write_question(question, words, missing), sheet.questions
+            lambda question: _write_question(question, missing), sheet.questions
         )
     )
-    fixed: Mapping[str, object] = {
-        **_texts(words, _WORDS, frozenset()),
-        "page": words.page.split("{}"),
-    }
     said = {
         "guesses": sheet.guesses,
         "kept": sheet.kept,
-        "words": fixed,
-        "language": open_catalogue(language).raw("language", "page."),
+        "words": catalogue.raw("feedback", "sheet."),
+        "language": catalogue.raw("language", "page."),
         "size": size,
     }
     return write_layout_call("feedback", {**parts, **_texts(sheet, _SHEET_TEXTS, missing), **said})
 
 
-def _write_question(question: _Question, words: _Words, missing: frozenset[str]) -> Sheet:
+def _write_question(question: _Question, missing: frozenset[str]) -> Sheet:
     parts = gather(
         title=lambda: write_line(question.title, f"{question.heading}, title"),
         rows=lambda: convert_each(
-            lambda row: _write_row(row, question.heading, words, missing), question.rows
+            lambda row: _write_row(row, question.heading, missing), question.rows
         ),
     )
     return parts | {"heading": question.heading, "points": question.points}
 
 
-def _write_row(row: _Row, where: str, words: _Words, missing: frozenset[str]) -> Sheet:
+def _write_row(row: _Row, where: str, missing: frozenset[str]) -> Sheet:
     parts = gather(
         symbol=lambda: write_formula(row.symbol, f"{where}, symbol"),
         meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
         remark=lambda: write_line(row.remark, f"{where}, remark") if row.remark else None,
     )
-    texts = _texts(row, _ROW_TEXTS, missing)
-    return (
-        parts
-        | texts
-        | {"read_as": words.read_as.format(texts["read_as"]) if texts["read_as"] else ""}
-    )
+    return parts | _texts(row, _ROW_TEXTS, missing)
 
 
 def _texts(holder: object, names: Sequence[str], missing: frozenset[str]) -> dict[str, str]:
