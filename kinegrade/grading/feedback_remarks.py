@@ -146,4 +146,4 @@ def write_percent(share: Fraction) -> Message:
     """
     one = Fraction(1, 100)
     places = 2 if abs(share - one) >= Fraction(1, 2000) or share == one else 4
-    return Message("feedback.percent", number=Decimal(f"{float(100 * share):.{places}g}"))
+    return Message("grammar.percent", number=Decimal(f"{float(100 * share):.{places}g}"))
