@@ -1,4 +1,4 @@
-"""The class report: one self-contained HTML page, in English or Chinese.
+"""The class report: one self-contained HTML page.
 
 `class_report` is called by the command line. The page has no scripts and no links, and the layout
 engine escapes every text in it. The same marks give the same bytes.
@@ -7,21 +7,14 @@ engine escapes every text in it. The same marks give the same bytes.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
-from math import isnan
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from markupsafe import Markup
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.class_tally import ClassTally, tally
-from kinegrade.grading.equal_hardness import (
-    ENOUGH,
-    ParameterTrend,
-    Third,
-    compare_groups,
-    find_parameter_trends,
-)
+from kinegrade.grading.equal_hardness import ENOUGH
 from kinegrade.grading.html_layout import load_layout
 from kinegrade.grading.item_statistics import (
     Summary,
@@ -32,23 +25,28 @@ from kinegrade.grading.item_statistics import (
     summarise,
 )
 from kinegrade.grading.math_html import write_symbol_html
-from kinegrade.grading.plots import (
-    write_bar,
-    write_box_plot,
-    write_histogram_plot,
-    write_stacked_bar,
+from kinegrade.grading.plots import write_bar, write_histogram_plot, write_stacked_bar
+from kinegrade.grading.report_figures import (
+    write_decimal,
+    write_deviation,
+    write_percent,
+    write_plain,
+    write_share,
 )
-from kinegrade.grading.report_words import ReportWords, choose_report_words
+from kinegrade.grading.report_hardness import make_hardness_part
+from kinegrade.grading.report_words import describe_reason, name_verdict
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
+from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.language.message import Listing, Message, list_plainly, list_statements
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import COMPLAINTS
 from kinegrade.question_numbers import find_bank_number
+from kinegrade.tables import Complaint
 
 _Page = dict[str, Any]  # the values a layout reads
 _HARD, _EASY, _FLAT = 0.3, 0.9, 0.1
-_SIGNIFICANT = 0.05
-_MOST_COMPLAINTS, _MOST_TRENDS = 200, 8
+_MOST_COMPLAINTS = 200
 _VERDICTS = (
     "right",
     "accepted",
@@ -68,58 +66,88 @@ def class_report(marks: MarksFolder, exam: ExamFolder, wording: Wording, languag
     """The page for a marks folder, with the exam folder it was made from. Raises TableError,
     ExamError.
     """
-    counts, words = tally(marks, exam), choose_report_words(language)
+    counts, catalogue = tally(marks, exam), open_catalogue(language)
     page: _Page = {
-        "words": words,
+        "words": catalogue.raw("report", "page."),
+        "tag": catalogue.text("language.tag"),
         "exam": exam.head,
-        "heads": [words.numbered.format(find_bank_number(name)) for name in exam.questions],
-        "answered": len(counts.answered),
-        "silent": [f"{each.name} ({each.student})" for each in counts.silent],
-        "roster": len(counts.answered) + len(counts.silent),
-        "enough": ENOUGH,
-        "complaints": marks.complaints(),
-        "complaints_file": COMPLAINTS.name,
-        "most_complaints": _MOST_COMPLAINTS,
+        "heads": [_name_question(question, catalogue) for question in exam.questions],
+        **_make_head(counts, catalogue),
+        **_make_complaints_part(marks.complaints(), catalogue),
     }
     figures = summarise(counts.percents)
     if figures is not None:
         page |= {
-            **_totals_part(counts, figures, words),
-            "asks": list(_ask_rows(counts, wording, words)),
-            "legend": _legend(counts, words),
-            "losses": list(_loss_rows(counts, wording, words)),
-            **_hardness_part(counts, exam, wording, words),
+            **_totals_part(counts, figures, catalogue),
+            "asks": list(_ask_rows(counts, wording, catalogue)),
+            "legend": _legend(counts, catalogue),
+            "losses": list(_loss_rows(counts, wording, catalogue)),
+            **make_hardness_part(counts, exam, wording, catalogue),
         }
     return load_layout("class_report.html").render(page)
 
 
-def _totals_part(counts: ClassTally, figures: Summary, words: ReportWords) -> _Page:
+def _name_question(question: str, catalogue: Catalogue) -> str:
+    return catalogue.write(Message("report.numbered", number=find_bank_number(question)))
+
+
+def _make_head(counts: ClassTally, catalogue: Catalogue) -> _Page:
+    """How many answered."""
+    answered, silent = len(counts.answered), len(counts.silent)
+    counted = Message("report.counted", answered=answered, roster=answered + silent)
+    return {
+        "answered": answered,
+        "few": 0 < answered < ENOUGH,
+        "counted": catalogue.write(counted),
+        "silent": catalogue.write(Message("report.silent", count=silent)) if silent else "",
+    }
+
+
+def _make_complaints_part(complaints: Sequence[Complaint], catalogue: Catalogue) -> _Page:
+    """The first complaints of grade, and where the others are."""
+    count = len(complaints)
+    more = Message("report.more-complaints", most=_MOST_COMPLAINTS, all=count, file=COMPLAINTS.name)
+    return {
+        "complaints": complaints[:_MOST_COMPLAINTS],
+        "number_of_complaints": count,
+        "more_complaints": catalogue.write(more) if count > _MOST_COMPLAINTS else "",
+    }
+
+
+def _totals_part(counts: ClassTally, figures: Summary, catalogue: Catalogue) -> _Page:
     """The distribution of the totals: figures and a plot."""
     out_of = max(each.out_of for each in counts.answered)
     alpha = find_reliability(counts.points)
+    spread = _write_span(figures.lower, figures.upper, catalogue)
+    span = _write_span(figures.minimum, figures.maximum, catalogue)
     cards = [
-        (_percent(figures.mean), words.mean),
-        (_percent(figures.median), words.median),
-        ("–" if figures.sd is None else _percent(figures.sd), words.sd),
-        (f"{_percent(figures.lower)} – {_percent(figures.upper)}", words.quartiles),
-        (f"{_percent(figures.minimum)} – {_percent(figures.maximum)}", words.span),
-        (_decimal(alpha), words.reliability),
+        (write_percent(figures.mean, catalogue), catalogue.text("report.page.mean")),
+        (write_percent(figures.median, catalogue), catalogue.text("report.median")),
+        (write_deviation(figures.sd, catalogue), catalogue.text("report.page.sd")),
+        (spread, catalogue.text("report.quartiles")),
+        (span, catalogue.text("report.span")),
+        (write_decimal(alpha, catalogue), catalogue.text("report.reliability")),
     ]
     plot = write_histogram_plot(
         make_histogram(counts.percents),
         figures,
-        words.percent_axis,
-        words.students,
-        words.marks_on_axis,
+        catalogue.text("report.percent-axis"),
+        catalogue.text("report.page.students"),
+        catalogue.text("report.marks-on-axis"),
     )
+    points = write_plain(float(out_of), catalogue)
     return {
         "cards": cards,
         "distribution": plot,
-        "out_of": words.of_points.format(f"{float(out_of):g}"),
+        "out_of": catalogue.write(Message("report.of-points", points=points)),
     }
 
 
-def _ask_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterator[_Page]:
+def _write_span(lowest: float, highest: float, catalogue: Catalogue) -> str:
+    return f"{write_percent(lowest, catalogue)} – {write_percent(highest, catalogue)}"
+
+
+def _ask_rows(counts: ClassTally, wording: Wording, catalogue: Catalogue) -> Iterator[_Page]:
     """One table line for each ask."""
     shares, correlations = (
         find_facilities(counts.points, counts.out_of),
@@ -131,20 +159,20 @@ def _ask_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Itera
             correlations[place],
             counts.verdicts[column],
         )
-        question = column.split(".")[0]
+        question, share = column.split(".")[0], write_share(facility, catalogue)
         yield {
-            "question": words.numbered.format(find_bank_number(question)),
+            "question": _name_question(question, catalogue),
             "title": wording.titles.get(question, ""),
             "first": place == 0 or counts.columns[place - 1].split(".")[0] != question,
             "symbol": _symbol_of(column, wording),
             "meaning": wording.meanings.get(column, ""),
-            "points": f"{counts.out_of[place]:g}",
-            "facility": _share_text(facility),
-            "bar": write_bar(facility or 0.0, "column", _share_text(facility), 70.0, track=True),
-            "discrimination": _decimal(discrimination),
-            "answers": _verdict_bar(verdicts, words),
-            "verdicts": _verdict_text(verdicts, words),
-            "note": _note(facility, discrimination, len(counts.answered), words),
+            "points": write_plain(float(counts.out_of[place]), catalogue),
+            "facility": share,
+            "bar": write_bar(facility or 0.0, "column", share, 70.0, track=True),
+            "discrimination": write_decimal(discrimination, catalogue),
+            "answers": _verdict_bar(verdicts, catalogue),
+            "verdicts": _verdict_text(verdicts, catalogue),
+            "note": catalogue.write(_note(facility, discrimination, len(counts.answered))),
         }
 
 
@@ -154,20 +182,22 @@ def _symbol_of(column: str, wording: Wording) -> Markup:
     return Markup.escape(column.split(".", 1)[1]) if known is None else write_symbol_html(known)
 
 
-def _verdict_bar(verdicts: Counter[str], words: ReportWords) -> Markup:
+def _verdict_bar(verdicts: Counter[str], catalogue: Catalogue) -> Markup:
     """All answers to an ask as a single bar."""
     whole = verdicts.total()
     parts = [
         (_SHADES.get(verdict, "shade5"), count / whole) for verdict, count in _in_order(verdicts)
     ]
-    return write_stacked_bar(parts, _verdict_text(verdicts, words))
+    return write_stacked_bar(parts, _verdict_text(verdicts, catalogue))
 
 
-def _verdict_text(verdicts: Counter[str], words: ReportWords) -> str:
+def _verdict_text(verdicts: Counter[str], catalogue: Catalogue) -> str:
     """How often each verdict was given."""
-    return ", ".join(
-        f"{words.verdicts.get(verdict, verdict)}\u00a0{count}"
-        for verdict, count in _in_order(verdicts)
+    return catalogue.write(
+        list_plainly(
+            Message("report.verdict-count", verdict=name_verdict(verdict), number=count)
+            for verdict, count in _in_order(verdicts)
+        )
     )
 
 
@@ -180,32 +210,29 @@ def _in_order(verdicts: Counter[str]) -> list[tuple[str, int]]:
     ]
 
 
-def _legend(counts: ClassTally, words: ReportWords) -> list[tuple[str, str]]:
+def _legend(counts: ClassTally, catalogue: Catalogue) -> list[tuple[str, str]]:
     """The shades of the verdicts that occur."""
     occurring = sum(counts.verdicts.values(), Counter[str]())
     return [
-        (_SHADES.get(verdict, "shade5"), words.verdicts.get(verdict, verdict))
+        (_SHADES.get(verdict, "shade5"), catalogue.write(name_verdict(verdict)))
         for verdict, _ in _in_order(occurring)
     ]
 
 
-def _note(
-    facility: float | None, discrimination: float | None, students: int, words: ReportWords
-) -> str:
-    """What is worth a look, in words; a correlation within two standard errors of zero counts as
-    none.
-    """
-    notes = []
+def _note(facility: float | None, discrimination: float | None, students: int) -> Listing:
+    """What is worth a look; a correlation within two standard errors of zero counts as none."""
+    notes: list[Message] = []
     if facility is not None and facility < _HARD:
-        notes.append(words.hard)
+        notes.append(Message("report.hard"))
     if facility is not None and facility > _EASY:
-        notes.append(words.easy)
+        notes.append(Message("report.easy"))
     if discrimination is not None and discrimination < _FLAT:
-        notes.append(words.negative if discrimination < -2 / students**0.5 else words.flat)
-    return "; ".join(notes)
+        negative = discrimination < -2 / students**0.5
+        notes.append(Message("report.negative" if negative else "report.flat"))
+    return list_statements(notes)
 
 
-def _loss_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterator[_Page]:
+def _loss_rows(counts: ClassTally, wording: Wording, catalogue: Catalogue) -> Iterator[_Page]:
     """For each question the reasons why points were lost, the most frequent first."""
     most = max(
         (reasons.most_common(1)[0][1] for reasons in _by_question(counts).values() if reasons),
@@ -217,7 +244,7 @@ def _loss_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iter
         )
         rows = [
             {
-                "reason": _reason_text(reason, wording, words),
+                "reason": catalogue.write(describe_reason(reason, wording)),
                 "count": count,
                 "bar": write_bar(
                     count / most, "faint" if reason in _LAST else "column", str(count)
@@ -232,7 +259,7 @@ def _loss_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iter
         ]
         if rows:
             yield {
-                "question": words.numbered.format(find_bank_number(question)),
+                "question": _name_question(question, catalogue),
                 "title": wording.titles.get(question, ""),
                 "rows": rows,
             }
@@ -244,122 +271,3 @@ def _by_question(counts: ClassTally) -> Mapping[str, Counter[str]]:
     for column in counts.columns:
         found.setdefault(column.split(".")[0], Counter()).update(counts.losses[column])
     return found
-
-
-def _reason_text(reason: str, wording: Wording, words: ReportWords) -> str:
-    """A reason in words: the sentence for a known mistake, or the words for a hint or a verdict."""
-    return wording.mistakes.get(reason) or words.reasons.get(reason) or reason
-
-
-def _hardness_part(
-    counts: ClassTally, exam: ExamFolder, wording: Wording, words: ReportWords
-) -> _Page:
-    """Whether papers were equally hard: versions compared with each other, or drawn numbers
-    compared with points.
-    """
-    enough = len(counts.answered) >= ENOUGH
-    part: _Page = {"enough_students": enough, "versions": (), "trends": (), "verdict_on_papers": ""}
-    if any(counts.versions):
-        return part | _versions_part(counts, exam, wording, words, enough)
-    shares = {question: counts.share(question) for question in exam.questions}
-    trends = find_parameter_trends(counts.parameters, shares) if enough else ()
-    if not enough:
-        verdict = words.too_few.format(ENOUGH)
-    elif not trends:
-        verdict = words.same_papers
-    else:
-        clear = trends[0].adjusted < _SIGNIFICANT
-        verdict = (
-            f"{words.trends.format(len(trends))} {words.trend_found if clear else words.no_trend}"
-        )
-    rows = [_trend_row(trend, wording, words) for trend in trends[:_MOST_TRENDS]]
-    return part | {"trends": rows, "verdict_on_papers": verdict}
-
-
-def _versions_part(
-    counts: ClassTally, exam: ExamFolder, wording: Wording, words: ReportWords, enough: bool
-) -> _Page:
-    """The versions of an exam compared with each other."""
-    letters = sorted(set(counts.versions))
-    percents = {
-        letter: [
-            value
-            for value, version in zip(counts.percents, counts.versions, strict=True)
-            if version == letter
-        ]
-        for letter in letters
-    }
-    groups = [(letter, figures) for letter in letters if (figures := summarise(percents[letter]))]
-    test = compare_groups(counts.points.sum(axis=1), counts.versions) if enough else None
-    verdict = words.too_few.format(ENOUGH) if not enough else ""
-    if test is not None:
-        measured = words.test_of_versions.format(
-            _decimal(test.statistic), _p_text(test.p), f"{test.permutations:,}"
-        )
-        verdict = (
-            f"{measured} {words.versions_differ if test.p < _SIGNIFICANT else words.versions_alike}"
-        )
-    rows = [
-        {
-            "letter": letter,
-            "figures": figures,
-            "mean": _percent(figures.mean),
-            "sd": "–" if figures.sd is None else _percent(figures.sd),
-            "questions": [_version_share(counts, letter, question) for question in exam.questions],
-        }
-        for letter, figures in groups
-    ]
-    names = [(f"{words.version} {letter} ({figures.count})", figures) for letter, figures in groups]
-    return {
-        "versions": rows,
-        "version_plot": write_box_plot(names, words.percent_axis, words.hardness),
-        "verdict_on_papers": verdict,
-    }
-
-
-def _version_share(counts: ClassTally, letter: str, question: str) -> str:
-    """The facility of a question in one version."""
-    members = [place for place, version in enumerate(counts.versions) if version == letter]
-    share = float(counts.share(question)[members].mean())
-    return _share_text(None if isnan(share) else share)
-
-
-def _trend_row(trend: ParameterTrend, wording: Wording, words: ReportWords) -> _Page:
-    """One drawn number, and how points vary with it."""
-    known = wording.parameters.get((trend.question, trend.parameter))
-    thirds = [(_share_text(third.share), _span_text(third), third.count) for third in trend.thirds]
-    return {
-        "question": words.numbered.format(find_bank_number(trend.question)),
-        "symbol": write_symbol_html(known) if known else trend.parameter,
-        "thirds": thirds,
-        "correlation": _decimal(trend.correlation),
-        "p": _p_text(trend.test.p),
-        "adjusted": _p_text(trend.adjusted),
-    }
-
-
-def _span_text(third: Third) -> str:
-    """The range of a third, from its lowest to its highest number."""
-    return " … ".join(
-        dict.fromkeys(f"{bound:g}".replace("-", "−") for bound in (third.lowest, third.highest))
-    )
-
-
-def _percent(value: float) -> str:
-    """A percentage with one decimal."""
-    return f"{value:.1f} %"
-
-
-def _share_text(share: float | None) -> str:
-    """A share as a whole percentage; a dash for None."""
-    return "–" if share is None else f"{100 * share:.0f} %"
-
-
-def _decimal(value: float | None) -> str:
-    """Two decimals with a minus sign; a dash for None."""
-    return "–" if value is None else f"{value:.2f}".replace("-0.00", "0.00").replace("-", "−")
-
-
-def _p_text(p: float) -> str:
-    """A p-value as it is printed."""
-    return "< 0.001" if p < 0.001 else f"{p:.3f}"

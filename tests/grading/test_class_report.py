@@ -15,7 +15,9 @@ from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.class_report import class_report
 from kinegrade.grading.class_tally import ClassTally, tally
 from kinegrade.grading.math_html import write_prose_html, write_symbol_html
-from kinegrade.grading.report_words import CHINESE, ENGLISH
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Part
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.grading.marked_folder import RIGHT, Answers, Page, mark_class
 
@@ -38,6 +40,11 @@ def report(
     return class_report(MarksFolder(marks), open_exam(exam), WORDING, language)
 
 
+def say(key: str, **parts: Part) -> str:
+    """An entry of the report in English."""
+    return open_catalogue(ENGLISH).write(Message(f"report.{key}", **parts))
+
+
 def tallied(exam: Path, marks: Path) -> ClassTally:
     return tally(MarksFolder(marks), open_exam(exam))
 
@@ -53,12 +60,12 @@ def test_a_report_of_hardly_anybody_is_a_page(
 ) -> None:
     html = report(tmp_path, in_turns(count, RIGHT, WRONG) | {"absent": ()}, language)
     page = Page(html)
-    words = ENGLISH if language == "en" else CHINESE
-    assert words.counted.format(count, count + 1) in page.text
-    assert ("lang", words.language) in page.attributes
-    assert (words.nobody in page.text) == (count == 0)
-    assert (words.few in page.text) == (count > 0)
-    assert (words.too_few.format(30) in page.text) == (count > 0)
+    words = open_catalogue(language)
+    assert words.text("report.counted", answered=count, roster=count + 1) in page.text
+    assert ("lang", words.text("language.tag")) in page.attributes
+    assert (words.text("report.page.nobody") in page.text) == (count == 0)
+    assert (words.text("report.page.few") in page.text) == (count > 0)
+    assert (words.text("report.too-few", enough=30) in page.text) == (count > 0)
     assert not re.search(r"\b(?:nan|inf|None)\b", html)
 
 
@@ -130,8 +137,8 @@ def test_mistakes_that_the_marks_name_are_counted_by_their_sentences(tmp_path: P
 def test_an_ask_in_which_strong_papers_do_worse_is_pointed_out(tmp_path: Path) -> None:
     against = {"1": ("1.732", "0", "9"), "2": ("9", "9", "-0.125")}
     page = Page(report(tmp_path, in_turns(40, *against.values())))
-    assert ENGLISH.negative in page.text
-    assert ENGLISH.few not in page.text
+    assert say("negative") in page.text
+    assert say("page.few") not in page.text
 
 
 def test_an_ask_that_everybody_got_is_easy_and_one_that_nobody_got_is_hard(tmp_path: Path) -> None:
@@ -142,8 +149,8 @@ def test_an_ask_that_everybody_got_is_easy_and_one_that_nobody_got_is_hard(tmp_p
     )
 
 
-ENGLISH_EASY = " ".join(ENGLISH.small_print).count("easy")
-ENGLISH_HARD = ENGLISH.hardness.count(" hard")
+ENGLISH_EASY = say("page.definition-facility").count("easy")
+ENGLISH_HARD = say("page.hardness").count(" hard")
 
 
 def test_a_harder_version_is_told_from_chance(tmp_path: Path) -> None:
@@ -151,12 +158,12 @@ def test_a_harder_version_is_told_from_chance(tmp_path: Path) -> None:
         return "AB"[int(student) % 2]
 
     unfair = Page(report(tmp_path / "1", in_turns(40, RIGHT, HALF), version=version))
-    assert ENGLISH.versions_differ in unfair.text
+    assert say("versions-differ") in unfair.text
     assert "p = < 0.001" in unfair.text or "p = 0.00" in unfair.text
     fair = Page(report(tmp_path / "2", in_turns(40, RIGHT, RIGHT, HALF, HALF), version=version))
-    assert ENGLISH.versions_alike in fair.text
+    assert say("versions-alike") in fair.text
     few = Page(report(tmp_path / "3", in_turns(12, RIGHT, HALF), version=version))
-    assert ENGLISH.too_few.format(30) in few.text
+    assert say("too-few", enough=30) in few.text
     assert "Kruskal-Wallis: H" not in few.text
 
 
@@ -165,14 +172,14 @@ def test_drawn_numbers_are_a_hint_only_where_they_stand_out(tmp_path: Path) -> N
     clear = Page(
         report(tmp_path / "1", cells, parameters=lambda student: {"r": float(student), "k": 2.0})
     )
-    assert ENGLISH.trends.format(1) in clear.text
-    assert ENGLISH.trend_found in clear.text
+    assert say("trends", numbers=1, conclusion="") in clear.text
+    assert say("trend-found") in clear.text
     random = Page(
         report(tmp_path / "2", cells, parameters=lambda student: {"r": int(student) * 7 % 5})
     )
-    assert ENGLISH.no_trend in random.text
+    assert say("no-trend") in random.text
     same = Page(report(tmp_path / "3", cells))
-    assert ENGLISH.same_papers in same.text
+    assert say("same-papers") in same.text
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
@@ -191,10 +198,10 @@ def test_nothing_from_a_file_becomes_a_tag(tmp_path: Path, language: Literal["en
 
 def test_complaints_are_listed_up_to_a_limit(tmp_path: Path) -> None:
     page = Page(report(tmp_path, in_turns(201, ("?", "", ""))))
-    assert ENGLISH.more_complaints.format(200, 201, "complaints.csv") in page.text
+    assert say("more-complaints", most=200, all=201, file="complaints.csv") in page.text
     none = Page(report(tmp_path / "2", in_turns(3, RIGHT)))
-    assert ENGLISH.no_complaints in none.text
-    assert ENGLISH.no_losses in none.text
+    assert say("page.no-complaints") in none.text
+    assert say("page.no-losses") in none.text
 
 
 def test_marks_of_students_with_different_asks_are_refused(tmp_path: Path) -> None:
