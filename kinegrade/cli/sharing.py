@@ -38,10 +38,12 @@ def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool)
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.files import write_file
     from kinegrade.grading.sharing import find_sharing
-    from kinegrade.grading.sharing_report import write_sharing_csv, write_sharing_text
+    from kinegrade.grading.sharing_report import describe_sharing, write_sharing_csv
     from kinegrade.marks_folder.folder import open_marks
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
-    found = find_sharing(open_exam(exam), open_marks(marks), level / 100)
-    write_file(output, write_sharing_csv(found), force=force)
-    say(write_sharing_text(found))
+    folder = open_exam(exam)
+    found = find_sharing(folder, open_marks(marks), level / 100)
+    write_file(output, write_sharing_csv(found, folder.language), force=force)
+    for sentence in describe_sharing(found):
+        say(sentence)

@@ -5,85 +5,69 @@ does not mean.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from decimal import Decimal
 
 from kinegrade.csv_writing import encode_for_people, neutralise, write_csv_text
-from kinegrade.grading.sharing import MOST, QUESTIONS, Pair, Sharing
+from kinegrade.grading.sharing import MOST, QUESTIONS, Pair, SharedAnswer, Sharing
+from kinegrade.language import Language
+from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.language.message import Message, list_statements
 
 HEADER = (
     "student", "name", "other", "other_name", "wrong_answers", "fit_the_other_paper",
     "expected_by_chance",
     "right_there", "right_there_expected", "chance_in_the_class", "answers", "note",
 )  # fmt: skip
-NOTE = "worth a look; not evidence of anything by itself"
 
 
-def write_sharing_csv(sharing: Sharing) -> bytes:
+def write_sharing_csv(sharing: Sharing, language: Language) -> bytes:
     """A CSV file with a line for each pair; cells that a spreadsheet might run are made harmless,
     ids stay unchanged.
     """
-    return encode_for_people(write_csv_text(HEADER, map(_write_row, sharing.reported)))
+    catalogue = open_catalogue(language)
+    rows = (_write_row(pair, catalogue) for pair in sharing.reported)
+    return encode_for_people(write_csv_text(HEADER, rows))
 
 
-def _write_row(pair: Pair) -> tuple[str, ...]:
+def _write_row(pair: Pair, catalogue: Catalogue) -> tuple[str, ...]:
     right = sum(answer.as_key for answer in pair.answers)
+    answers = catalogue.write(list_statements(map(_describe_answer, pair.answers)))
     return (
         pair.student.student, neutralise(pair.student.name),
         pair.other.student, neutralise(pair.other.name),
         str(pair.wrong), str(len(pair.answers)), f"{pair.expected:.2g}",
         str(right), f"{pair.as_key_expected:.2g}",
-        f"{pair.chance:.1e}", neutralise("; ".join(_write_answers(pair))), NOTE,
+        f"{pair.chance:.1e}", neutralise(answers), catalogue.text("sharing.note"),
     )  # fmt: skip
 
 
-def _write_answers(pair: Pair) -> Iterator[str]:
-    for answer in pair.answers:
-        yield (
-            f"{answer.column} {answer.typed.strip()} "
-            f"({'right' if answer.as_key else 'a known mistake'} there)"
-        )
+def _describe_answer(answer: SharedAnswer) -> Message:
+    typed = answer.typed.strip()
+    if answer.as_key:
+        return Message("sharing.right-there", column=answer.column, typed=typed)
+    return Message("sharing.mistake-there", column=answer.column, typed=typed)
 
 
-def write_sharing_text(sharing: Sharing) -> str:
+def describe_sharing(sharing: Sharing) -> Iterator[Message]:
     """The same for a person, without names: how much was found, and how it may and may not be
     read.
     """
-    return "\n".join(_write_sentences(sharing))
-
-
-def _write_sentences(sharing: Sharing) -> Iterator[str]:
-    count, level = sharing.found, f"{100 * sharing.level:g} %"
-    if count:
-        pairs = "1 pair is" if count == 1 else f"{count:,} pairs are"
-        yield (
-            f"{pairs} worth a look, of {sharing.pairs:,}: more of a student's wrong answers fit "
-            "the other's paper than chance explains. Of 100 classes without any sharing, about "
-            f"{100 * sharing.level:g} would show a pair too."
-        )
-        yield (
-            "This is a hint, not evidence of anything by itself: it does not say who gave and "
-            "who took, or that any student did. Look at the scripts and hear the students before "
-            "you conclude anything."
-        )
+    level = Decimal(f"{100 * sharing.level:g}")
+    if sharing.found:
+        yield Message("sharing.found", count=sharing.found, pairs=sharing.pairs, level=level)
+        yield Message("sharing.only-a-hint")
     else:
-        yield (
-            f"No pair of students stands out, of {sharing.pairs:,}, at the level of {level} for "
-            "the whole class."
-        )
-    if count > MOST:
-        yield f"The file has the {MOST:,} most striking ones."
-    yield from _write_limits(sharing)
+        share = Message("grammar.percent", number=level)
+        yield Message("sharing.none-found", pairs=sharing.pairs, level=share)
+    if sharing.found > MOST:
+        yield Message("sharing.most", most=MOST)
+    yield from _describe_limits(sharing)
 
 
-def _write_limits(sharing: Sharing) -> Iterator[str]:
+def _describe_limits(sharing: Sharing) -> Iterator[Message]:
     """What this exam cannot show."""
     if sharing.questions < QUESTIONS:
-        yield (
-            "An exam of one question shows nothing here: misreading one number gives all "
-            "the answers of a paper that has that number."
-        )
+        yield Message("sharing.one-question")
     if sharing.papers < sharing.students:
-        yield (
-            f"{sharing.students:,} students had {sharing.papers:,} different papers: answers "
-            "passed on between identical papers leave no trace, and where few papers differ, "
-            "hardly anything stands out."
-        )
+        students, papers = sharing.students, sharing.papers
+        yield Message("sharing.few-papers", students=students, papers=papers)

@@ -20,13 +20,20 @@ from click.testing import CliRunner, Result
 from kinegrade.cli.sharing import sharing as command
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.keys import make_rule
-from kinegrade.grading.sharing import MOST, Pair, find_pairs, find_tail
+from kinegrade.grading.sharing import MOST, Pair, Sharing, find_pairs, find_tail
 from kinegrade.grading.sharing_fits import find_windows
-from kinegrade.grading.sharing_report import HEADER, NOTE, write_sharing_csv, write_sharing_text
+from kinegrade.grading.sharing_report import HEADER, describe_sharing, write_sharing_csv
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
 from tests.grading.marked_folder import mark_class
 from tests.grading.sitting_class import ONE_PER_CENT, SittingClass, honest_slips, sitting_class
 
 HALF = ("q1.v", "q1.a", "q2.v", "q3.omega", "q3.a", "q4.a")
+
+
+def say(sharing: Sharing) -> str:
+    """What is said on the terminal, in English."""
+    return "\n".join(map(open_catalogue(ENGLISH).write, describe_sharing(sharing)))
 
 
 def planted(
@@ -113,7 +120,7 @@ def test_equal_papers_are_no_hint_and_the_report_says_so() -> None:
     assert (found.reported, found.papers) == ((), 4)
     assert (
         "100 students had 4 different papers: answers passed on between identical papers leave no trace"
-        in write_sharing_text(found)
+        in say(found)
     )
 
 
@@ -139,9 +146,7 @@ def test_no_more_pairs_are_told_than_a_person_can_look_at(monkeypatch: pytest.Mo
         sitting.exam, sitting.answers(lambda place: sitting.copied(0, *HALF) if place else {})
     )
     assert (found.found, len(found.reported)) == (59, 5)
-    assert f"The file has the {MOST:,} most striking ones." in write_sharing_text(
-        replace(found, found=MOST + 1)
-    )
+    assert f"The file has the {MOST} most striking ones." in say(replace(found, found=MOST + 1))
 
 
 def test_a_class_of_two_thousand_in_seconds() -> None:
@@ -214,7 +219,7 @@ def test_nobody_is_accused_and_no_cell_runs() -> None:
     found = find_pairs(
         sitting.exam, sitting.answers(lambda place: sitting.copied(1, *HALF) if place == 2 else {})
     )
-    header, row = csv.reader(io.StringIO(write_sharing_csv(found).decode("utf-8-sig")))
+    header, row = csv.reader(io.StringIO(write_sharing_csv(found, ENGLISH).decode("utf-8-sig")))
     told = dict(zip(header, row, strict=True))
     assert tuple(header) == HEADER
     assert (told["student"], told["name"], told["other"], told["other_name"]) == (
@@ -223,20 +228,22 @@ def test_nobody_is_accused_and_no_cell_runs() -> None:
         "s1",
         "'=HYPERLINK(1)",
     )
-    assert told["note"] == NOTE == "worth a look; not evidence of anything by itself"
+    assert told["note"] == "worth a look; not evidence of anything by itself"
     assert (
         told["fit_the_other_paper"],
         told["right_there"],
         float(told["expected_by_chance"]) < 2,
     ) == ("6", "6", True)
     assert told["answers"].startswith("q1.v ")
-    text = write_sharing_text(found)
+    text = say(found)
     assert text.startswith(
-        "1 pair is worth a look, of 3,540: more of a student's wrong answers fit the other's paper"
+        "1 pair is worth a look, of 3540: more of a student's wrong answers fit the other's paper"
     )
     assert "not evidence of anything by itself" in text
     for word in ("cheat", "copied", "suspect", "fraud", "guilty", "dishonest"):
-        assert word not in text.lower() + write_sharing_csv(found).decode("utf-8-sig").lower()
+        assert (
+            word not in text.lower() + write_sharing_csv(found, ENGLISH).decode("utf-8-sig").lower()
+        )
 
 
 def test_an_id_is_a_key_and_stays_as_it_is() -> None:
@@ -246,7 +253,9 @@ def test_an_id_is_a_key_and_stays_as_it_is() -> None:
     )
     (pair,) = found.reported
     odd = replace(pair, student=replace(pair.student, student="=2"))
-    _, row = csv.reader(io.StringIO(write_sharing_csv(replace(found, reported=(odd,))).decode()))
+    _, row = csv.reader(
+        io.StringIO(write_sharing_csv(replace(found, reported=(odd,)), ENGLISH).decode())
+    )
     assert (row[0], row[2]) == ("=2", "s1")
 
 
@@ -254,7 +263,9 @@ def command_line(*arguments: object) -> Result:
     return CliRunner().invoke(command, list(map(str, arguments)))
 
 
-def test_the_command_reads_the_folders_and_writes_the_file(tmp_path: Path) -> None:
+def test_the_command_reads_the_folders_and_writes_the_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     exam, marks = mark_class(tmp_path, {f"s{place}": ("9.99", "5", "7") for place in range(4)})
     result = command_line(exam, marks, "-o", tmp_path / "sharing.csv")
     assert (result.exit_code, result.stdout) == (0, "")
@@ -262,6 +273,10 @@ def test_the_command_reads_the_folders_and_writes_the_file(tmp_path: Path) -> No
         "No pair of students stands out, of 12, at the level of 1 % for the whole class."
     )
     assert (tmp_path / "sharing.csv").read_text(encoding="utf-8-sig") == f"{','.join(HEADER)}\n"
+    monkeypatch.setenv("LC_ALL", "zh_CN.UTF-8")
+    chinese = command_line(exam, marks, "-o", tmp_path / "again.csv")
+    assert chinese.stderr.startswith("在 12 对学生中，按全班 1 % 的水平，没有哪一对突出。")
+    monkeypatch.delenv("LC_ALL")
     again = command_line(exam, marks, "-o", tmp_path / "sharing.csv")
     assert (again.exit_code, "--force" in again.stderr) == (2, True)
     assert command_line(exam, marks, "-o", tmp_path / "x.csv", "--level", "0").exit_code == 2
