@@ -8,17 +8,29 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import assert_never
+from typing import Literal, assert_never
 
 from kinegrade.expression import Call, Expression, Name, Number, Operation, list_parts
 from kinegrade.language import Language
-from kinegrade.worked.coordinates import ZERO, Pair, Step, length_of, minus, over, plus, scale
-from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, Results, TermTable
+from kinegrade.language.message import Message, list_plainly
+from kinegrade.worked.coordinates import ZERO, Step, length_of, minus, over, plus, scale
+from kinegrade.worked.document import (
+    Block,
+    Display,
+    Heading,
+    Pictures,
+    Prose,
+    Results,
+    TermTable,
+    say,
+)
 from kinegrade.worked.formula_text import count_quarter_turns
 from kinegrade.worked.instance_formulas import Instance
 from kinegrade.worked.intersections import explain_foot, explain_meeting
-from kinegrade.worked.position_words import PositionWords, load_position_words
 from kinegrade.worked.vector_words import describe_vector, negate
+
+_Heading = Literal["x", "y", "minus-x", "minus-y"]
+_HEADINGS: tuple[_Heading, ...] = ("x", "y", "minus-x", "minus-y")  # by quarter turns
 
 
 @dataclass(frozen=True)
@@ -28,11 +40,15 @@ class _Coordinates:
     points: tuple[str, ...]
     lines: tuple[str, ...]
 
-    def blocks(self, words: PositionWords) -> tuple[Block, ...]:
+    def blocks(self, language: Language) -> tuple[Block, ...]:
         """The sentence and the equations."""
-        points = words.listing.join(f"${point}$" for point in self.points)
-        written = words.coordinates if len(self.points) == 1 else words.coordinates_of_several
-        return Prose(written.format(points=points)), Display(self.lines)
+        return say(self._announce(), language), Display(self.lines)
+
+    def _announce(self) -> Message:
+        points = list_plainly(f"${point}$" for point in self.points)
+        if len(self.points) == 1:
+            return Message("solution.coordinates", points=points)
+        return Message("solution.coordinates-of-several", points=points)
 
 
 def write_chapter(
@@ -41,7 +57,7 @@ def write_chapter(
     """The blocks of all steps, the origin first; neighbouring points that are given by their
     coordinates share a sentence.
     """
-    words, blocks = load_position_words(language), list[Block | _Coordinates]()
+    blocks = list[Block | _Coordinates]()
     for step in sorted(steps, key=lambda step: instance.axes.pair(step.tree) != (ZERO, ZERO)):
         written = _explain_construction(step, instance, language)
         before = blocks[-1] if blocks else None
@@ -55,14 +71,14 @@ def write_chapter(
                 blocks += written
             case _:
                 assert_never(written)
-    return tuple(part for block in blocks for part in _write_out(block, words))
+    return tuple(part for block in blocks for part in _write_out(block, language))
 
 
-def _write_out(block: Block | _Coordinates, words: PositionWords) -> tuple[Block, ...]:
+def _write_out(block: Block | _Coordinates, language: Language) -> tuple[Block, ...]:
     """A block unchanged; coordinates with their sentence."""
     match block:
         case _Coordinates():
-            return block.blocks(words)
+            return block.blocks(language)
         case Heading() | Prose() | Display() | TermTable() | Pictures() | Results():
             return (block,)
         case _:
@@ -73,112 +89,116 @@ def _explain_construction(
     step: Step, instance: Instance, language: Language
 ) -> tuple[Block, ...] | _Coordinates:
     """The blocks of one step, or its coordinates where these are all there is to write."""
-    words, tree = load_position_words(language), step.tree
+    tree = step.tree
     if isinstance(tree, Call) and tree.function == "meet":
         return explain_meeting(step, instance, language)
     if isinstance(tree, Call) and tree.function == "foot":
         return explain_foot(step, instance, language)
     if isinstance(tree, Call) and tree.function == "toward":
-        return _explain_toward(step, instance, words)
+        return _explain_toward(step, instance, language)
     pair = instance.axes.pair(tree) or (ZERO, ZERO)
     if pair == (ZERO, ZERO):
-        return (Prose(words.origin.format(point=instance.symbols[step.point])),)
-    written, lines = (
-        _write_sentence(step, instance, words),
-        _write_coordinate_lines(step.point, pair, instance),
-    )
-    return (
-        (Prose(written), Display(lines))
-        if written
-        else _Coordinates((instance.symbols[step.point],), lines)
-    )
+        return (say(Message("solution.origin", point=instance.symbols[step.point]), language),)
+    sentence = _describe_place(step, instance)
+    lines = instance.coordinates(step.point, pair)
+    if sentence is None:
+        return _Coordinates((instance.symbols[step.point],), lines)
+    return say(sentence, language), Display(lines)
 
 
-def _write_coordinate_lines(point: str, pair: Pair, instance: Instance) -> tuple[str, ...]:
-    """x = ..., y = ... worked out."""
-    name = instance.symbols[point]
-    return tuple(
-        line
-        for axis, tree in zip("xy", pair, strict=True)
-        for line in instance.equation(f"{axis}_{{{name}}}", tree)
-    )
-
-
-def _write_sentence(step: Step, instance: Instance, words: PositionWords) -> str:
-    """Where the point of a step lies, for constructions whose coordinates follow at once; "" where
-    the coordinates alone are enough.
+def _describe_place(step: Step, instance: Instance) -> Message | None:
+    """Where the point of a step lies, for constructions whose coordinates follow at once; None
+    where the coordinates alone are enough.
     """
     point, tree = instance.symbols[step.point], step.tree
     match tree:
         case Name():
-            return words.coincides.format(point=point, other=instance.symbols[tree.name])
+            return Message("solution.coincides", point=point, other=instance.symbols[tree.name])
         case Call(function="polar", arguments=(centre, radius, angle)):
-            return _write_polar_sentence(point, (centre, radius, angle), instance, words)
+            return _describe_polar_place(point, (centre, radius, angle), instance)
         case Call(function="midpoint", arguments=(Name(first), Name(second))):
-            return words.midpoint.format(
-                point=point, first=instance.symbols[first], second=instance.symbols[second]
+            return Message(
+                "solution.midpoint",
+                point=point,
+                first=instance.symbols[first],
+                second=instance.symbols[second],
             )
         case Operation(sign="+" | "-", left=Name(base), right=right):
             vector = {"+": right, "-": negate(right, instance)}[tree.sign]
-            return words.displaced.format(
+            return Message(
+                "solution.displaced",
                 point=point,
                 base=instance.symbols[base],
-                vector=describe_vector(vector, instance, words),
+                vector=describe_vector(vector, instance),
             )
         case Number() | Operation() | Call():
-            return ""
+            return None
         case _:
             assert_never(tree)
 
 
-def _write_polar_sentence(
-    point: str,
-    parts: tuple[Expression, Expression, Expression],
-    instance: Instance,
-    words: PositionWords,
-) -> str:
+def _describe_polar_place(
+    point: str, parts: tuple[Expression, Expression, Expression], instance: Instance
+) -> Message:
     """Distance and direction from a centre; a negative distance becomes one in the opposite
     direction.
     """
     centre, radius, angle = parts
     quarters = count_quarter_turns(angle)
     against = instance.sign(radius) < 0
-    texts = {
-        "point": point,
-        "centre": instance.symbolic(centre),
-        "angle": instance.symbolic(angle, degrees=True),
-        "radius": instance.symbolic(minus(ZERO, radius) if against else radius),
-    }
+    start, distance = (
+        instance.symbolic(centre),
+        instance.symbolic(minus(ZERO, radius) if against else radius),
+    )
     if quarters is not None:
-        return words.beside[(quarters + 2 * against) % 4].format(**texts)
-    return (words.polar_against if against else words.polar).format(**texts)
+        heading = _HEADINGS[(quarters + 2 * against) % 4]
+        return Message(f"solution.towards-{heading}", point=point, centre=start, radius=distance)
+    way = instance.symbolic(angle, degrees=True)
+    if against:
+        return Message(
+            "solution.polar-against", point=point, centre=start, radius=distance, angle=way
+        )
+    return Message("solution.polar", point=point, centre=start, radius=distance, angle=way)
 
 
-def _explain_toward(step: Step, instance: Instance, words: PositionWords) -> tuple[Block, ...]:
+def _explain_toward(step: Step, instance: Instance, language: Language) -> tuple[Block, ...]:
     """A point at a distance from one point towards another, or along a vector."""
     start, end, distance = list_parts(step.tree)
     vector = _write_way(start, end, instance)
     size, direction = length_of(vector, instance.axes), instance.axes.pair(vector)
     base = instance.axes.pair(start)
-    texts = {
-        "point": instance.symbols[step.point],
-        "start": instance.symbolic(start),
-        "end": instance.symbolic(end),
-        "distance": instance.symbolic(distance),
-    }
-    match end:
-        case Name():
-            written = words.toward.format(**texts)
-        case Number() | Operation() | Call():
-            written = words.along.format(vector=describe_vector(vector, instance, words), **texts)
-        case _:
-            assert_never(end)
+    sentence = say(_describe_reached_place(step, vector, instance), language)
     if base is None or direction is None:
-        return (Prose(written),)
+        return (sentence,)
     lines = write_length_lines(size, instance)
     reached = scale(direction, over(distance, size)) or (ZERO, ZERO)
     pair = plus(base[0], reached[0]), plus(base[1], reached[1])
-    return Prose(written), Display((*lines, *_write_coordinate_lines(step.point, pair, instance)))
+    return sentence, Display((*lines, *instance.coordinates(step.point, pair)))
+
+
+def _describe_reached_place(step: Step, vector: Expression, instance: Instance) -> Message:
+    """Where a point lies that is reached along a vector: on the way to another point, or not."""
+    start, end, distance = list_parts(step.tree)
+    point, base = instance.symbols[step.point], instance.symbolic(start)
+    match end:
+        case Name():
+            return Message(
+                "solution.on-ray",
+                point=point,
+                start=base,
+                end=instance.symbolic(end),
+                distance=instance.symbolic(distance),
+            )
+        case Number() | Operation() | Call():
+            return Message(
+                "solution.along-vector",
+                point=point,
+                start=base,
+                vector=describe_vector(vector, instance),
+                distance=instance.symbolic(distance),
+            )
+        case _:
+            assert_never(end)
 
 
 def _write_way(start: Expression, end: Expression, instance: Instance) -> Expression:

@@ -27,7 +27,7 @@ from kinegrade.worked.vectors import (
 )
 
 _NUMBER = re.compile(r"-?[0-9.]+")
-_AXES = {0.0: Message("solution.axis-x"), 90.0: Message("solution.axis-y")}
+_AXES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.projection-y")}
 UNITS: dict[tuple[Level, bool], str] = {
     ("velocity", False): "m/s",
     ("acceleration", False): "m/s^2",
@@ -189,7 +189,7 @@ def _announce_axis(stage: Stage, projection: Projection) -> Message:
 
 def _name_axis(angle: float) -> Message:
     """The axis at an angle in degrees."""
-    return _AXES.get(angle) or Message("solution.axis-at", angle=write_angle(angle))
+    return _AXES.get(angle) or Message("solution.projection-at", angle=write_angle(angle))
 
 
 def _write_results(stage: Stage, rate: str) -> Iterator[str]:

@@ -18,7 +18,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.problem.solving import Solution
 from kinegrade.units import Unit, read_unit
-from kinegrade.worked.coordinates import Axes, Step, choose_axes, list_steps
+from kinegrade.worked.coordinates import Axes, Pair, Step, choose_axes, list_steps
 from kinegrade.worked.formula_text import Writer, collect_symbols, make_symbol_writer
 from kinegrade.worked.formula_width import chain_lines
 from kinegrade.worked.pieces import INVERSE, TRIGONOMETRY, Piece, make_numeral
@@ -133,6 +133,12 @@ class Instance:
         return chain_lines(
             left, drop_repetition(self.worked_out(left, tree, unit.degrees), results)
         )
+
+    def coordinates(self, point: str, pair: Pair) -> tuple[str, ...]:
+        """x = ..., y = ... of a named point worked out."""
+        name = self.symbols[point]
+        x, y = pair
+        return (*self.equation(f"x_{{{name}}}", x), *self.equation(f"y_{{{name}}}", y))
 
     def worked_out(self, left: str, tree: Expression, degrees: bool = False) -> tuple[Part, ...]:
         """The formula and the same with numbers, each where it adds something."""

@@ -2,19 +2,18 @@
 solved.
 
 A line along an axis gives a coordinate at once; a slanting one is parametrised by the distance s
-from its given point. Two circles are solved in the triangle of their centres and the point.
+from its given point. Two circles are in `kinegrade.worked.circles_meeting`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from kinegrade.expression import Call, Expression, Name, Operation, list_parts
 from kinegrade.language import Language
+from kinegrade.language.message import Message
 from kinegrade.problem.notation import write_symbol
+from kinegrade.worked.circles_meeting import explain_circles
 from kinegrade.worked.coordinates import (
     ONE,
-    TWO,
     ZERO,
     Pair,
     Step,
@@ -29,15 +28,13 @@ from kinegrade.worked.coordinates import (
     square,
     times,
 )
-from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.formula_text import count_quarter_turns
-from kinegrade.worked.instance_formulas import AREA, DEGREE, METRE, PURE, Instance
-from kinegrade.worked.position_words import PositionWords, load_position_words, write_sense
+from kinegrade.worked.document import Block, Display, say
+from kinegrade.worked.instance_formulas import AREA, Instance
+from kinegrade.worked.shape_words import describe_chord_end, describe_line
 from kinegrade.worked.vector_words import describe_vector
 
 _Line = tuple[Pair, Pair]  # a point and a direction
 _NOTHING: Pair = (ZERO, ZERO)
-_BETWEEN: Mapping[str, str] = {"en": " ", "zh": ""}
 
 
 def explain_meeting(step: Step, instance: Instance, language: Language) -> tuple[Block, ...]:
@@ -49,70 +46,42 @@ def explain_meeting(step: Step, instance: Instance, language: Language) -> tuple
     circles = [shape for shape in (first, second) if shape.function == "circle"]
     lines = [shape for shape in (first, second) if shape.function == "line"]
     if len(circles) == 2:
-        return _explain_circles(step.point, (first, second), instance, language)
-    words = load_position_words(language)
+        return explain_circles(step.point, (first, second), instance, language)
     if len(lines) == 2:
         return _explain_two_lines(step.point, (first, second), instance, language)
-    sentence = words.line_meets_circle.format(
-        point=instance.symbols[step.point],
-        side=words.sides.get(side, ""),
-        line=_describe_line(lines[0], instance, words),
-        circle=_describe_circle(circles[0], instance, words),
-    )
+    sentence = describe_chord_end(step.point, lines[0], circles[0], side, instance)
     if ZERO not in find_line(lines[0], instance.axes)[1]:
-        sentence += _write_between_sentences(language) + _describe_distance_along(
-            words.quadratic, lines[0], instance
-        )
-    return Prose(sentence), *_solve_line_and_circle(step.point, lines[0], circles[0], instance)
+        share, start = _name_distance_along(lines[0], instance)
+        distance = Message("solution.quadratic", share=share, start=start)
+        sentence = Message("solution.sentences", first=sentence, next=distance)
+    solved = _solve_line_and_circle(step.point, lines[0], circles[0], instance)
+    return say(sentence, language), *solved
 
 
 def _explain_two_lines(
     point: str, lines: tuple[Call, Call], instance: Instance, language: Language
 ) -> tuple[Block, ...]:
     """The point in which two lines meet; of two slanting lines the first is parametrised."""
-    words = load_position_words(language)
-    sentence = words.lines_meet.format(
+    sentence = Message(
+        "solution.lines-meet",
         point=instance.symbols[point],
-        first=_describe_line(lines[0], instance, words),
-        second=_describe_line(lines[1], instance, words),
+        first=describe_line(lines[0], instance),
+        second=describe_line(lines[1], instance),
     )
     first, second = (find_line(line, instance.axes) for line in lines)
     if ZERO in first[1] + second[1]:
-        return Prose(sentence), Display(_solve_two_lines(point, first, second, instance))
-    sentence += _write_between_sentences(language) + _describe_distance_along(
-        words.along_first, lines[0], instance
-    )
-    return Prose(sentence), Display(
+        solved = Display(_solve_two_lines(point, first, second, instance))
+        return say(sentence, language), solved
+    share, start = _name_distance_along(lines[0], instance)
+    distance = Message("solution.lines-meet-distance", share=share, start=start)
+    return say(Message("solution.sentences", first=sentence, next=distance), language), Display(
         _solve_two_slanting_lines(point, _make_unit_line(first, instance), second, instance)
     )
 
 
-def _describe_distance_along(sentence: str, line: Call, instance: Instance) -> str:
-    """A sentence on the distance along a line from its given point."""
-    return sentence.format(
-        share=_choose_letter("s", instance), start=instance.symbolic(line.arguments[0])
-    )
-
-
-def _describe_line(line: Call, instance: Instance, words: PositionWords) -> str:
-    """A line in a sentence."""
-    start, toward = line.arguments
-    texts = {"point": instance.symbolic(start), "angle": instance.symbolic(toward, degrees=True)}
-    if instance.axes.is_vector(toward):
-        return words.line_between.format(first=texts["point"], second=instance.symbolic(toward))
-    quarters, place = count_quarter_turns(toward), instance.axes.pair(start)
-    if quarters is None:
-        return words.slanting_line.format(**texts)
-    level = quarters % 2 == 0
-    if place is not None and place[1 if level else 0] == ZERO:
-        return words.x_axis if level else words.y_axis
-    return (words.level_line if level else words.upright_line).format(**texts)
-
-
-def _describe_circle(circle: Call, instance: Instance, words: PositionWords) -> str:
-    """A circle in a sentence."""
-    centre, radius = circle.arguments
-    return words.circle.format(centre=instance.symbolic(centre), radius=instance.symbolic(radius))
+def _name_distance_along(line: Call, instance: Instance) -> tuple[str, str]:
+    """The letter of the distance along a line, and the point from which it counts."""
+    return _choose_letter("s", instance), instance.symbolic(line.arguments[0])
 
 
 def _solve_two_lines(
@@ -250,122 +219,25 @@ def _write_circle_equation(point: str, circle: Call, instance: Instance) -> str:
     return f"{instance.symbolic(left)} &= {instance.symbolic(square(circle.arguments[1]))}"
 
 
-def _explain_circles(
-    point: str, circles: tuple[Call, Call], instance: Instance, language: Language
-) -> tuple[Block, ...]:
-    """The third corner of a triangle with known sides, by the law of cosines."""
-    words = load_position_words(language)
-    (first, radius), (second, _) = (circle.arguments for circle in circles)
-    left = _turns_left(point, first, second, instance)
-    texts = {
-        "point": instance.symbols[point],
-        "first": instance.symbolic(first),
-        "second": instance.symbolic(second),
-    }
-    sentence = words.circles_meet.format(
-        point=texts["point"],
-        first=_describe_circle(circles[0], instance, words),
-        second=_describe_circle(circles[1], instance, words),
-        side=(words.on_the_left if left else words.on_the_right).format(**texts),
-    )
-    axis = Call("distance", (first, second))
-    corner = instance.free("corner")
-    cosine = _solve_for_cosine(radius, circles[1].arguments[1], axis)
-    opened = instance.named(
-        corner,
-        rf"\angle {texts['second']}{texts['first']}{texts['point']}",
-        instance.value(Call("acos", (cosine,))),
-    )
-    towards = Call("direction", (first, second))
-    heading = (plus if left else minus)(towards, Name(corner))
-    return (
-        Prose(sentence + _write_between_sentences(language) + words.triangle.format(**texts)),
-        Display(_solve_triangle(axis, cosine, corner, opened)),
-        Prose(words.reached_along.format(sense=write_sense(language, left), **texts)),
-        Display(
-            (
-                *_write_direction(towards, opened),
-                *_write_placed_point(point, first, radius, heading, opened),
-            )
-        ),
-    )
-
-
-def _write_between_sentences(language: Language) -> str:
-    """The separator between two sentences."""
-    return _BETWEEN[language]
-
-
-def _solve_for_cosine(radius: Expression, opposite: Expression, axis: Expression) -> Expression:
-    """The law of cosines, solved for the cosine of the angle between `radius` and `axis`."""
-    above = minus(plus(square(radius), square(axis)), square(opposite))
-    return over(above, times(times(TWO, radius), axis))
-
-
-def _solve_triangle(
-    axis: Call, cosine: Expression, corner: str, instance: Instance
-) -> tuple[str, ...]:
-    """The side between the centres, the cosine, and the angle."""
-    vector = instance.axes.pair(Operation("-", axis.arguments[1], axis.arguments[0])) or _NOTHING
-    angle = instance.symbols[corner]
-    return (
-        *instance.equation(
-            instance.symbolic(axis), length_of(Call("", vector), instance.axes), METRE
-        ),
-        *instance.equation(rf"\cos{angle}", cosine, PURE),
-        *instance.equation(angle, Name(corner), DEGREE),
-    )
-
-
-def _write_direction(towards: Call, instance: Instance) -> tuple[str, ...]:
-    """The direction from one centre to the other."""
-    return instance.equation(instance.symbolic(towards), towards, DEGREE)
-
-
-def _write_placed_point(
-    point: str, centre: Expression, radius: Expression, heading: Expression, instance: Instance
-) -> tuple[str, ...]:
-    """The coordinates of a point at a distance from a centre in a direction."""
-    pair = instance.axes.pair(Call("polar", (centre, radius, heading))) or _NOTHING
-    return tuple(
-        line
-        for axis, tree in zip("xy", pair, strict=True)
-        for line in instance.equation(_write_label(instance, axis, point), tree)
-    )
-
-
-def _turns_left(point: str, first: Expression, second: Expression, instance: Instance) -> bool:
-    """Whether a point lies to the left of the directed line from the first to the second."""
-    axes = instance.axes
-    axis, arm = (
-        axes.pair(Operation("-", second, first)),
-        axes.pair(Operation("-", Name(point), first)),
-    )
-    return instance.sign(cross(axis or _NOTHING, arm or _NOTHING)) >= 0
-
-
 def explain_foot(step: Step, instance: Instance, language: Language) -> tuple[Block, ...]:
     """The foot of a perpendicular, by the projection on the line."""
-    words = load_position_words(language)
     source, line = list_parts(step.tree)
     if not isinstance(line, Call):
         return ()
     base, along = _make_unit_line(find_line(line, instance.axes), instance)
     place = instance.axes.pair(source) or _NOTHING
-    sentence = words.foot.format(
+    sentence = Message(
+        "solution.foot",
         point=instance.symbols[step.point],
-        from_=instance.symbolic(source),
-        line=_describe_line(line, instance, words),
+        source=instance.symbolic(source),
+        line=describe_line(line, instance),
     )
-    vector = describe_vector(Operation("-", source, line.arguments[0]), instance, words)
-    reached = words.foot_reached.format(
-        share=_choose_letter("s", instance),
-        start=instance.symbolic(line.arguments[0]),
-        vector=vector,
-    )
+    letter, start = _name_distance_along(line, instance)
+    vector = describe_vector(Operation("-", source, line.arguments[0]), instance)
+    distance = Message("solution.foot-distance", share=letter, start=start, vector=vector)
     share = dot((minus(place[0], base[0]), minus(place[1], base[1])), along)
     return (
-        Prose(sentence + _write_between_sentences(language) + reached),
+        say(Message("solution.sentences", first=sentence, next=distance), language),
         Display(_solve_along_line(step.point, base, along, share, instance)),
     )
 

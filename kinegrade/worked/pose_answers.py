@@ -6,13 +6,14 @@ The last line ends with the answer from the key: its value is not worked out a s
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import assert_never
 
 from kinegrade.angular import ANGLES
 from kinegrade.expression import Call, Expression, Name, Number, Operation, walk
 from kinegrade.language import Language
+from kinegrade.language.message import Message
 from kinegrade.problem.quantity import LONGEST_CLOSED_FORM, Quantity
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Ask
@@ -33,7 +34,7 @@ from kinegrade.worked.coordinates import (
     times,
     unnest,
 )
-from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.document import Block, Display, say
 from kinegrade.worked.formula_width import chain_lines
 from kinegrade.worked.instance_formulas import (
     AREA,
@@ -49,11 +50,24 @@ from kinegrade.worked.instance_formulas import (
     write_result,
 )
 from kinegrade.worked.pieces import write_operator
-from kinegrade.worked.pose_words import PoseWords, load_pose_words
 
 _MEASURES = frozenset({"distance", "magnitude", "along", "angle", "between", "direction"})
 _POSITIONAL = _MEASURES | PLACED | STRUCTURAL | ANGLES | {"", "x", "y", "turned", "line", "circle"}
 _AXIS_X, _AXIS_Y = (ONE, ZERO), (ZERO, ONE)
+_AXES: Mapping[Pair, Message] = {
+    _AXIS_X: Message("solution.x-axis"),
+    _AXIS_Y: Message("solution.y-axis"),
+}
+_QUADRANTS: Mapping[tuple[int, int], Message] = {  # by the signs of the cosine and of the sine
+    (1, 1): Message("solution.first-quadrant"),
+    (-1, 1): Message("solution.second-quadrant"),
+    (-1, -1): Message("solution.third-quadrant"),
+    (1, -1): Message("solution.fourth-quadrant"),
+    (1, 0): Message("solution.angle-zero"),
+    (-1, 0): Message("solution.angle-straight"),
+    (0, 1): Message("solution.angle-right"),
+    (0, -1): Message("solution.angle-minus-right"),
+}
 
 
 def is_positional(ask: Ask) -> bool:
@@ -103,7 +117,7 @@ def _explain_one_answer(
         set(instance.values),
     )
     symbol = ask.symbol if isinstance(tree, Call) else ""
-    start = _Working(add_steps(instance, inner), load_pose_words(language), symbol, found)
+    start = _Working(add_steps(instance, inner), language, symbol, found)
     final, working = start.reduced(tree)
     last = (Display(_write_last_line(ask.symbol, final, answer, working.instance)),)
     return write_chapter(inner, start.instance, language) + _join_blocks(
@@ -159,17 +173,18 @@ class _Working:
     """
 
     instance: Instance
-    words: PoseWords
+    language: Language
     symbol: str
     found: frozenset[Expression] = frozenset()
     blocks: tuple[Block, ...] = ()
 
-    def extended(self, sentence: str, lines: tuple[str, ...]) -> _Working:
-        """The working with one more sentence and its equations."""
-        blocks: tuple[Block, ...] = ((Prose(sentence),) if sentence else ()) + (
-            (Display(lines),) if lines else ()
-        )
-        return replace(self, blocks=self.blocks + blocks)
+    def said(self, sentence: Message) -> _Working:
+        """The working with one more sentence."""
+        return replace(self, blocks=(*self.blocks, say(sentence, self.language)))
+
+    def shown(self, lines: tuple[str, ...]) -> _Working:
+        """The working with some more equations, or none."""
+        return replace(self, blocks=(*self.blocks, Display(lines))) if lines else self
 
     def pair(self, vector: Expression) -> Pair:
         """The coordinates of a vector as formulas."""
@@ -230,19 +245,21 @@ class _Working:
         if self.symbol:
             return length_of(Call("", self.pair(vector)), self.instance.axes), self
         lines, working = self.sized(size)
-        return size, working.extended("", lines)
+        return size, working.shown(lines)
 
     def component(self, vector: Expression, direction: Expression) -> tuple[Expression, _Working]:
         """The scalar product divided by the length of the second vector."""
         size = length_of(direction, self.instance.axes)
         axis = {_AXIS_X: "x", _AXIS_Y: "y"}.get(self.pair(vector))
-        words = self.words.component if axis is None else self.words.axis_component
-        sentence = words.format(
-            vector=self._phrase(vector), direction=self._phrase(direction), axis=axis
-        )
+        towards = self._phrase(direction)
+        if axis is None:
+            along = self._phrase(vector)
+            sentence = Message("solution.component", vector=along, direction=towards)
+        else:
+            sentence = Message("solution.axis-component", axis=axis, direction=towards)
         product = dot(self.pair(vector), self.pair(direction))
         lines, working = self.sized(size) if product != ZERO else ((), self)
-        return over(product, size), working.extended(sentence, lines)
+        return over(product, size), working.said(sentence).shown(lines)
 
     def sized(self, *sizes: Expression) -> tuple[tuple[str, ...], _Working]:
         """The equations of lengths that are not known yet."""
@@ -250,16 +267,18 @@ class _Working:
         lines = tuple(line for size in fresh for line in write_length_lines(size, self.instance))
         return lines, replace(self, found=self.found | set(fresh))
 
-    def _phrase(self, vector: Expression, letter: str = "") -> str:
+    def _phrase(self, vector: Expression, letter: str = "") -> Message:
         """A vector in a sentence, with the letter that denotes it."""
-        axis = {_AXIS_X: self.words.x_axis, _AXIS_Y: self.words.y_axis}.get(self.pair(vector))
+        axis = _AXES.get(self.pair(vector))
         if axis is not None and isinstance(vector, Call) and not vector.function:
             return axis
         if isinstance(vector, Call) and vector.function == "turned":
-            written = self.words.turned.format(vector=self._phrase(vector.arguments[0]))
+            written = Message("solution.vector-turned", vector=self._phrase(vector.arguments[0]))
         else:
-            written = self.words.vector.format(vector=self.instance.symbolic(vector))
-        return self.words.called.format(vector=written, letter=letter) if letter else written
+            written = Message("solution.vector", vector=self.instance.symbolic(vector))
+        if not letter:
+            return written
+        return Message("solution.vector-called", vector=written, letter=letter)
 
     def lettered(self, letter: str, vector: Expression) -> tuple[Pair, tuple[str, ...], Instance]:
         """The components of a vector under a new letter, and their equations."""
@@ -279,8 +298,10 @@ class _Working:
             return self.angle_from_axis(first, second)
         start, lines, instance = self.lettered("u", first)
         end, more, instance = replace(self, instance=instance).lettered("v", second)
-        sentence = self.words.angle.format(
-            first=self._phrase(first, "u"), second=self._phrase(second, "v")
+        sentence = Message(
+            "solution.angle-of-vectors",
+            first=self._phrase(first, "u"),
+            second=self._phrase(second, "v"),
         )
         label = self.symbol or r"\angle(\boldsymbol{u}, \boldsymbol{v})"
         return replace(self, instance=instance).settled(
@@ -300,7 +321,7 @@ class _Working:
         )
         other = self.instance.symbolic(second) if simple else r"\boldsymbol{v}"
         phrase = self._phrase(second, "" if simple or self.symbol else "v")
-        sentence = self.words.angle_from_axis.format(first=self._phrase(first), second=phrase)
+        sentence = Message("solution.angle-from-axis", first=self._phrase(first), second=phrase)
         return self.settled(
             self.symbol or rf"\angle({axis}, {other})", sentence, (), (start, end), METRE
         )
@@ -308,7 +329,7 @@ class _Working:
     def settled(
         self,
         label: str,
-        sentence: str,
+        sentence: Message,
         lines: tuple[str, ...],
         vectors: tuple[Pair, Pair],
         unit: Unit,
@@ -324,8 +345,8 @@ class _Working:
         instance = self.instance.named(
             name, label, self.instance.value(Call("atan2", (sine, cosine)))
         )
-        working = replace(self, instance=instance).extended(sentence, lines)
-        return Name(name), working.extended(self.words.quadrants[signs], ())
+        working = replace(self, instance=instance).said(sentence).shown(lines)
+        return Name(name), working.said(_QUADRANTS[signs])
 
     def _tangent(self, label: str, cosine: Expression, sine: Expression) -> tuple[str, ...]:
         """The tangent of an angle, from its sine and cosine up to their common factor."""
@@ -351,11 +372,13 @@ class _Working:
         lines += self.instance.equation(
             write_operator(r"\cos", label), over(product, times(*sizes)), PURE
         )
-        sentence = self.words.between.format(
-            first=self._phrase(first, letters[0]), second=self._phrase(second, letters[1])
+        sentence = Message(
+            "solution.angle-between",
+            first=self._phrase(first, letters[0]),
+            second=self._phrase(second, letters[1]),
         )
         name = self.instance.free("angle")
         instance = self.instance.named(
             name, label, self.instance.value(Call("atan2", (area, product)))
         )
-        return Name(name), replace(working, instance=instance).extended(sentence, lines)
+        return Name(name), replace(working, instance=instance).said(sentence).shown(lines)

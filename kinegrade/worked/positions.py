@@ -10,12 +10,12 @@ from collections.abc import Collection
 
 from kinegrade.exact.angle import Angle
 from kinegrade.language import Language
+from kinegrade.language.message import Message
 from kinegrade.problem.solving import Solution
 from kinegrade.worked.constructions import write_chapter
 from kinegrade.worked.coordinates import select_needed
-from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.document import Block, Display, say
 from kinegrade.worked.instance_formulas import METRE, RADIAN, Instance, make_instance
-from kinegrade.worked.position_words import load_position_words
 
 
 def explain_positions(
@@ -37,4 +37,4 @@ def _explain_named_lengths(instance: Instance, language: Language) -> tuple[Bloc
     for name, tree in instance.solution.template.scheme.lengths.items():
         unit = RADIAN if isinstance(instance.values[name], Angle) else METRE
         lines += instance.equation(instance.symbols[name], tree, unit)
-    return (Prose(load_position_words(language).lengths), Display(lines)) if lines else ()
+    return (say(Message("solution.lengths"), language), Display(lines)) if lines else ()

@@ -7,9 +7,9 @@ from __future__ import annotations
 from typing import assert_never
 
 from kinegrade.expression import Call, Expression, Name, Number, Operation
+from kinegrade.language.message import Message, Text
 from kinegrade.worked.coordinates import ZERO, is_negated, minus
 from kinegrade.worked.instance_formulas import Instance
-from kinegrade.worked.position_words import PositionWords
 
 
 def negate(vector: Expression, instance: Instance) -> Expression:
@@ -20,10 +20,11 @@ def negate(vector: Expression, instance: Instance) -> Expression:
     return minus(ZERO, vector)
 
 
-def describe_vector(vector: Expression, instance: Instance, words: PositionWords) -> str:
+def describe_vector(vector: Expression, instance: Instance) -> Text:
     """A vector in a sentence."""
     if isinstance(vector, Call) and vector.function == "turned":
-        return words.turned.format(vector=describe_vector(vector.arguments[0], instance, words))
+        turned = describe_vector(vector.arguments[0], instance)
+        return Message("solution.displacement-turned", vector=turned)
     if (
         isinstance(vector, Operation)
         and vector.sign == "*"

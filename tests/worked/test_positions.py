@@ -213,6 +213,7 @@ def test_an_angle_without_a_field_gives_decimals_that_say_they_are_rounded() -> 
         ("meet(circle(B, r), line((0, r/4), 0), left)", "the left one of the points"),
         ("meet(line((r, 0), pi/2), circle(B, r), lower)", "the lower one of the points"),
         ("meet(line((0, r/4), B), circle(B, r), lower)", "the lower one of the points"),
+        ("meet(line((r, 0), pi/2), circle(A, r), clockwise)", "the $y$ axis touches the circle"),
         (
             "meet(circle((r, 0), 2*r), line((0, r/2), B), right)",
             "the circle about $H_{1}$ of radius $2 r$",
