@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, assert_never
 
-from kinegrade.errors import MechanismError, did_you_mean
+from kinegrade.errors import MechanismError, Problem, suggest
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
-from kinegrade.mechanics.frames import describe_element
-from kinegrade.mechanics.geometry import size, write_short
+from kinegrade.mechanics.frames import name_element
+from kinegrade.mechanics.geometry import round_short, size
 from kinegrade.mechanics.joints import (
     GROUND,
     Arc,
@@ -40,29 +41,32 @@ def require_assembled(mechanism: Mechanism, arithmetic: Any) -> None:
         raise MechanismError(*problems)
 
 
-def _find_unknown_names(mechanism: Mechanism) -> Iterator[str]:
+def _find_unknown_names(mechanism: Mechanism) -> Iterator[Problem]:
     """Joints and drivers that name a body or point that does not exist, and bodies without
     points.
     """
     bodies = {body.name for body in mechanism.bodies} | {GROUND}
     for body in mechanism.bodies:
         if not body.points:
-            yield f"body {body.name} has no point: name at least one"
+            yield Message("mechanics.no-points", body=body.name)
         for point in body.points:
             if point not in mechanism.points:
-                yield (
-                    f'body {body.name}: no point "{point}": {did_you_mean(point, mechanism.points)}'
-                )
+                where = Message("mechanics.body", name=body.name)
+                yield Fault(where, _name_unknown_point(point, mechanism))
     for part in (*mechanism.joints, *mechanism.drivers):
         for name in _list_bodies(part):
             if name not in bodies:
-                yield f'{describe_element(part)}: no body "{name}": {did_you_mean(name, bodies)}'
+                hint = suggest(name, bodies)
+                unknown = Message("mechanics.unknown-body", name=Quoted(name), hint=hint)
+                yield Fault(name_element(part), unknown)
         for point in _list_points(part):
             if point not in mechanism.points:
-                yield (
-                    f'{describe_element(part)}: no point "{point}": '
-                    f"{did_you_mean(point, mechanism.points)}"
-                )
+                yield Fault(name_element(part), _name_unknown_point(point, mechanism))
+
+
+def _name_unknown_point(point: str, mechanism: Mechanism) -> Message:
+    hint = suggest(point, mechanism.points)
+    return Message("mechanics.unknown-point", name=Quoted(point), hint=hint)
 
 
 def _list_bodies(part: Joint | Driver) -> list[str]:
@@ -97,7 +101,7 @@ def _list_turning_bodies(part: Joint | Driver) -> list[str]:
             assert_never(part)
 
 
-def _find_nonsense(mechanism: Mechanism) -> Iterator[str]:
+def _find_nonsense(mechanism: Mechanism) -> Iterator[Problem]:
     """Joints and drivers that are meaningless: of a body with itself, or of a particle's
     rotation.
     """
@@ -105,15 +109,11 @@ def _find_nonsense(mechanism: Mechanism) -> Iterator[str]:
     for part in (*mechanism.joints, *mechanism.drivers):
         names = _list_bodies(part)
         if not isinstance(part, Circulation) and len(set(names[:2])) < 2:
-            yield (
-                f"{describe_element(part)}: a body cannot move relative to itself: name two bodies"
-            )
+            yield Fault(name_element(part), Message("mechanics.relative-to-itself"))
         if isinstance(part, Sleeve) and part.body == GROUND:
-            yield f"{describe_element(part)}: the ground does not slide: name the moving body first"
+            yield Fault(name_element(part), Message("mechanics.sliding-ground"))
         yield from (
-            f"{describe_element(part)}: {name} is a particle, "
-            "which neither turns nor carries a line or "
-            "circle: give it two points"
+            Fault(name_element(part), Message("mechanics.particle", body=name))
             for name in _list_turning_bodies(part)
             if name in particles
         )
@@ -158,31 +158,21 @@ def list_circles(joint: Joint) -> list[Circle]:
     return [shape for shape in _list_shapes(joint) if isinstance(shape, Circle)]
 
 
-def _find_misfits(mechanism: Mechanism, joint: Joint, arithmetic: Any) -> Iterator[str]:
+def _find_misfits(mechanism: Mechanism, joint: Joint, arithmetic: Any) -> Iterator[Problem]:
     """What is wrong with the positions at one joint."""
     for circle in list_circles(joint):
         if not bool(arithmetic.is_zero(circle.radius)) and arithmetic.sign(circle.radius) > 0:
             continue
-        yield (
-            f"{describe_element(joint)}: a circle of radius "
-            f"{write_short(circle.radius)}: the radius must be "
-            "positive"
-        )
+        wrong = Message("mechanics.radius", radius=round_short(circle.radius))
+        yield Fault(name_element(joint), wrong)
     for line in _list_shapes(joint):
         if isinstance(line, Line) and arithmetic.is_zero(line.direction.squared()):
-            yield (
-                f"{describe_element(joint)}: the line has no "
-                "direction: give it two different points, or "
-                "an angle"
-            )
+            yield Fault(name_element(joint), Message("mechanics.no-direction"))
             return
     match joint:
         case Slide(point=point):
             if _is_off_line(mechanism, point, joint.line, arithmetic):
-                yield (
-                    f"{describe_element(joint)}: {point} does not lie on that line: check the "
-                    f"construction of {point}"
-                )
+                yield Fault(name_element(joint), Message("mechanics.off-line", point=point))
         case Arc(circle=circle):
             ends = (joint.point, circle.centre)
             yield from _find_wrong_distances(mechanism, joint, ends, circle.radius, arithmetic)
@@ -201,17 +191,13 @@ def _is_off_line(mechanism: Mechanism, point: str, line: Line, arithmetic: Any) 
 
 def _find_separated(
     mechanism: Mechanism, joint: Contact | Roll | Mesh, arithmetic: Any
-) -> Iterator[str]:
+) -> Iterator[Problem]:
     """Two profiles that do not touch."""
     radius, centre = joint.circle.radius, joint.circle.centre
     match joint.on:
         case Circle(centre=other, radius=other_radius):
             if joint.inside and arithmetic.is_zero(other_radius - radius):
-                yield (
-                    f"{describe_element(joint)}: a circle within a "
-                    "circle of the same radius: one must "
-                    "be smaller"
-                )
+                yield Fault(name_element(joint), Message("mechanics.same-radius"))
                 return
             expected = other_radius - radius if joint.inside else other_radius + radius
             yield from _find_wrong_distances(
@@ -220,24 +206,26 @@ def _find_separated(
         case Line(point=point, direction=direction):
             across = direction.cross(mechanism.points[centre] - point)
             if not arithmetic.is_zero(across * across - radius * radius * direction.squared()):
-                yield (
-                    f"{describe_element(joint)}: the circle about {centre} "
-                    f"of radius {write_short(radius)} does "
-                    "not touch the line: its centre must be a radius away"
+                apart = Message(
+                    "mechanics.apart-from-line", centre=centre, radius=round_short(radius)
                 )
+                yield Fault(name_element(joint), apart)
         case _:
             assert_never(joint.on)
 
 
 def _find_wrong_distances(
     mechanism: Mechanism, joint: Joint, ends: tuple[str, str], expected: Any, arithmetic: Any
-) -> Iterator[str]:
+) -> Iterator[Problem]:
     """Two points whose distance is not the one that the joint needs."""
     first, second = ends
     square = (mechanism.points[first] - mechanism.points[second]).squared()
     if not arithmetic.is_zero(square - expected * expected):
-        yield (
-            f"{describe_element(joint)}: {first} and {second} are "
-            f"{write_short(size(square) ** 0.5)} apart: "
-            f"{write_short(abs(expected))} is needed"
+        apart = Message(
+            "mechanics.wrong-distance",
+            first=first,
+            second=second,
+            distance=round_short(size(square) ** 0.5),
+            needed=round_short(abs(expected)),
         )
+        yield Fault(name_element(joint), apart)

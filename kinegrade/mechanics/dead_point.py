@@ -13,6 +13,7 @@ from itertools import combinations
 from typing import Any
 
 from kinegrade.exact.elimination import find_null_vectors
+from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.frames import Frames, build_frames
 from kinegrade.mechanics.joints import Pin, Slide
 from kinegrade.mechanics.mechanism import Mechanism
@@ -21,19 +22,19 @@ from kinegrade.mechanics.vector import Vector
 _PARTS = 9973  # points are moved by whole multiples of 1/PARTS metre, each by different ones
 
 
-def describe_dead_point(frames: Frames, bodies: Collection[str], arithmetic: Any) -> str:
-    """What is in line at a dead point, such as "C, D and O6 are in line"; "" where nothing is, or a
-    body is loose.
+def describe_dead_point(frames: Frames, bodies: Collection[str], arithmetic: Any) -> Message | None:
+    """What is in line at a dead point, such as "C, D and O6 are in line"; None where nothing is, or
+    a body is loose.
 
     `bodies` are those that could turn.
     """
-    found = next(_find_alignments(frames.mechanism, bodies, arithmetic), "")
-    return found if found and _is_determined_elsewhere(frames.mechanism, arithmetic) else ""
+    found = next(_find_alignments(frames.mechanism, bodies, arithmetic), None)
+    return found if found and _is_determined_elsewhere(frames.mechanism, arithmetic) else None
 
 
 def _find_alignments(
     mechanism: Mechanism, bodies: Collection[str], arithmetic: Any
-) -> Iterator[str]:
+) -> Iterator[Message]:
     """Two bodies pinned together whose joints are in line, and a body at right angles to the line
     that guides it.
     """
@@ -55,25 +56,25 @@ def _find_aligned_chains(
     middle: str,
     second: Collection[str],
     arithmetic: Any,
-) -> Iterator[str]:
+) -> Iterator[Message]:
     """Joints of two bodies that are in line with the pin between these."""
     points = mechanism.points
     for start in first:
         for end in second:
             arms = (points[start] - points[middle], points[end] - points[middle])
             if len({start, middle, end}) == 3 and arithmetic.is_zero(arms[0].cross(arms[1])):
-                names = sorted((start, middle, end))
-                yield f"{names[0]}, {names[1]} and {names[2]} are in line"
+                yield Message("mechanics.in-line", points=list_all(sorted((start, middle, end))))
 
 
 def _find_right_angles(
     mechanism: Mechanism, joint: Slide, ends: Collection[str], arithmetic: Any
-) -> Iterator[str]:
+) -> Iterator[Message]:
     """A body that stands at right angles to the line on which its point slides."""
     for end in ends:
         arm: Vector = mechanism.points[end] - mechanism.points[joint.point]
         if end != joint.point and arithmetic.is_zero(arm.dot(joint.line.direction)):
-            yield f"{end}{joint.point} is at right angles to the line on which {joint.point} slides"
+            arm_name = f"{end}{joint.point}"
+            yield Message("mechanics.at-right-angles", arm=arm_name, point=joint.point)
 
 
 def _list_joint_points(mechanism: Mechanism, body: str) -> tuple[str, ...]:

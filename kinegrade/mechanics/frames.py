@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any, assert_never
 
 from kinegrade.errors import MechanismError
+from kinegrade.language.message import Fault, Message, list_all
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.geometry import foot
 from kinegrade.mechanics.joints import (
@@ -235,7 +236,7 @@ def _state_joint(
     if guide and not any(base.joint is joint for base in bases.values()):
         right = (*build_chain(mechanism, bases, guide.of, guide.point), guide.term)
         yield Relation(
-            describe_element(joint),
+            name_element(joint),
             build_chain(mechanism, bases, guide.body, guide.point),
             right,
             source=joint,
@@ -245,7 +246,7 @@ def _state_joint(
             yield from _state_pin(mechanism, bases, joint)
         case Parallel() | Sleeve():
             yield Relation(
-                f"{joint.body} does not turn relative to {joint.of}",
+                Message("mechanics.equal-rotation", body=joint.body, of=joint.of),
                 turning=_list_turning_factors(joint.body, joint.of, 1),
                 source=joint,
             )
@@ -269,7 +270,7 @@ def _state_pin(mechanism: Mechanism, bases: Mapping[str, Base], pin: Pin) -> Ite
     for name in unused:
         if name != first:
             yield Relation(
-                describe_element(pin),
+                name_element(pin),
                 build_chain(mechanism, bases, name, pin.point),
                 build_chain(mechanism, bases, first, pin.point),
                 source=pin,
@@ -300,7 +301,8 @@ def _state_rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
         case _:
             assert_never(roll.on)
     relative = ((guide.term.rate, 1), *_list_turning_factors(roll.body, roll.of, slip))
-    return Relation(f"no slip: {describe_element(roll)}", turning=relative, source=roll)
+    origin = Message("mechanics.no-slip", rolling=name_element(roll))
+    return Relation(origin, turning=relative, source=roll)
 
 
 def _state_meshing(mesh: Mesh) -> Relation:
@@ -315,7 +317,7 @@ def _state_meshing(mesh: Mesh) -> Relation:
         *_list_turning_factors(mesh.of, mesh.carrier, other),
     ):
         rates[rate] = rates[rate] + factor if rate in rates else factor
-    return Relation(describe_element(mesh), turning=tuple(rates.items()), source=mesh)
+    return Relation(name_element(mesh), turning=tuple(rates.items()), source=mesh)
 
 
 def _state_driver(
@@ -326,18 +328,18 @@ def _state_driver(
     match driver:
         case Rotation():
             return Relation(
-                describe_element(driver),
+                name_element(driver),
                 turning=_list_turning_factors(driver.body, driver.of, 1),
                 **imposed,
             )
         case Component(point=point, direction=along, of=of):
             left = build_chain(mechanism, bases, driver.body, point)
             right = build_chain(mechanism, bases, of, point)
-            return Relation(describe_element(driver), left, right, along, frame=of, **imposed)
+            return Relation(name_element(driver), left, right, along, frame=of, **imposed)
         case Circulation():
             left = build_chain(mechanism, bases, driver.body, driver.point)
             along = _find_path_direction(mechanism, driver, arithmetic)
-            return Relation(describe_element(driver), left, (), along, **imposed)
+            return Relation(name_element(driver), left, (), along, **imposed)
         case _:
             assert_never(driver)
 
@@ -348,37 +350,46 @@ def _find_path_direction(mechanism: Mechanism, driver: Circulation, arithmetic: 
     """
     arm = mechanism.points[driver.point] - mechanism.points[driver.centre]
     if arithmetic.is_zero(arm.squared()):
-        raise MechanismError(
-            f"{describe_element(driver)}: {driver.point} is at the centre: it has no path about it"
-        )
+        what = Message("mechanics.at-centre", point=driver.point)
+        raise MechanismError(Fault(name_element(driver), what))
     tangent: Vector = arm.turned() / arithmetic.sqrt(arm.squared())
     return tangent
 
 
-def describe_element(part: Joint | Driver) -> str:
-    """A joint or driver in words, as error messages name it."""
+def name_element(part: Joint | Driver) -> Message:
+    """A joint or driver, as error messages name it."""
     match part:
         case Pin(point=point, bodies=bodies):
-            return f"the pin {point} of {' and '.join(bodies)}"
+            return Message("mechanics.pin", point=point, bodies=list_all(bodies))
         case Slide(point=point, body=body, of=of):
-            return f"{point} of {body} on the line of {of}"
+            return Message("mechanics.slide", point=point, body=body, of=of)
         case Sleeve(body=body, of=of):
-            return f"{body} in the sleeve {of}"
-        case Arc(point=point, body=body, circle=circle, of=of):
-            return f"{point} of {body} on the circle about {circle.centre} of {of}"
+            return Message("mechanics.sleeve", body=body, of=of)
+        case Arc(point=point, body=body, circle=Circle(centre=centre), of=of):
+            return Message("mechanics.arc", point=point, body=body, centre=centre, of=of)
         case Contact(body=body, of=of):
-            return f"the contact of {body} and {of}"
+            return Message("mechanics.contact", body=body, of=of)
         case Roll(body=body, of=of):
-            return f"the rolling of {body} on {of}"
+            return Message("mechanics.roll", body=body, of=of)
         case Mesh(body=body, of=of):
-            return f"the meshing of {body} and {of}"
+            return Message("mechanics.mesh", body=body, of=of)
         case Parallel(body=body, of=of):
-            return f"{body} not turning relative to {of}"
-        case Rotation(body=body, of=of):
-            return f"the given rotation of {body}" + ("" if of == GROUND else f" relative to {of}")
-        case Component(point=point, body=body):
-            return f"the given motion of {point} of {body}"
-        case Circulation(point=point, body=body, centre=centre):
-            return f"the given motion of {point} of {body} about {centre}"
+            return Message("mechanics.parallel", body=body, of=of)
+        case Rotation() | Component() | Circulation():
+            return _name_driver(part)
         case _:
             assert_never(part)
+
+
+def _name_driver(driver: Driver) -> Message:
+    match driver:
+        case Rotation(body=body, of=of):
+            if of == GROUND:
+                return Message("mechanics.rotation", body=body)
+            return Message("mechanics.relative-rotation", body=body, of=of)
+        case Component(point=point, body=body):
+            return Message("mechanics.component", point=point, body=body)
+        case Circulation(point=point, body=body, centre=centre):
+            return Message("mechanics.circulation", point=point, body=body, centre=centre)
+        case _:
+            assert_never(driver)

@@ -7,12 +7,15 @@ counter-clockwise from +x.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 from typing import Any, assert_never
 
-from kinegrade.errors import ExpressionError, MechanismError, write_message
+from kinegrade.errors import ExpressionError, MechanismError
 from kinegrade.exact.text import write_decimal
+from kinegrade.language.message import Fault, Message, Text, list_plainly
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 
@@ -25,6 +28,7 @@ _SIDES: Mapping[Branch, Callable[[Vector], Any]] = {
 }
 _TURNS: Mapping[Branch, int] = {"counterclockwise": 1, "clockwise": -1}
 BRANCHES = (*_SIDES, *_TURNS)
+_PLAIN = re.compile(r"-?[0-9]+(\.[0-9]+)?")  # without a power of ten
 
 
 @dataclass(frozen=True)
@@ -117,8 +121,9 @@ class Constructions:
         if isinstance(first, Line) and isinstance(second, Line):
             return self._lines(first, second)
         if branch not in BRANCHES:
-            do = f"say which, one of {', '.join(BRANCHES)}"
-            raise ExpressionError(write_message("meet(...)", "two common points", do=do))
+            what = Message("mechanics.two-common-points")
+            do = Message("mechanics.choose-branch", names=list_plainly(BRANCHES))
+            raise ExpressionError(Fault("meet(...)", what, do=do))
         match first, second:
             case Round(), Round():
                 return self._circles(first, second, branch)
@@ -133,7 +138,9 @@ class Constructions:
         across = first.direction.cross(second.direction)
         if self.arithmetic.is_zero(across):
             raise MechanismError(
-                f"{self.name(first)} and {self.name(second)} are parallel and do not meet"
+                Message(
+                    "mechanics.parallel-lines", first=self.name(first), second=self.name(second)
+                )
             )
         share = (second.point - first.point).cross(second.direction) / across
         step: Vector = first.direction * share
@@ -150,7 +157,7 @@ class Constructions:
         square = axis.squared()
         if self.arithmetic.is_zero(square):
             raise MechanismError(
-                f"{self.name(first)} and {self.name(second)} have one centre and do not meet"
+                Message("mechanics.concentric", first=self.name(first), second=self.name(second))
             )
         share = (first.radius * first.radius - second.radius * second.radius + square) / (
             2 * square
@@ -164,7 +171,10 @@ class Constructions:
         try:
             return self.arithmetic.sqrt(square)
         except ValueError:
-            raise MechanismError(f"{self.name(circle)} does not reach {self.name(other)}") from None
+            what = Message(
+                "mechanics.out-of-reach", circle=self.name(circle), other=self.name(other)
+            )
+            raise MechanismError(what) from None
 
     def _pick(
         self, first: Vector, second: Vector, axis: Vector, origin: Vector, branch: Branch
@@ -182,35 +192,34 @@ class Constructions:
             and side == 0
             and not self.arithmetic.is_zero((first - second).squared())
         ):
-            what = f"{branch} does not distinguish the two common points"
-            do = f"name another side, one of {', '.join(BRANCHES)}"
-            raise MechanismError(write_message("", what, do=do))
+            what = Message("mechanics.undecided-branch", branch=branch)
+            do = Message("mechanics.name-branch", names=list_plainly(BRANCHES))
+            raise MechanismError(Fault("", what, do=do))
         first_wins = side >= 0
         choose = self.arithmetic.choose
         return Vector(choose(first_wins, first.x, second.x), choose(first_wins, first.y, second.y))
 
-    def name(self, shape: Line | Round) -> str:
-        """A line or circle in words for an error message."""
+    def name(self, shape: Line | Round) -> Message:
+        """A line or circle for an error message."""
         match shape:
             case Round(centre=centre, radius=radius):
-                return (
-                    f"the circle about {self._point_name(centre)} of radius {write_short(radius)}"
-                )
+                about = self._point_name(centre)
+                return Message("mechanics.circle", centre=about, radius=round_short(radius))
             case Line(point=point, direction=direction):
                 if self.arithmetic.is_zero(direction.y):
-                    return f"the line y = {write_short(point.y)}"
+                    return Message("mechanics.level-line", height=round_short(point.y))
                 if self.arithmetic.is_zero(direction.x):
-                    return f"the line x = {write_short(point.x)}"
-                return f"the slanting line through {self._point_name(point)}"
+                    return Message("mechanics.upright-line", place=round_short(point.x))
+                return Message("mechanics.slanting-line", point=self._point_name(point))
             case _:
                 assert_never(shape)
 
-    def _point_name(self, point: Vector) -> str:
+    def _point_name(self, point: Vector) -> Text:
         """The name of a point, or its coordinates."""
         for name, place in self.points.items():
             if place is point:
                 return name
-        return f"({write_short(point.x)}, {write_short(point.y)})"
+        return Message("mechanics.coordinates", x=round_short(point.x), y=round_short(point.y))
 
 
 def foot(point: Vector, line: Line) -> Vector:
@@ -220,9 +229,12 @@ def foot(point: Vector, line: Line) -> Vector:
     return line.point + step
 
 
-def write_short(number: Any) -> str:
-    """A number of any arithmetic to four significant figures, for messages."""
-    return f"{size(number):.4g}"
+def round_short(number: Any) -> Decimal | str:
+    """A number of any arithmetic to four significant figures, for messages; as a text where it is
+    so large or small that it is written with a power of ten.
+    """
+    written = f"{size(number):.4g}"
+    return Decimal(written) if _PLAIN.fullmatch(written) else written
 
 
 def size(number: Any) -> float:

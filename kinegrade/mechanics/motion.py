@@ -11,8 +11,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from kinegrade.errors import AtInfinity, MechanismError, write_message
+from kinegrade.errors import AtInfinity, MechanismError
 from kinegrade.exact.elimination import Contradiction, Singular
+from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.configuration import require_assembled
 from kinegrade.mechanics.frames import Frames, build_frames
@@ -83,9 +84,7 @@ class Motion:
         base = self.frames.bases[body].point
         rate = self.omega(body)
         if arithmetic.is_zero(rate):
-            raise AtInfinity(
-                f"the velocity pole of {body} is at infinity: {body} does not turn at this instant"
-            )
+            raise AtInfinity(Message("mechanics.pole-at-infinity", body=body))
         arm: Vector = self.velocity(base, body).turned() / rate
         return self.points[base] + arm
 
@@ -94,8 +93,8 @@ class _Undriven(dict[str, Any]):
     """The rates of a mechanism without a driver: none is known, and reading one is an error."""
 
     def __missing__(self, rate: str) -> Any:
-        what = "nothing drives this mechanism: it has positions but no velocities"
-        raise MechanismError(write_message("", what, do="give it an input"))
+        what, do = Message("mechanics.undriven"), Message("mechanics.give-input")
+        raise MechanismError(Fault("", what, do=do))
 
 
 def pose_mechanism(mechanism: Mechanism, arithmetic: Any) -> Motion:
@@ -160,6 +159,6 @@ def _find_turning_rate(rates: Mapping[str, Any], body: str) -> Any:
     if body == GROUND:
         return 0
     if name_omega(body) not in rates:
-        what = f"{body} is a particle: it does not turn"
-        raise MechanismError(write_message("", what, do="ask for the motion of its point"))
+        what = Message("mechanics.no-turning-particle", body=body)
+        raise MechanismError(Fault("", what, do=Message("mechanics.ask-for-point")))
     return rates[name_omega(body)]

@@ -7,6 +7,7 @@ from typing import Any
 
 from kinegrade.errors import MechanismError
 from kinegrade.exact.elimination import find_null_vectors, is_consistent
+from kinegrade.language.message import Message, list_all, list_plainly
 from kinegrade.mechanics.dead_point import describe_dead_point, make_numeral
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.plan import Equations
@@ -30,24 +31,20 @@ def explain_refusal(
     )
     motions = [{rates[i] for i in vector} for vector in loose]
     turning = {rate.split(" ", 1)[1] for rate in set().union(*motions) if _is_turning(rate)}
-    line = describe_dead_point(frames, turning, arithmetic) if loose else ""
+    line = describe_dead_point(frames, turning, arithmetic) if loose else None
     if fits and line:
-        return MechanismError(
-            f"dead point: {line} at these values: choose other values or another driver"
-        )
+        return MechanismError(Message("mechanics.dead-point", line=line))
     if fits:
         return MechanismError(describe_looseness(frames, motions))
     culprits = _find_contradiction(matrix, sides, arithmetic)
-    names = " and ".join(frames.relations[index].origin for index in culprits)
-    if loose:
-        where = f"{line} at these values," if line else "in this configuration"
+    names = list_all(frames.relations[index].origin for index in culprits)
+    if not loose:
+        return MechanismError(Message("mechanics.contradiction", relations=names))
+    if line:
         return MechanismError(
-            f"dead point: {where} {names} cannot act together: "
-            "choose another configuration or driver"
+            Message("mechanics.dead-point-of-drivers", line=line, relations=names)
         )
-    return MechanismError(
-        f"{names} contradict each other: leave one out or make their values agree"
-    )
+    return MechanismError(Message("mechanics.dead-configuration", relations=names))
 
 
 def _is_turning(rate: str) -> bool:
@@ -55,17 +52,16 @@ def _is_turning(rate: str) -> bool:
     return rate.startswith("omega ")
 
 
-def describe_looseness(frames: Frames, motions: Sequence[set[str]]) -> str:
+def describe_looseness(frames: Frames, motions: Sequence[set[str]]) -> Message:
     """Which bodies can still turn and which points can still move."""
     idle = find_unrelated(frames)
     moving = set().union(*motions, idle)
     bodies = [rate.split(" ", 1)[1] for rate in sorted(moving) if _is_turning(rate)]
     points = sorted({rate.split(" ")[1] for rate in moving if not _is_turning(rate)})
-    parts = [f"body {body} can still turn" for body in bodies]
-    parts += [f"{point} can still move" for point in points]
+    parts = [Message("mechanics.can-turn", body=body) for body in bodies]
+    parts += [Message("mechanics.can-move", point=point) for point in points]
     count = len(motions) + len(idle)
-    noun = "degree of freedom" if count == 1 else "degrees of freedom"
-    return f"{', '.join(parts)} ({count} {noun} left): add a joint or a driver"
+    return Message("mechanics.loose", motions=list_plainly(parts), count=count)
 
 
 def find_unrelated(frames: Frames) -> list[str]:

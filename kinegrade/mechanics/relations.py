@@ -15,6 +15,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, assert_never
 
+from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.joints import GROUND, Joint
 from kinegrade.mechanics.vector import Vector
@@ -104,12 +105,13 @@ class Relation:
     """left chain = right chain (two equations), or their difference along a vector plus turning
     rates = imposed.
 
-    `origin` says in words which joint or driver states it, `source` is that joint or driver.
+    `origin` names the joint or driver that states it, in messages; `source` is that joint or
+    driver.
     `frame` is the body relative to which a component is imposed: its rotation adds the Coriolis
     acceleration of the relative motion.
     """
 
-    origin: str
+    origin: Message
     left: Chain = ()
     right: Chain = ()
     along: Vector | None = None

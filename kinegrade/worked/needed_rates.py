@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from kinegrade.errors import MechanismError, write_message
+from kinegrade.errors import MechanismError
 from kinegrade.expression import Call, Expression, Name, walk
+from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Step
@@ -119,8 +120,8 @@ def _follow_back(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
             }
     missing = wanted - {rate for step in chosen for rate in step.unknowns}
     if missing:
-        what = f"the plan does not give {', '.join(sorted(missing))}, which the answers need"
-        raise MechanismError(write_message("", what, do="solve the template again"))
+        what = Message("mechanics.rates-not-planned", rates=list_plainly(sorted(missing)))
+        raise MechanismError(Fault("", what, do=Message("mechanics.solve-again")))
     return tuple(reversed(chosen))
 
 

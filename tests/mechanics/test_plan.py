@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.exact.elimination import Singular
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics import plan
 from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.joints import GROUND, Pin, Roll, Slide
@@ -21,8 +23,9 @@ def order(motion: Motion) -> list[tuple[str, ...]]:
 
 def origins(motion: Motion) -> list[list[str]]:
     """Which relations each step solves."""
+    english = open_catalogue(ENGLISH)
     return [
-        [motion.frames.relations[index].origin for index in step.relations]
+        [english.write(motion.frames.relations[index].origin) for index in step.relations]
         for step in motion.plan.steps
     ]
 

@@ -12,6 +12,8 @@ from flint import arb
 from kinegrade.errors import ExpressionError, MechanismError
 from kinegrade.exact.balls import Balls, Undecided
 from kinegrade.exact.floats import Floats
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.geometry import Constructions, Round
 from kinegrade.mechanics.joints import (
     GROUND,
@@ -80,7 +82,7 @@ def written(
         (
             [*CRANK, Parallel("AB", GROUND), Pin("B", ("AB", GROUND))],
             [P.turns("OA", 1)],
-            "the pin A of OA and AB and AB does not turn relative to ground and the given "
+            "the pin A of OA and AB, AB does not turn relative to ground and the given "
             "rotation of OA contradict each other: leave one out or make their values agree",
         ),
         (
@@ -110,6 +112,20 @@ def written(
 )
 def test_loose_contradictory_and_dead_mechanisms(joints: Any, drivers: Any, message: str) -> None:
     assert message in problem(written(joints, drivers))
+
+
+def test_a_refusal_is_said_in_chinese() -> None:
+    chinese = open_catalogue(Language("zh"))
+    with pytest.raises(MechanismError) as loose:
+        solve_motion(written(CRANK, []), P.field)
+    assert [chinese.write(fault) for fault in loose.value.faults] == [
+        "刚体 AB 仍可转动、刚体 OA 仍可转动（尚余 2 个自由度）：请添加约束或驱动"
+    ]
+    with pytest.raises(MechanismError) as apart:
+        solve_motion(written([Slide("B", "AB", P.line(0, 0, Y), GROUND)]), P.field)
+    assert [chinese.write(fault) for fault in apart.value.faults] == [
+        "AB 上沿 ground 的直线滑动的点 B: 点 B 不在该直线上：请检查 B 的作法"
+    ]
 
 
 def test_a_body_that_only_translates_or_a_point_that_only_slides_is_loose() -> None:

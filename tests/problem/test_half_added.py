@@ -17,7 +17,7 @@ from kinegrade.figure.paper import scale_to_paper
 from kinegrade.figure.rims import find_rims
 from kinegrade.figure.similar_mechanisms import normalise_subject
 from kinegrade.mechanics.configuration import require_assembled
-from kinegrade.mechanics.frames import build_frames, describe_element, find_guided
+from kinegrade.mechanics.frames import build_frames, find_guided, name_element
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -91,7 +91,7 @@ def test_no_answers_come_of_a_sentence_that_only_the_list_of_inputs_knows(
         lambda belt: find_guided(mechanism(belt), belt),
         lambda belt: build_frames(mechanism(belt), Floats()),
         lambda belt: require_assembled(mechanism(belt), Floats()),
-        describe_element,
+        name_element,
         lambda belt: scale_to_paper(mechanism(belt), 1000.0),
         lambda belt: normalise_subject(mechanism(belt), FigureHints()),
         lambda belt: find_rims(mechanism(belt), {}),
@@ -107,7 +107,7 @@ def test_a_joint_that_is_only_a_value_is_neither_solved_nor_drawn(uses: object) 
     [
         lambda spin: build_frames(mechanism(drivers=(spin,)), Floats()),
         lambda spin: require_assembled(mechanism(drivers=(spin,)), Floats()),
-        describe_element,
+        name_element,
     ],
 )
 def test_a_driver_that_is_only_a_value_moves_nothing(uses: object) -> None:
