@@ -11,6 +11,9 @@ import re
 from decimal import Decimal
 from fractions import Fraction
 
+from kinegrade.errors import FieldError
+from kinegrade.language.message import Message, Part, Quoted
+
 _MOST_DIGITS = 600
 _LARGEST_POWER = 300  # of ten: the range of doubles
 _LONGEST_SHOWN = 40
@@ -21,15 +24,8 @@ _RATIO = re.compile(r"[+-]?[0-9]+/[0-9]*[1-9][0-9]*")
 _LIMIT = Fraction(10**_LARGEST_POWER)
 
 
-class NumberError(ValueError):
-    """A text or value that is not a number; the message says what it is and what was expected."""
-
-    def __init__(self, found: object) -> None:
-        text = str(found)[: _LONGEST_SHOWN + 1]
-        shown = text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}…"
-        super().__init__(
-            f'"{shown}" - expected a number between -1e{_LARGEST_POWER} and 1e{_LARGEST_POWER}'
-        )
+class NumberError(FieldError, ValueError):
+    """A text or value that is not a number: what it is and what was expected."""
 
 
 def read_number(found: object) -> Fraction:
@@ -44,16 +40,26 @@ def read_number(found: object) -> Fraction:
     if isinstance(found, Fraction):
         return found
     if isinstance(found, bool) or not isinstance(found, str | int | float | Decimal):
-        raise NumberError(type(found).__name__)
+        raise _refuse(Quoted(type(found).__name__))
     if isinstance(found, int) and found.bit_length() > 4 * _LARGEST_POWER:
-        raise NumberError(f"{'-' if found < 0 else ''}a whole number of {found.bit_length()} bits")
+        raise _refuse(Message("exact.whole-number", bits=found.bit_length()))
     text = str(found)
     if len(text) > _MOST_DIGITS or not _is_number(text):
-        raise NumberError(text)
+        raise _refuse(Quoted(_cut(text)))
     value = Fraction(text)
     if abs(value) > _LIMIT:
-        raise NumberError(text)
+        raise _refuse(Quoted(_cut(text)))
     return value
+
+
+def _refuse(found: Part) -> NumberError:
+    expected = Message("exact.number", power=_LARGEST_POWER)
+    return NumberError(Message("exact.found", found=found), expected)
+
+
+def _cut(text: str) -> str:
+    """The text, or its beginning."""
+    return text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}…"
 
 
 def _is_number(text: str) -> bool:

@@ -9,6 +9,8 @@ from time import perf_counter
 import pytest
 
 from kinegrade.exact.written import NumberError, read_number
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 
 
 @pytest.mark.parametrize(
@@ -41,3 +43,11 @@ def test_anything_else_is_refused_at_once_and_briefly(found: object) -> None:
         read_number(found)
     assert perf_counter() - start < 0.1
     assert len(str(caught.value)) < 120
+
+
+def test_a_refusal_says_what_stands_there_in_every_language() -> None:
+    with pytest.raises(NumberError) as caught:
+        read_number("1,5")
+    assert str(caught.value) == '"1,5" - expected a number between -1e300 and 1e300'
+    (fault,) = caught.value.faults
+    assert open_catalogue(Language("zh")).write(fault) == '"1,5" - 应为-1e300 与 1e300 之间的数'
