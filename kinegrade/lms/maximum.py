@@ -6,7 +6,7 @@ stops a whole import; so none is written.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from kinegrade.amounts import write_amount
@@ -39,41 +39,38 @@ def maximum_faults(
     options: ExportOptions,
 ) -> list[Problem]:
     """Why the grades of an item cannot be written as they are, one line for each reason."""
-    faults: list[Problem] = []
-    target = target_maximum(stated, options)
-    if options.maximum is not None and stated not in (None, options.maximum):
-        faults.append(
-            Fault(
-                where,
-                Message(
-                    "grades.other-maximum",
-                    stated=_show(stated),
-                    maximum=_show(options.maximum),
-                ),
-            )
-        )
-    elif options.scale and target is None:
-        faults.append(Fault(where, Message("grades.no-maximum")))
     graded = tuple(students)
     others = sorted({each.out_of[item] for each in graded} - {stated})
+    scale = _explain_scale(stated, others, options)
+    return [
+        *(Fault(where, fault) for fault in scale),
+        *_find_above(graded, item),
+    ]
+
+
+def _explain_scale(
+    stated: Fraction | None, others: Sequence[Fraction], options: ExportOptions
+) -> Iterator[Message]:
+    """Why grades cannot be scaled, or must be: `others` are maxima that the file does not state."""
+    target, maximum = target_maximum(stated, options), options.maximum
+    if maximum is not None and stated not in (None, maximum):
+        yield Message("grades.other-maximum", stated=_show(stated), maximum=_show(maximum))
+    elif options.scale and target is None:
+        yield Message("grades.no-maximum")
     if stated is not None and target is None and others:
-        faults.append(
-            Fault(
-                where,
-                Message("grades.add-scale", stated=_show(stated), exam=_show(others[0])),
+        yield Message("grades.add-scale", stated=_show(stated), exam=_show(others[0]))
+
+
+def _find_above(students: Sequence[StudentGrade], item: str) -> Iterator[Message]:
+    """The students with more points than the item has."""
+    for each in students:
+        if each.points[item] > each.out_of[item]:
+            yield Message(
+                "grades.above-maximum",
+                student=Quoted(each.student),
+                points=_show(each.points[item]),
+                maximum=_show(each.out_of[item]),
             )
-        )
-    faults += (
-        Message(
-            "grades.above-maximum",
-            student=Quoted(each.student),
-            points=_show(each.points[item]),
-            maximum=_show(each.out_of[item]),
-        )
-        for each in graded
-        if each.points[item] > each.out_of[item]
-    )
-    return faults
 
 
 def _show(amount: Fraction | None) -> str:
