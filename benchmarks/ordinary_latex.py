@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from math import degrees
 
-from kinegrade.exam.latex_text import write_plain
 from kinegrade.figure.scene import Bow, Disc, Label, Outline, Pen, Primitive, Scene, Strokes
+from kinegrade.language.latex_text import write_plain
 from kinegrade.mechanics.vector import Vector
 from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
 

@@ -56,12 +56,7 @@ FLOORS = {
 }
 # Words and math that stand too high until they are in `language`
 ON_THE_WAY_DOWN = {
-    "kinegrade.exam.formula",
-    "kinegrade.exam.latex_math",
-    "kinegrade.exam.latex_text",
-    "kinegrade.exam.quiz_prose",
     "kinegrade.exam.solution_words",
-    "kinegrade.lms.quiz.plain_math",
 }
 SIBLINGS = ("figure", "grading", "lms")
 LOBBY = {"kinegrade", "kinegrade.__main__"}  # the entrances, which call any floor

@@ -24,7 +24,7 @@ from kinegrade.problem.library import find_template_names
 from tests.small_class import generate, kinegrade, write_class
 
 ROOT = Path(__file__).parent.parent
-HEAVY = {"numpy", "flint", "typst", "jinja2", "pikepdf", "sympy", "tylax", "markdown_it"}
+HEAVY = {"numpy", "flint", "typst", "jinja2", "pikepdf", "sympy", "markdown_it"}
 
 
 def parses(line: str) -> bool:

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from kinegrade.exam.formula import write_unit
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.math.units import write_unit
 from kinegrade.language.prose.pandoc import make_formula, write_line, write_prose
 from kinegrade.language.prose.pandoc_tree import (
     Alignment,

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.formula import convert_formula
 from kinegrade.fields.place import key_path
+from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.slots import Slot, find_slots_in_formulas, split_slots
@@ -81,7 +81,7 @@ def _list_texts(template: Template) -> Iterator[tuple[str, str, _Writer]]:
 
 
 def _write_symbol(latex: str, where: str) -> str:
-    return f"#[${convert_formula(latex, where)}$]"
+    return f"#[${write_typst_math(latex, where)}$]"
 
 
 def _write_prose(markdown: str, where: str) -> str:

@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import assert_never
 
-from kinegrade.exam.quiz_prose import (
+from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
+from kinegrade.language import Language
+from kinegrade.language.html_text import (
     write_math_html,
     write_plain_html,
     write_unit_html,
 )
-from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
-from kinegrade.language import Language
 from kinegrade.language.prose.html import write_line, write_prose
 from kinegrade.press.equation_line import split_equation_line
 from kinegrade.press.solution_blocks import has_exact_decimal

@@ -20,12 +20,12 @@ from string import Template
 from typing import Literal, get_args
 
 from kinegrade.errors import TypesetError, did_you_mean, write_message
-from kinegrade.exam.formula import formula_place
 from kinegrade.exam.paper_tree import write_paper_tree
 from kinegrade.exam.word_reference import fill_layout, make_word_reference
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import write_typst
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.math.reading import write_formula_place
 from kinegrade.press.program_run import run_program
 from kinegrade.press.sheet import Paper, PaperSize
 from kinegrade.press.typst.compiler import make_compiler
@@ -165,7 +165,9 @@ def _explain(complaint: str, kind: _Kind) -> tuple[str, ...]:
             ),
         )
     return tuple(
-        write_message(formula_place(latex, kind), "cannot be read", "whole LaTeX math", "fix it")
+        write_message(
+            write_formula_place(latex, kind), "cannot be read", "whole LaTeX math", "fix it"
+        )
         for latex in formulas
     )
 

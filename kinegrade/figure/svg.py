@@ -25,7 +25,7 @@ from kinegrade.figure.scene import (
     Scene,
     Strokes,
 )
-from kinegrade.figure.symbol_runs import Run, split_symbol
+from kinegrade.language.math.runs import Run, split_symbol
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.symbols import find_symbol_fault
 
@@ -136,7 +136,7 @@ def _write_runs(symbol: str) -> tuple[Run, ...]:
     fault = find_symbol_fault(symbol)
     if fault:
         raise TypesetError(f"figure: label: {fault}")
-    return split_symbol(symbol)
+    return split_symbol(symbol, "figure: label")
 
 
 def _spans(runs: tuple[Run, ...]) -> str:

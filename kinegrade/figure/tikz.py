@@ -25,6 +25,7 @@ from kinegrade.figure.scene import (
     Strokes,
     find_fill,
 )
+from kinegrade.language.math.latex import write_latex_math
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.symbols import find_symbol_fault
 
@@ -144,7 +145,8 @@ def _write_label(label: Label) -> str:
     fault = find_symbol_fault(label.symbol)
     if fault:
         raise TypesetError(f"figure: label: {fault}")
-    return rf"\pgftext[at={{{_write_corner(label.centre)}}}]{{${label.symbol}$}}"
+    symbol = write_latex_math(label.symbol, "figure: label")
+    return rf"\pgftext[at={{{_write_corner(label.centre)}}}]{{${symbol}$}}"
 
 
 def _write_corner(point: Vector) -> str:

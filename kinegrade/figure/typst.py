@@ -4,11 +4,8 @@ picture in it.
 
 from __future__ import annotations
 
-import re
 from functools import lru_cache
 from typing import assert_never
-
-import tylax
 
 from kinegrade.errors import TypesetError
 from kinegrade.figure.extent import FONT_SIZE
@@ -25,6 +22,7 @@ from kinegrade.figure.scene import (
     Strokes,
 )
 from kinegrade.figure.svg import to_svg
+from kinegrade.language.math.typst import write_typst_math
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.symbols import find_symbol_fault
 
@@ -93,8 +91,7 @@ def translate_symbol(symbol: str) -> str:
     fault = find_symbol_fault(symbol)
     if fault:
         raise TypesetError(f"figure: label: {fault}")
-    primes = re.sub(r"'+", lambda found: "^{" + r"\prime " * len(found.group()) + "}", symbol)
-    return str(tylax.latex_to_typst(f"${primes}$"))
+    return f"${write_typst_math(symbol, 'figure: label')}$"
 
 
 def _write(primitive: Primitive, height: float) -> str:

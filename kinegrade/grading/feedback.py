@@ -21,11 +21,11 @@ from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.grading.feedback_remarks import make_remark, name_verdict
-from kinegrade.grading.math_html import write_unit_text
 from kinegrade.grading.paper_record import PaperRecord, PaperRecords, RightAnswer
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.language.math.units import write_unit
 from kinegrade.language.message import Fault, Message, Quoted, Text
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import GRADES
@@ -232,7 +232,7 @@ def _write_with_unit(number: str, unit: str) -> str:
     >>> _write_with_unit("30", "deg"), _write_with_unit("2", "m/s^2"), _write_with_unit("2", "1")
     ('30°', '2\u202fm/s²', '2')
     """
-    shown = write_unit_text(unit)
+    shown = write_unit(unit, pure="")
     return f"{number}{shown}" if shown in ("", "°") else f"{number}\u202f{shown}"
 
 

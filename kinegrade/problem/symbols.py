@@ -6,17 +6,14 @@ from __future__ import annotations
 
 import re
 
-from kinegrade.errors import did_you_mean
+from kinegrade.errors import TypesetError, did_you_mean
+from kinegrade.language.math.letters import GREEK
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Group, Node, Scripts, list_nodes
 
-_GREEK = re.findall(
-    "[A-Za-z]+",
-    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta kappa lambda mu nu xi pi "
-    "rho varrho "
-    "sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega",
-)
 _COMMANDS = frozenset(
     (
-        *_GREEK,
+        *GREEK,
         "mathrm",
         "mathbf",
         "boldsymbol",
@@ -33,10 +30,6 @@ _COMMANDS = frozenset(
     )
 )
 _LETTERS = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z0-9 _^{}'()+\-=.,])+")
-_DANGLING = re.compile(
-    r"[_^]\s*(?:[_^}]|$)|^\s*[_^]|\\(?:sqrt|mathrm|mathbf|boldsymbol|vec|dot|ddot|bar|frac)(?![A-Za-z])\s*(?!\{)"
-)
-_TWICE = re.compile(r"([_^])(?:\{[^{}]*\}|\\[A-Za-z]+|\w)\s*\1")
 
 
 def find_symbol_fault(symbol: str) -> str | None:
@@ -60,11 +53,17 @@ def _is_complete(symbol: str) -> bool:
     """Whether braces close, every script and every command has what it acts on, and no script comes
     twice.
     """
-    depths = [symbol[:end].count("{") - symbol[:end].count("}") for end in range(len(symbol) + 1)]
-    fractions = len(re.findall(r"\\frac\{[^{}]+\}\{", symbol))
-    return (
-        min(depths) == depths[-1] == 0
-        and not _DANGLING.search(symbol)
-        and not _TWICE.search(symbol)
-        and fractions == symbol.count("\\frac")
-    )
+    try:
+        row = read_math(symbol, "symbol")
+    except TypesetError:
+        return False
+    return not any(_is_bare(node) for node in list_nodes(row))
+
+
+def _is_bare(node: Node) -> bool:
+    """Whether scripts stand on nothing, or on scripts, as the second of `a_1_2` does."""
+    match node:
+        case Scripts(base=None | Group((Scripts(),))):
+            return True
+        case _:
+            return False

@@ -7,62 +7,97 @@ fits on a line of a display.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator
+from typing import assert_never
 
-_TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\S")
-_SILENT = frozenset(
-    {r"\left", r"\right", r"\mathrm", r"\boldsymbol", r"\overrightarrow", r"\text", r"\!", "&"}
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import (
+    Accent,
+    Environment,
+    Fenced,
+    Fraction,
+    Function,
+    Group,
+    Letter,
+    Lettering,
+    LineBreak,
+    Mark,
+    Node,
+    Number,
+    Root,
+    Row,
+    Scripts,
+    Sign,
+    Space,
+    SpaceName,
+    Text,
+    Unit,
 )
-_WIDTHS = {
-    r"\,": 0.3,
-    r"\ ": 0.5,
-    r"\quad": 2.0,
-    r"\qquad": 4.0,
-    **dict.fromkeys("+-=<>", 1.9),
-    r"\approx": 1.9,
-    **{
-        rf"\{name}": len(name) + 0.5 for name in ("sin", "cos", "tan", "arcsin", "arccos", "arctan")
-    },
+
+_SPACES: dict[SpaceName, float] = {
+    ",": 0.3,
+    ":": 0.4,
+    ";": 0.5,
+    " ": 0.5,
+    "!": 0.0,
+    "quad": 2.0,
+    "qquad": 4.0,
 }
+_WIDE_SIGNS = frozenset(("+", "-", "=", "<", ">", r"\approx"))
 WIDEST = 68  # letters that fit on a line of a display
 _SMALL = 0.7  # of a subscript relative to the letter that carries it
 
 
 def measure_width(latex: str) -> float:
-    """The width of a formula in letters of its body."""
-    return _measure_group(iter(_TOKEN.findall(latex)))
+    """The width of a formula in letters of its body. Raises TypesetError for what is no math."""
+    return _measure_row(read_math(latex, "worked solution"))
 
 
-def _measure_group(tokens: Iterator[str]) -> float:
-    """The width of everything up to the closing brace."""
-    total = 0.0
-    for token in tokens:
-        if token == "}":
-            break
-        total += _measure_token(token, tokens)
-    return total
+def _measure_row(row: Row) -> float:
+    return sum(_measure(node) for node in row)
 
 
-def _measure_token(token: str, tokens: Iterator[str]) -> float:
-    """The width of one token with its arguments."""
-    if token == "{":
-        return _measure_group(tokens)
-    if token in "^_":
-        return _SMALL * _measure_argument(tokens)
-    if token == r"\frac":
-        return max(_measure_argument(tokens), _measure_argument(tokens)) + 0.5
-    if token == r"\sqrt":
-        return 1 + _measure_argument(tokens)
-    if token in _SILENT:
-        return 0.0
-    return _WIDTHS.get(token, 1.0)
+def _measure(node: Node) -> float:
+    """The width of one node with its parts."""
+    match node:
+        case Scripts(base, lower, primes, upper):
+            carried = 0.0 if base is None else _measure(base)
+            scripts = _measure_row(lower or ()) + _measure_row(upper or ())
+            return carried + primes + _SMALL * scripts
+        case Fraction(_, above, below):
+            return max(_measure_row(above), _measure_row(below)) + 0.5
+        case Root(radicand, degree):
+            return 1 + _measure_row(radicand) + _SMALL * _measure_row(degree or ())
+        case Fenced(left, row, right):
+            return 2.0 - (left, right).count(".") + _measure_row(row)
+        case Group(row) | Lettering(_, row) | Accent(_, row) | Environment(_, row):
+            return _measure_row(row)
+        case _:
+            return _measure_alone(node)
 
 
-def _measure_argument(tokens: Iterator[str]) -> float:
-    """The width of the argument that comes next."""
-    token = next(tokens, "}")
-    return 0.0 if token == "}" else _measure_token(token, tokens)
+def _measure_alone(
+    node: Letter | Number | Sign | Function | Text | Unit | Space | LineBreak | Mark,
+) -> float:
+    """The width of a node without parts."""
+    match node:
+        case Number(text):
+            return float(len(text))
+        case Text(text):
+            return float(len(text) - text.count(" "))
+        case Unit(text):
+            return 1.0 + len(text) - text.count("^")
+        case Function(name):
+            return len(name) + 0.5
+        case Sign(latex):
+            return 1.9 if latex in _WIDE_SIGNS else 1.0
+        case Space(name):
+            return _SPACES[name]
+        case Letter() | LineBreak():
+            return 1.0
+        case Mark():
+            return 0.0
+        case _:
+            assert_never(node)
 
 
 def chain_lines(left: str, parts: tuple[tuple[str, str], ...]) -> tuple[str, ...]:

@@ -18,9 +18,9 @@ import pytest
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam import word
-from kinegrade.exam.formula import COMMANDS
 from kinegrade.exam.paper_tree import write_paper_tree
 from kinegrade.exam.word import MISSING, PandocPress
+from kinegrade.language.math.tokens import COMMANDS
 from kinegrade.press.program_run import ProgramRun
 from kinegrade.press.sheet import Paper
 from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION
@@ -262,12 +262,12 @@ def test_all_faults_are_told_at_once_with_their_question() -> None:
 
 
 def test_formulas_that_pandoc_cannot_read_are_refused(press: PandocPress) -> None:
-    question = replace(ENGLISH_QUESTION, statement=r"$\frac{a}$ and $x^$")
+    question = replace(ENGLISH_QUESTION, statement="$a & b$ and $x & y$")
     with pytest.raises(TypesetError) as refusal:
         press.html(replace(ENGLISH, questions=(question,)))
     assert refusal.value.problems == (
-        r"html: formula $\frac{a}$: cannot be read - expected whole LaTeX math - fix it",
-        "html: formula $x^$: cannot be read - expected whole LaTeX math - fix it",
+        "html: formula $a & b$: cannot be read - expected whole LaTeX math - fix it",
+        "html: formula $x & y$: cannot be read - expected whole LaTeX math - fix it",
     )
 
 

@@ -15,7 +15,7 @@ from kinegrade.figure.extent import EM, measure_symbol
 from kinegrade.figure.scene import FIRM, Bow, Disc, Label, Outline, Primitive, Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.svg import to_svg
-from kinegrade.figure.symbol_runs import split_symbol
+from kinegrade.language.math.runs import split_symbol
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.library import find_template_names, load_template
 from tests.figure.mechanisms import EIGHT
@@ -118,22 +118,23 @@ def test_symbols_read_as_they_are_printed(symbol: str, letters: str) -> None:
 
 
 def test_letters_are_italic_and_digits_upright_scripts_small_and_shifted() -> None:
-    letter, index = split_symbol("O_1")
+    letter, index = split_symbol("O_1", "label")
     assert (letter.italic, index.italic) == (True, False)
     assert index.size < letter.size
     assert index.shift < letter.shift == 0
-    bold = split_symbol(r"\boldsymbol{v}_{BA}")
+    bold = split_symbol(r"\boldsymbol{v}_{BA}", "label")
     assert [(run.bold, run.italic) for run in bold] == [(True, True), (False, True)]
 
 
 def test_two_scripts_stand_one_above_the_other() -> None:
-    _, low, high = split_symbol("a_{BA}^{t}")
+    _, low, high = split_symbol("a_{BA}^{t}", "label")
     assert low.shift < 0 < high.shift
     assert high.back == pytest.approx((measure_symbol("{BA}")[0] / EM - 0.12) * low.size)
 
 
 def test_a_prime_is_high_by_itself() -> None:
-    assert split_symbol(r"B^\prime")[-1].shift == split_symbol("B'")[-1].shift == 0
+    assert split_symbol(r"B^\prime", "label") == split_symbol("B'", "label")
+    assert split_symbol("B'", "label")[-1].shift == 0
 
 
 def test_the_middle_of_the_letters_is_the_middle_of_the_box() -> None:

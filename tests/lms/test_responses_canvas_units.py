@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.exam.quiz_document import Language
-from kinegrade.exam.quiz_prose import write_unit_html
+from kinegrade.language.html_text import write_unit_html
 from kinegrade.lms.responses.asked_units import asked_unit, in_unit, on_the_line
 from kinegrade.problem.kept_decimals import list_finer_units
 from tests.lms.quiz.packages import bare, files_of

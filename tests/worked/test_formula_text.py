@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import ExpressionError
 from kinegrade.exact.floats import Floats
-from kinegrade.exam.formula import convert_formula
 from kinegrade.expression import (
     Call,
     Expression,
@@ -24,6 +23,7 @@ from kinegrade.expression import (
     make_elementary_functions,
     read_expression,
 )
+from kinegrade.language.math.typst import write_typst_math
 from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.template import Template
 from kinegrade.worked.coordinates import choose_axes, list_steps
@@ -63,7 +63,7 @@ POINTS = {"A": "A", "B": "B", "O1": "O_{1}"}
 )
 def test_a_formula_looks_as_in_a_textbook(text: str, latex: str) -> None:
     assert write_latex(read_expression(text), POINTS) == latex
-    assert convert_formula(latex, "test")
+    assert write_typst_math(latex, "test")
 
 
 def test_angles_print_in_degrees_where_that_is_asked_and_vectors_with_an_arrow() -> None:
@@ -103,7 +103,7 @@ def both_values(tree: Expression, start: float = 0.3, step: float = 0.617) -> tu
         "y": lambda value: value + 1,
     }
     printed = write_latex(flat(tree), symbols)
-    assert convert_formula(printed, "test")
+    assert write_typst_math(printed, "test")
     values = {symbol: numbers[name] for name, symbol in symbols.items() if name in numbers}
     with Floats().context():
         return float(evaluate(tree, numbers, functions, Floats())), value_of(printed, values)
@@ -131,7 +131,7 @@ def flat(tree: Expression) -> Expression:
 def test_every_expression_of_every_template_is_printed_with_its_own_value(name: str) -> None:
     template = load_template(name)
     for tree in expressions(template):
-        assert convert_formula(write_latex(tree, collect_symbols(template)), name)
+        assert write_typst_math(write_latex(tree, collect_symbols(template)), name)
         for start, step in ((0.3, 0.617), (1.0, -0.02)):
             with suppress(ValueError):  # the root of a negative number, at these values
                 value, printed = both_values(tree, start, step)

@@ -9,8 +9,8 @@ from functools import cache
 
 import pytest
 
-from kinegrade.exam.formula import convert_formula
 from kinegrade.language import LANGUAGES, Language
+from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.prose.typst import write_prose
 from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.reading import read_template
@@ -64,7 +64,7 @@ def require_printable(blocks: Iterable[Block], where: str) -> None:
     for line in lines(blocks):
         assert line.count("&") == 1
         assert "--" not in line
-        assert convert_formula(line.replace("&", " "), where)
+        assert write_typst_math(line.replace("&", " "), where)
 
 
 # Their coordinates are given quantities in symbols: no number follows from another

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 from kinegrade.errors import MechanismError, TemplateError
-from kinegrade.exam.formula import convert_formula
 from kinegrade.language import Language
+from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.prose.typst import write_prose
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.relations import Relation, add_vectors
@@ -117,7 +117,7 @@ def test_the_last_lines_are_the_key(name: str) -> None:
 
 @cache
 def typeset(latex: str) -> None:
-    convert_formula(latex, "worked")
+    write_typst_math(latex, "worked")
 
 
 @cache

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinegrade.exam.quiz_prose import write_math_html, write_plain_html
+from kinegrade.language.html_text import write_math_html, write_plain_html
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinegrade.exam.latex_math import write_math
-from kinegrade.exam.latex_text import write_plain
+from kinegrade.language.latex_text import write_plain
+from kinegrade.language.math.latex import write_latex_math
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 
 
@@ -18,10 +18,10 @@ class _LatexRenderer(TextRenderer):
         return write_plain(plain)
 
     def inline_formula(self, latex: str, where: str) -> str:
-        return f"${write_math(latex, where)}$"
+        return f"${write_latex_math(latex, where)}$"
 
     def displayed_formula(self, latex: str, where: str) -> str:
-        return f"\\[{write_math(latex, where)}\\]"
+        return f"\\[{write_latex_math(latex, where)}\\]"
 
     def line_end(self, *, printed: bool) -> str:
         return "\n" if printed else "%\n"

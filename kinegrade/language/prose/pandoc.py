@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from markdown_it import MarkdownIt
 
-from kinegrade.exam.formula import TEXT, convert_formula, write_unit
+from kinegrade.language.math.latex import PANDOC, write_latex_math
 from kinegrade.language.prose.pandoc_tree import (
     Node,
     make_bullets,
@@ -81,17 +81,9 @@ def make_formula(latex: str, where: str, *, display: bool = False) -> Node:
     """A formula. Raises TypesetError where it holds anything but the math that every press
     prints.
     """
-    convert_formula(latex, where)
-    return make_math(TEXT.sub(lambda found: _write_written(found[1], found[2]), latex), display)
+    return make_math(write_latex_math(latex, where, PANDOC), display)
 
 
 @lru_cache(maxsize=1)
 def _make_reader() -> MarkdownIt:
     return make_reader(_PandocRenderer)
-
-
-def _write_written(words: str | None, comma: str | None) -> str:
-    """`\\text{...}` and `\\unit{...}` with raised exponents; a decimal comma as text, with no space
-    behind it.
-    """
-    return f"\\text{{{comma or write_unit(words or '')}}}"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from kinegrade.language.math.plain import write_plain_math
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
-from kinegrade.lms.quiz.plain_math import write_plain_math
 
 _UNPRINTED = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ufffe\uffff\ud800-\udfff]+")
 _BLANKS = re.compile(r"[\s\u2028\u2029]+")

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinegrade.exam.formula import convert_formula, write_literal
+from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
+from kinegrade.language.typst_text import write_literal
 
 _PARAGRAPH_END = "parbreak();"
 
@@ -24,10 +25,10 @@ class _TypstRenderer(TextRenderer):
 
     def inline_formula(self, latex: str, where: str) -> str:
         # In a box, so that a value is not separated from its symbol
-        return f"box(${convert_formula(latex, where)}$);"
+        return f"box(${write_typst_math(latex, where)}$);"
 
     def displayed_formula(self, latex: str, where: str) -> str:
-        return f"$ {convert_formula(latex, where)} $;"
+        return f"$ {write_typst_math(latex, where)} $;"
 
     def line_end(self, *, printed: bool) -> str:
         return '" ";' if printed else ""

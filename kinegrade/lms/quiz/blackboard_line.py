@@ -6,16 +6,16 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from kinegrade.exam.formula import write_unit
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.exam.quiz_words import write_sentences
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.math.plain import write_plain_math
+from kinegrade.language.math.units import write_unit
 from kinegrade.language.message import Message, Text
 from kinegrade.language.prose.plain import write_line, write_prose
 from kinegrade.lms.quiz.decimals import write_decimal
 from kinegrade.lms.quiz.intervals import RightInterval, turn_next_to_zero
-from kinegrade.lms.quiz.plain_math import write_plain_math
 from kinegrade.lms.quiz.remarks import Remarks
 from kinegrade.lms.quiz.typing_words import write_rules
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizFigure
-from kinegrade.exam.quiz_prose import (
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.html_text import (
     write_math_html,
     write_plain_html,
     write_unit_html,
 )
-from kinegrade.language import Language
-from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Text
 from kinegrade.language.prose.html import write_line
 from kinegrade.press.paper_parts import write_points_in_words

@@ -19,7 +19,7 @@ from functools import lru_cache
 
 from kinegrade.errors import ExportError
 from kinegrade.exam.quiz_document import QuizAsk
-from kinegrade.exam.quiz_prose import write_plain_html
+from kinegrade.language.html_text import write_plain_html
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.lms.quiz.decimals import round_to_digits, write_decimal
 from kinegrade.lms.quiz.intervals import RightInterval, find_right_intervals

@@ -20,9 +20,9 @@ from math import lcm
 from typing import Literal, assert_never
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizPaper, QuizQuestion
-from kinegrade.exam.quiz_prose import write_plain_html
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.html_text import write_plain_html
 from kinegrade.language.prose.html import write_prose
 from kinegrade.lms.quiz.decimals import write_decimal
 from kinegrade.lms.quiz.html import (

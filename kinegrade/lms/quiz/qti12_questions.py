@@ -11,9 +11,10 @@ from dataclasses import dataclass
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
-from kinegrade.exam.quiz_prose import write_plain_html
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.html_text import write_plain_html
+from kinegrade.language.math.plain import write_plain_math
 from kinegrade.language.message import Fault, Message
 from kinegrade.language.prose.plain import write_line
 from kinegrade.lms.quiz.canvas_units import ClassUnits, keeps_edges
@@ -21,7 +22,6 @@ from kinegrade.lms.quiz.decimals import write_decimal
 from kinegrade.lms.quiz.html import write_ask_html
 from kinegrade.lms.quiz.intervals import find_right_intervals
 from kinegrade.lms.quiz.packaging import make_stable_name
-from kinegrade.lms.quiz.plain_math import write_plain_math
 from kinegrade.lms.quiz.qti12_item import NumericalItem
 from kinegrade.lms.quiz.question_html import write_question_html, write_warnings_html
 from kinegrade.lms.quiz.remarks import Remarks

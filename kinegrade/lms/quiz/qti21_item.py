@@ -7,9 +7,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
-from kinegrade.exam.quiz_prose import write_plain_html
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.html_text import write_plain_html
 from kinegrade.language.prose.plain import write_line
 from kinegrade.lms.quiz.html import write_ask_html
 from kinegrade.lms.quiz.packaging import make_stable_name

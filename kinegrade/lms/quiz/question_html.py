@@ -5,9 +5,9 @@ from __future__ import annotations
 from functools import lru_cache
 
 from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
-from kinegrade.exam.quiz_prose import write_unit_html
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.html_text import write_unit_html
 from kinegrade.language.prose.html import write_prose
 from kinegrade.lms.quiz.html import write_figure_html
 from kinegrade.lms.quiz.typing_words import Typing, write_rules

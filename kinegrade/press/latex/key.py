@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from kinegrade.exam.latex_math import write_math
-from kinegrade.exam.latex_text import write_comment, write_plain, write_signed, write_unit
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.latex_text import write_comment, write_plain, write_signed, write_unit
+from kinegrade.language.math.latex import write_latex_math
 from kinegrade.language.prose.latex import write_line
 from kinegrade.press.latex.document import write_command, write_environment, write_value
 from kinegrade.press.paper_parts import write_points_text
@@ -49,17 +49,17 @@ def _write_parameter(parameter: KeyParameter, where: str) -> str:
     """`r = 1/5 = 0.2 m`; the decimal is not repeated where the exact value is written the same
     way.
     """
-    equation = write_math(parameter.symbol, where)
+    equation = write_latex_math(parameter.symbol, where)
     if parameter.exact is not None and parameter.exact != parameter.decimal:
-        equation += f" = {write_math(parameter.exact, where)}"
+        equation += f" = {write_latex_math(parameter.exact, where)}"
     return rf"\mbox{{${equation} = {{}}${write_value(parameter.decimal, parameter.unit)}}}"
 
 
 def _write_answer(answer: KeyAnswer, where: str) -> str:
-    exact = "–" if answer.exact is None else f"${write_math(answer.exact, where)}$"
+    exact = "–" if answer.exact is None else f"${write_latex_math(answer.exact, where)}$"
     return write_command(
         "keyanswer",
-        f"${write_math(answer.symbol, where)}$",
+        f"${write_latex_math(answer.symbol, where)}$",
         exact,
         write_signed(answer.decimal),
         write_unit(answer.unit),

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import groupby
 
-from kinegrade.exam.latex_math import write_math
-from kinegrade.exam.latex_text import write_comment, write_plain, write_unit
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.tikz import write_tikz
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.latex_text import write_comment, write_plain, write_unit
+from kinegrade.language.math.latex import write_latex_math
 from kinegrade.language.prose.latex import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark
 from kinegrade.press.latex.document import write_command, write_environment, write_named
@@ -119,7 +119,7 @@ def _write_statement(text: str, figure: Scene | None, drawn: str) -> str:
 
 def _write_ask(row: AnswerRow, words: Catalogue, where: str) -> str:
     parts = gather(
-        symbol=lambda: write_math(row.symbol, f"{where}, symbol"),
+        symbol=lambda: write_latex_math(row.symbol, f"{where}, symbol"),
         meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
         sign=lambda: write_line(row.sign, f"{where}, sign"),
     )

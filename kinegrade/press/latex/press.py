@@ -13,11 +13,11 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.latex_text import is_surely_printed, write_plain
 from kinegrade.exam.solution_words import choose_solution_words
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each
+from kinegrade.language.latex_text import is_surely_printed, write_plain
 from kinegrade.press.latex.document import write_document
 from kinegrade.press.latex.faults import find_faults
 from kinegrade.press.latex.key import write_key_body

@@ -7,11 +7,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from re import fullmatch
 
-from kinegrade.exam.latex_math import write_math
-from kinegrade.exam.latex_text import write_comment, write_plain
 from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.figure.tikz import write_tikz
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.latex_text import write_comment, write_plain
+from kinegrade.language.math.latex import write_latex_math
 from kinegrade.language.prose.latex import write_line, write_prose
 from kinegrade.press.equation_line import split_equation_line
 from kinegrade.press.latex.document import (
@@ -117,9 +117,10 @@ def _write_line(latex: str, where: str) -> str:
     """
     parts = split_equation_line(latex)
     pieces = convert_each(
-        lambda piece: write_command(_write_kind(piece), write_math(piece, where)), parts.pieces
+        lambda piece: write_command(_write_kind(piece), write_latex_math(piece, where)),
+        parts.pieces,
     )
-    return write_command("equationline", write_math(parts.left, where), "".join(pieces))
+    return write_command("equationline", write_latex_math(parts.left, where), "".join(pieces))
 
 
 def _write_kind(piece: str) -> str:
@@ -144,7 +145,7 @@ def _write_band(terms: Sequence[Term], where: str) -> str:
 def _write_term(term: Term, width: str, where: str) -> tuple[str, str, str]:
     """The entries of a term in the rows of the equation, the magnitudes and the directions."""
     parts = gather(
-        symbol=lambda: write_math(term.symbol, where),
+        symbol=lambda: write_latex_math(term.symbol, where),
         magnitude=lambda: _write_cell(term.magnitude, width, where),
         direction=lambda: _write_cell(term.direction, width, where),
     )
@@ -174,11 +175,11 @@ def _write_picture(picture: Picture, where: str) -> str:
 
 def _write_result(result: Result, where: str) -> str:
     parts = gather(
-        symbol=lambda: write_math(result.symbol, where),
+        symbol=lambda: write_latex_math(result.symbol, where),
         exact=lambda: (
             ""
             if result.exact in (None, result.decimal)
-            else f"= {write_math(result.exact or '', where)}"
+            else f"= {write_latex_math(result.exact or '', where)}"
         ),
         sense=lambda: write_line(result.sense, where),
     )

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from kinegrade.exam.formula import write_literal, write_unit
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.math.units import write_unit
 from kinegrade.language.prose.typst import write_line
+from kinegrade.language.typst_text import write_literal
 from kinegrade.press.paper_parts import write_points_text
 from kinegrade.press.sheet import (
     KeyAnswer,

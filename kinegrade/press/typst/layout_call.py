@@ -9,7 +9,9 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from kinegrade.exam.formula import convert_formula, write_literal, write_unit
+from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.math.units import write_unit
+from kinegrade.language.typst_text import write_literal
 
 Sheet = dict[str, Any]  # what a layout reads: text, numbers, lists and dictionaries of them
 
@@ -31,7 +33,7 @@ def write_formula(latex: str, where: str) -> str:
     >>> write_formula("v_B", "q1")
     '$v_(B)$'
     """
-    return f"${convert_formula(latex, where)}$" if latex else "$$"
+    return f"${write_typst_math(latex, where)}$" if latex else "$$"
 
 
 def write_signed(number: str) -> str:

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
-from kinegrade.exam.formula import write_unit
 from kinegrade.figure.typst import write_typst_picture
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.math.units import write_unit
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark
 from kinegrade.press.paper_parts import (

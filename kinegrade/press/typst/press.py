@@ -18,8 +18,8 @@ from typing import Literal, TypeVar
 import typst
 
 from kinegrade.errors import TypesetError, write_message
-from kinegrade.exam.formula import write_literal
 from kinegrade.language.gathering import convert_each
+from kinegrade.language.typst_text import write_literal
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.legible import make_owner_legible, make_owners_legible
 from kinegrade.press.protocol import Printout, unprintable_character

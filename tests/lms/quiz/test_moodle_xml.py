@@ -363,7 +363,7 @@ def test_a_numerical_question_says_what_it_asks_for(target: Path) -> None:
         "P1 q1 Slider-crank OAB & co.: v_B",
         "P1 q1 Slider-crank OAB & co.: a_C",
     ]
-    assert r"\(v_B =\) ? m/s (2.5 points)" in questions[0].text
+    assert r"\(v_{B} =\) ? m/s (2.5 points)" in questions[0].text
     assert (
         r"(positive along \(+x\)): \(a_{C}^{\mathrm{n}} =\) ? m/s<sup>2</sup>" in questions[1].text
     )

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.quiz_prose import (
+from kinegrade.language.html_text import (
     write_math_html,
     write_plain_html,
     write_unit_html,

@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.formula import COMMANDS
-from kinegrade.exam.latex_math import write_math
-from kinegrade.exam.latex_text import write_comment, write_plain, write_signed, write_unit
+from kinegrade.language.latex_text import write_comment, write_plain, write_signed, write_unit
+from kinegrade.language.math.latex import write_latex_math
+from kinegrade.language.math.tokens import COMMANDS
 
 OWN = re.compile(r"\\(?:text[a-z]+\{\}|[{}$&#%_,])|\$-\$|\{\[\}|\{\]\}|\{\}")
 
@@ -74,15 +74,15 @@ def test_a_comment_stays_on_its_line() -> None:
 )
 def test_math_beyond_the_closed_list_is_refused(latex: str, message: str) -> None:
     with pytest.raises(TypesetError) as refusal:
-        write_math(latex, "q1")
+        write_latex_math(latex, "q1")
     assert any(message in problem for problem in refusal.value.problems)
 
 
 def test_text_inside_math_is_plain_text() -> None:
-    assert write_math(r"v = 1{,}5\,\text{m/s^2 \par & 5}", "q1") == (
+    assert write_latex_math(r"v = 1{,}5\,\text{m/s^2 \par & 5}", "q1") == (
         r"v = 1{,}5\,\text{m/s\textsuperscript{2} \textbackslash{}par \& 5}"
     )
-    assert write_math(r"5\% \text{曲柄}", "q1") == r"5\% \text{曲柄}"
+    assert write_latex_math(r"5\% \text{曲柄}", "q1") == r"5\%\text{曲柄}"
 
 
 TOKENS = [f"\\{name} " for name in sorted(COMMANDS - {"begin", "end"})] + list(
@@ -103,7 +103,7 @@ TOKENS += [
 @given(st.lists(st.sampled_from(TOKENS), max_size=9).map("".join))
 def test_no_formula_comments_or_codes(latex: str) -> None:
     try:
-        source = write_math(latex, "q1")
+        source = write_latex_math(latex, "q1")
     except TypesetError:
         return
     assert "^^" not in source

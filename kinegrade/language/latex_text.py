@@ -9,7 +9,8 @@ import re
 from functools import lru_cache
 from unicodedata import category, normalize
 
-from kinegrade.exam.formula import RAISED
+from kinegrade.language.math import units
+from kinegrade.language.math.units import raise_exponents
 
 _WRITTEN = {
     "\\": r"\textbackslash{}",
@@ -54,19 +55,24 @@ def write_plain(text: str) -> str:
     return "".join(_write_written(character) for character in _LIGATURE.sub("\\1\u200b", composed))
 
 
-def write_unit(text: str) -> str:
+def write_raised(text: str) -> str:
+    r"""`text` with its exponents raised, as units have them.
+
+    >>> print(write_raised("rad/s^2"))
+    rad/s\textsuperscript{2}
+    """
+    return raise_exponents(
+        text, write_plain, lambda power: rf"\textsuperscript{{{_write_negative(power)}}}"
+    )
+
+
+def write_unit(unit: str) -> str:
     r"""A unit as it is printed: exponents raised, a degree sign, a thin dash for a pure number.
 
     >>> print(write_unit("rad/s^2"), write_unit("deg"), write_unit("1"))
     rad/s\textsuperscript{2} ° –
     """
-    raised = RAISED.sub(lambda power: f"\0{power[1]}\1", text)
-    shown = {"deg": "°", "1": "–"}.get(text, raised.replace("*", "·"))
-    parts = re.split("\0(.*?)\1", shown)
-    return "".join(
-        rf"\textsuperscript{{{_write_negative(part)}}}" if index % 2 else write_plain(part)
-        for index, part in enumerate(parts)
-    )
+    return units.write_unit(unit, write_symbols=write_raised)
 
 
 def write_signed(number: str) -> str:

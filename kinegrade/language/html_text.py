@@ -11,11 +11,11 @@ import re
 from functools import lru_cache
 from html import escape
 
-from kinegrade.exam.formula import RAISED, TEXT, require_known_math, write_unit
+from kinegrade.language.math.latex import MATHJAX, write_latex_math
+from kinegrade.language.math.units import raise_exponents, write_unit
 
 # What no XML document may hold
 _CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\ufffe\uffff\ud800-\udfff]")
-_BOLD = re.compile(r"\\bm(?![A-Za-z])")
 
 
 def write_plain_html(text: str) -> str:
@@ -34,11 +34,10 @@ def write_math_html(latex: str, where: str = "text", *, display: bool = False) -
     Raises TypesetError where it holds anything but the math that every press prints.
 
     >>> write_math_html(r"v_B = 2\,\unit{m/s^2}")
-    '\\(v_B = 2\\,\\mathrm{m/s^{2}}\\)'
+    '\\(v_{B} = 2\\,\\mathrm{m/s^{2}}\\)'
     """
-    known = _BOLD.sub(r"\\boldsymbol", require_known_math(latex.strip(), where))
-    written = TEXT.sub(lambda found: "{,}" if found[2] else _write_upright(found), known)
-    return rf"\[{write_plain_html(written)}\]" if display else rf"\({write_plain_html(written)}\)"
+    written = write_plain_html(write_latex_math(latex, where, MATHJAX))
+    return rf"\[{written}\]" if display else rf"\({written}\)"
 
 
 def write_unit_html(unit: str) -> str:
@@ -47,17 +46,12 @@ def write_unit_html(unit: str) -> str:
     >>> write_unit_html("rad/s^2"), write_unit_html("deg"), write_unit_html("1")
     ('rad/s<sup>2</sup>', '°', '')
     """
-    raised = RAISED.sub(
-        lambda power: f"<sup>{power[1].replace('-', '−')}</sup>", write_plain_html(unit)
-    )
-    return {"deg": "°", "1": ""}.get(unit, raised.replace("*", "·"))
+    return write_unit(write_plain_html(unit), "", _write_symbols)
 
 
-def _write_upright(found: re.Match[str]) -> str:
-    r"""`\unit{...}` as upright math, `\text{...}` with raised exponents as it is."""
-    if not found[0].startswith(r"\unit"):
-        return rf"\text{{{write_unit(found[1])}}}"
-    if found[1] == "deg":
-        return r"{}^{\circ}"
-    raised = RAISED.sub(r"^{\1}", found[1]).replace("*", r"{\cdot}")
-    return rf"\mathrm{{{raised}}}"
+def _write_symbols(unit: str) -> str:
+    return raise_exponents(unit, write_raised=_write_sup)
+
+
+def _write_sup(exponent: str) -> str:
+    return f"<sup>{exponent.replace('-', '−')}</sup>"

@@ -1,0 +1,247 @@
+r"""LaTeX math, read once into its tree, whoever prints it.
+
+What one writer cannot write is refused for all of them: every formula that is read can be printed
+by every press and shown by every page.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+from kinegrade.errors import TypesetError, write_message
+from kinegrade.language.lines import shorten
+from kinegrade.language.math.letters import FUNCTIONS, GREEK, SIGNS
+from kinegrade.language.math.tokens import (
+    ACCENTS,
+    ENVIRONMENTS,
+    FRACTIONS,
+    SPACES,
+    STYLES,
+    MathFault,
+    TokenCursor,
+    find_environment,
+    find_token_faults,
+    is_words,
+    split_tokens,
+)
+from kinegrade.language.math.tree import (
+    PRIME,
+    Accent,
+    Environment,
+    Fenced,
+    Fraction,
+    Function,
+    Group,
+    Letter,
+    Lettering,
+    LineBreak,
+    Mark,
+    Node,
+    Number,
+    Root,
+    Row,
+    Scripts,
+    Sign,
+    Space,
+    Text,
+    Unit,
+)
+
+_DEEPEST = 40  # levels of braces and arguments; a formula of an exam has five
+_TOO_DEEP = MathFault("is nested too deeply", f"at most {_DEEPEST} levels", "write it flatter")
+BRACKETS = frozenset(("(", ")", "[", "]", "|", ".", r"\{", r"\}", r"\|"))
+_SCRIPTS = frozenset(("_", "^", "'"))
+_NO_ATOM = _SCRIPTS | {"&", r"\\", r"\\{}"}
+_WHOLE = MathFault("cannot be read", "whole LaTeX math", "fix it")
+_STRAY = MathFault(r"\right without \left", r"a \left for it", "add it")
+_MISSING = {
+    r"\right": MathFault(r"\left without \right", r"a \right for it", "add it"),
+    "]": MathFault(r"\sqrt[ without ]", "a ] for it", "add it"),
+}
+
+
+def read_math(latex: str, where: str) -> Row:
+    r"""The tree of LaTeX math without dollar signs.
+
+    Raises TypesetError with every fault of the formula, each naming `where`.
+
+    >>> read_math("v_B", "q1")
+    (Scripts(base=Letter(name='v'), lower=(Letter(name='B'),), primes=0, upper=None),)
+    """
+    read = _read(latex)
+    if isinstance(read, _Refused):
+        place = write_formula_place(latex, where)
+        raise TypesetError(
+            *(write_message(place, fault.what, fault.expected, fault.do) for fault in read.faults)
+        )
+    return read
+
+
+def write_formula_place(latex: str, where: str) -> str:
+    """How a message names a formula, cut if it is long."""
+    return f"{where}: formula ${shorten(latex)}$"
+
+
+class _Refused(Exception):
+    """The faults of a formula."""
+
+    def __init__(self, *faults: MathFault) -> None:
+        self.faults = faults
+        super().__init__()
+
+
+@lru_cache(maxsize=8192)
+def _read(latex: str) -> Row | _Refused:
+    """The same wherever it is used, so that the papers of a class share it."""
+    tokens = split_tokens(latex)
+    faults = tuple(find_token_faults(tokens))
+    if faults:
+        return _Refused(*faults)
+    try:
+        return _Reader(tokens).whole()
+    except _Refused as refusal:
+        return refusal
+
+
+class _Reader:
+    """One formula, token by token."""
+
+    def __init__(self, tokens: Sequence[str]) -> None:
+        self._tokens = TokenCursor(tokens)
+        self._depth = 0
+
+    def whole(self) -> Row:
+        """The whole formula."""
+        return self._row("")
+
+    def _row(self, closing: str) -> Row:
+        """Everything up to `closing`, which is passed, or to the end of what is around."""
+        self._deepen()
+        row = []
+        while self._tokens.peek() != closing and not _is_end(self._tokens.peek()):
+            row.append(self._scripted())
+        found = self._tokens.take()
+        if found != closing:
+            raise _Refused(_STRAY if found == r"\right" else _MISSING.get(closing, _WHOLE))
+        self._depth -= 1
+        return tuple(row)
+
+    def _deepen(self) -> None:
+        self._depth += 1
+        if self._depth > _DEEPEST:
+            raise _Refused(_TOO_DEEP)
+
+    def _scripted(self) -> Node:
+        """An atom with what stands below and above it."""
+        node = None if self._tokens.peek() in _SCRIPTS else self._number() or self._atom()
+        if isinstance(node, Mark | LineBreak | Space):
+            return node
+        depth = self._depth
+        while self._tokens.peek() in _SCRIPTS:
+            node = self._add_script(node, self._tokens.take())
+        self._depth = depth
+        return node or Group(())
+
+    def _number(self) -> Number | None:
+        digits = self._tokens.take_number()
+        return Number(digits) if digits else None
+
+    def _add_script(self, node: Node | None, sign: str) -> Scripts:
+        base = None if node == Group(()) else node
+        scripts = base if isinstance(base, Scripts) else Scripts(base, None, 0, None)
+        if sign == "'":
+            return replace(scripts, primes=scripts.primes + 1)
+        argument = self._argument(sign)
+        if sign == "_":
+            return replace(self._free(scripts, scripts.lower), lower=argument)
+        if argument and all(each == PRIME for each in argument):
+            return replace(scripts, primes=scripts.primes + len(argument))
+        return replace(self._free(scripts, scripts.upper), upper=argument)
+
+    def _free(self, scripts: Scripts, taken: Row | None) -> Scripts:
+        """Scripts with a free place: around those whose place is taken, if it is."""
+        if taken is None:
+            return scripts
+        self._deepen()
+        return Scripts(Group((scripts,)), None, 0, None)
+
+    def _argument(self, command: str) -> Row:
+        """What a command acts on: a group, or one atom."""
+        token = self._tokens.peek()
+        if token == "{":
+            self._tokens.take()
+            return self._row("}")
+        if token in _NO_ATOM or _is_end(token):
+            do = f"write {command}{{...}}"
+            raise _Refused(MathFault(f"{command} with nothing after it", "what it acts on", do))
+        self._deepen()
+        atom = self._atom()
+        self._depth -= 1
+        return (atom,)
+
+    def _atom(self) -> Node:
+        """A letter, a digit, a sign, a group, or a command with its arguments."""
+        token = self._tokens.take()
+        if token == "{":
+            return Group(self._row("}"))
+        if token == "&":
+            return Mark()
+        if is_words(token):
+            words = token[token.index("{") + 1 : -1]
+            return Unit(words) if token.startswith(r"\unit") else Text(words)
+        if token in SIGNS:
+            return Sign(token)
+        if token.startswith("\\"):
+            return self._command(token)
+        return Number(token) if token.isdigit() else Letter(token)
+
+    def _command(self, token: str) -> Node:
+        name = token.removeprefix("\\")
+        if name in GREEK:
+            return Letter(name)
+        if name in FUNCTIONS:
+            return Function(name)
+        if name in SPACES:
+            return Space(SPACES[name])
+        if name in STYLES:
+            return Lettering(STYLES[name], self._argument(token))
+        if name in ACCENTS:
+            return Accent(ACCENTS[name], self._argument(token))
+        if name in FRACTIONS:
+            return Fraction(FRACTIONS[name], self._argument(token), self._argument(token))
+        return self._structure(token)
+
+    def _structure(self, token: str) -> Node:
+        """What has a beginning and an end; the end of a line."""
+        environment = find_environment(token)
+        if environment is not None:
+            return Environment(ENVIRONMENTS[environment], self._row(rf"\end{{{environment}}}"))
+        match token:
+            case r"\sqrt":
+                return self._root()
+            case r"\left":
+                left = self._bracket(token)
+                return Fenced(left, self._row(r"\right"), self._bracket(r"\right"))
+            case _:
+                return LineBreak()
+
+    def _root(self) -> Root:
+        if self._tokens.peek() != "[":
+            return Root(self._argument(r"\sqrt"), None)
+        self._tokens.take()
+        degree = self._row("]")
+        return Root(self._argument(r"\sqrt"), degree)
+
+    def _bracket(self, command: str) -> str:
+        bracket = self._tokens.take()
+        if bracket not in BRACKETS:
+            expected, do = "a bracket, or a point for none", f"write {command}( or {command}."
+            raise _Refused(MathFault(f"{command} without a bracket", expected, do))
+        return bracket
+
+
+def _is_end(token: str) -> bool:
+    """Whether nothing of a row can follow."""
+    return token in ("", "}", r"\right") or token.startswith(r"\end{")
