@@ -34,10 +34,10 @@ def test_every_shipped_template_can_be_printed_in_every_language(name: str) -> N
             r"above $\nonsense O$.",
             "statement.en: formula $\\nonsense O$: unknown command",
         ),
-        (ENGLISH, "above $O_$.", "statement.en: expected expression - expected math that can be"),
+        (ENGLISH, "above $O_$.", "statement.en: formula $O_$: _ with nothing after it"),
         (ENGLISH, "above <b>O</b>.", "statement.en: raw HTML (<b>) cannot be printed"),
         (ENGLISH, "above \U0001f600.", "statement.en: no font prints \U0001f600 (U+1F600)"),
-        ('zh = "沿 x 轴"', 'zh = "沿 $x_$ 轴"', "asks.v_x.means.zh: expected expression"),
+        ('zh = "沿 x 轴"', 'zh = "沿 $x_$ 轴"', "asks.v_x.means.zh: formula $x_$: _ with nothing"),
         ('en = "along y"', 'en = "along `y`"', "asks.v_y.means.en: code (y) cannot be printed"),
         (
             'en = "A crank"',

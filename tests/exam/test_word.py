@@ -266,8 +266,8 @@ def test_formulas_that_pandoc_cannot_read_are_refused(press: PandocPress) -> Non
     with pytest.raises(TypesetError) as refusal:
         press.html(replace(ENGLISH, questions=(question,)))
     assert refusal.value.problems == (
-        "html: formula $a & b$: cannot be read - expected whole LaTeX math - fix it",
-        "html: formula $x & y$: cannot be read - expected whole LaTeX math - fix it",
+        "html: formula $a &b$: cannot be read - expected whole LaTeX math - fix it",
+        "html: formula $x &y$: cannot be read - expected whole LaTeX math - fix it",
     )
 
 

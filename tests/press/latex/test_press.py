@@ -203,7 +203,7 @@ def test_what_tex_refuses_is_named_by_paper_question_template_and_line() -> None
     assert problem.startswith(
         "paper K7Q2-9FHM, q2 (slider-crank): TeX: Misplaced alignment tab character & in line "
     )
-    assert "a & b" in problem
+    assert "a &b" in problem
     assert problem.endswith(
         " - expected math that can be typeset - fix the formula in the template"
     )

@@ -13,6 +13,8 @@ from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
 from kinegrade.figure.scene import Scene
+from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.prose import typst as prose
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize
 from kinegrade.press.typst.press import KEY_CHUNK, TypstPress
@@ -236,8 +238,14 @@ def test_all_faults_of_a_paper_are_told_at_once(press: TypstPress) -> None:
     assert wheres == ["rules", "q1, title", "q1, statement", "q2, title", "q2, statement"]
 
 
-def test_math_that_does_not_compile_is_named_by_its_question(press: TypstPress) -> None:
-    question = replace(ENGLISH_QUESTION, statement=r"$\infty{y}$")
+def test_math_that_does_not_compile_is_named_by_its_question(
+    press: TypstPress, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def write(latex: str, where: str) -> str:
+        return "infinityy" if latex == r"\infty y" else write_typst_math(latex, where)
+
+    monkeypatch.setattr(prose, "write_typst_math", write)
+    question = replace(ENGLISH_QUESTION, statement=r"$\infty y$")
     with pytest.raises(TypesetError) as refusal:
         press.paper(
             replace(ENGLISH, questions=(ENGLISH_QUESTION, replace(question, identifier="q2")))
