@@ -1,4 +1,5 @@
-"""A sense in words: clockwise, 逆时针, ↻, to the left; and what it means for the sign of an ask.
+"""A sense in words or as an arrow, and what it means for the sign of an ask: clockwise, ↻, to the
+left.
 
 `split_sense` takes the words off a folded answer; `find_direction` gives their sign under the ask's
 convention.
@@ -8,10 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
 from typing import Literal
 
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.language.message import Message, Quoted, Text
+from kinegrade.language.spellings import match_spellings
 from kinegrade.sign_conventions import UNSIGNED, Convention
 
 Sense = Literal["ccw", "cw", "right", "left", "up", "down"]
@@ -19,23 +23,48 @@ Sense = Literal["ccw", "cw", "right", "left", "up", "down"]
 _OPPOSITE: dict[Sense, Sense] = {
     "ccw": "cw", "cw": "ccw", "right": "left", "left": "right", "up": "down", "down": "up",
 }  # fmt: skip
-_TURNING = r"(?:方向|转动|旋转|转)?"
-_WORDS: dict[Sense, str] = {
-    "ccw": rf"(?:counter|anti)[- ]?clockwise|c\.?c\.?w|acw|逆[时時][针針]{_TURNING}|[↺⟲]",
-    "cw": rf"clockwise|c\.?w|[顺順][时時][针針]{_TURNING}|[↻⟳]",
-    "right": r"(?:to the )?right(?:wards?)?|(?:水平)?向右|→",
-    "left": r"(?:to the )?left(?:wards?)?|(?:水平)?向左|←",
-    "up": r"up(?:wards?)?|(?:竖直|铅直)?向上|↑",
-    "down": r"down(?:wards?)?|(?:竖直|铅直)?向下|↓",
+_WORDS: dict[Sense, Message] = {
+    "ccw": Message("typing.sense-ccw"),
+    "cw": Message("typing.sense-cw"),
+    "right": Message("typing.sense-right"),
+    "left": Message("typing.sense-left"),
+    "up": Message("typing.sense-up"),
+    "down": Message("typing.sense-down"),
 }
-_ANY = "|".join(f"(?P<{sense}>{words})" for sense, words in _WORDS.items())
-_HINT = re.compile(r"cw|c\.|left|right|up|down|[向时時↺⟲↻⟳→←↑↓]|clock", re.IGNORECASE)
-_BEHIND = re.compile(rf"(?<![\s,;(\[])[\s,;(\[]*(?<![A-Za-z])(?:{_ANY})\.?[\s)\]]*$", re.IGNORECASE)
-_BEFORE = re.compile(rf"^[\s(\[]*(?:{_ANY})(?![A-Za-z])[\s)\],:.]*", re.IGNORECASE)
+_ARROWS: dict[Sense, str] = {
+    "ccw": "↺⟲", "cw": "↻⟳", "right": "→", "left": "←", "up": "↑", "down": "↓",
+}  # fmt: skip
 _POSITIVE: Mapping[Convention, Sense | None] = {
     "magnitude": None, "unsigned": None, "signed": None, "ccw": "ccw", "cw": "cw",
     "+x": "right", "-x": "left", "+y": "up", "-y": "down",
 }  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Patterns:
+    """What finds a sense behind an answer or before it; where `anywhere` finds nothing, neither
+    does.
+    """
+
+    anywhere: re.Pattern[str]
+    behind: re.Pattern[str]
+    before: re.Pattern[str]
+
+
+@cache
+def _compile_patterns() -> _Patterns:
+    words = "|".join(f"(?P<{sense}>{_match_sense(sense)})" for sense in _WORDS)
+    behind = rf"(?<![\s,;(\[])[\s,;(\[]*(?<![A-Za-z])(?:{words})\.?[\s)\]]*$"
+    before = rf"^[\s(\[]*(?:{words})(?![A-Za-z])[\s)\],:.]*"
+    return _Patterns(*(re.compile(each, re.IGNORECASE) for each in (words, behind, before)))
+
+
+def _match_sense(sense: Sense) -> str:
+    """An expression for the spellings of a sense: a hyphen may be a blank or left out, and so may
+    the points of c.c.w.
+    """
+    words = match_spellings(_WORDS[sense]).replace(r"\-", "[- ]?").replace(r"\.", r"\.?")
+    return f"{words}|[{_ARROWS[sense]}]"
 
 
 def split_sense(text: str) -> tuple[str, Sense | None]:
@@ -45,7 +74,8 @@ def split_sense(text: str) -> tuple[str, Sense | None]:
     >>> split_sense("12 rad/s (clockwise)")
     ('12 rad/s', 'cw')
     """
-    for pattern in (_BEHIND, _BEFORE) if _HINT.search(text) else ():
+    patterns = _compile_patterns()
+    for pattern in (patterns.behind, patterns.before) if patterns.anywhere.search(text) else ():
         found = pattern.search(text)
         if found:
             sense = next(name for name in _WORDS if found[name] is not None)
@@ -68,7 +98,7 @@ def find_direction(
     if sign == "-" or (sign == "+" and sense != positive):
         raise Unreadable(Message("typing.sign-and-sense", sign=Quoted(sign), sense=name))
     if convention in UNSIGNED:
-        return 1, Message("typing.sense-not-asked", sense=name)
+        return 1, Message("typing.senses-not-asked", sense=name)
     if positive is None or sense not in (positive, _OPPOSITE[positive]):
         raise Unreadable(_describe_no_sign(name, words))
     return (1 if sense == positive else -1), ""
@@ -76,5 +106,5 @@ def find_direction(
 
 def _describe_no_sign(sense: Message, convention: str) -> Message:
     if not convention:
-        return Message("typing.sense-of-no-sign", sense=sense)
-    return Message("typing.sense-of-other-sign", sense=sense, convention=convention)
+        return Message("typing.senses-of-no-sign", sense=sense)
+    return Message("typing.senses-of-other-sign", sense=sense, convention=convention)

@@ -15,6 +15,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from typing import Any
 from unicodedata import numeric
 
@@ -46,6 +47,7 @@ from kinegrade.grading.number_text import (
     show,
 )
 from kinegrade.language.message import Message, Quoted, Text, list_plainly
+from kinegrade.language.spellings import match_spellings
 
 _MOST_ROOTS = 8
 _MOST_BRACKETS = 8
@@ -57,16 +59,32 @@ _KNOWN = Fraction(1, 10**38)
 _SMALLEST, _LARGEST = Fraction(1, 10**LARGEST_EXPONENT), Fraction(10**LARGEST_EXPONENT)
 _SMALLEST_SHOWN, _LARGEST_SHOWN = f"1e-{LARGEST_EXPONENT}", f"1e{LARGEST_EXPONENT}"
 _VULGAR = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
-_START = re.compile(rf"\s*(?:[0-9(√πΠ𝜋{_VULGAR}]|[.,][0-9]|sqrt|根号|pi(?![a-z]))", re.IGNORECASE)
+_ROOT_WORDS = Message("typing.root")
 _MIXED = re.compile(rf"\s?[{_VULGAR}]")
-_IMPLICIT = re.compile(r"\s*(?:[(√πΠ𝜋]|sqrt|根号|pi(?![a-z]))", re.IGNORECASE)
-_ROOT = re.compile(r"√\s*|sqrt\s*|根号\s*", re.IGNORECASE)
 _PI = re.compile(r"[πΠ𝜋]|pi(?![a-z])", re.IGNORECASE)
 _POWER = re.compile(
     r"\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]{1,3})\s*\)|([+-]?[0-9]{1,3})(?![0-9.,/]))"
 )
 _HALF = re.compile(r"\s*(?:\^|\*\*)\s*(?:\(\s*1/2\s*\)|\(\s*0?[.,]5\s*\)|0?[.,]5(?![0-9.,]))")
 _OPERATOR = re.compile(r"\s*([-+*/])(?!\*)")
+
+
+@dataclass(frozen=True)
+class _Beginnings:
+    """What begins a value, a factor without a multiplication sign, and a root."""
+
+    value: re.Pattern[str]
+    factor: re.Pattern[str]
+    root: re.Pattern[str]
+
+
+@cache
+def _compile_beginnings() -> _Beginnings:
+    root = f"√|sqrt|{match_spellings(_ROOT_WORDS)}"
+    factor = rf"[(πΠ𝜋]|{root}|pi(?![a-z])"
+    value = rf"[0-9{_VULGAR}]|[.,][0-9]|{factor}"
+    patterns = rf"\s*(?:{value})", rf"\s*(?:{factor})", rf"(?:{root})\s*"
+    return _Beginnings(*(re.compile(pattern, re.IGNORECASE) for pattern in patterns))
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +114,7 @@ def scan_value(text: str, place: int, style: DecimalStyle) -> TypedNumber | Form
     plain = scan(text, place, style)
     if plain is not None and not _is_continued(text, plain.end):
         return plain
-    if plain is None and not _START.match(text, place):
+    if plain is None and not _compile_beginnings().value.match(text, place):
         return None
     reader = _Reader(text, place, style)
     tree = reader.sum(0)
@@ -108,9 +126,10 @@ def _is_continued(text: str, place: int) -> bool:
     directly after it.
     """
     operator = _OPERATOR.match(text, place)
-    if operator and _START.match(text, operator.end()):
+    if operator and _compile_beginnings().value.match(text, operator.end()):
         return True
-    return any(sign.match(text, place) for sign in (_POWER, _HALF, _IMPLICIT, _MIXED))
+    signs = _POWER, _HALF, _MIXED, _compile_beginnings().factor
+    return any(sign.match(text, place) for sign in signs)
 
 
 class _Reader:
@@ -159,7 +178,7 @@ class _Reader:
         """A factor written without a multiplication sign; a bracket that holds a unit is not
         one.
         """
-        if not _IMPLICIT.match(self.text, self.place):
+        if not _compile_beginnings().factor.match(self.text, self.place):
             return None
         state = self.place, self.roots, self.surds, self.remark
         try:
@@ -172,7 +191,7 @@ class _Reader:
 
     def _operator(self, *marks: Mark) -> Mark | None:
         found = _OPERATOR.match(self.text, self.place)
-        if found is None or not _START.match(self.text, found.end()):
+        if found is None or not _compile_beginnings().value.match(self.text, found.end()):
             return None
         mark = next((mark for mark in marks if mark == found[1]), None)
         self.place = self.place if mark is None else found.end()
@@ -193,7 +212,7 @@ class _Reader:
         if self.atoms > _MOST_ATOMS:
             raise Unreadable(Message("typing.many-parts", most=_MOST_ATOMS))
         self.skip()
-        if found := _ROOT.match(self.text, self.place):
+        if found := _compile_beginnings().root.match(self.text, self.place):
             self.place = found.end()
             return self._radical(depth)
         if found := _PI.match(self.text, self.place):
@@ -211,7 +230,7 @@ class _Reader:
         tree = self._root_of(self._bracket(depth) if bracket else self.number(power_of_ten=False))
         if (
             not bracket
-            and (after := _IMPLICIT.match(self.text, self.place))
+            and (after := _compile_beginnings().factor.match(self.text, self.place))
             and after[0].strip() in "(πΠ𝜋"
         ):
             self._require_plain_order(

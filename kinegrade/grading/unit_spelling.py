@@ -1,8 +1,7 @@
-"""Units as people write them, and their values: m/s², m·s⁻², m s^-2, m/s/s, ㎨, 米每二次方秒; rpm, r/min,
-转/分.
+"""Units as people write them, and their values: m/s², m·s⁻², m s^-2, m/s/s, metres per second, rpm.
 
-`find_conversion` is called by `answers` for the text after a number. It compares dimensions before any
-numbers are compared, and converts exactly: a factor and a power of pi, because a turn is 2 pi
+`find_conversion` is called by `answers` for the text after a number. It compares dimensions before
+any numbers are compared, and converts exactly: a factor and a power of pi, because a turn is 2 pi
 radians.
 """
 
@@ -10,39 +9,38 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, lru_cache
 from unicodedata import normalize
 
 from kinegrade.grading.number_text import TypingFault, Unreadable, fold, show
 from kinegrade.language.message import Message, Part, Quoted
+from kinegrade.language.spellings import is_written_apart, list_spellings, match_spellings
 from kinegrade.units import FACTORS, HALF_TURNS
 
-_SPELLINGS = {
-    "m": "米 公尺 metre metres meter "
-         "meters", "cm": "厘米 公分 centimetre centimetres centimeter centimeters",
-    "mm": "毫米 millimetre millimetres millimeter millimeters", "dm": "分米",
-    "km": "千米 公里 kilometre kilometres kilometer kilometers",
-    "s": "sec secs second seconds 秒 "
-         "秒钟", "min": "mins minute minutes 分 分钟", "h": "hr hrs hour hours 小时 时",
-    "rad": "rads radian radians 弧度", "deg": "° degs degree degrees 度",
-    "turn": "turns rev revs revolution revolutions 转 圈 周", "%": "percent",
-}  # fmt: skip
-_NAMES = {
-    spelling: name
-    for name, spellings in _SPELLINGS.items()
-    for spelling in (name, *spellings.split())
+_WORDS = {
+    "m": Message("typing.unit-m"),
+    "cm": Message("typing.unit-cm"),
+    "mm": Message("typing.unit-mm"),
+    "dm": Message("typing.unit-dm"),
+    "km": Message("typing.unit-km"),
+    "s": Message("typing.unit-s"),
+    "min": Message("typing.unit-min"),
+    "h": Message("typing.unit-h"),
+    "rad": Message("typing.unit-rad"),
+    "deg": Message("typing.unit-deg"),
+    "turn": Message("typing.unit-turn"),
+    "%": Message("typing.unit-percent"),
 }
+_SYMBOLS = {"°": "deg", "%": "%", "dm": "dm"}
+_PER = Message("typing.per")
+_SQUARED, _SQUARE = Message("typing.squared"), Message("typing.square")  # behind a unit, before it
+_CYCLES = Message("typing.turns-per-second")
 _SHORT = {"rpm": "turn/min", "rps": "turn/s", "kph": "km/h", "kmh": "km/h", "r": "turn"}
-_TURN_COUNTS = re.compile(r"[kM]?Hz|hertz|千?赫兹?", re.IGNORECASE)
-_PER_MINUTE = re.compile(r"1?/(?:min|分|分钟)|(?:min|分|分钟)\^?\(?-1\)?", re.IGNORECASE)
-_SQUARES = (
-    (re.compile(r"(?:平方|二次方)秒"), "秒^2"),
-    (re.compile(r"\s*squared"), "^2"),
-    (re.compile(r"每|\s+per\s+"), "/"),
-    (re.compile(r"\b((?:k|c|m)?m|rad)s(?=\^?\(?-?[0-9])"), r"\1 s"),
-)
+_PER_MINUTE = Counter({"min": -1})
+_RUN_TOGETHER = re.compile(r"\b((?:k|c|m)?m|rad)s(?=\^?\(?-?[0-9])")  # as in ms^-2
 # The ordinal sign and the ring, which are next to ° on many keyboards
 _DEGREE_SIGNS = str.maketrans("º˚", "°°")
 _TIMES = re.compile(r"^\*\s*(?=[^\W\d]|°)")
@@ -138,10 +136,15 @@ def _describe_other_kind(typed: Quoted, found: Part, wanted: Part, unit: str) ->
 
 def _refuse_turns_per_time(written: str, unit: str, wanted: WrittenUnit | None) -> None:
     typed = Quoted(show(written))
-    if _TURN_COUNTS.fullmatch(written):
+    if _compile_turn_counts().fullmatch(written):
         raise WrongUnit(_describe_turns(typed, unit, wanted))
-    if _PER_MINUTE.fullmatch(written.replace(" ", "")) and wanted is not None and wanted.angle:
+    if wanted is not None and wanted.angle and _read_powers(_fold(written)) == _PER_MINUTE:
         raise Unreadable(Message("typing.per-minute", typed=typed))
+
+
+@cache
+def _compile_turn_counts() -> re.Pattern[str]:
+    return re.compile(rf"[kM]?Hz|{match_spellings(_CYCLES)}", re.IGNORECASE)
 
 
 def _describe_turns(typed: Quoted, unit: str, wanted: WrittenUnit | None) -> Message:
@@ -178,9 +181,22 @@ def read_unit(text: str) -> WrittenUnit | None:
 
 def _fold(text: str) -> str:
     plain = fold(normalize("NFKC", fold(text.translate(_DEGREE_SIGNS)))).strip()
-    for pattern, sign in _SQUARES:
+    for pattern, sign in _compile_rewritings():
         plain = pattern.sub(sign, plain)
-    return plain
+    return _RUN_TOGETHER.sub(r"\1 s", plain)
+
+
+@cache
+def _compile_rewritings() -> tuple[tuple[re.Pattern[str], str], ...]:
+    """Words between units, and the signs that they stand for: metres per second squared."""
+    between = "|".join(
+        rf"\s+{word}\s+" if is_written_apart(word) else word for word in list_spellings(_PER)
+    )
+    return (
+        (re.compile(rf"\s*{match_spellings(_SQUARED)}"), "^2"),
+        (re.compile(between), "/"),
+        (re.compile(rf"{match_spellings(_SQUARE)}\s*([^\W\d_]+)"), r"\1^2"),
+    )
 
 
 def _read_powers(text: str) -> Counter[str] | None:
@@ -223,10 +239,19 @@ def _read_bracket(text: str, place: int) -> tuple[Counter[str] | None, int]:
 
 def _find_name(written: str) -> str | None:
     """The unit's standard name; case is ignored, because phones capitalise."""
-    for spelling in (written, written.casefold()):
-        if spelling in _NAMES or spelling in _SHORT or spelling in FACTORS:
-            return _NAMES.get(spelling, spelling)
-    return None
+    names = _list_names()
+    return names.get(written) or names.get(written.casefold())
+
+
+@cache
+def _list_names() -> Mapping[str, str]:
+    """The standard name of a unit by each of its symbols and spellings."""
+    spelled = {
+        spelling.casefold(): name
+        for name, words in _WORDS.items()
+        for spelling in list_spellings(words)
+    }
+    return {**spelled, **_SYMBOLS, **{name: name for name in (*FACTORS, *_SHORT)}}
 
 
 def _find_worth(powers: Counter[str]) -> WrittenUnit:

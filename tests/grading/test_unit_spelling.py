@@ -23,7 +23,7 @@ SAME = Conversion()
     ("m/s^{2}", "m/s^2"), ("m/s/s", "m/s^2"), ("m/(s)^2", None), ("m/(s^2)", "m/s^2"), ("㎨", "m/s^2"),
     ("ms^-2", "m/s^2"), ("m/平方秒", "m/s^2"), ("rad s⁻¹", "rad/s"), ("rads-1", "rad/s"), ("弧度/秒", "rad/s"),
     ("°", "deg"), ("º", "deg"), ("˚", "deg"), ("Deg", "deg"), ("KM/H", "km/h"), ("kph", "km/h"), ("r/min", "rpm"),
-    ("min^-1 r", "rpm"), ("公尺", "m"), ("r", None), ("r m", None), ("Nm", None), ("m//s", None), ("m^", None),
+    ("min^-1 r", "rpm"), ("公尺", "m"), ("m per square second", "m/s^2"), ("米/秒的平方", "m/s^2"), ("decimetre", "dm"), ("r", None), ("r m", None), ("Nm", None), ("m//s", None), ("m^", None),
     ("m)", None), ("(m", None), ("m^22", None), ("((m))", None), ("/", None),
     ("", None),
 ])  # fmt: skip
@@ -69,6 +69,7 @@ def test_a_refusal_is_said_in_any_language() -> None:
 @pytest.mark.parametrize(("typed", "unit", "reason"), [
     (" up", "m/s", '"up" stands after the number; the unit "m/s" was expected'),
     ("m\n", "furlong", '"m" stands after the number; the unit "furlong" was expected'),
+    ("1/minute", "rad/s", '"1/minute" can mean turns or radians per minute; write r/min or rad/min'),
     ("1/min", "rad/s", '"1/min" can mean turns or radians per minute; write r/min or rad/min'),
 ])  # fmt: skip
 def test_an_unknown_unit_is_told(typed: str, unit: str, reason: str) -> None:

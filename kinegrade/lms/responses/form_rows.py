@@ -10,9 +10,8 @@ from functools import cache
 
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster import COLUMN_NAMES
-from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message, Quoted
+from kinegrade.language.spellings import match_spellings
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks, without_derived
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
@@ -78,9 +77,7 @@ def _asks_for(kind: str, title: str) -> bool:
 @cache
 def _match_titles(titles: Message) -> re.Pattern[str]:
     """Finds one of the titles in any language; a Latin one only as whole words."""
-    spellings = (open_catalogue(language).write(titles) for language in known_languages())
-    each = "|".join(re.escape(one) for listed in spellings for one in listed.split("|"))
-    return re.compile(rf"(?<![a-z0-9])(?:{each})(?![a-z0-9])")
+    return re.compile(rf"(?<![a-z0-9]){match_spellings(titles)}(?![a-z0-9])")
 
 
 def _show(title: str) -> Quoted:
