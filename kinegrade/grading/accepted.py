@@ -23,7 +23,7 @@ from kinegrade.exam.folder.keys import Ask, Paper, Sitting
 from kinegrade.expression import evaluate, find_names, make_elementary_functions, read_expression
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import Accepted, Policy
-from kinegrade.grading.typed_value import PRECISION, Amount, convert, make_rational_amount
+from kinegrade.grading.typed_amount import PRECISION, Amount, convert, make_rational_amount
 from kinegrade.grading.unit_spelling import WrittenUnit, read_unit
 from kinegrade.language.message import Fault, Message, Part, Quoted
 

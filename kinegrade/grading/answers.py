@@ -26,14 +26,8 @@ from kinegrade.grading.number_text import (
     show,
 )
 from kinegrade.grading.sense import find_direction, split_sense
-from kinegrade.grading.typed_value import (
-    Amount,
-    Formula,
-    convert,
-    make_rational_amount,
-    scan_value,
-    work_out,
-)
+from kinegrade.grading.typed_amount import Amount, convert, make_rational_amount, work_out
+from kinegrade.grading.typed_value import Formula, scan_value
 from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
