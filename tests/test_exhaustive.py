@@ -35,6 +35,9 @@ EXCEPTIONS = {
     "worked": "a literal has no working; anything else is told as it was worked out",
     "lms/item_groups.py: 'feedback' if known == 'feedback' else "
     "'percentage'": "the cells decide; a known word may only say that they are feedback",
+    "grading/feedback_remarks.py: _VERDICTS.get(verdict, verdict)": "a file of marks may hold "
+    "a verdict of a later version, which is shown as it stands",
+    "grading/report_words.py: _VERDICTS.get(verdict, verdict)": "the same in the class report",
     "problem/assemble.py: if isinstance(value, (Vector, Line, Round, str))": "numbers of any "
     "arithmetic are taken, what is known to be no number is refused",
 }
