@@ -22,6 +22,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.hints import Hint, find_hint
 from kinegrade.grading.item_statistics import Points
 from kinegrade.grading.paper_record import PaperRecord, PaperRecords
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import ANSWERS, GRADES
 from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
@@ -109,10 +110,8 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
         columns = tuple(answer.column for answer in answers)
         _open(count, columns, [float(answer.out_of) for answer in answers])
         if columns != count.columns or student not in totals:
-            raise TableError(
-                f'{marks.path / ANSWERS.name}: the lines of student "{student}" do not fit '
-                f"{GRADES.name} or the others - expected the same asks throughout - grade again"
-            )
+            what = Message("report.other-asks", student=Quoted(student), grades=GRADES.name)
+            raise TableError(Fault(str(marks.path / ANSWERS.name), what))
         if any(answer.verdict != _BLANK and answer.typed.strip() for answer in answers):
             candidate = exam.head.candidates.get(student)
             count.include(
