@@ -59,18 +59,22 @@ _KINDS: Mapping[str, _Kind] = {  # by the words that templates use for bodies
 }
 
 
-def name_kind(word: str) -> Text:
+def name_kind(word: str) -> Message:
     """A body by the word for its kind, with its article; a word of the template that is not known
     stays as it is.
     """
     kind = _KINDS.get(word)
-    return Message(f"solution.body-{kind}") if kind else word
+    if kind is None:
+        return Message("solution.other-body", name=word)
+    return Message(f"solution.body-{kind}")
 
 
-def name_by_number(word: str, number: str) -> Text:
+def name_by_number(word: str, number: str) -> Message:
     """A body by the word for its kind and its number, or its letter in prose."""
     kind = _KINDS.get(word)
-    return Message(f"solution.numbered-{kind}", number=number) if kind else f"{word} {number}"
+    if kind is None:
+        return Message("solution.other-body", name=f"{word} {number}")
+    return Message(f"solution.numbered-{kind}", number=number)
 
 
 def name_barely(word: str) -> Text:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import assert_never
 
-from kinegrade.language.message import Message, Text, list_statements
+from kinegrade.language.message import Message, list_statements
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Parallel, Pin, Roll, Sleeve
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.relations import name_omega
@@ -55,7 +55,7 @@ def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
     return Message("solution.plane", body=name)
 
 
-def describe_track(roll: Roll, case: Case) -> Text:
+def describe_track(roll: Roll, case: Case) -> Message:
     """What a body rolls on, in prose."""
     if roll.of != GROUND:
         return case.naming.body(roll.of)

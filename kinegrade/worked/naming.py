@@ -45,7 +45,7 @@ class Naming:
         """A point in LaTeX math."""
         return write_point_symbol(name)
 
-    def body(self, name: str) -> Text:
+    def body(self, name: str) -> Message:
         """A body in prose: by the paper's letters, or the word for it."""
         if name == GROUND:
             return Message("solution.ground")
@@ -53,7 +53,7 @@ class Naming:
         if label.number:
             return name_by_number(label.word, label.number)
         if not label.word:
-            return f"${label.letters}$"
+            return Message("solution.plain-body", letters=label.letters)
         word = name_kind(label.word)
         if not label.letters:
             return word

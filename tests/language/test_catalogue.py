@@ -53,6 +53,11 @@ msgctxt "rod"
 msgid "the rod $<name>$"
 msgstr "die Stange $<name>$|der Stange $<name>$|der Stange $<name>$|die Stange $<name>$"
 
+#, noun
+msgctxt "lettered"
+msgid "<body> $<letters>$"
+msgstr "<body> $<letters>$|<body:genitive> $<letters>$|<body:dative> $<letters>$|<body> $<letters>$"
+
 msgctxt "base"
 msgid "The velocity $\\boldsymbol{v}_<point>$ of <body>."
 msgstr "Die Geschwindigkeit $\\boldsymbol{v}_<point>$ <body:genitive>."
@@ -87,6 +92,11 @@ def test_a_sentence_takes_the_form_of_a_noun_that_it_needs(german: Catalogue) ->
         r"Die Geschwindigkeit $\boldsymbol{v}_B$ der Stange $AB$."
     )
     assert german.text("worked.turns", body=ROD) == "Die Stange $AB$ dreht sich."
+
+
+def test_a_noun_with_letters_is_declined_by_its_word(german: Catalogue) -> None:
+    body = Message("worked.lettered", body=ROD, letters="l")
+    assert german.text("worked.base", point="B", body=body).endswith(" der Stange $AB$ $l$.")
 
 
 def test_every_noun_of_a_list_takes_the_form_that_the_sentence_needs(german: Catalogue) -> None:

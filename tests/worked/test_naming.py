@@ -1,0 +1,43 @@
+"""What bodies are called in a worked solution: the paper's letters, else words that a sentence can
+decline.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.problem.library import load_template
+from kinegrade.worked.body_words import name_by_number, name_kind
+from kinegrade.worked.naming import Naming
+
+
+@pytest.mark.parametrize(
+    ("template", "body", "english", "chinese", "letters"),
+    [
+        ("slider-crank", "AB", "$AB$", "$AB$", "AB"),
+        ("slider-crank", "ground", "the ground", "固定面", None),
+        ("stone-crusher", "crank", "the crank $OE$", "曲柄 $OE$", "OE"),
+        ("two-rods-driven-ends", "rod_AC", "the rod $AC$", "杆 $AC$", "AC"),
+        ("rolling-wheel-rim-points", "W", "the wheel", "轮", r"\text{wheel}"),
+        ("two-wheels-on-cylinder", "W2", "wheel $W_{2}$", "轮 $W_{2}$", "W_{2}"),
+        ("planetary-gear-external-rim-velocities", "II", "gear II", "齿轮 II", r"\text{gear II}"),
+        ("pin-in-two-rings", "ring1", "ring 1", "圆环 1", r"\text{ring 1}"),
+        ("pose-cam-tappet", "tappet", "the follower", "从动件", r"\text{follower}"),
+    ],
+)
+def test_a_body_is_called_by_its_letters_or_by_its_kind(
+    template: str, body: str, english: str, chinese: str, letters: str | None
+) -> None:
+    naming = Naming(load_template(template), Language("en"))
+    name = naming.body(body)
+    assert open_catalogue(Language("en")).write(name) == english
+    assert open_catalogue(Language("zh")).write(name) == chinese
+    assert letters is None or naming.letters(body) == letters
+
+
+def test_a_word_that_no_catalogue_has_stays_as_the_template_writes_it() -> None:
+    chinese = open_catalogue(Language("zh"))
+    assert chinese.write(name_kind("lever")) == "lever"
+    assert chinese.write(name_by_number("lever", "2")) == "lever 2"
