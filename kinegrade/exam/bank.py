@@ -1,7 +1,7 @@
 """The bank's file, an exam's blueprint: which questions are asked, for how many points, within
 which tolerance.
 
-title  = { en = "Kinematics midterm", zh = "运动学期中测验" }
+title  = { en = "Kinematics midterm", zh = "运动学期中测验" }  # or in NAME.zh.toml beside it
 course = { en = "Theoretical mechanics", zh = "理论力学" }
 tolerance = { relative = "1 %" }  # or { absolute = 0.01 }, { figures = 3 }: or several of them
 shuffle = true  # optional: every paper has its own order of the questions

@@ -24,7 +24,8 @@ from kinegrade.exam.roster import make_student_key
 from kinegrade.fields.document import FileKind, json_table, read_text
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import Read, found
-from kinegrade.language import LANGUAGES, Language
+from kinegrade.language import ENGLISH, Language
+from kinegrade.language.known import known_languages
 from kinegrade.marks_folder.layout import GRADES
 
 FORMAT = 2  # the one that this version writes
@@ -49,7 +50,7 @@ def read_head(folder: Path) -> ExamHead:
     _require_once(
         table, "students", "student", (make_student_key(each.student) for each in students)
     )
-    language = table.required("language", _read_language) or LANGUAGES[0]
+    language = table.required("language", _read_language) or ENGLISH
     rest = {**table.content, "questions": [], "students": [], "language": language}
     try:
         head = _convert(rest, ExamHead)
@@ -72,10 +73,10 @@ def _read_format(value: object) -> int:
 
 def _read_language(value: object) -> Language:
     """A language that this version knows."""
-    for known in LANGUAGES:
+    for known in known_languages():
         if value == known:
             return known
-    expected = f"one of {', '.join(LANGUAGES)}, which this version of kinegrade knows"
+    expected = f"one of {', '.join(known_languages())}, which this version of kinegrade knows"
     raise FieldError(found(value), expected)
 
 
