@@ -173,8 +173,20 @@ def test_exam_json_says_who_got_what(exam: Path) -> None:
         21780,
     )
     assert q1["asks"] == [
-        {"ask": "v_B", "unit": "m/s", "sign": "magnitude, not negative", "points": 3},
-        {"ask": "a_B", "unit": "m/s^2", "sign": "positive in the direction of $+x$", "points": 2.5},
+        {
+            "ask": "v_B",
+            "unit": "m/s",
+            "sign": "magnitude, not negative",
+            "convention": "magnitude",
+            "points": 3,
+        },
+        {
+            "ask": "a_B",
+            "unit": "m/s^2",
+            "sign": "positive in the direction of $+x$",
+            "convention": "+x",
+            "points": 2.5,
+        },
     ]
     assert (q2["combinations"], q3["points"]) == (9, 7)
 

@@ -14,7 +14,7 @@ import pytest
 from pypdf import PdfReader
 
 from kinegrade.exam.versions import choose_version, list_version_letters
-from kinegrade.language import Language
+from kinegrade.language import ENGLISH, Language
 from kinegrade.problem.library import load_template
 from tests.small_class import contents, generate, key_lines, kinegrade, table
 
@@ -111,7 +111,7 @@ def test_the_letter_stands_in_the_code_and_on_the_paper(versions: Path) -> None:
 def test_the_key_shows_each_version_once(versions: Path) -> None:
     text = text_of(versions / "key.pdf")
     assert [text.count(f"Version{letter}") for letter in "ABC"] == [1, 1, 1]
-    title = load_template("bar-through-swivelling-sleeve").about.title.en
+    title = load_template("bar-through-swivelling-sleeve").about.title.in_language(ENGLISH)
     assert text.count("".join(f"3{title}".split())) == 3
 
 
