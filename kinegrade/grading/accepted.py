@@ -137,7 +137,13 @@ def _name_students(student: str, more: int) -> Part:
 
 
 def _find_reason(fault: Exception) -> Part:
-    return fault.faults[0] if isinstance(fault, KinegradeError) else str(fault)
+    match fault:
+        case KinegradeError():
+            return fault.faults[0]
+        case Unreadable():
+            return fault.reason
+        case _:
+            return str(fault)
 
 
 def _work_out(

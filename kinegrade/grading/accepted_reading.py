@@ -107,7 +107,7 @@ def _read_conversion(ask: Ask, unit: object) -> Conversion:
     try:
         return find_conversion(unit, ask.unit)
     except (WrongUnit, Unreadable) as fault:
-        raise FieldError(str(fault)) from fault
+        raise FieldError(fault.reason) from fault
 
 
 def _suggest_student(student: str, students: frozenset[str]) -> Message:

@@ -11,10 +11,13 @@ from itertools import chain
 from kinegrade.amounts import write_amount
 from kinegrade.csv_writing import neutralise, write_csv_cell
 from kinegrade.grading.answers import Reading
+from kinegrade.grading.judged_block import JudgedBlock
 from kinegrade.grading.marks import MarkedBlock
 from kinegrade.grading.pool import list_put_rows
 from kinegrade.grading.typed_cells import TypedCells
-from kinegrade.marks_folder.layout import AnswerCells
+from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.language.message import Text
+from kinegrade.marks_folder.layout import BY_POLICY, NAMES_BETWEEN, AnswerCells
 from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.tables import shorten
 
@@ -25,16 +28,17 @@ def write_marks(folder: MarksWriter, blocks: Iterable[MarkedBlock]) -> Iterator[
     Also writes whose lines of the key were used, where they were not the student's own.
     """
     put: list[tuple[str, str, str, str]] = []
+    words = open_catalogue(folder.language)
     with folder.answers() as write:
         for block in blocks:
-            write(_write_answer_cells(block))
+            write(_write_answer_cells(block, words))
             for paper, _ in block.judged.rows:
                 put += list_put_rows(block.asks, paper)
             yield block
     folder.put(put)
 
 
-def _write_answer_cells(block: MarkedBlock) -> AnswerCells:
+def _write_answer_cells(block: MarkedBlock, words: Catalogue) -> AnswerCells:
     """A line for each answer, assembled column by column."""
     judged, asks, count = block.judged, block.asks, len(block.judged.rows)
     points = [[write_amount(share * ask.points) for share in judged.credits] for ask in asks]
@@ -50,7 +54,9 @@ def _write_answer_cells(block: MarkedBlock) -> AnswerCells:
         verdict=judged.kinds,
         points=[texts[share] for texts, share in zip(points * count, judged.shares, strict=True)],
         out_of=[write_amount(ask.points) for ask in asks] * count,
-        reason=[_write_reason(reason) for reason in judged.reasons],
+        reason=_write_reasons(judged.reasons, words),
+        mistakes=_list_mistakes(judged),
+        rule=[BY_POLICY if place in judged.by_policy else "" for place in range(len(judged.kinds))],
     )
 
 
@@ -58,11 +64,28 @@ def _show_response(reading: Reading) -> str:
     return neutralise(shorten(reading.typed))
 
 
-def _write_reason(reason: str) -> str:
-    """Most reasons are comparisons with the key, which are quickly recognised as harmless."""
-    if reason[:4] == "key " and '"' not in reason:
-        return f'"{reason}"'
-    return write_csv_cell(neutralise(reason))
+def _write_reasons(reasons: Sequence[Text], words: Catalogue) -> list[str]:
+    """Most reasons are comparisons with the key, which are quickly recognised as harmless by how
+    they begin.
+    """
+    beginning = words.text("marking.key", comparison="")
+    is_harmless = beginning[:1].isalpha()
+    return [
+        f'"{reason}"'
+        if is_harmless
+        and isinstance(reason, str)
+        and reason.startswith(beginning)
+        and '"' not in reason
+        else write_csv_cell(neutralise(words.write(reason)))
+        for reason in reasons
+    ]
+
+
+def _list_mistakes(judged: JudgedBlock) -> list[str]:
+    column = [""] * len(judged.kinds)
+    for place, mistakes in judged.mistakes.items():
+        column[place] = write_csv_cell(neutralise(NAMES_BETWEEN.join(mistakes)))
+    return column
 
 
 def _with_odd(

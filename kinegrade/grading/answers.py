@@ -14,6 +14,7 @@ import re
 from dataclasses import dataclass
 from decimal import Context, Decimal
 from fractions import Fraction
+from functools import cache
 from typing import Literal, assert_never
 
 from kinegrade.grading.number_text import (
@@ -29,12 +30,13 @@ from kinegrade.grading.sense import find_direction, split_sense
 from kinegrade.grading.typed_amount import Amount, convert, make_rational_amount, work_out
 from kinegrade.grading.typed_value import Formula, scan_value
 from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion
-from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message, Quoted, Text
 from kinegrade.sign_conventions import Convention
 
 _LONGEST_ANSWER = 200
+_TOO_LONG = Message("marking.too-long", most=_LONGEST_ANSWER)
 _SHOWN_DIGITS = 12
 PAPERS_RULE = DecimalStyle()
 
@@ -46,10 +48,7 @@ _LABEL = re.compile(
     rf"\|?{_NO_LABEL}[^\W\d][\w'\u2032^{{}}()|\\, ]{{0,30}}(?:[=\u2248]|:(?!=))\s*|=\s*",
     re.IGNORECASE,
 )
-_ABOUT = re.compile(
-    r"(?:[\u2248~\u2243\u2245\u223c]|about|approx(?:imately)?\.?|ca\.|大?[约約]为?)\s*",
-    re.IGNORECASE,
-)
+_ABOUT = r"[\u2248~\u2243\u2245\u223c]"
 _TAIL = re.compile(r"[\s.;,!\u3001]+$")
 _SIGN = re.compile(r"([+-]?)\s*")
 _NEXT_NUMBER = re.compile(r"[\s.,;'\u3001~=\u2248]*(?:[+-]\s*)?\(?\s*[0-9]")
@@ -70,8 +69,8 @@ class Reading:
     typed: str
     value: Fraction | None = None
     read_as: str = ""
-    reason: str = ""
-    remark: str = ""
+    reason: Text = ""
+    remark: Text = ""
     error: Fraction = Fraction(0)
 
 
@@ -92,8 +91,8 @@ def read(
     (Fraction(433, 500), '0.866')
     >>> read("12 rad/s clockwise", "rad/s", convention="ccw").value
     Fraction(-12, 1)
-    >>> read("5 m/s", "rad/s").reason
-    '"m/s" measures a speed; an angular velocity was expected, in "rad/s"'
+    >>> read("5 m/s", "rad/s").kind
+    'wrong unit'
     """
     plain = _PLAIN.fullmatch(typed)
     if plain and style.point == "decimal" and not style.point_reason:
@@ -102,16 +101,16 @@ def read(
         return Reading("number", typed, value, typed.removeprefix("+"))
     text = typed.strip(BLANKS)
     if len(text) > _LONGEST_ANSWER:
-        return Reading("unreadable", typed, reason=f"longer than {_LONGEST_ANSWER} characters")
+        return Reading("unreadable", typed, reason=_TOO_LONG)
     text = fold(text)
     if not text.strip("- "):
         return Reading("blank", typed)
     try:
         return _read(typed, text, unit, style, convention=convention, words=sign)
     except Unreadable as fault:
-        return Reading("unreadable", typed, reason=str(fault))
+        return Reading("unreadable", typed, reason=fault.reason)
     except WrongUnit as fault:
-        return Reading("wrong unit", typed, reason=str(fault))
+        return Reading("wrong unit", typed, reason=fault.reason)
 
 
 def _read(
@@ -137,12 +136,12 @@ def _read(
     written = sign[1] if sign else ""
     turn, remark = find_direction(sense, written, convention, words) if sense else (1, "")
     minus = (written == "-") != (turn < 0)
-    english = open_catalogue(ENGLISH)
-    doubts = _describe_doubt(found, minus), remark
-    remarks = "; ".join(english.write(each) for each in doubts if each)
+    doubt = _describe_doubt(found, minus)
+    both = Message("marking.two-remarks", first=doubt, second=remark)
+    said = both if doubt and remark else doubt or remark
     if isinstance(found, TypedNumber) and factor == Conversion():
-        return _read_as_typed(typed, found, minus, remarks)
-    return _work_out(typed, found, minus, factor, remarks)
+        return _read_as_typed(typed, found, minus, said)
+    return _work_out(typed, found, minus, factor, said)
 
 
 def _describe_doubt(found: TypedNumber | Formula, minus: bool) -> Text:
@@ -170,8 +169,17 @@ def _undress(text: str) -> str:
     """The text without a label before the number (v_B =) and without a word for "about"."""
     label = _LABEL.match(text)
     unlabelled = text[label.end() :] if label else text
-    about = _ABOUT.match(unlabelled)
+    about = _match_about().match(unlabelled)
     return (unlabelled[about.end() :] if about else unlabelled).strip()
+
+
+@cache
+def _match_about() -> re.Pattern[str]:
+    """A sign or a word for "about" in any language, the longest of those that begin alike."""
+    listed = (open_catalogue(language).text("marking.about") for language in known_languages())
+    spellings = sorted((word for words in listed for word in words.split("|")), key=len)
+    words = "|".join(map(re.escape, reversed(spellings)))
+    return re.compile(rf"(?:{_ABOUT}|{words})\s*", re.IGNORECASE)
 
 
 def _find_conversion(rest: str, unit: str, typed: str) -> Conversion:
@@ -181,13 +189,13 @@ def _find_conversion(rest: str, unit: str, typed: str) -> Conversion:
     return find_conversion(rest, unit)
 
 
-def _read_as_typed(typed: str, found: TypedNumber, minus: bool, remark: str) -> Reading:
+def _read_as_typed(typed: str, found: TypedNumber, minus: bool, remark: Text) -> Reading:
     value = -found.value if minus else found.value
     return Reading("number", typed, value, _apply_sign(found, minus), remark=remark)
 
 
 def _work_out(
-    typed: str, found: TypedNumber | Formula, minus: bool, factor: Conversion, remark: str
+    typed: str, found: TypedNumber | Formula, minus: bool, factor: Conversion, remark: Text
 ) -> Reading:
     amount = _make_amount(found)
     value, error = convert(amount, -factor.factor if minus else factor.factor, factor.pi)

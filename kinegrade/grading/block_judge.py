@@ -24,13 +24,15 @@ from kinegrade.exam.folder.keys import Ask, Key, Paper, Rule, make_rule
 from kinegrade.exam.folder.stated_keys import StatedKeys, read_stated_mistakes
 from kinegrade.grading.accepted import Alternative, Alternatives
 from kinegrade.grading.bulk_comparison import Comparison, Flags, Rules, compare, may_agree, rules_of
+from kinegrade.grading.bulk_reasons import read_comparisons, read_reasons, write_mistakes
 from kinegrade.grading.decimal_style import FileStyle
-from kinegrade.grading.decision import BY_POLICY, Decision, decide, void, write_other_mistakes
+from kinegrade.grading.decision import Decision, decide, void
 from kinegrade.grading.follow import Decided, Follows, follow_answers
 from kinegrade.grading.judge import Kind, judge
 from kinegrade.grading.judged_block import FULL_SHARE, NO_SHARE, JudgedBlock, Row
 from kinegrade.grading.policy import NO_ROOM, Policy, Ruling
 from kinegrade.grading.typed_cells import CellReader
+from kinegrade.language import ENGLISH, Language
 
 _Places = NDArray[np.intp]
 # Places to be decided one by one: the mistakes to consider there, or all
@@ -44,8 +46,8 @@ _OWNER = itemgetter(0)
 
 
 class _Way(NamedTuple):
-    """A mistake that may lead to the answer at a place: its distance from the answer, and the
-    reason in words.
+    """A mistake that may lead to the answer at a place: its distance from the answer, also in
+    words.
     """
 
     place: int
@@ -53,13 +55,13 @@ class _Way(NamedTuple):
     certain: bool
     difference: float
     value: float
-    reason: str
+    comparison: str
 
 
 @dataclass(frozen=True, slots=True)
 class BlockJudge:
     """Everything needed to judge the rows of a class; `follows` is asked where a student may have
-    carried an error forward.
+    carried an error forward. Reasons are in `language`, or can be said in it.
     """
 
     asks: tuple[Ask, ...]
@@ -67,6 +69,7 @@ class BlockJudge:
     alternatives: Alternatives
     styles: FileStyle
     follows: Follows | None = None
+    language: Language = ENGLISH
 
     @property
     def questions(self) -> list[range]:
@@ -117,24 +120,30 @@ class BlockJudge:
 
     def _put_numbers(self, block: JudgedBlock, comparison: Comparison) -> None:
         certain = np.flatnonzero(comparison.certain)
-        ends, reasons = self._suffixes(), comparison.reasons(certain)
-        if any(ends):
-            places = certain.tolist()
-            reasons = [
-                f"{reason}{ends[place % len(ends)]}"
-                for place, reason in zip(places, reasons, strict=True)
-            ]
-        for place, right, reason in zip(
-            certain.tolist(), comparison.right[certain].tolist(), reasons, strict=True
-        ):
+        changed = self._changed_rules()[certain % len(self.asks)]
+        for by_policy in (False, True):
+            places = certain[changed == by_policy]
+            self._put_alike(block, comparison, places, by_policy=by_policy)
+
+    def _put_alike(
+        self, block: JudgedBlock, comparison: Comparison, places: _Places, *, by_policy: bool
+    ) -> None:
+        """Numbers at places where the paper's rule holds, or where the policy's does."""
+        listed = places.tolist()
+        right = comparison.right[places].tolist()
+        reasons = comparison.reasons(places, read_reasons(self.language, by_policy=by_policy))
+        for place, is_right, reason in zip(listed, right, reasons, strict=True):
             block.kinds[place], block.shares[place] = (
-                ("right", FULL_SHARE) if right else ("wrong", NO_SHARE)
+                ("right", FULL_SHARE) if is_right else ("wrong", NO_SHARE)
             )
             block.reasons[place] = reason
+        if by_policy:
+            block.by_policy.update(listed)
 
-    def _suffixes(self) -> list[str]:
+    def _changed_rules(self) -> Flags:
+        """For each ask, whether the policy's rule is not the paper's."""
         rulings = (self.policy.ruling(ask.column) for ask in self.asks)
-        return ["" if ruling.room == NO_ROOM else BY_POLICY for ruling in rulings]
+        return np.array([ruling.room != NO_ROOM for ruling in rulings], dtype=np.bool_)
 
     def _uncertain(self, block: JudgedBlock, certain: Flags) -> _Open:
         """What was typed but could not be compared; records whatever is not a number at all."""
@@ -168,13 +177,10 @@ class BlockJudge:
             if best is None:
                 found.setdefault(place, {way.name for way in leading})
             elif place not in found:
-                others = write_other_mistakes([way.name for way in leading if way is not best])
-                block.set(
-                    place,
-                    "mistake",
-                    f"{best.name}: leads to {best.reason}{others}",
-                    shares.get(best.name, none),
-                )
+                others = sorted(way.name for way in leading if way is not best)
+                mistakes = (best.name, *others)
+                reason = write_mistakes(mistakes, best.comparison, self.language)
+                block.put_mistakes(place, mistakes, reason, shares.get(best.name, none))
         return found
 
     def _ways(self, block: JudgedBlock, wrong: Sequence[int], rules: Rules) -> Iterator[_Way]:
@@ -193,7 +199,6 @@ class BlockJudge:
         names, owners = [names[each] for each in near.tolist()], owners[near]
         led = compare(block.cells.values[owners], values[near], rules.at(owners))
         likely = np.flatnonzero(led.right | ~led.decided)
-        reasons = [reason.removeprefix("key ") for reason in led.reasons(likely)]
         return map(
             _Way,
             owners[likely].tolist(),
@@ -201,7 +206,7 @@ class BlockJudge:
             led.certain[likely].tolist(),
             led.difference[likely].tolist(),
             led.centres[likely].tolist(),
-            reasons,
+            led.reasons(likely, read_comparisons(self.language)),
         )
 
     def _others(self, block: JudgedBlock, place: int) -> Sequence[Alternative]:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.exam.folder.keys import Rule
+from kinegrade.grading.bulk_reasons import Form, Forms
 
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -23,7 +24,6 @@ _DIGITS = 6  # significant digits in a reason
 _ROUNDING = 1e-15  # relative error of a few operations in double precision, or of reading a number
 _GUARD = 1e-9  # of the numbers compared: a bound nearer than this decides nothing
 _ALIKE = 1e-5  # a difference and a tolerance this close may be written with the same digits
-_ALLOWED = "key %.6g, difference %.6g, allowed %.6g\n"
 _HALF = 1e-6  # of the last digit written: anything this close to a half may be rounded either way
 
 
@@ -75,25 +75,28 @@ class Comparison:
     high: Numbers
     figures: Numbers
 
-    def reasons(self, places: NDArray[np.intp]) -> list[str]:
+    def reasons(self, places: NDArray[np.intp], forms: Forms) -> list[str]:
         """The comparisons at these places in words, exactly as `judge` words them."""
-        numbers = [each[places] for each in (self.centres, self.difference, self.tolerance)]
+        known = self.centres, self.difference, self.tolerance, self.low, self.high
+        numbers = [each[places] for each in known]
         if not self.figures.any():
-            listed: list[float] = np.column_stack(numbers).ravel().tolist()
-            return str(_ALLOWED * len(places) % tuple(listed)).splitlines()
-        numbers += [
-            self.low[places],
-            self.high[places],
-            (self.figures[places] != 0) & (numbers[0] != 0),
-        ]
+            return _write_all(forms.within, numbers, len(places))
+        to_figures = ((self.figures[places] != 0) & (numbers[0] != 0)).tolist()
+        rows = np.column_stack(numbers).tolist()
         return [
-            f"key {centre:.6g}, difference {difference:.6g}, right from {low:.6g} to {high:.6g}"
-            if figures
-            else f"key {centre:.6g}, difference {difference:.6g}, allowed {tolerance:.6g}"
-            for centre, difference, tolerance, low, high, figures in np.column_stack(
-                numbers
-            ).tolist()
+            _write_one(forms.to_figures if figures else forms.within, row)
+            for figures, row in zip(to_figures, rows, strict=True)
         ]
+
+
+def _write_all(form: Form, numbers: Sequence[Numbers], count: int) -> list[str]:
+    """One text for each row, filled in together."""
+    listed: list[float] = np.column_stack([numbers[each] for each in form.order]).ravel().tolist()
+    return str(f"{form.text}\n" * count % tuple(listed)).splitlines()
+
+
+def _write_one(form: Form, row: Sequence[float]) -> str:
+    return form.text % tuple([row[each] for each in form.order])
 
 
 def may_agree(values: Numbers, centres: Numbers, rules: Rules) -> Flags:

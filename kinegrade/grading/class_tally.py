@@ -6,7 +6,6 @@ One pass over marks.csv and the key; the class report is built from it.
 
 from __future__ import annotations
 
-import re
 from array import array
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
@@ -29,9 +28,6 @@ from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 
 _RIGHT, _BLANK = "right", "blank"
 _UNEXPLAINED = "unexplained"
-_NAME = r"[a-z][a-z0-9]*(?:-[a-z0-9]+)*"
-_MISTAKE = re.compile(rf"{_NAME}(?=:|$)")
-_BESIDES = re.compile(rf"; so do(?:es)? ({_NAME}(?:, {_NAME})*)$")
 
 
 @dataclass(frozen=True)
@@ -156,30 +152,12 @@ def _loss(answer: MarkedAnswer, paper: PaperRecord) -> str:
     """Why an answer did not get all its points, in one term: a mistake, a kind of hint, or else the
     verdict.
     """
-    mistakes = mistakes_of(answer)
-    if mistakes:
-        return mistakes[0]
+    if answer.mistakes:
+        return answer.mistakes[0]
     if answer.verdict != "wrong":
         return answer.verdict
     found = hint_of(answer, paper)
     return found.kind if found else _UNEXPLAINED
-
-
-def mistakes_of(answer: MarkedAnswer) -> tuple[str, ...]:
-    """The identifiers of the known mistakes that the marks name, the likeliest first; none for
-    other verdicts.
-    """
-    return named_mistakes(answer.reason) if answer.verdict == "mistake" else ()
-
-
-def named_mistakes(reason: str) -> tuple[str, ...]:
-    """The identifiers in the reason for a mistake, as `kinegrade.grading.decision` writes it.
-
-    >>> named_mistakes("coriolis-dropped: leads to 3, allowed 0.03; so does sense-reversed")
-    ('coriolis-dropped', 'sense-reversed')
-    """
-    first, besides = _MISTAKE.match(reason), _BESIDES.search(reason)
-    return (first[0], *(besides[1].split(", ") if besides else ())) if first else ()
 
 
 def hint_of(answer: MarkedAnswer, paper: PaperRecord) -> Hint | None:

@@ -16,11 +16,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal, assert_never
 
-from kinegrade.counting import count_in_words
 from kinegrade.grading.number_text import DecimalStyle, MarkUse, fold, read_mantissa
-from kinegrade.language import ENGLISH
-from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.message import Text
+from kinegrade.language.message import Message, Text
 
 Mark = Literal["comma", "point"]
 _LONGEST_EVIDENCE = 200
@@ -33,11 +30,7 @@ _USUAL_LINES = re.compile(
 )
 _DECIMAL_LINE = re.compile(r"^[+-]?(?:0\.|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,})$)", re.MULTILINE)
 _PAPERS = DecimalStyle()
-_OWN_COMMAS = "the comma is the decimal mark in the same student's other answers"
-_AGAINST_OWN_POINTS = (
-    "a comma is the decimal mark, as the papers say; "
-    "but this student's other answers have a decimal point"
-)
+_OWN_COMMAS = Message("marking.own-commas")
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,13 +59,9 @@ class FileStyle:
     commas: bool = False
 
     @property
-    def reasons(self) -> tuple[str, ...]:
-        """What was declared or decided for the whole file, or holds for many students alike, in the
-        words of remarks.
-        """
-        english = open_catalogue(ENGLISH)
-        known = self.style.comma_reason, self.style.point_reason, _OWN_COMMAS
-        return tuple(english.write(reason) for reason in known if reason)
+    def reasons(self) -> tuple[Text, ...]:
+        """What was declared or decided for the whole file, or holds for many students alike."""
+        return tuple(filter(None, (self.style.comma_reason, self.style.point_reason, _OWN_COMMAS)))
 
     def of_row(self, cells: Sequence[str]) -> DecimalStyle:
         """The style of one student's answers: as declared, else as they show, else the file's."""
@@ -83,25 +72,20 @@ class FileStyle:
             return self.style
         comma, comma_reason = self._comma(row)
         if "." in row.groups and "." not in row.decimal:
-            return DecimalStyle(
-                comma, "groups", comma_reason, "this student groups digits by points elsewhere"
-            )
+            return DecimalStyle(comma, "groups", comma_reason, Message("marking.own-point-groups"))
         return DecimalStyle(comma, self.style.point, comma_reason, self.style.point_reason)
 
     def _comma(self, row: Evidence) -> tuple[MarkUse, Text]:
         if "," in row.decimal and "," in row.groups:
-            return (
-                "unknown",
-                "this student uses commas in both ways; ask, or declare the decimal mark",
-            )
+            return "unknown", Message("marking.both-ways")
         if "," in row.decimal:
             return "decimal", _OWN_COMMAS
         if "," in row.groups:
-            return "groups", "this student groups digits by commas elsewhere"
+            return "groups", Message("marking.own-comma-groups")
         if "." in row.decimal:
             if self.commas:
-                return self.style.comma, _AGAINST_OWN_POINTS
-            return "groups", "the point is the decimal mark in this student's other answers"
+                return self.style.comma, Message("marking.against-own-points")
+            return "groups", Message("marking.own-points")
         return self.style.comma, self.style.comma_reason
 
 
@@ -142,28 +126,22 @@ def find_file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None)
     mark.
     """
     if declared is not None:
-        declaration = f"the decimal mark was declared to be the {declared}"
-        return FileStyle(_read_declared_style(declared, declaration), declared=True)
+        return FileStyle(_read_declared_style(declared), declared=True)
     found = [gather_evidence(row) for row in rows if any(row)]
     commas = sum("," in each.decimal for each in found)
     points = sum("." in each.decimal for each in found)
     comma, reason = _judge_comma(commas, points, len(found))
-    doubt = (
-        "a point is a decimal point, as the papers say; all other unambiguous answers "
-        "have a decimal comma"
-    )
-    return FileStyle(
-        DecimalStyle(comma, "decimal", reason, doubt if commas and not points else ""),
-        commas=commas > 0,
-    )
+    doubt = Message("marking.point-by-rule") if commas and not points else ""
+    return FileStyle(DecimalStyle(comma, "decimal", reason, doubt), commas=commas > 0)
 
 
-def _read_declared_style(mark: Mark, reason: str) -> DecimalStyle:
+def _read_declared_style(mark: Mark) -> DecimalStyle:
     match mark:
         case "comma":
-            return DecimalStyle("decimal", "groups", reason, reason)
+            declared = Message("marking.declared-comma")
+            return DecimalStyle("decimal", "groups", declared, declared)
         case "point":
-            return DecimalStyle("groups", "decimal", reason)
+            return DecimalStyle("groups", "decimal", Message("marking.declared-point"))
         case _:
             assert_never(mark)
 
@@ -173,16 +151,9 @@ def _judge_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, Text]:
     and none shows a decimal comma.
     """
     if not commas and 2 * points > rows:
-        return (
-            "groups",
-            "the point is the decimal mark in the answers of "
-            f"{count_in_words(points, 'student')}, and "
-            "the comma in no student's",
-        )
+        return "groups", Message("marking.points-only", count=points)
     if not commas and not points:
         return "decimal", _PAPERS.comma_reason
-    return "decimal", (
-        "a comma is the decimal mark, as the papers say; so it is in the answers of "
-        f"{count_in_words(commas, 'student')}, the point in "
-        f"those of {count_in_words(points, 'student')}"
-    )
+    with_commas = Message("marking.students", count=commas)
+    with_points = Message("marking.students", count=points)
+    return "decimal", Message("marking.commas-too", commas=with_commas, points=with_points)

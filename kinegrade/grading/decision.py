@@ -8,7 +8,7 @@ key, the accepted answers in their order, the mistakes, the right number in a wr
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import assert_never
@@ -18,9 +18,9 @@ from kinegrade.grading.accepted import Alternative
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.judge import Verdict, judge
 from kinegrade.grading.policy import NO_ROOM, Ruling
+from kinegrade.language.message import Message, Text, list_plainly
 
 Decision = tuple[Verdict, Fraction]  # what the answer is, and its share of the points
-BY_POLICY = " by the policy"  # ends the reason where the rule differs from the paper's
 _FULL, _NONE = Fraction(1), Fraction(0)
 
 
@@ -61,15 +61,16 @@ def void(decision: Decision, ruling: Ruling, *, handed_in: bool) -> Decision:
     out of none.
     """
     verdict, _ = decision
-    by_key = f"; by the key: {verdict.kind}" + (f" ({verdict.reason})" if verdict.reason else "")
+    by_key: Text = verdict.kind
+    if verdict.reason:
+        by_key = Message("marking.because", verdict=verdict.kind, reason=verdict.reason)
     match ruling.void:
         case "drop":
-            return Verdict("void", f"no part of the total{by_key}"), _NONE
+            return Verdict("void", Message("marking.dropped", verdict=by_key)), _NONE
         case "full" | None:
-            full = "full points to everybody who handed in"
             if handed_in:
-                return Verdict("void", f"{full}{by_key}"), _FULL
-            return Verdict("void", f"{full}; nothing was handed in"), _NONE
+                return Verdict("void", Message("marking.full-points", verdict=by_key)), _FULL
+            return Verdict("void", Message("marking.nothing-handed-in")), _NONE
         case _:
             assert_never(ruling.void)
 
@@ -78,7 +79,8 @@ def _mention_rule(verdict: Verdict, ruling: Ruling) -> Verdict:
     """Adds a note on the rule where it is not the one printed on the paper."""
     if ruling.room == NO_ROOM or verdict.kind not in ("right", "wrong"):
         return verdict
-    return replace(verdict, reason=f"{verdict.reason}{BY_POLICY}")
+    reason = Message("marking.by-policy", reason=verdict.reason)
+    return replace(verdict, reason=reason, by_policy=True)
 
 
 def _find_accepted(
@@ -88,10 +90,11 @@ def _find_accepted(
         margin = replace(reading, error=reading.error + other.error)
         verdict = judge(margin, ruling.beside(key, other.value))
         if verdict.kind == "right":
-            compared = verdict.reason.removeprefix("key ")
-            reason = (
-                f"accepted answer {other.accepted.number} of the policy, "
-                f"{other.accepted.text} = {compared}"
+            reason = Message(
+                "marking.accepted",
+                number=other.accepted.number,
+                text=other.accepted.text,
+                comparison=verdict.comparison,
             )
             yield Verdict("accepted", reason), other.accepted.credit
 
@@ -108,24 +111,28 @@ def _find_mistaken(reading: Reading, key: Key, ruling: Ruling) -> Iterable[Decis
         name: judge(reading, ruling.beside(key, key.mistakes[name])) for _, name in sorted(likely)
     }
     leading = {
-        name: verdict.reason for name, verdict in verdicts.items() if verdict.kind == "right"
+        name: verdict.comparison for name, verdict in verdicts.items() if verdict.kind == "right"
     }
-    for name, compared in leading.items():
-        reason = (
-            f"{name}: leads to {compared.removeprefix('key ')}"
-            f"{write_other_mistakes(leading.keys() - {name})}"
-        )
-        yield Verdict("mistake", reason), ruling.mistakes.get(name, _NONE)
+    for name, comparison in leading.items():
+        mistakes = (name, *sorted(leading.keys() - {name}))
+        verdict = Verdict("mistake", explain_mistakes(mistakes, comparison), mistakes=mistakes)
+        yield verdict, ruling.mistakes.get(name, _NONE)
 
 
-def write_other_mistakes(others: Collection[str]) -> str:
-    """The end of a reason that names a mistake: the other mistakes that lead to the same value.
+def explain_mistakes(mistakes: tuple[str, ...], comparison: Text) -> Message:
+    """The reason of an answer that a mistake leads to: the first; so do the others.
 
-    >>> write_other_mistakes(["sense-reversed"])
-    '; so does sense-reversed'
+    `comparison` says how far the answer is from what the first leads to.
     """
-    return (
-        f"; so {'does' if len(others) == 1 else 'do'} {', '.join(sorted(others))}" if others else ""
+    first, *others = mistakes
+    if not others:
+        return Message("marking.leads-to", mistake=first, comparison=comparison)
+    return Message(
+        "marking.leads-to-so",
+        mistake=first,
+        comparison=comparison,
+        count=len(others),
+        others=list_plainly(others),
     )
 
 
@@ -154,6 +161,6 @@ def _judge_bare_number(
     number = next((each for each in numbers if each.kind == "number"), None)
     if number is not None and judge(number, key).kind == "right":
         yield (
-            Verdict("wrong unit", f"{reading.reason}; the number is right, credit by the policy"),
+            Verdict("wrong unit", Message("marking.bare-number", reason=reading.reason)),
             ruling.wrong_unit,
         )

@@ -14,14 +14,13 @@ from functools import reduce
 from typing import assert_never
 
 from kinegrade.exact.written import read_number
-from kinegrade.grading.class_tally import hint_of, mistakes_of
+from kinegrade.grading.class_tally import hint_of
 from kinegrade.grading.hints import Hint
 from kinegrade.grading.paper_record import PaperRecord, RightAnswer
 from kinegrade.grading.wording import Wording
 from kinegrade.language.message import Message, Text
 from kinegrade.marks_folder.rows import MarkedAnswer
 
-_POLICY = "policy"  # in the reason of a verdict by a tolerance other than the paper's
 _VERDICTS: Mapping[str, Message] = {
     "right": Message("feedback.verdict-right"),
     "accepted": Message("feedback.verdict-accepted"),
@@ -79,7 +78,7 @@ def make_remark(answer: MarkedAnswer, paper: PaperRecord, wording: Wording) -> R
 def _list_mistakes(answer: MarkedAnswer, wording: Wording) -> Text:
     """The sentences on the mistakes, any of which may have been made."""
     known = wording.mistakes
-    sentences: list[Text] = [known[name] for name in mistakes_of(answer) if name in known]
+    sentences: list[Text] = [known[name] for name in answer.mistakes if name in known]
     return reduce(_join_either, sentences) if sentences else ""
 
 
@@ -132,7 +131,7 @@ def _describe_slip(power: int) -> Message:
 def _describe_nearness(answer: MarkedAnswer, right: RightAnswer) -> Message:
     size = abs(right.value)
     difference = write_percent(abs(read_number(answer.read_as) - right.value) / size)
-    if _POLICY in answer.reason:
+    if answer.by_policy:
         return Message("feedback.close-by-policy", difference=difference)
     allowed = write_percent(right.allowed / size)
     return Message("feedback.close", difference=difference, allowed=allowed)

@@ -21,6 +21,7 @@ from kinegrade.grading.decision import Decision
 from kinegrade.grading.judge import Verdict, judge
 from kinegrade.grading.policy import Ruling
 from kinegrade.grading.trivial_answers import Later, is_trivial
+from kinegrade.language.message import Message, Text, list_all
 
 _FARTHEST = (
     1000  # times the right answer, or below its thousandth part: no follow-through from there
@@ -151,9 +152,8 @@ def _find_verdicts(
             used = _select_used(student, answer.ask, answers, value, follows)
             wrong = used.keys() & earlier.wrong.keys()
             if not any(is_trivial(name, used, earlier.keys[name], later) for name in wrong):
-                yield Verdict(
-                    "follow-through", _write_reason(answer.ask.question, used, compared(value))
-                )
+                comparison = compared(value).comparison
+                yield Verdict("follow-through", _explain(answer.ask.question, used, comparison))
 
 
 def _find_followed(
@@ -190,9 +190,7 @@ def _are_alike(value: Fraction, other: Fraction | None) -> bool:
     return other is not None and abs(other - value) <= _SAME * abs(value)
 
 
-def _write_reason(question: str, used: Own, verdict: Verdict) -> str:
-    """In words: the answers used, what follows from them, and how far the answer is from that."""
-    answers = " and ".join(
-        f"{question}.{name} = {float(value):.6g}" for name, value in used.items()
-    )
-    return f"follows from the student's {answers}: {verdict.reason.removeprefix('key ')}"
+def _explain(question: str, used: Own, comparison: Text) -> Message:
+    """The answers used, what follows from them, and how far the answer is from that."""
+    answers = list_all(f"{question}.{name} = {float(value):.6g}" for name, value in used.items())
+    return Message("marking.follows", answers=answers, comparison=comparison)

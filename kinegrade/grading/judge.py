@@ -15,6 +15,7 @@ from typing import Literal, assert_never
 
 from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.answers import Reading
+from kinegrade.language.message import Message, Text
 
 Kind = Literal[
     "right",
@@ -31,10 +32,18 @@ Kind = Literal[
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """What an answer is, and why."""
+    """What an answer is, and why.
+
+    `comparison` says how far a number is from the one it was compared with. `mistakes` are the
+    known mistakes that lead to it, the likeliest first; `by_policy` is whether it was compared by
+    another rule than the paper's.
+    """
 
     kind: Kind
-    reason: str
+    reason: Text
+    comparison: Text = ""
+    mistakes: tuple[str, ...] = ()
+    by_policy: bool = False
 
 
 def judge(reading: Reading, key: Key) -> Verdict:
@@ -42,8 +51,8 @@ def judge(reading: Reading, key: Key) -> Verdict:
     counts as on it. Never raises.
 
     >>> from kinegrade.grading.answers import read
-    >>> judge(read("1.01", "m/s"), Key(Fraction(1), Fraction(1, 100))).reason
-    'key 1, difference 0.01, allowed 0.01'
+    >>> judge(read("1.01", "m/s"), Key(Fraction(1), Fraction(1, 100))).comparison
+    Message('marking.allowed', value='1', difference='0.01', allowed='0.01')
     """
     match reading.kind:
         case "blank":
@@ -65,21 +74,27 @@ def _compare(reading: Reading, key: Key) -> Verdict:
         difference -= round(difference / key.period) * key.period
     low, high = key.interval
     right = low - reading.error <= key.value + difference <= high + reading.error
-    return Verdict("right" if right else "wrong", _write_comparison(key, abs(difference)))
+    comparison = _explain_comparison(key, abs(difference))
+    reason = Message("marking.key", comparison=comparison)
+    return Verdict("right" if right else "wrong", reason, comparison)
 
 
-def _write_comparison(key: Key, difference: Fraction) -> str:
+def _explain_comparison(key: Key, difference: Fraction) -> Message:
     """With as many digits as it takes to see which of the two is larger."""
     if key.agreeing:
         low, high = key.interval
-        return (
-            f"key {_write_short(key.value)}, difference {_write_short(difference)}, right from "
-            f"{_write_short(low)} to {_write_short(high)}"
+        return Message(
+            "marking.to-figures",
+            value=_write_short(key.value),
+            difference=_write_short(difference),
+            low=_write_short(low),
+            high=_write_short(high),
         )
     shown, allowed = _write_short(difference), _write_short(key.tolerance)
     if shown == allowed and difference != key.tolerance:
         shown, allowed = _write_long(difference), _write_long(key.tolerance)
-    return f"key {_write_short(key.value)}, difference {shown}, allowed {allowed}"
+    value = _write_short(key.value)
+    return Message("marking.allowed", value=value, difference=shown, allowed=allowed)
 
 
 def _write_short(number: Fraction) -> str:

@@ -15,6 +15,7 @@ from kinegrade.grading.decision import Decision
 from kinegrade.grading.judge import Kind, Verdict
 from kinegrade.grading.sheet import Entry
 from kinegrade.grading.typed_cells import TypedCells
+from kinegrade.language.message import Text
 
 Row = tuple[Paper, Entry]
 NO_SHARE, FULL_SHARE = 0, 1  # indices into `JudgedBlock.credits`
@@ -26,24 +27,38 @@ class JudgedBlock:
     """All answers of some rows, row after row: the kinds and reasons of the verdicts, and the
     shares of the points.
 
-    Each of `shares` is an index into `credits`, which holds the few distinct values.
+    Each of `shares` is an index into `credits`, which holds the few distinct values. `mistakes` are
+    those that lead to the answers at some places, `by_policy` the places where the rule was not the
+    paper's.
     """
 
     rows: Sequence[Row]
     cells: TypedCells
     kinds: list[Kind]
-    reasons: list[str]
+    reasons: list[Text]
     shares: list[int]
     credits: list[Fraction] = field(default_factory=lambda: [Fraction(0), Fraction(1)])
+    mistakes: dict[int, tuple[str, ...]] = field(default_factory=dict)
+    by_policy: set[int] = field(default_factory=set)
 
     def put(self, place: int, decision: Decision) -> None:
         """Sets the decision on an answer."""
         verdict, share = decision
-        self.set(place, verdict.kind, verdict.reason, share)
+        self.kinds[place], self.reasons[place] = verdict.kind, verdict.reason
+        self.mistakes[place] = verdict.mistakes
+        (self.by_policy.add if verdict.by_policy else self.by_policy.discard)(place)
+        self._set_share(place, share)
 
-    def set(self, place: int, kind: Kind, reason: str, share: Fraction) -> None:
-        """The same without creating a verdict."""
-        self.kinds[place], self.reasons[place] = kind, reason
+    def put_mistakes(
+        self, place: int, mistakes: tuple[str, ...], reason: str, share: Fraction
+    ) -> None:
+        """Sets that these mistakes lead to an answer."""
+        self.kinds[place], self.reasons[place] = "mistake", reason
+        self.mistakes[place] = mistakes
+        self.by_policy.discard(place)
+        self._set_share(place, share)
+
+    def _set_share(self, place: int, share: Fraction) -> None:
         if not share:
             self.shares[place] = NO_SHARE
             return
@@ -53,4 +68,10 @@ class JudgedBlock:
 
     def decision(self, place: int) -> Decision:
         """The decision on an answer."""
-        return Verdict(self.kinds[place], self.reasons[place]), self.credits[self.shares[place]]
+        verdict = Verdict(
+            self.kinds[place],
+            self.reasons[place],
+            mistakes=self.mistakes.get(place, ()),
+            by_policy=place in self.by_policy,
+        )
+        return verdict, self.credits[self.shares[place]]

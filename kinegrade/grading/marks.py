@@ -28,7 +28,7 @@ from kinegrade.grading.judged_block import USUAL_CREDITS, JudgedBlock, Row
 from kinegrade.grading.policy import AS_PRINTED, Policy
 from kinegrade.grading.pool import Pool
 from kinegrade.grading.sheet import Entry, Sheet, find_repeated
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Text
 from kinegrade.marks_folder.rows import Grade
 from kinegrade.tables import Complaint, shorten, trim
 
@@ -79,7 +79,7 @@ class MarkedBlock:
     judged: JudgedBlock
     grades: Sequence[Grade]
     complaints: Sequence[Complaint]
-    general: Mapping[str, Sequence[Complaint]] = field(default_factory=dict)
+    general: Mapping[Text, Sequence[Complaint]] = field(default_factory=dict)
 
     def marks(self) -> Iterator[Mark]:
         """Every single mark."""
@@ -135,7 +135,7 @@ def mark_blocks(
     read.
     """
     styles = find_file_style((entries[-1].responses for entries in sheet.entries.values()), decimal)
-    judge = BlockJudge(exam.asks, policy, alternatives, styles, follows)
+    judge = BlockJudge(exam.asks, policy, alternatives, styles, follows, exam.language)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
     marker = _Marker(sheet, judge, asks, add_amounts(ask.points for ask in asks), pool)
     papers = exam.papers()
@@ -149,7 +149,7 @@ def collect_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -
     """
     grades: list[Grade] = []
     complaints = list(sheet.complaints)
-    general: dict[str, list[Complaint]] = defaultdict(list)
+    general: dict[Text, list[Complaint]] = defaultdict(list)
     for block in blocks:
         grades += block.grades
         complaints += block.complaints
@@ -206,7 +206,7 @@ class _Marker:
             if len(self._entries(paper)) > 1
             for complaint in find_repeated(self._entries(paper), entry)
         ]
-        general: dict[str, list[Complaint]] = defaultdict(list)
+        general: dict[Text, list[Complaint]] = defaultdict(list)
         doubts = list(self._doubts(judged, general))
         return MarkedBlock(self.asks, judged, grades, [*complaints, *doubts], general)
 
@@ -274,7 +274,7 @@ class _Marker:
         )
 
     def _doubts(
-        self, judged: JudgedBlock, general: dict[str, list[Complaint]]
+        self, judged: JudgedBlock, general: dict[Text, list[Complaint]]
     ) -> Iterator[Complaint]:
         """The complaints about single cells; those whose reason applies to the whole file go to
         `general`.
@@ -302,8 +302,14 @@ class _Marker:
                     reading.remark,
                     Message("marking.judged", verdict=verdict),
                 )
-                reason = next((each for each in reasons if reading.remark.endswith(each)), None)
-                if reason is None:
-                    yield said
-                else:
+                reason = _find_reason(reading.remark)
+                if reason in reasons:
                     general[reason].append(said)
+                else:
+                    yield said
+
+
+def _find_reason(remark: Text) -> Text:
+    """Why a number was read as it was, where that alone is remarked on; "" otherwise."""
+    reason = remark.parts.get("reason") if isinstance(remark, Message) else None
+    return reason if isinstance(reason, str | Message) else ""

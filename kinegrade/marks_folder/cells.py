@@ -48,7 +48,8 @@ def explain_missing(path: Path, columns: Sequence[str]) -> Fault:
 
 
 def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
-    """The cells of a file in the order of its columns, with the line on which each record ends.
+    """The cells of a file in the order of its columns, with the line on which each record ends;
+    those of an optional column that is missing are empty.
 
     Records are read one at a time, so that a million of them take no memory. Raises TableError at
     the line of the fault.
@@ -59,14 +60,16 @@ def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
             reader = csv.reader(stream, strict=True)
             header = next(reader, [])
             missing = [name for name in file.columns if name not in header]
-            if missing:
-                raise TableError(explain_missing(path, missing))
-            chosen = itemgetter(*map(header.index, file.columns))
+            required = [name for name in missing if name not in file.optional]
+            if required:
+                raise TableError(explain_missing(path, required))
+            blank = [""] * len(missing)
+            chosen = itemgetter(*map([*header, *missing].index, file.columns))
             for cells in reader:
                 if len(cells) != len(header):
                     width = Message("marks.width", count=len(cells), header=len(header))
                     raise TableError(explain_edited(f"{path}:{reader.line_num}", width))
-                yield reader.line_num, chosen(cells)
+                yield reader.line_num, chosen(cells + blank)
     except (UnicodeDecodeError, csv.Error) as fault:
         problem = Message("marks.not-csv", fault=str(fault))
         raise TableError(explain_edited(path, problem)) from fault

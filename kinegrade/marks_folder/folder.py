@@ -27,12 +27,16 @@ from kinegrade.marks_folder.cells import (
     read_whole,
 )
 from kinegrade.marks_folder.check import refuse_changed_totals
+from kinegrade.marks_folder.earlier import find_named_mistakes, names_policy
 from kinegrade.marks_folder.layout import (
     ANSWERS,
+    BY_POLICY,
     COMPLAINTS,
     FOR_PEOPLE,
     GRADES,
     KEPT,
+    MISTAKE,
+    NAMES_BETWEEN,
     PRINTED,
     PUT,
     QUESTIONS_BETWEEN,
@@ -98,7 +102,8 @@ class MarksFolder:
         """The lines of marks.csv, one by one."""
         path = self.path / ANSWERS.name
         for line, cells in read_records(self.path, ANSWERS):
-            student, question, ask, typed, read_as, unit, verdict, points, out_of, reason = cells
+            student, question, ask, typed, read_as, unit, verdict, points, out_of, *why = cells
+            reason, mistakes, rule = map(restore, why)
             yield MarkedAnswer(
                 student,
                 question,
@@ -109,7 +114,9 @@ class MarksFolder:
                 verdict,
                 read_amount(points, path, line, "points"),
                 read_amount(out_of, path, line, "out_of"),
-                restore(reason),
+                reason,
+                _find_mistakes(verdict, mistakes, reason),
+                rule == BY_POLICY or names_policy(reason),
             )
 
     def answers_by_student(self) -> Iterator[tuple[str, tuple[MarkedAnswer, ...]]]:
@@ -159,6 +166,12 @@ def _read_kept_total(cells: Record, path: Path, line: int) -> KeptTotal:
         read_amount(cell, path, line, column) for cell, column in zip(amounts, columns, strict=True)
     ]
     return KeptTotal(student, restore(name), restore(reason), *points)
+
+
+def _find_mistakes(verdict: str, listed: str, reason: str) -> tuple[str, ...]:
+    if verdict != MISTAKE:
+        return ()
+    return tuple(listed.split(NAMES_BETWEEN)) if listed else find_named_mistakes(reason)
 
 
 def _number(text: str, path: Path, line: int) -> str:

@@ -35,6 +35,8 @@ class AnswerCells(NamedTuple):
     points: Sequence[str]
     out_of: Sequence[str]
     reason: Sequence[str]
+    mistakes: Sequence[str]
+    rule: Sequence[str]
 
 
 # grades.csv has a column for each question between these
@@ -42,7 +44,11 @@ _BEFORE_QUESTIONS = ("student", "name")
 _AFTER_QUESTIONS = ("total", "out_of", "percent", "status")
 _KEPT_AMOUNTS = ("before", "before_out_of", "by_this_marking", "out_of", "stands")
 
-ANSWERS: Final = TableFile("marks.csv", AnswerCells._fields)
+# Earlier versions named the mistakes and the policy in the reason alone
+ANSWERS: Final = TableFile("marks.csv", AnswerCells._fields, optional=("mistakes", "rule"))
+MISTAKE: Final = "mistake"  # the verdict on an answer that known mistakes lead to
+NAMES_BETWEEN: Final = " "  # identifiers of mistakes contain no blank
+BY_POLICY: Final = "policy"  # the rule of an answer that was not compared by the paper's
 # Earlier versions wrote no status
 GRADES: Final = TableFile(
     "grades.csv", (*_BEFORE_QUESTIONS, *_AFTER_QUESTIONS), optional=("percent", "status")

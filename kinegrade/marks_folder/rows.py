@@ -20,6 +20,9 @@ Orders = Mapping[str, tuple[str, ...]]  # the questions as printed, by student
 class MarkedAnswer:
     """One line of marks.csv; `read_as` is in plain digits and in `unit`. Both are empty where
     nothing was read.
+
+    `mistakes` are the known mistakes that lead to the answer, the likeliest first, where the
+    verdict is that there are some; `by_policy` is whether the rule was not the paper's.
     """
 
     student: str
@@ -32,6 +35,8 @@ class MarkedAnswer:
     points: Fraction
     out_of: Fraction
     reason: str
+    mistakes: tuple[str, ...] = ()
+    by_policy: bool = False
 
     @property
     def column(self) -> str:

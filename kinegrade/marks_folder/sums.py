@@ -43,7 +43,7 @@ def _read_student(line: _Line) -> str:
 def _find_sums(student: str, lines: Iterable[_Line], path: Path) -> StudentSums:
     points, out_of = defaultdict[str, list[Fraction]](list), defaultdict[str, list[Fraction]](list)
     answered, line = False, 0
-    for line, (_, question, _, response, _, _, _, got, possible, _) in lines:
+    for line, (_, question, _, response, _, _, _, got, possible, *_) in lines:
         points[question].append(read_amount(got, path, line, "points"))
         out_of[question].append(read_amount(possible, path, line, "out_of"))
         answered = answered or _is_answer(response)

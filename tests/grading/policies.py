@@ -21,6 +21,7 @@ from kinegrade.grading.policy_reading import read_policy
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.tables import parse_table
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
+from tests.said import said
 
 ONE_PER_CENT = make_rule(Fraction(1, 100), Fraction(0))
 ZERO = make_rule(Fraction(1, 100), Fraction(1, 500))
@@ -84,7 +85,7 @@ def marks_of(marks: Marks, student: str) -> list[Mark]:
 def told(marks: Marks, student: str, index: int = 0) -> tuple[str, Fraction, str]:
     """Verdict, points and reason of one answer."""
     mark = marks_of(marks, student)[index]
-    return mark.verdict.kind, mark.points, mark.verdict.reason
+    return mark.verdict.kind, mark.points, said(mark.verdict.reason)
 
 
 def drawn_exam(folder: Path) -> Path:

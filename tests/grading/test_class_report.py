@@ -125,7 +125,7 @@ def test_every_answer_that_lost_points_has_one_reason(tmp_path: Path) -> None:
 def test_mistakes_that_the_marks_name_are_counted_by_their_sentences(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, in_turns(3, WRONG))
     text = (marks / "marks.csv").read_text(encoding="utf-8")
-    named = re.sub(r"(q1,v_B,.*),wrong,0,4,.*", r"\1,mistake,1,4,wrong-pole: leads to 99", text)
+    named = re.sub(r"(q1,v_B,.*),wrong,0,4,.*", r"\1,mistake,1,4,wrong,wrong-pole,", text)
     (marks / "marks.csv").write_text(named.replace("wrong-pole", "brand-new", 1), encoding="utf-8")
     assert tallied(exam, marks).losses["q1.v_B"] == {"wrong-pole": 2, "brand-new": 1}
     page = Page(class_report(MarksFolder(marks), open_exam(exam), WORDING, "en"))

@@ -9,6 +9,7 @@ import pytest
 from kinegrade.grading.answers import PAPERS_RULE, Reading, read
 from kinegrade.grading.decimal_style import Mark, find_file_style, gather_evidence
 from kinegrade.sign_conventions import Convention
+from tests.said import said
 
 
 @pytest.mark.parametrize(("cells", "decimal", "groups"), [
@@ -31,7 +32,7 @@ def reading(
     return read(typed, "m", find_file_style(rows, declared).of_row(rows[0]))
 
 
-@pytest.mark.parametrize(("typed", "own", "others", "declared", "value", "said"), [
+@pytest.mark.parametrize(("typed", "own", "others", "declared", "value", "text"), [
     ("1,234", [], [], None, 1.234, "a comma is the decimal mark, and nothing in the file says "
                                    "otherwise"),
     ("1.234", [], [], None, 1.234, ""),
@@ -70,15 +71,15 @@ def test_one_lone_mark(
     declared: Mark | None,
     *,
     value: float,
-    said: str,
+    text: str,
 ) -> None:
     found = reading(typed, own, others, declared)
     assert float(found.value or 0) == value
-    assert found.remark == (said and f"read as {found.read_as}: {said}")
+    assert said(found.remark) == (text and f"read as {found.read_as}: {text}")
 
 
 @pytest.mark.parametrize(
-    ("typed", "convention", "said"),
+    ("typed", "convention", "text"),
     [
         ("-2,236", None, "read as -2.236: "),
         ("−2,236 m/s", None, "read as -2.236: "),
@@ -90,17 +91,17 @@ def test_one_lone_mark(
     ],
 )
 def test_a_minus_is_in_the_remark_about_its_number(
-    typed: str, convention: Convention | None, said: str
+    typed: str, convention: Convention | None, text: str
 ) -> None:
     found = read(typed, "rad/s" if convention else "m/s", PAPERS_RULE, convention)
     assert found.value is not None
     assert found.value < 0
-    assert found.remark.startswith(said)
-    assert bool(found.remark) == bool(said)
+    assert said(found.remark).startswith(text)
+    assert bool(found.remark) == bool(text)
 
 
 def test_commas_in_both_ways_are_unreadable() -> None:
-    assert reading("1,234", ["1,234.5", "0,5"], []).reason == (
+    assert said(reading("1,234", ["1,234.5", "0,5"], []).reason) == (
         '"1,234" can mean 1.234 or 1234: this student uses commas in both ways; ask, or declare '
         "the decimal mark"
     )

@@ -195,7 +195,7 @@ def row_marked_as(marked: str, folder: Path, language: Literal["en", "zh"]) -> F
     exam, marks = mark_class(folder, {"7": ("1", "2", "3")})
     file = marks / "marks.csv"
     lines = file.read_text(encoding="utf-8").splitlines()
-    lines[1] = f"7,q1,v_B,1,1,m/s,{marked}"
+    lines[1] = f"7,q1,v_B,1,1,m/s,{marked},,"
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")
     ((_, sheet),) = make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, language)
     return sheet.questions[0].rows[0]

@@ -16,6 +16,7 @@ from kinegrade.grading.judge import Verdict
 from kinegrade.grading.policy import Ruling
 from kinegrade.stated_marking import StatedTolerance
 from tests.grading.policies import policy_of
+from tests.said import said
 
 ASKS = {"omega_AB": "rad/s", "alpha_AB": "rad/s^2", "a_B": "m/s^2", "phi": "deg"}
 KEYS = {"omega_AB": Fraction(2), "alpha_AB": Fraction(8), "a_B": Fraction(24), "phi": Fraction(350)}
@@ -68,15 +69,13 @@ def followed(ruling: Ruling = AS_PRINTED, **typed: str) -> dict[str, Decision]:
 
 
 def test_an_answer_that_follows_from_the_own_earlier_one_gets_all_points_and_a_reason() -> None:
-    assert followed(omega_AB="3.1", alpha_AB="19.3") == {
-        "alpha_AB": (
-            Verdict(
-                "follow-through",
-                "follows from the student's q1.omega_AB = 3.1: 19.22, difference 0.08, allowed 0.1922",
-            ),
-            Fraction(1),
-        )
-    }
+    found = followed(omega_AB="3.1", alpha_AB="19.3")
+    assert list(found) == ["alpha_AB"]
+    verdict, share = found["alpha_AB"]
+    assert (verdict.kind, share) == ("follow-through", 1)
+    assert said(verdict.reason) == (
+        "follows from the student's q1.omega_AB = 3.1: 19.22, difference 0.08, allowed 0.1922"
+    )
 
 
 @pytest.mark.parametrize(
@@ -132,7 +131,7 @@ def test_an_answer_follows_from_those_before_it_only() -> None:
 
 def test_an_error_is_charged_once_however_far_it_goes() -> None:
     found = followed(omega_AB="3", alpha_AB="18", a_B="39")
-    assert {ask: verdict.reason for ask, (verdict, _) in found.items()} == {
+    assert {ask: said(verdict.reason) for ask, (verdict, _) in found.items()} == {
         "alpha_AB": "follows from the student's q1.omega_AB = 3: 18, difference 0, allowed 0.18",
         # As alpha_AB does
         "a_B": "follows from the student's q1.omega_AB = 3: 39, difference 0, allowed 0.39",
@@ -141,7 +140,7 @@ def test_an_error_is_charged_once_however_far_it_goes() -> None:
 
 def test_a_new_error_is_charged_and_followed_too() -> None:
     found = followed(omega_AB="3", alpha_AB="20", a_B="41")
-    assert {ask: verdict.reason for ask, (verdict, _) in found.items()} == {
+    assert {ask: said(verdict.reason) for ask, (verdict, _) in found.items()} == {
         "a_B": "follows from the student's q1.omega_AB = 3 and q1.alpha_AB = 20: 41, difference 0, "
         "allowed 0.41"
     }
@@ -150,12 +149,12 @@ def test_a_new_error_is_charged_and_followed_too() -> None:
 def test_somebody_may_go_on_from_one_own_answer_and_not_from_the_other() -> None:
     found = followed(omega_AB="3", alpha_AB="20", a_B="36")  # 2^2 + 20 + 12
     assert (
-        found["a_B"][0].reason
+        said(found["a_B"][0].reason)
         == "follows from the student's q1.alpha_AB = 20: 36, difference 0, allowed 0.36"
     )
     found = followed(omega_AB="3", alpha_AB="20", phi="525")
     assert (
-        found["phi"][0].reason
+        said(found["phi"][0].reason)
         == "follows from the student's q1.omega_AB = 3: 525, difference 0, allowed 5.25"
     )
 
@@ -173,7 +172,7 @@ def test_a_right_answer_in_between_stays_right() -> None:
     found = follow_answers(
         "007", decided({"omega_AB": "3", "alpha_AB": "7.99", "phi": "37.99"}), Follows(by_both)
     )
-    assert found["phi"][0].reason == (
+    assert said(found["phi"][0].reason) == (
         "follows from the student's q1.omega_AB = 3 and q1.alpha_AB = 7.99: 37.99, "
         "difference 0, allowed 0.3799"
     )

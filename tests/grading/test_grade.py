@@ -78,16 +78,29 @@ def test_marks_have_a_row_for_each_student_and_ask(exam_folder: Path) -> None:
     header, *found = rows(exam_folder, "marks.csv")
     assert (
         ",".join(header)
-        == "student,question,ask,response,read_as,unit,verdict,points,out_of,reason"
+        == "student,question,ask,response,read_as,unit,verdict,points,out_of,reason,mistakes,rule"
     )
     assert len(found) == 12
     within = "key 1.73205, difference 0.00205081, allowed 0.0173205"
-    assert found[0] == ["007", "q1", "v_B", "1,73", "1.73", "m/s", "right", "4", "4", within]
+    assert found[0] == [
+        "007",
+        "q1",
+        "v_B",
+        "1,73",
+        "1.73",
+        "m/s",
+        "right",
+        "4",
+        "4",
+        within,
+        "",
+        "",
+    ]
     assert found[4][3:9] == ["0.0021", "0.0021", "rad/s", "wrong", "0", "3"]
-    assert found[5][3:] == ["-", "", "m/s^2", "blank", "0", "2.5", ""]
+    assert found[5][3:] == ["-", "", "m/s^2", "blank", "0", "2.5", "", "", ""]
     assert found[6][3:9] == ["1.7 rad/s", "", "m/s", "wrong unit", "0", "4"]
     assert found[6][9] == WRONG_UNIT
-    assert found[7][3:] == ["'=1+1", "", "rad/s", "unreadable", "0", "3", CALCULATION]
+    assert found[7][3:] == ["'=1+1", "", "rad/s", "unreadable", "0", "3", CALCULATION, "", ""]
     assert found[8][3:8] == ["'-0,1375 m/s²", "-0.1375", "m/s^2", "right", "2.5"]
 
 

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.answers import read
 from kinegrade.grading.judge import judge
+from tests.said import said
 
 # Floats put 1.212 outside: 1.212 - 1.2 > 0.01 * 1.2
 ONE_PERCENT = Key(Fraction("1.2"), Fraction("0.012"))
@@ -55,24 +56,27 @@ def test_an_irrational_answer_on_the_bound_is_right(typed: str, key: Key, kind: 
 
 def test_a_wrong_unit_is_told_before_numbers_are_compared() -> None:
     verdict = judge(read("0 rad", "m/s"), ZERO)
-    assert (verdict.kind, verdict.reason) == (
+    assert (verdict.kind, said(verdict.reason)) == (
         "wrong unit",
         '"rad" measures an angle; a speed was expected, in "m/s"',
     )
 
 
 def test_the_reason_shows_which_of_the_two_is_larger() -> None:
-    assert judge(read("1.5", "1"), ONE_PERCENT).reason == "key 1.2, difference 0.3, allowed 0.012"
-    assert judge(read("1.21200000001", "1"), ONE_PERCENT).reason == (
+    assert (
+        said(judge(read("1.5", "1"), ONE_PERCENT).reason)
+        == "key 1.2, difference 0.3, allowed 0.012"
+    )
+    assert said(judge(read("1.21200000001", "1"), ONE_PERCENT).reason) == (
         "key 1.2, difference 0.01200000001, allowed 0.012"
     )
-    assert judge(read("1e99", "1"), ZERO).reason == "key 0, difference 1e+99, allowed 0.002"
+    assert said(judge(read("1e99", "1"), ZERO).reason) == "key 0, difference 1e+99, allowed 0.002"
     assert (
-        judge(read("100", "1"), Key(Fraction(100), Fraction(1))).reason
+        said(judge(read("100", "1"), Key(Fraction(100), Fraction(1))).reason)
         == "key 100, difference 0, allowed 1"
     )
-    assert judge(read("abc", "1"), ZERO).reason == '"abc" is not a number'
-    assert judge(read("", "1"), ZERO).reason == ""
+    assert said(judge(read("abc", "1"), ZERO).reason) == '"abc" is not a number'
+    assert said(judge(read("", "1"), ZERO).reason) == ""
 
 
 @given(
@@ -138,9 +142,10 @@ def test_each_bound_is_the_wider_of_tolerance_and_figures(typed: str, kind: str)
 
 
 def test_the_reason_names_the_bounds_where_figures_are_asked_for() -> None:
-    assert judge(
-        read("1.24", "1"), Key(Fraction("1.2349"), Fraction(0), agreeing=AGREEING)
-    ).reason == ("key 1.2349, difference 0.0051, right from 1.225 to 1.235")
+    key = Key(Fraction("1.2349"), Fraction(0), agreeing=AGREEING)
+    assert said(judge(read("1.24", "1"), key).reason) == (
+        "key 1.2349, difference 0.0051, right from 1.225 to 1.235"
+    )
 
 
 def test_figures_and_full_turns_go_together() -> None:

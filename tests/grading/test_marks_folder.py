@@ -32,8 +32,9 @@ COMPLAINT = Complaint("a.csv", None, "q1.v", "=1+1", "unreadable", "no points")
 def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     writer, folder = MarksWriter(tmp_path, ENGLISH), MarksFolder(tmp_path)
     cells = (["7", "7"], ["q1", "q2"], ["v", "v"], ["'=1", '"0,5"'], ["", "0.5"], ["m/s", "1"])
+    rest = ["", "key"], ["no-pole sense-reversed", ""], ["", "policy"]
     with writer.answers() as write:
-        write(AnswerCells(*cells, ["wrong", "right"], ["0.5", "2"], ["2", "2"], ["", "key"]))
+        write(AnswerCells(*cells, ["mistake", "right"], ["0.5", "2"], ["2", "2"], *rest))
     writer.grades(("q1", "q2"), [replace(ANNA, kept=Fraction(3))])
     writer.complaints([COMPLAINT])
     writer.kept([KEPT_ANNA])
@@ -48,6 +49,10 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     assert [(each.column, each.typed, each.points) for each in folder.answers()] == [
         ("q1.v", "=1", HALF),
         ("q2.v", "0,5", 2),
+    ]
+    assert [(each.mistakes, each.by_policy) for each in folder.answers()] == [
+        (("no-pole", "sense-reversed"), False),
+        ((), True),
     ]
     assert folder.complaints() == (COMPLAINT,)
     assert (folder.put, folder.printed) == ({"7": {"q1.v": "8"}}, {"7": ("q2", "q1")})

@@ -12,6 +12,7 @@ from functools import lru_cache
 from typing import NamedTuple, Protocol, assert_never
 
 from kinegrade.exact.figures import figures_interval
+from kinegrade.language import ENGLISH, Language
 from kinegrade.sign_conventions import Convention
 
 
@@ -193,6 +194,10 @@ class Sitting(Protocol):
     def students(self) -> tuple[str, ...]:
         """The ids of the examinees, in the order of the roster."""
 
+    @property
+    def language(self) -> Language:
+        """The language of the papers."""
+
     def papers(self) -> Iterator[Paper]:
         """The papers in the order of the roster."""
 
@@ -203,6 +208,7 @@ class Exam:
 
     asks: tuple[Ask, ...]
     examinees: tuple[Examinee, ...]
+    language: Language = ENGLISH
 
     @property
     def questions(self) -> tuple[str, ...]:
