@@ -34,6 +34,7 @@ from kinegrade.exam.printed_files import printed_files, write_key
 from kinegrade.exam.printing import Printed, PrintRun
 from kinegrade.exam.roster import Student
 from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.press.protocol import Press
 from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.beside import Translations, name_beside
@@ -95,8 +96,9 @@ def source_files(bank: Bank) -> dict[str, str]:
     shared = [template.file.mechanism for template in templates if template.file.mechanism]
     mechanisms: dict[str, MechanismFile] = {}
     faults = {
-        mechanism.name: "bank: templates of this bank share two different mechanisms named "
-        f'"{mechanism.name}": rename one file'
+        mechanism.name: Fault(
+            "bank", Message("bank.mechanism-name-taken", name=Quoted(mechanism.name))
+        )
         for mechanism in shared
         if mechanisms.setdefault(mechanism.name, mechanism) != mechanism
     }
