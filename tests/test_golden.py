@@ -14,7 +14,6 @@ from kinegrade.exam.bank import Bank
 from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.key_record import make_key_line
 from kinegrade.exam.pages import lay_out_paper
-from kinegrade.exam.paper_tree import write_paper_tree
 from kinegrade.exam.quiz_solution import write_blocks_html
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.typst import write_typst
@@ -22,6 +21,7 @@ from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.sheet import SolutionSheet
 from kinegrade.press.typst.paper import write_paper_source
 from kinegrade.press.typst.solution import write_solution_source
+from kinegrade.press.word.paper import write_paper_tree
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 from tests.golden_files import Hold, papers

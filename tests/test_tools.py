@@ -12,7 +12,7 @@ import pytest
 
 from benchmarks.__main__ import missing_peer
 from benchmarks.ordinary_latex import PREAMBLE
-from kinegrade.exam.word import PandocPress
+from kinegrade.press.word.press import PandocPress
 from tests.tools import TEX_FILES, main, missing_tools
 
 NEEDS_TEX = "tests/figure/test_back_ends.py::test_the_estimated_room_holds_every_symbol_latex_sets"

@@ -89,7 +89,7 @@ def require_tools(extras: Extras) -> None:
     done.
     """
     if extras.also:
-        from kinegrade.exam.word import require_pandoc  # few exams need it
+        from kinegrade.press.word.pandoc import require_pandoc  # few exams need it
 
         require_pandoc(extras.also)
 
@@ -138,9 +138,9 @@ def _print_solutions(
 
 def _print_also(pages: Mapping[str, Paper], run: PrintRun) -> dict[str, dict[str, bytes]]:
     """Each paper, by its file name, in the other kinds of files that are wanted. Raises
-    TypesetError as `kinegrade.exam.word` does.
+    TypesetError as `kinegrade.press.word.press` does.
     """
-    from kinegrade.exam.word import PandocPress  # few exams need it
+    from kinegrade.press.word.press import PandocPress  # few exams need it
 
     press = PandocPress(run.press_order.paper_size)
     return {

@@ -20,8 +20,8 @@ from pypdf import PdfReader
 from kinegrade.exact.balls import Balls
 from kinegrade.exact.text import write_decimal
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.exam.word import MISSING
 from kinegrade.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.press.word.press import MISSING
 from kinegrade.problem.library import find_shipped, load_template
 from tests.problem.crank import crank_text
 from tests.small_class import (

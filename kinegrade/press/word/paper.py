@@ -1,8 +1,8 @@
-"""A paper as a pandoc document: what `layouts/paper.typ` lays out, in headings, paragraphs and
+"""A paper as a pandoc document: what the layout of Typst shows, in headings, paragraphs and
 tables.
 
-The names of styles are those of `layouts/word-styles.xml`, and in small letters the classes of
-`layouts/paper.css`.
+The names of styles are those of `layouts/styles.xml`, and in small letters the classes of
+`html/layouts/paper.css`.
 """
 
 from __future__ import annotations

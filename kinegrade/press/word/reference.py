@@ -1,20 +1,18 @@
 """The document from which Word papers take page, styles and footer: pandoc's, with our parts put
 in.
 
-The parts stand in `layouts/word-*.xml`. Texts are put in as XML text, whatever characters they
+The parts stand in `layouts`. Texts are put in as XML text, whatever characters they
 hold.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from importlib.resources import files
 from io import BytesIO
-from string import Template
-from xml.sax.saxutils import escape
 from zipfile import ZipFile, ZipInfo
 
 from kinegrade.language.catalogue import PLACE, open_catalogue
+from kinegrade.press.filled_layout import fill_layout
 from kinegrade.press.sheet import Paper, PaperSize
 
 _PAGES = {"a4": (11906, 16838), "letter": (12240, 15840)}  # twentieths of a point, as Word counts
@@ -40,13 +38,15 @@ def make_word_reference(default: bytes, paper: Paper, size: PaperSize) -> bytes:
     owner = words.text("paper.owner", code=paper.code)
     parts = {
         "word/styles.xml": fill_layout(
-            "word-styles.xml",
+            "word",
+            "styles.xml",
             latin=words.text("language.word-latin"),
             measure=str(width - _MARGINS),
         ),
-        "word/document.xml": fill_layout("word-page.xml", width=str(width), height=str(height)),
+        "word/document.xml": fill_layout("word", "page.xml", width=str(width), height=str(height)),
         f"word/{_FOOTER}": fill_layout(
-            "word-footer.xml",
+            "word",
+            "footer.xml",
             owner=f"{owner}    {paper.student}",
             before=before,
             first=_FIELDS[first],
@@ -56,18 +56,6 @@ def make_word_reference(default: bytes, paper: Paper, size: PaperSize) -> bytes:
         ),
     }
     return _replace_parts(default, parts)
-
-
-def fill_layout(name: str, **texts: str) -> str:
-    """A file of `layouts/` with texts in place of its `$name`s, escaped for XML; control characters
-    become spaces.
-    """
-    clean = {
-        key: "".join(letter if letter.isprintable() else " " for letter in text)
-        for key, text in texts.items()
-    }
-    template = (files("kinegrade.exam") / "layouts" / name).read_text(encoding="utf-8")
-    return Template(template).substitute({key: escape(text) for key, text in clean.items()})
 
 
 def _replace_parts(default: bytes, parts: Mapping[str, str]) -> bytes:

@@ -17,12 +17,13 @@ from zipfile import ZipFile
 import pytest
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam import word
-from kinegrade.exam.paper_tree import write_paper_tree
-from kinegrade.exam.word import MISSING, PandocPress
 from kinegrade.language.math.tokens import COMMANDS
 from kinegrade.press.program_run import ProgramRun
 from kinegrade.press.sheet import Paper
+from kinegrade.press.word import pandoc
+from kinegrade.press.word.pandoc import MISSING
+from kinegrade.press.word.paper import write_paper_tree
+from kinegrade.press.word.press import PandocPress
 from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION
 from tests.press.solutions import polygon_scene
 
@@ -275,7 +276,7 @@ def test_another_pandoc_is_told_with_its_own_words(
     press: PandocPress, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     old = ProgramRun(64, b"", b"Unknown\noption --sandbox")
-    monkeypatch.setattr(word, "run_program", lambda *command, **options: old)
+    monkeypatch.setattr(pandoc, "run_program", lambda *command, **options: old)
     with pytest.raises(TypesetError) as refusal:
         press.html(ENGLISH)
     assert str(refusal.value) == (
@@ -311,7 +312,7 @@ def test_a_pandoc_that_does_not_end_is_given_up(
     def never(*command: object, **options: object) -> None:
         raise TimeoutError
 
-    monkeypatch.setattr(word, "run_program", never)
+    monkeypatch.setattr(pandoc, "run_program", never)
     with pytest.raises(
         TypesetError, match=r"^html: pandoc has not ended after 60 s - expected .* - try again$"
     ):
