@@ -14,10 +14,10 @@ from kinegrade.exam.bank import Bank
 from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.key_record import make_key_line
 from kinegrade.exam.pages import lay_out_paper
-from kinegrade.exam.quiz_solution import write_blocks_html
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.typst import write_typst
 from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.press.html.solution import write_blocks
 from kinegrade.press.sheet import SolutionSheet
 from kinegrade.press.typst.paper import write_paper_source
 from kinegrade.press.typst.solution import write_solution_source
@@ -79,7 +79,7 @@ def test_worked_solutions_for_the_typesetter(sheet: SolutionSheet, hold: Hold) -
 
 @pytest.mark.parametrize("sheet", [ENGLISH_SOLUTION, CHINESE_SOLUTION])
 def test_worked_solutions_as_html(sheet: SolutionSheet, hold: Hold) -> None:
-    questions = (write_blocks_html(each.blocks, sheet.language) for each in sheet.questions)
+    questions = (write_blocks(each.blocks, sheet.language) for each in sheet.questions)
     hold(f"solution-{sheet.language}.html", "\n".join(questions))
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from kinegrade.exam.blueprint import Bank
@@ -29,9 +29,26 @@ from kinegrade.problem.hints import FigureHints
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.signs import write_sign
 from kinegrade.problem.statement import write_statement
-from kinegrade.problem.template import Ask
+from kinegrade.problem.template import Ask, Template
 
 Sketcher = Callable[[Mechanism, FigureHints], Scene]
+
+
+@dataclass(frozen=True)
+class QuestionPlace:
+    """Where a question stands: its number on the paper, and its name in the answer sheet."""
+
+    number: int
+    identifier: str
+
+
+@dataclass(frozen=True)
+class ShownInstance:
+    """What a question shows of an instance of its template; the mechanism is in doubles."""
+
+    template: Template
+    parameters: Mapping[str, Quantity]
+    mechanism: Mechanism
 
 
 def lay_out_paper(
@@ -39,7 +56,7 @@ def lay_out_paper(
 ) -> Paper:
     """The pages of one student; `figure` draws as `sketch` does."""
     sheets = tuple(
-        _lay_out_question(number, question, language, figure)
+        _lay_out_set_question(number, question, language, figure)
         for number, question in enumerate(paper.printed, start=1)
     )
     return Paper(
@@ -66,23 +83,37 @@ def write_version_name(letter: str, language: Language) -> str:
     return open_catalogue(language).text("paper.version", letter=letter)
 
 
-def _lay_out_question(
-    number: int, question: SetQuestion, language: Language, figure: Sketcher = sketch
+def _lay_out_set_question(
+    number: int, question: SetQuestion, language: Language, figure: Sketcher
 ) -> QuestionSheet:
-    """A question with its statement, figure to scale and answer table."""
     template, solution = question.question.template, question.drawn.solution
-    drawn = figure(convert_to_floats(solution.assembly.mechanism), template.figure)
+    mechanism = convert_to_floats(solution.assembly.mechanism)
+    asked = ((template.asks[entry.ask.name], entry.ask.points) for entry in question.asks)
     rows = tuple(
-        make_answer_row(template.asks[entry.ask.name], entry.ask.points, language)
-        for entry in question.asks
+        _mention_turns(make_answer_row(ask, points, language), ask, language)
+        for ask, points in asked
     )
+    shown = ShownInstance(template, solution.parameters, mechanism)
+    place = QuestionPlace(number, question.question.identifier)
+    return lay_out_question(place, shown, rows, language, figure)
+
+
+def lay_out_question(
+    place: QuestionPlace,
+    shown: ShownInstance,
+    rows: tuple[AnswerRow, ...],
+    language: Language,
+    figure: Sketcher = sketch,
+) -> QuestionSheet:
+    """A question with its statement, figure to scale and answer table, for a paper or a quiz."""
+    template = shown.template
     return QuestionSheet(
-        number,
-        question.question.identifier,
+        place.number,
+        place.identifier,
         template.about.title.in_language(language),
-        question.question.points,
-        write_statement(template, solution.parameters, language),
-        drawn,
+        sum((row.points for row in rows), Fraction(0)),
+        write_statement(template, shown.parameters, language),
+        figure(shown.mechanism, template.figure),
         rows,
         template=template.name,
     )
@@ -91,9 +122,16 @@ def _lay_out_question(
 def make_answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
     """The box of one answer."""
     sign = write_sign(ask.sign, language)
-    if ask.cyclic:
-        sign = open_catalogue(language).text("paper.sign-with-full-turns", sign=sign)
     return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, sign, points)
+
+
+def _mention_turns(row: AnswerRow, ask: Ask, language: Language) -> AnswerRow:
+    """The row as a paper has it, on which any number of turns may be written."""
+    if not ask.cyclic:
+        return row
+    return replace(
+        row, sign=open_catalogue(language).text("paper.sign-with-full-turns", sign=row.sign)
+    )
 
 
 def make_key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyBook:

@@ -1,9 +1,8 @@
 """A quiz as a learning management system presents it: texts, figures, right numbers and their
 tolerances.
 
-`kinegrade.exam.quiz` makes it of an exam folder, the writers of `kinegrade.lms` lay it out. Prose,
-math and plain text are those of `kinegrade.press.sheet`. Numbers are exact fractions in the unit
-of the ask.
+`kinegrade.exam.quiz` makes it of an exam folder, the writers of `kinegrade.lms` lay it out. A
+question is the sheet of a paper; numbers are exact fractions in the unit of its row.
 """
 
 from __future__ import annotations
@@ -13,6 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinegrade.language import Language
+from kinegrade.press.sheet import AnswerRow, QuestionSheet
 
 
 @dataclass(frozen=True)
@@ -42,11 +42,7 @@ class QuizAsk:
     """One number to be found. Right is what lies from `low` to `high`, both included."""
 
     identifier: str  # "v_B", as in the answer sheet's columns
-    symbol: str  # math
-    meaning: str  # prose
-    unit: str  # plain: "m/s^2", "deg"; "1" for a pure number
-    sign: str  # prose; "" where no sign is to be agreed on
-    points: Fraction
+    row: AnswerRow
     value: Fraction  # of 40 correct digits where the answer is irrational
     low: Fraction
     high: Fraction
@@ -57,33 +53,17 @@ class QuizAsk:
 
 
 @dataclass(frozen=True)
-class QuizFigure:
-    """A figure to scale as a picture; its size is on paper, in millimetres."""
-
-    svg: bytes
-    width: float
-    height: float
-    description: str  # plain, for students who cannot see it
-
-
-@dataclass(frozen=True)
 class QuizQuestion:
-    """A mechanism with one student's numbers, and all that is asked of it."""
+    """A question as one student's paper has it, and what a quiz adds: the numbers of its answers,
+    in the order of the rows.
+    """
 
     identifier: str  # stable and without blanks: of the exam, the paper and the question
-    question: str  # "q1"
-    title: str  # prose, one line
-    statement: str  # prose
-    figure: QuizFigure | None
+    sheet: QuestionSheet
     asks: tuple[QuizAsk, ...]
     solution: str = ""  # HTML of the worked solution, "" where it is not to be shown
     rule: str = ""  # prose: when an answer is right
     digits: int = 4  # the fewest significant digits to be typed
-
-    @property
-    def points(self) -> Fraction:
-        """The total of all asks."""
-        return sum((ask.points for ask in self.asks), Fraction(0))
 
 
 @dataclass(frozen=True)

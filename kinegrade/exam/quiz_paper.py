@@ -4,8 +4,8 @@ known mistakes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -14,30 +14,31 @@ from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exact_keys import find_exact_value, read_mistakes
 from kinegrade.exam.folder.faults import AS_GENERATED, explain_broken
 from kinegrade.exam.folder.numbers import require_number
-from kinegrade.exam.folder.records import KeyLine, KeyQuestion, StatedAnswer
-from kinegrade.exam.pages import make_answer_row
-from kinegrade.exam.quiz_document import QuizAsk, QuizFigure, QuizMistake, QuizPaper, QuizQuestion
-from kinegrade.exam.quiz_solution import write_solution_html
+from kinegrade.exam.folder.records import KeyLine, StatedAnswer
+from kinegrade.exam.pages import (
+    QuestionPlace,
+    ShownInstance,
+    lay_out_question,
+    make_answer_row,
+)
+from kinegrade.exam.quiz_document import QuizAsk, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.exam.quiz_source import QuizSource, tolerance_of
 from kinegrade.exam.quiz_words import AskRule, count_digits_to_type, write_marking_rules
-from kinegrade.figure.sketch import sketch
-from kinegrade.figure.svg import to_svg
 from kinegrade.language import Language
-from kinegrade.language.catalogue import open_catalogue
-from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.press.html.solution import write_blocks
 from kinegrade.problem.assemble import assemble
 from kinegrade.problem.mistake_names import describe_mistakes
-from kinegrade.problem.quantity import Quantity, express_in_unit
-from kinegrade.problem.signs import write_sign
+from kinegrade.problem.quantity import express_in_unit
 from kinegrade.problem.solving import (
+    Solution,
     find_certain_values,
     find_parameter_values,
     read_values,
     solve_certified,
 )
-from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template import Method, Template
+from kinegrade.worked.solution import write_worked_solution
 
 _NO_CREDIT = Fraction(0)
 
@@ -64,7 +65,9 @@ def make_quiz_paper(
     """
     code = line.version or line.paper  # a version belongs to no particular student
     try:
-        questions = tuple(_make_question(source, wishes, line, entry) for entry in line.questions)
+        questions = tuple(
+            _make_question(source, wishes, line, place) for place in range(len(line.questions))
+        )
         name = "" if pooled else source.exam.head.candidates[line.student].name
     except (KeyError, FieldError) as fault:
         raise _explain_broken(source, line, fault) from fault
@@ -96,13 +99,14 @@ def _explain_broken(source: QuizSource, line: KeyLine, fault: KeyError | FieldEr
 
 
 def _make_question(
-    source: QuizSource, wishes: QuizWishes, line: KeyLine, entry: KeyQuestion
+    source: QuizSource, wishes: QuizWishes, line: KeyLine, place: int
 ) -> QuizQuestion:
-    name, language, code = entry.question, source.language, line.version or line.paper
+    entry, code = line.questions[place], line.version or line.paper
+    name, language = entry.question, source.language
     template = source.templates[name]
     solution = source.kept.derive(line, entry).drawn.solution if wishes.solutions else None
     try:
-        parameters, mechanism = show_instance(template, entry.values)
+        shown = show_instance(template, entry.values)
         asks = tuple(
             _make_ask(template, ask, stated, wishes, source) for ask, stated in entry.asks.items()
         )
@@ -112,12 +116,11 @@ def _make_question(
         }
         return QuizQuestion(
             f"{source.identifier}-{code}-{name}",
-            name,
-            template.about.title.in_language(language),
-            write_statement(template, parameters, language),
-            _draw_figure(template, mechanism, language),
+            lay_out_question(
+                QuestionPlace(place + 1, name), shown, tuple(ask.row for ask in asks), language
+            ),
             asks,
-            write_solution_html(solution, tuple(entry.asks), language, wishes.method)
+            _write_solution(solution, tuple(entry.asks), language, wishes.method)
             if solution
             else "",
             write_marking_rules(rules, language),
@@ -131,58 +134,43 @@ def _make_question(
         ) from error
 
 
-def show_instance(
-    template: Template, given: Mapping[str, str]
-) -> tuple[dict[str, Quantity], Mechanism]:
-    """What a paper shows of an instance, its parameters and the mechanism to be drawn, without
-    solving it.
+def _write_solution(
+    solution: Solution, asks: Sequence[str], language: Language, method: Method | None
+) -> str:
+    """The worked solution as HTML. Raises TypesetError for texts that cannot be shown."""
+    return write_blocks(write_worked_solution(solution, asks, language, method).blocks, language)
+
+
+def show_instance(template: Template, given: Mapping[str, str]) -> ShownInstance:
+    """What a paper shows of an instance, without solving it.
 
     Raises TemplateError, MechanismError.
     """
     trees = read_values(template, given)
 
-    def work(arithmetic: Any) -> tuple[dict[str, Quantity], Mechanism]:
+    def work(arithmetic: Any) -> ShownInstance:
         values = find_parameter_values(template, trees, arithmetic)
         known = values if arithmetic.exact else find_certain_values(template, trees, values)
         parameters = {
             name: express_in_unit(name, value, template.parameters[name].unit)
             for name, value in known.items()
         }
-        return parameters, convert_to_floats(assemble(template, values, arithmetic).mechanism)
+        mechanism = convert_to_floats(assemble(template, values, arithmetic).mechanism)
+        return ShownInstance(template, parameters, mechanism)
 
     return solve_certified(work)
-
-
-def _draw_figure(template: Template, mechanism: Mechanism, language: Language) -> QuizFigure:
-    scene = sketch(mechanism, template.figure)
-    title = template.about.title.in_language(language).replace("$", "")
-    description = open_catalogue(language).text("paper.figure", title=title)
-    return QuizFigure(to_svg(scene).encode(), scene.width, scene.height, description)
 
 
 def _make_ask(
     template: Template, name: str, stated: StatedAnswer, wishes: QuizWishes, source: QuizSource
 ) -> QuizAsk:
-    row = make_answer_row(
-        template.asks[name], require_number("points", stated.points), source.language
-    )
+    points = require_number("points", stated.points)
+    row = make_answer_row(template.asks[name], points, source.language)
     value = find_exact_value(stated)
     low, high = tolerance_of(stated.tolerance).interval(value)
     period = None if stated.period is None else require_number("period", stated.period)
     mistakes = tuple(_find_mistakes(stated, wishes.credit, source)) if wishes.mistakes else ()
-    return QuizAsk(
-        name,
-        row.symbol,
-        row.meaning,
-        stated.unit,
-        write_sign(template.asks[name].sign, source.language),
-        row.points,
-        value,
-        low,
-        high,
-        period,
-        mistakes,
-    )
+    return QuizAsk(name, replace(row, unit=stated.unit), value, low, high, period, mistakes)
 
 
 def _find_mistakes(

@@ -112,7 +112,7 @@ class Variant:
     @cached_property
     def texts(self) -> frozenset[str]:
         """Its statement in each language as a quiz shows it, without mark-up."""
-        parameters, _ = show_instance(self.template, self.entry.values)
+        parameters = show_instance(self.template, self.entry.values).parameters
         return frozenset(
             _plain_text(
                 write_prose(write_statement(self.template, parameters, language), "statement")

@@ -267,7 +267,7 @@ def test_canvas_draws_every_ask_by_itself(exam: Path, tmp_path: Path) -> None:
     asks = list(dict.fromkeys(column for _, column in asks_of(exam)))
     donors = STUDENTS[:3]
     statements = {
-        (paper.code, question.question): question.statement
+        (paper.code, question.sheet.identifier): question.sheet.statement
         for paper in read_quiz(open_exam(exam), variants=3).papers
         for question in paper.questions
     }

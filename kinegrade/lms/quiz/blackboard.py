@@ -94,13 +94,13 @@ class _Writer:
         """The asks of a paper, each with its column and its line."""
         owned = bool(paper.student or paper.name)
         for question in paper.questions:
-            if question.figure is not None:
+            if question.sheet.figure is not None:
                 self._remarks.complain(Message("quiz-file.no-figures"))
             if question.solution or any(ask.mistakes for ask in question.asks):
                 self._remarks.complain(Message("quiz-file.left-out"))
             for ask in question.asks:
-                column = f"{question.question}.{ask.identifier}"
-                self._points.setdefault(column, ask.points)
+                column = f"{question.sheet.identifier}.{ask.identifier}"
+                self._points.setdefault(column, ask.row.points)
                 try:
                     yield (
                         column,

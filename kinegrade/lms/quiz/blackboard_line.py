@@ -26,11 +26,11 @@ def write_question_line(
     """The line, without its end; `on_paper` where the students have the figure in print. Raises
     TypesetError.
     """
-    where, column = question.question, f"{question.question}.{ask.identifier}"
-    shown = on_paper and question.figure is not None
+    where, column = question.sheet.identifier, f"{question.sheet.identifier}.{ask.identifier}"
+    shown = on_paper and question.sheet.figure is not None
     rule = write_prose(write_rules(question, "blackboard", language), where)
     parts: tuple[Text, ...] = (
-        write_prose(question.statement, where),
+        write_prose(question.sheet.statement, where),
         Message("quiz.figure-on-paper") if shown else "",
         rule,
         _write_asked(ask, language, where),
@@ -45,12 +45,12 @@ def write_question_line(
 
 
 def _write_asked(ask: QuizAsk, language: Language, where: str) -> str:
-    unit = {"1": "", "deg": "°"}.get(ask.unit, f" {write_unit(ask.unit)}")
-    meaning: Text = write_line(ask.meaning, where)
-    if ask.sign:
-        sign = write_line(ask.sign, where)
+    unit = {"1": "", "deg": "°"}.get(ask.row.unit, f" {write_unit(ask.row.unit)}")
+    meaning: Text = write_line(ask.row.meaning, where)
+    if ask.row.sign:
+        sign = write_line(ask.row.sign, where)
         meaning = Message("quiz.meaning-with-sign", meaning=meaning, sign=sign)
-    number = f"{write_plain_math(ask.symbol, where)} = ?{unit}"
+    number = f"{write_plain_math(ask.row.symbol, where)} = ?{unit}"
     return open_catalogue(language).text("quiz.asked", meaning=meaning, number=number)
 
 

@@ -23,7 +23,7 @@ class ClassUnits:
         """The ask in the class's unit; None where its right answer is wrong with four decimals in
         every unit.
         """
-        factor = find_fitting_factor(ask.unit, _find_right_range(ask))
+        factor = find_fitting_factor(ask.row.unit, _find_right_range(ask))
         if factor is None:
             return None
         return _refine(ask, max(factor, self.factors.get((question, ask.identifier), 1)))
@@ -34,7 +34,7 @@ def choose_class_units(asks: Iterable[tuple[str, QuizAsk]]) -> ClassUnits:
     factors: dict[Place, int] = {}
     for question, ask in asks:
         place = question, ask.identifier
-        factor = find_fitting_factor(ask.unit, _find_right_range(ask)) or 1
+        factor = find_fitting_factor(ask.row.unit, _find_right_range(ask)) or 1
         factors[place] = max(factor, factors.get(place, 1))
     return ClassUnits(factors)
 
@@ -52,6 +52,7 @@ def _refine(ask: QuizAsk, factor: int) -> QuizAsk:
     """The ask in a unit that is finer by a factor, without the answers of known mistakes."""
     if factor == 1:
         return ask
-    unit = next(unit for unit, each in list_finer_units(ask.unit) if each == factor)
+    unit = next(unit for unit, each in list_finer_units(ask.row.unit) if each == factor)
     right = _find_right_range(ask).times(factor)
-    return replace(ask, unit=unit, value=right.value, low=right.low, high=right.high, mistakes=())
+    row = replace(ask.row, unit=unit)
+    return replace(ask, row=row, value=right.value, low=right.low, high=right.high, mistakes=())

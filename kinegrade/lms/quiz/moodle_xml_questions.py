@@ -23,18 +23,17 @@ from kinegrade.exam.quiz_document import QuizAsk, QuizPaper, QuizQuestion
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.html_text import write_plain_html
-from kinegrade.language.prose.html import write_prose
 from kinegrade.lms.quiz.decimals import write_decimal
-from kinegrade.lms.quiz.html import (
-    write_ask_html,
-    write_figure_html,
-)
 from kinegrade.lms.quiz.moodle_xml_answers import (
     MoodleAnswer,
     list_moodle_answers,
     write_cloze_field,
 )
-from kinegrade.lms.quiz.question_html import write_rules_html, write_warnings_html
+from kinegrade.lms.quiz.question_html import (
+    write_asked_html,
+    write_rules_html,
+)
+from kinegrade.press.html.question import draw_picture, write_statement
 
 Form = Literal["cloze", "numerical"]
 _FIGURE = "figure.svg"
@@ -63,7 +62,7 @@ def make_sheet(
     """
     match form:
         case "cloze":
-            points = (ask.points for question in first.questions for ask in question.asks)
+            points = (ask.row.points for question in first.questions for ask in question.asks)
             scale = lcm(*(each.denominator for each in points))
         case "numerical":
             scale = 1
@@ -86,10 +85,10 @@ def list_pool_marks(question: QuizQuestion, sheet: Sheet) -> Iterator[tuple[str,
     """The pools of a question, each with its name in the categories and the mark of one variant."""
     match sheet.form:
         case "cloze":
-            yield question.question, question.points * sheet.scale
+            yield question.sheet.identifier, question.sheet.points * sheet.scale
         case "numerical":
             for ask in question.asks:
-                yield f"{question.question} {ask.identifier}", ask.points
+                yield f"{question.sheet.identifier} {ask.identifier}", ask.row.points
         case _:
             assert_never(sheet.form)
 
@@ -112,9 +111,9 @@ def _write_questions(
     question: QuizQuestion, paper: QuizPaper, sheet: Sheet, *, pooled: bool
 ) -> Iterator[str]:
     """The question of a mechanism, or one for each of its asks; each pool has its own category."""
-    pool = f"{question.question} {_write_plain_title(question)}"
+    pool = f"{question.sheet.identifier} {_write_plain_title(question)}"
     name = f"{paper.code} {pool}"
-    tags = ["kinegrade", question.question, *([paper.code] if paper.student else [])]
+    tags = ["kinegrade", question.sheet.identifier, *([paper.code] if paper.student else [])]
     match sheet.form:
         case "cloze":
             if pooled:
@@ -134,8 +133,8 @@ def _write_numerical(
     name: str, question: QuizQuestion, ask: QuizAsk, sheet: Sheet, tags: Sequence[str]
 ) -> str:
     text = (
-        _write_statement(question)
-        + _write_asked(ask, sheet)
+        _write_statement(question, sheet.language)
+        + write_asked_html(ask, ask, sheet.language)
         + write_rules_html(question, "moodle", sheet.language)
     )
     answers = "".join(map(_write_answer, list_moodle_answers(ask)))
@@ -144,15 +143,15 @@ def _write_numerical(
         _write_head(f"{name}: {ask.identifier}", text, question),
         f"{question.identifier}-{ask.identifier}",
         tags,
-        f"<defaultgrade>{write_decimal(ask.points)}</defaultgrade>\n{answers}",
+        f"<defaultgrade>{write_decimal(ask.row.points)}</defaultgrade>\n{answers}",
     )
 
 
 def _write_cloze_text(question: QuizQuestion, sheet: Sheet) -> str:
     """The text with its boxes; nothing else in it looks like a box."""
     asks = "".join(
-        _write_guarded(_write_asked(ask, sheet, _BOX)).replace(
-            _BOX, write_cloze_field(ask, int(ask.points * sheet.scale))
+        _write_guarded(write_asked_html(ask, ask, sheet.language, _BOX)).replace(
+            _BOX, write_cloze_field(ask, int(ask.row.points * sheet.scale))
         )
         for ask in question.asks
     )
@@ -161,17 +160,10 @@ def _write_cloze_text(question: QuizQuestion, sheet: Sheet) -> str:
         note = open_catalogue(sheet.language).text("quiz.multiplied", scale=sheet.scale)
         multiplied = f"<p>{note}</p>\n"
     return (
-        _write_guarded(_write_statement(question))
+        _write_guarded(_write_statement(question, sheet.language))
         + asks
         + _write_guarded(write_rules_html(question, "moodle", sheet.language))
         + multiplied
-    )
-
-
-def _write_asked(ask: QuizAsk, sheet: Sheet, field: str = "") -> str:
-    """What is asked for, the box, and which turns of an angle count."""
-    return write_ask_html(ask, sheet.language, field) + write_warnings_html(
-        ask, ask, sheet.language
     )
 
 
@@ -198,19 +190,16 @@ def _write_element(
     )
 
 
-def _write_statement(question: QuizQuestion) -> str:
-    figure = (
-        write_figure_html(question.figure, f"@@PLUGINFILE@@/{_FIGURE}") if question.figure else ""
-    )
-    return write_prose(question.statement, f"{question.question}, statement") + figure
+def _write_statement(question: QuizQuestion, language: Language) -> str:
+    return write_statement(question.sheet, f"@@PLUGINFILE@@/{_FIGURE}", language)
 
 
 def _write_file(question: QuizQuestion) -> str:
-    if question.figure is None:
+    if question.sheet.figure is None:
         return ""
     return (
         f'<file name="{_FIGURE}" path="/" '
-        f'encoding="base64">{b64encode(question.figure.svg).decode()}</file>'
+        f'encoding="base64">{b64encode(draw_picture(question.sheet.figure)).decode()}</file>'
     )
 
 
@@ -228,7 +217,7 @@ def _write_guarded(html: str) -> str:
 
 
 def _write_plain_title(question: QuizQuestion) -> str:
-    return question.title.replace("$", "")
+    return question.sheet.title.replace("$", "")
 
 
 def _cut(name: str) -> str:

@@ -26,6 +26,7 @@ from kinegrade.lms.quiz.qti12_groups import Groups
 from kinegrade.lms.quiz.qti12_item import NumericalItem, write_item_element
 from kinegrade.lms.quiz.qti12_questions import Asking, make_numerical_items, name_picture
 from kinegrade.lms.quiz.remarks import Remarks
+from kinegrade.press.html.question import draw_picture
 
 _HEAD = (
     '<?xml version="1.0" encoding="UTF-8"?>\n'
@@ -93,7 +94,7 @@ class _Writer:
     def _variants(self, paper: QuizPaper) -> None:
         for question in paper.questions:
             for ask, item in self._items(question, pooled=True):
-                worth = self._groups.add((question.question, ask.identifier), item)
+                worth = self._groups.add((question.sheet.identifier, ask.identifier), item)
                 if worth != item.points:
                     uneven = Message("quiz-file.uneven", points=str(item.points), first=str(worth))
                     self._remarks.refuse(Fault(item.identifier, uneven))
@@ -105,9 +106,9 @@ class _Writer:
     ) -> Iterator[tuple[QuizAsk, NumericalItem]]:
         """The items of a question; its figure is written into the package first."""
         found = make_numerical_items(question, self._asking, solution_with_each=pooled)
-        if question.figure is not None and found:
+        if question.sheet.figure is not None and found:
             place = name_picture(question)
-            self._parts.add(place, question.figure.svg)
+            self._parts.add(place, draw_picture(question.sheet.figure))
             name = make_stable_name(question.identifier)
             self._manifest.add(qti12_manifest.write_picture_resource(f"{name}-figure", place))
         yield from found

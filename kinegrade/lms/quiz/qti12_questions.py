@@ -19,12 +19,15 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.language.prose.plain import write_line
 from kinegrade.lms.quiz.canvas_units import ClassUnits, keeps_edges
 from kinegrade.lms.quiz.decimals import write_decimal
-from kinegrade.lms.quiz.html import write_ask_html
 from kinegrade.lms.quiz.intervals import find_right_intervals
 from kinegrade.lms.quiz.packaging import make_stable_name
 from kinegrade.lms.quiz.qti12_item import NumericalItem
-from kinegrade.lms.quiz.question_html import write_question_html, write_warnings_html
+from kinegrade.lms.quiz.question_html import (
+    write_asked_html,
+    write_rules_html,
+)
 from kinegrade.lms.quiz.remarks import Remarks
+from kinegrade.press.html.question import write_statement
 
 _FILES = "$IMS-CC-FILEBASE$/"  # Canvas puts the address of the course's files here
 
@@ -45,9 +48,9 @@ def make_numerical_items(
     in the remarks.
     """
     try:
-        text = write_question_html(
-            question, _FILES + name_picture(question), "canvas", asking.language
-        )
+        picture = _FILES + name_picture(question)
+        statement = write_statement(question.sheet, picture, asking.language)
+        text = statement + write_rules_html(question, "canvas", asking.language)
         found = [(ask, _make_item(question, ask, text, asking)) for ask in question.asks]
     except TypesetError as fault:
         asking.remarks.refuse_texts(fault)
@@ -69,29 +72,29 @@ def _make_item(
     question: QuizQuestion, ask: QuizAsk, text: str, asking: Asking
 ) -> NumericalItem | None:
     language, remarks = asking.language, asking.remarks
-    now = asking.units.fitted(question.question, ask)
-    symbol = write_plain_math(ask.symbol, question.question)
+    now = asking.units.fitted(question.sheet.identifier, ask)
+    symbol = write_plain_math(ask.row.symbol, question.sheet.identifier)
     if now is None:
         too_fine = Message(
             "quiz-file.too-fine",
             symbol=symbol,
             value=write_decimal(ask.value),
-            unit=ask.unit,
+            unit=ask.row.unit,
             low=write_decimal(ask.low),
             high=write_decimal(ask.high),
         )
         remarks.refuse(Fault(question.identifier, too_fine))
         return None
-    _note_remark(f"{question.question}.{ask.identifier}", ask, now, remarks)
-    asked = write_ask_html(now, language) + write_warnings_html(now, ask, language)
-    column = write_plain_html(f"[{question.question}.{ask.identifier}]")
-    heading = write_line(question.title, question.question)
+    _note_remark(f"{question.sheet.identifier}.{ask.identifier}", ask, now, remarks)
+    asked = write_asked_html(now, ask, language)
+    column = write_plain_html(f"[{question.sheet.identifier}.{ask.identifier}]")
+    heading = write_line(question.sheet.title, question.sheet.identifier)
     title = open_catalogue(language).text("quiz.asked", meaning=heading, number=symbol)
     return NumericalItem(
         make_stable_name(f"{question.identifier}-{ask.identifier}"),
         title,
         f"{text}{asked}<p>{column}</p>\n",
-        ask.points,
+        ask.row.points,
         find_right_intervals(now),
         question.solution,
     )
@@ -101,9 +104,9 @@ def _note_remark(place: str, on_paper: QuizAsk, now: QuizAsk, remarks: Remarks) 
     """Reports what Canvas cannot do, or asks in another unit."""
     if on_paper.mistakes:
         remarks.complain(Message("quiz-file.no-bands"))
-    if now.unit != on_paper.unit:
+    if now.row.unit != on_paper.row.unit:
         remarks.complain(
-            Message("quiz-file.unit-changed", ask=place, now=now.unit, before=on_paper.unit)
+            Message("quiz-file.unit-changed", ask=place, now=now.row.unit, before=on_paper.row.unit)
         )
     if not keeps_edges(now):
         remarks.complain(Message("quiz-file.edges", ask=place))

@@ -16,6 +16,7 @@ from kinegrade.lms.quiz.packaging import Package, make_pool_name, make_stable_na
 from kinegrade.lms.quiz.qti21_item import NAMES, write_item_document
 from kinegrade.lms.quiz.remarks import Remarks
 from kinegrade.lms.quiz.xml_text import Xml, write_document, write_element, write_on_lines
+from kinegrade.press.html.question import draw_picture
 
 _HEAD = (
     '<?xml version="1.0" encoding="UTF-8"?>\n'
@@ -54,7 +55,7 @@ class _Writer:
                 self._paper(paper, written)
             else:
                 for question in written:
-                    self._pool.setdefault(question.question, []).append(
+                    self._pool.setdefault(question.sheet.identifier, []).append(
                         make_stable_name(question.identifier)
                     )
         if self._pool:
@@ -83,8 +84,8 @@ class _Writer:
             return False
         files = [f"items/{name}.xml"]
         self._parts.add(files[0], content)
-        if question.figure is not None:
-            self._parts.add(picture, question.figure.svg)
+        if question.sheet.figure is not None:
+            self._parts.add(picture, draw_picture(question.sheet.figure))
             files.append(picture)
         self._manifest.add(_write_resource(name, "imsqti_item_xmlv2p1", files))
         return True

@@ -11,7 +11,6 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.html_text import write_plain_html
 from kinegrade.language.prose.plain import write_line
-from kinegrade.lms.quiz.html import write_ask_html
 from kinegrade.lms.quiz.packaging import make_stable_name
 from kinegrade.lms.quiz.qti21_body import write_flow
 from kinegrade.lms.quiz.qti21_scoring import (
@@ -21,8 +20,12 @@ from kinegrade.lms.quiz.qti21_scoring import (
     write_declarations,
     write_processing,
 )
-from kinegrade.lms.quiz.question_html import write_question_html, write_warnings_html
+from kinegrade.lms.quiz.question_html import (
+    write_asked_html,
+    write_rules_html,
+)
 from kinegrade.lms.quiz.xml_text import Xml, write_document, write_element, write_on_lines
+from kinegrade.press.html.question import write_statement
 
 _QTI = "http://www.imsglobal.org/xsd/imsqti_v2p1"
 NAMES = {
@@ -35,7 +38,7 @@ _BOX = '<textEntryInteraction responseIdentifier="{}" expectedLength="16"/>'
 
 def write_item_document(question: QuizQuestion, language: Language, picture: str) -> bytes:
     """The item's file; `picture` is the address of the figure. Raises TypesetError."""
-    title = write_line(question.title, question.question)
+    title = write_line(question.sheet.title, question.sheet.identifier)
     parts = write_on_lines(
         (
             *write_declarations(question.asks),
@@ -60,14 +63,13 @@ def write_item_document(question: QuizQuestion, language: Language, picture: str
 
 def _write_body(question: QuizQuestion, language: Language, picture: str) -> str:
     """Statement and figure, then the asks, each with its box before the unit."""
+    statement = write_statement(question.sheet, picture, language)
     boxes = (_write_asked(place, ask, language) for place, ask in enumerate(question.asks, start=1))
-    return write_question_html(question, picture, "qti21", language) + "".join(boxes)
+    return "".join((statement, write_rules_html(question, "qti21", language), *boxes))
 
 
 def _write_asked(place: int, ask: QuizAsk, language: Language) -> str:
-    return write_ask_html(ask, language, _BOX.format(name_response(place))) + write_warnings_html(
-        ask, ask, language
-    )
+    return write_asked_html(ask, ask, language, _BOX.format(name_response(place)))
 
 
 def _write_feedback(question: QuizQuestion) -> Iterator[Xml]:

@@ -49,8 +49,8 @@ def write_declarations(asks: tuple[QuizAsk, ...]) -> Iterator[Xml]:
         "outcomeDeclaration", identifier="FEEDBACK", cardinality="multiple", baseType="identifier"
     )
     for place, ask in enumerate(asks, start=1):
-        yield _write_number(_name_points(place), Fraction(0), ask.points)
-    total = sum((ask.points for ask in asks), Fraction(0))
+        yield _write_number(_name_points(place), Fraction(0), ask.row.points)
+    total = sum((ask.row.points for ask in asks), Fraction(0))
     yield _write_number("SCORE", Fraction(0), total)
     yield _write_number("MAXSCORE", total, total)
 
@@ -88,11 +88,11 @@ def _write_condition(place: int, ask: QuizAsk) -> Xml:
         write_element(
             "responseIf",
             _write_any(place, find_right_intervals(ask)),
-            _write_points(place, ask.points),
+            _write_points(place, ask.row.points),
         )
     ]
     for wrong in find_wrong_numbers(ask):
-        given = [_write_points(place, ask.points * wrong.credit)] if wrong.credit else []
+        given = [_write_points(place, ask.row.points * wrong.credit)] if wrong.credit else []
         numbers = (ask.mistakes.index(mistake) + 1 for mistake in wrong.mistakes)
         shown = (_write_feedback(name_mistake(place, number)) for number in numbers)
         branches.append(

@@ -4,33 +4,41 @@ texts made of markup.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 from typing import Literal
 
 from kinegrade.exam.quiz_document import (
     Quiz,
     QuizAsk,
-    QuizFigure,
     QuizMistake,
     QuizPaper,
     QuizQuestion,
 )
+from kinegrade.figure.scene import FIRM, Scene, Strokes
+from kinegrade.mechanics.vector import Vector
+from kinegrade.press.sheet import AnswerRow, QuestionSheet
 
 ROOT = Fraction("1.732050807568877293527446341505872366943")  # sqrt(3)
-SVG = (
-    b'<svg xmlns="http://www.w3.org/2000/svg" width="80mm" height="50mm" viewBox="0 0 80 50">'
-    b'<path d="M5 45L30 10L75 45" fill="none" stroke="black"/></svg>'
-)
-FIGURE = QuizFigure(SVG, 80.0, 50.0, 'Slider-crank, "to scale" & more')
+CORNERS = (Vector(5.0, 45.0), Vector(30.0, 10.0), Vector(75.0, 45.0))
+FIGURE = Scene(80.0, 50.0, 1.0, (Strokes(tuple(pairwise(CORNERS)), FIRM),))
+_IN_ROW = {"symbol", "meaning", "unit", "sign", "points"}
 HOSTILE = 'Bars ]]> & **AB** "x" \\<script\\>alert(1)\\</script\\>'
 
 
 def ask(name: str, value: Fraction, low: Fraction, high: Fraction, **more: object) -> QuizAsk:
     """An ask worth 2 points, in m/s unless said otherwise."""
     meaning, sign = f"speed of ${name[-1]}$", "magnitude, not negative"
-    made = QuizAsk(name, name, meaning, "m/s", sign, Fraction(2), value, low, high)
-    return replace(made, **more)  # type: ignore[arg-type]
+    row = AnswerRow(name, meaning, "m/s", sign, Fraction(2))
+    return alter(QuizAsk(name, row, value, low, high), **more)
+
+
+def alter(ask: QuizAsk, **more: object) -> QuizAsk:
+    """The ask with other parts, of itself or of its row."""
+    printed = {part: more.pop(part) for part in _IN_ROW & more.keys()}
+    return replace(ask, row=replace(ask.row, **printed), **more)  # type: ignore[arg-type]
 
 
 def relative(
@@ -103,17 +111,24 @@ def question(
     **more: object,
 ) -> QuizQuestion:
     """A question of a paper, with a figure."""
-    made = QuizQuestion(
-        f"exam-{paper}-{name}",
-        name,
-        TITLE[language],
-        STATEMENT[language],
-        FIGURE,
-        asks,
-        "",
-        RULE[language],
-    )
+    sheet = make_sheet(name, TITLE[language], STATEMENT[language], asks, FIGURE)
+    printed = {part: more.pop(part) for part in ("statement", "figure") if part in more}
+    sheet = replace(sheet, **printed)  # type: ignore[arg-type]
+    made = QuizQuestion(f"exam-{paper}-{name}", sheet, asks, "", RULE[language])
     return replace(made, **more)  # type: ignore[arg-type]
+
+
+def make_sheet(
+    name: str,
+    title: str,
+    statement: str,
+    asks: Sequence[QuizAsk],
+    figure: Scene | None = None,
+) -> QuestionSheet:
+    """The sheet of a question that asks for these."""
+    rows = tuple(ask.row for ask in asks)
+    points = sum((row.points for row in rows), Fraction(0))
+    return QuestionSheet(int(name[1:]), name, title, points, statement, figure, rows)
 
 
 def papers(language: Literal["en", "zh"] = "en") -> tuple[QuizPaper, ...]:

@@ -85,7 +85,7 @@ def test_a_number_without_tolerance_has_no_field_for_it(tmp_path: Path) -> None:
 
 
 def test_no_text_breaks_its_line(tmp_path: Path) -> None:
-    wild = replace(a_quiz.SPEED, meaning="a\tb $v$", sign="c\u2028d", symbol=r"v_{B}")
+    wild = a_quiz.alter(a_quiz.SPEED, meaning="a\tb $v$", sign="c\u2028d", symbol=r"v_{B}")
     fields, _ = one_ask(wild, tmp_path)
     assert len(fields) == 4
     assert fields[1].endswith("a b v (c d): v_B = ? m/s")
@@ -124,7 +124,7 @@ def test_a_zip_holds_a_file_for_every_paper_or_parts_of_every_pool(tmp_path: Pat
 
 
 def test_texts_that_cannot_be_shown_are_refused(tmp_path: Path) -> None:
-    broken = replace(a_quiz.SPEED, symbol=r"\foo")
+    broken = a_quiz.alter(a_quiz.SPEED, symbol=r"\foo")
     with pytest.raises(ExportError, match=r"q1: formula \$\\foo\$: unknown command \\foo"):
         one_ask(broken, tmp_path)
 

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.lms.quiz.moodle_xml import write
 from kinegrade.lms.quiz.moodle_xml_questions import Form
-from tests.lms.quiz.a_quiz import ANGLE, SPEED, pooled, quiz
+from tests.lms.quiz.a_quiz import ANGLE, SPEED, alter, make_sheet, pooled, quiz
 from tests.lms.quiz.moodle_rules import Answer, box_width, faults, first, read, right
 from tests.said import all_said
 from tests.small_class import generate, kinegrade, write_class
@@ -30,7 +30,7 @@ CLOSEST = Fraction(1, 10**11)  # of a number's size: what lies farther outside i
 
 def answers_to(ask: QuizAsk, form: Form = "cloze") -> tuple[Answer, ...]:
     """The answers that Moodle has after it has read an ask."""
-    question = QuizQuestion("e-P-q1", "q1", "Crank", "Find it.", None, (ask,))
+    question = QuizQuestion("e-P-q1", make_sheet("q1", "Crank", "Find it.", (ask,)), (ask,))
     with TemporaryDirectory() as folder:
         target = Path(folder) / "quiz.xml"
         put = Quiz("en", "Mechanics", "Exam", [QuizPaper("P", "1", "Ann", (question,))])
@@ -79,7 +79,7 @@ def test_the_edge_of_a_repeating_decimal_is_right_in_moodle_too(
 @given(st.fractions(Fraction(-7), Fraction(7)), st.integers(-3, 3))
 def test_the_turns_that_the_text_promises_are_right(angle: Fraction, turns: int) -> None:
     value = angle * 9 / 10
-    ask = replace(
+    ask = alter(
         ANGLE,
         unit="rad",
         value=value,
@@ -96,7 +96,7 @@ def test_a_turn_more_or_less_than_the_key_is_right_and_the_text_says_so(tmp_path
     for key in (1, -3, 6):
         value = Fraction(key)
         room = Fraction(1, 100)
-        ask = replace(
+        ask = alter(
             ANGLE, unit="rad", value=value, low=value - room, high=value + room, period=TWO_PI
         )
         found = answers_to(ask)
@@ -108,7 +108,7 @@ def test_a_turn_more_or_less_than_the_key_is_right_and_the_text_says_so(tmp_path
 
 def test_a_mistaken_angle_earns_its_share_with_a_turn_more() -> None:
     wrong = QuizMistake("m", Fraction(60), Fraction(1, 2), "No.", Fraction(59), Fraction(61))
-    found = answers_to(replace(ANGLE, mistakes=(wrong,)))
+    found = answers_to(alter(ANGLE, mistakes=(wrong,)))
     assert [right(found, Fraction(typed)) for typed in (60, 420, -300, 30, 390)] == [
         50,
         50,
@@ -221,7 +221,8 @@ def test_that_moodle_has_no_way_to_put_own_papers_is_said(tmp_path: Path) -> Non
 
 def test_a_file_that_many_sites_do_not_take_is_named(tmp_path: Path) -> None:
     def one(code: int) -> QuizPaper:
-        question = QuizQuestion(f"e-{code}-q1", "q1", "Crank", "Find it. " * 12000, None, (SPEED,))
+        sheet = make_sheet("q1", "Crank", "Find it. " * 12000, (SPEED,))
+        question = QuizQuestion(f"e-{code}-q1", sheet, (SPEED,))
         return QuizPaper(str(code), "", "", (question,))
 
     put = Quiz("en", "", "Exam", [one(code) for code in range(20)])

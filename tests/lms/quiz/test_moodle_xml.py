@@ -30,7 +30,18 @@ from kinegrade.lms.quiz.moodle_xml import write
 from kinegrade.lms.quiz.moodle_xml_answers import SHARES
 from kinegrade.lms.quiz.moodle_xml_questions import Form
 from tests.golden_files import Hold
-from tests.lms.quiz.a_quiz import ACCELERATION, ANGLE, SPEED, UNEVEN, ZERO, papers, pooled, quiz
+from tests.lms.quiz.a_quiz import (
+    ACCELERATION,
+    ANGLE,
+    SPEED,
+    UNEVEN,
+    ZERO,
+    alter,
+    make_sheet,
+    papers,
+    pooled,
+    quiz,
+)
 from tests.lms.quiz.moodle_rules import FRACTIONS, Answer, Question, faults, first, read, right
 from tests.said import all_said
 
@@ -52,7 +63,7 @@ def written(given_quiz: Quiz, target: Path, form: Form = "cloze") -> str:
 
 
 def of_asks(*asks: QuizAsk, statement: str = "Find it.", title: str = "Crank") -> Quiz:
-    question = QuizQuestion("e-P-q1", "q1", title, statement, None, asks)
+    question = QuizQuestion("e-P-q1", make_sheet("q1", title, statement, asks), asks)
     return Quiz("en", "Mechanics", "Exam", [QuizPaper("P", "1", "Ann", (question,))])
 
 
@@ -101,7 +112,7 @@ def test_every_number_is_read_back_as_the_key_has_it(
     assert len(questions) == (12 if form == "cloze" else 24)
     for ask, (mark, found) in zip(asks, boxes, strict=True):
         holds(found, ask)
-        assert mark == ask.points * (2 if form == "cloze" else 1)
+        assert mark == ask.row.points * (2 if form == "cloze" else 1)
         for mistake in ask.mistakes:
             told = first(found, mistake.value)
             assert told is not None
@@ -208,7 +219,7 @@ def test_no_text_breaks_a_question(name: str, sentence: str, title: str) -> None
         SPEED,
         mistakes=(QuizMistake("m", Fraction(9), Fraction(0), sentence, Fraction(8), Fraction(10)),),
     )
-    question = QuizQuestion("e-P-q1", "q1", title, "Find it.", None, (ask,), rule="")
+    question = QuizQuestion("e-P-q1", make_sheet("q1", title, "Find it.", (ask,)), (ask,))
     put = Quiz("en", "", f"T{title}", [QuizPaper("P", "1", name, (question,))])
     with TemporaryDirectory() as folder:
         [found] = read(written(put, Path(folder) / "quiz.xml"))
@@ -220,7 +231,7 @@ def test_no_text_breaks_a_question(name: str, sentence: str, title: str) -> None
     "text", ["{1:SHORTANSWER:=x}", "{:NM:=1}", "{#1}", "a {2:MC:=x~y} b", "\\{1:NM:=1:2\\}"]
 )
 def test_a_text_that_looks_like_a_box_is_none(target: Path, text: str) -> None:
-    ask = replace(SPEED, meaning=f"speed {text}", sign=f"sign {text}")
+    ask = alter(SPEED, meaning=f"speed {text}", sign=f"sign {text}")
     [question] = read(written(of_asks(ask, statement=f"Take {text} as it is."), target))
     assert len(question.boxes) == 1
     assert question.text.count("&#123;") == 3
@@ -234,7 +245,7 @@ def test_formulas_beside_boxes_stay_as_they_are(target: Path) -> None:
 
 def test_marks_are_whole_and_in_the_ratio_of_the_points(target: Path) -> None:
     points = {SPEED: "2.5", UNEVEN: "1", ZERO: "0.25"}
-    asks = [replace(ask, points=Fraction(worth)) for ask, worth in points.items()]
+    asks = [alter(ask, points=Fraction(worth)) for ask, worth in points.items()]
     remarks = all_said(write(of_asks(*asks), target))
     [question] = read(target.read_text(encoding="utf-8"))
     assert [mark for mark, _ in question.boxes] == [10, 4, 1]

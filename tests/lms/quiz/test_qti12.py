@@ -260,7 +260,7 @@ def test_units_change_by_whole_powers_of_ten(
 
 
 def test_an_answer_whose_unit_has_no_finer_one_is_refused_with_all_others(tmp_path: Path) -> None:
-    area = replace(a_quiz.LOST, identifier="area", symbol="A", unit="m^2")
+    area = a_quiz.alter(a_quiz.LOST, identifier="area", symbol="A", unit="m^2")
     questions = tuple(
         a_quiz.question("P", f"q{number}", (ask,))
         for number, ask in enumerate((a_quiz.LOST, area), 1)
@@ -338,7 +338,7 @@ def test_texts_are_text_and_figures_are_files_of_the_package(package: Path) -> N
     picture = shown.find(".//img")
     assert picture is not None
     assert picture.get("src", "").removeprefix("$IMS-CC-FILEBASE$/") in files
-    assert picture.get("alt") == a_quiz.FIGURE.description
+    assert picture.get("alt") == "Figure to scale: Slider-crank OAB & co."
     assert (
         bare(files["exam-P1-q1-v_B-paper/assessment_meta.xml"]).findtext("points_possible")
         == "13.5"
@@ -391,7 +391,7 @@ def test_pooled_questions_are_drawn_one_variant_for_every_ask(tmp_path: Path) ->
 
 
 def test_variants_of_different_worth_are_refused(tmp_path: Path) -> None:
-    dearer = replace(a_quiz.SPEED, points=Fraction(3))
+    dearer = a_quiz.alter(a_quiz.SPEED, points=Fraction(3))
     papers = [
         QuizPaper(code, "", "", (a_quiz.question(code, "q1", (ask,)),))
         for code, ask in (("P1", a_quiz.SPEED), ("P2", dearer))
@@ -423,8 +423,8 @@ def test_texts_that_cannot_be_shown_are_refused_once_for_all_asks(tmp_path: Path
     with pytest.raises(ExportError) as refusal:
         write(Quiz("en", "", "Test", [QuizPaper("P", "1", "Bo", (broken,))]), tmp_path / "quiz.zip")
     assert [problem.split(" - ")[0] for problem in refusal.value.problems] == [
-        "q1: a link cannot be printed",
-        "q1: formula $\\foo$: unknown command \\foo",
+        "q1, statement: a link cannot be printed",
+        "q1, statement: formula $\\foo$: unknown command \\foo",
     ]
 
 

@@ -189,7 +189,7 @@ def test_the_ends_of_what_is_right_are_right_and_what_is_beyond_is_not(
 ) -> None:
     root, box, beyond = item(package, name), f"RESPONSE_{place}", (ask.high - ask.low) / 10**12
     assert [marked(root, {box: answer})[0] for answer in (ask.low, ask.value, ask.high)] == [
-        ask.points
+        ask.row.points
     ] * 3
     assert [marked(root, {box: answer})[0] for answer in (ask.low - beyond, ask.high + beyond)] == [
         0,
@@ -204,7 +204,9 @@ def test_numbers_without_end_are_right_to_the_last_digit_of_a_double(
     package: Path, name: str, place: int, ask: a_quiz.QuizAsk
 ) -> None:
     root, box, hair = item(package, name), f"RESPONSE_{place}", abs(ask.value) / 10**15
-    assert [marked(root, {box: answer})[0] for answer in (ask.low, ask.high)] == [ask.points] * 2
+    assert [marked(root, {box: answer})[0] for answer in (ask.low, ask.high)] == [
+        ask.row.points
+    ] * 2
     assert [marked(root, {box: answer})[0] for answer in (ask.low - hair, ask.high + hair)] == [
         0,
         0,
@@ -322,7 +324,7 @@ def test_variants_are_drawn_one_of_each_question(tmp_path: Path) -> None:
 
 def test_texts_that_cannot_be_shown_are_refused_and_nothing_is_written(tmp_path: Path) -> None:
     broken = a_quiz.question("P", "q1", (a_quiz.SPEED,), statement="# heading")
-    with pytest.raises(ExportError, match="q1: a heading cannot be printed"):
+    with pytest.raises(ExportError, match="q1, statement: a heading cannot be printed"):
         write(Quiz("en", "", "Test", [QuizPaper("P", "1", "Bo", (broken,))]), tmp_path / "quiz.zip")
     assert list(tmp_path.iterdir()) == []
 

@@ -8,9 +8,8 @@ from xml.etree import ElementTree
 
 import pytest
 
-from kinegrade.exam.quiz_paper import QuizWishes
-from kinegrade.exam.quiz_solution import write_blocks_html, write_solution_html
 from kinegrade.language import Language
+from kinegrade.press.html.solution import write_blocks
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 from kinegrade.worked.document import Display, Heading, Prose, Result, Results, Term, TermTable
@@ -25,9 +24,9 @@ def test_a_solution_is_told_whole(name: str, language: Language) -> None:
     template = load_template(name)
     asked = template.asked()
     solution = solve_template(template, {}, asked)
-    html = write_solution_html(solution, asked, language)
-    tree = ElementTree.fromstring(f"<div>{html}</div>")
     worked = write_worked_solution(solution, asked, language)
+    html = write_blocks(worked.blocks, language)
+    tree = ElementTree.fromstring(f"<div>{html}</div>")
     kinds = [type(block) for block in worked.blocks]
     assert sum(child.tag in ("h4", "h5") for child in tree) == kinds.count(Heading)
     assert len(list(tree.iter("table"))) == kinds.count(TermTable)
@@ -40,17 +39,10 @@ def test_a_solution_is_told_whole(name: str, language: Language) -> None:
         assert result.decimal in "".join(line.itertext())
 
 
-def test_the_method_may_be_chosen() -> None:
-    solution = solve_template(load_template("slider-crank"), {}, ("v_B",))
-    by_pole = write_solution_html(solution, ("v_B",), "en", "pole")
-    assert by_pole != write_solution_html(solution, ("v_B",), "en")
-    assert QuizWishes().method is None
-
-
 def test_the_blocks_one_by_one() -> None:
     terms = Term("", "v_B", "?", "$\\parallel x$"), Term("=", "v_A", "$r\\omega$", "a < b")
     result = Result("v_B", r"\frac{1}{3}", "-0.333333", "m/s^2", "to the *left*")
-    html = write_blocks_html(
+    html = write_blocks(
         (
             Heading("Step $1$", 2),
             Prose("Thus:"),

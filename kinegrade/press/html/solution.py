@@ -1,8 +1,7 @@
 r"""A worked solution as HTML with math between `\(` and `\)`, for a learning management system to
 show after the quiz.
 
-It is the text of the printed solution with its equations and tables; the pictures stay with the
-printed one.
+It has the texts, equations and tables of the printed one, which alone has the pictures.
 """
 
 from __future__ import annotations
@@ -20,8 +19,6 @@ from kinegrade.language.html_text import (
 from kinegrade.language.prose.html import write_line, write_prose
 from kinegrade.press.equation_line import split_equation_line
 from kinegrade.press.solution_blocks import has_exact_decimal
-from kinegrade.problem.solving import Solution
-from kinegrade.problem.template import Method
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -33,23 +30,11 @@ from kinegrade.worked.document import (
     Term,
     TermTable,
 )
-from kinegrade.worked.solution import write_worked_solution
 
 _WHERE = "worked solution"
 
 
-def write_solution_html(
-    solution: Solution, asks: Sequence[str], language: Language, method: Method | None = None
-) -> str:
-    """The worked solution of an instance for the asks named, by the method where several serve.
-
-    Raises TypesetError for texts that cannot be shown.
-    """
-    worked = write_worked_solution(solution, asks, language, method)
-    return write_blocks_html(worked.blocks, language)
-
-
-def write_blocks_html(blocks: Sequence[Block], language: Language) -> str:
+def write_blocks(blocks: Sequence[Block], language: Language) -> str:
     """The blocks of a worked solution one after the other; pictures are left out. Raises
     TypesetError.
     """
