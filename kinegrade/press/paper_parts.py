@@ -52,6 +52,16 @@ def arrange_marks(
     return [columns[start : start + widest] for start in range(0, len(columns), widest)]
 
 
+def choose_exact(exact: str | None, decimal: str) -> str:
+    """The exact value that stands before a decimal; "" where none is known, or it is written the
+    same way.
+
+    >>> choose_exact(r"\\frac{1}{5}", "0.2"), choose_exact("60", "60"), choose_exact(None, "1.7")
+    ('\\\\frac{1}{5}', '', '')
+    """
+    return "" if exact is None or exact == decimal else exact
+
+
 def fits_beside(figure: Scene) -> bool:
     """Whether text fits beside the figure; a flat one stands better below it."""
     return figure.width <= _BESIDE and figure.height >= figure.width / 4

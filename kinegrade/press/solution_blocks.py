@@ -1,6 +1,4 @@
-"""What both presses ask of a worked solution's blocks: what stays together, and how a result is
-written.
-"""
+"""What every layout asks of a worked solution: what stays together, and how a result is written."""
 
 from __future__ import annotations
 

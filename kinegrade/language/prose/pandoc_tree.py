@@ -1,23 +1,13 @@
-"""The pieces of a pandoc document as values of its JSON form; nothing in them is ever read as
-Markdown, HTML or TeX.
-
-`Node` is one element. Attributes are a style for Word and a class for HTML.
+"""The pieces of pandoc's document tree that prose is made of, as values of its JSON form; nothing
+in them is ever read as Markdown, HTML or TeX.
 """
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterable, Sequence
-from typing import Any, Literal
+from collections.abc import Sequence
+from typing import Any
 
 Node = dict[str, Any]
-Alignment = Literal["Default", "Right", "Center"]  # default: as the style of the cell has it
-_VERSION = [1, 23, 1]  # of the form, as pandoc 3 has it
-
-
-def make_document(blocks: Iterable[Node]) -> bytes:
-    """A whole document, to be handed to pandoc as `json`."""
-    return json.dumps({"pandoc-api-version": _VERSION, "meta": {}, "blocks": list(blocks)}).encode()
 
 
 def make_text(plain: str) -> Node:
@@ -49,14 +39,6 @@ def make_line_break() -> Node:
     return {"t": "LineBreak"}
 
 
-def make_image(data_uri: str, width: float, description: str) -> Node:
-    """A picture `width` millimetres wide, with its bytes in the address."""
-    return {
-        "t": "Image",
-        "c": [["", [], [["width", f"{width:.2f}mm"]]], [make_text(description)], [data_uri, ""]],
-    }
-
-
 def make_paragraph(inlines: Sequence[Node]) -> Node:
     """A paragraph."""
     return {"t": "Para", "c": list(inlines)}
@@ -65,11 +47,6 @@ def make_paragraph(inlines: Sequence[Node]) -> Node:
 def make_plain(inlines: Sequence[Node]) -> Node:
     """Text without the space around a paragraph, as in a cell or in a short item."""
     return {"t": "Plain", "c": list(inlines)}
-
-
-def make_heading(level: int, inlines: Sequence[Node]) -> Node:
-    """A heading; 1 is the highest."""
-    return {"t": "Header", "c": [level, ["", [], []], list(inlines)]}
 
 
 def make_bullets(items: Sequence[Sequence[Node]]) -> Node:
@@ -83,53 +60,3 @@ def make_numbered(items: Sequence[Sequence[Node]], start: int) -> Node:
         "t": "OrderedList",
         "c": [[start, {"t": "Decimal"}, {"t": "Period"}], [list(item) for item in items]],
     }
-
-
-def make_styled(name: str, blocks: Sequence[Node]) -> Node:
-    """Blocks in a style: "Answer box" is Word's style of that name and the HTML class
-    "answer-box".
-    """
-    return {
-        "t": "Div",
-        "c": [["", [name.lower().replace(" ", "-")], [["custom-style", name]]], list(blocks)],
-    }
-
-
-def make_table(
-    name: str,
-    widths: Sequence[float],
-    alignments: Sequence[Alignment],
-    head: Sequence[Node],
-    rows: Sequence[Sequence[Node]],
-) -> Node:
-    """A table whose columns have these parts of the page's width; a cell is one block, `head` may
-    be empty.
-    """
-    columns = [
-        [{"t": f"Align{side}"}, {"t": "ColWidth", "c": width}]
-        for side, width in zip(alignments, widths, strict=True)
-    ]
-    body = [_make_attributes(), 0, [], [_make_row(row) for row in rows]]
-    return {
-        "t": "Table",
-        "c": [
-            ["", [name], []],
-            [None, []],
-            columns,
-            [_make_attributes(), [_make_row(head)] if head else []],
-            [body],
-            [_make_attributes(), []],
-        ],
-    }
-
-
-def _make_row(cells: Iterable[Node]) -> list[Any]:
-    return [
-        _make_attributes(),
-        [[_make_attributes(), {"t": "AlignDefault"}, 1, 1, [cell]] for cell in cells],
-    ]
-
-
-def _make_attributes() -> list[Any]:
-    """No identifier, no class, no further attribute."""
-    return ["", [], []]

@@ -18,6 +18,7 @@ from kinegrade.language.html_text import (
 )
 from kinegrade.language.prose.html import write_line, write_prose
 from kinegrade.press.equation_line import split_equation_line
+from kinegrade.press.paper_parts import choose_exact
 from kinegrade.press.solution_blocks import has_exact_decimal
 from kinegrade.worked.document import (
     Block,
@@ -107,7 +108,8 @@ def _write_entry(cell: str) -> str:
 
 
 def _write_result(result: Result) -> str:
-    exact = f"= {result.exact} " if result.exact not in (None, result.decimal) else ""
+    shown = choose_exact(result.exact, result.decimal)
+    exact = f"= {shown} " if shown else ""
     relation = "=" if has_exact_decimal(result) else r"\approx"
     value = write_math_html(rf"{result.symbol} {exact}{relation} {result.decimal}", _WHERE)
     unit = write_unit_html(result.unit)

@@ -7,7 +7,7 @@ from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.units import write_unit
 from kinegrade.language.prose.typst import write_line
 from kinegrade.language.typst_text import write_literal
-from kinegrade.press.paper_parts import write_points_text
+from kinegrade.press.paper_parts import choose_exact, write_points_text
 from kinegrade.press.sheet import (
     KeyAnswer,
     KeyBook,
@@ -67,8 +67,8 @@ def _write_parameter(parameter: KeyParameter, where: str) -> str:
     way.
     """
     equation = f"{write_formula(parameter.symbol, where)};"
-    if parameter.exact is not None and parameter.exact != parameter.decimal:
-        equation += f'" = ";{write_formula(parameter.exact, where)};'
+    if exact := choose_exact(parameter.exact, parameter.decimal):
+        equation += f'" = ";{write_formula(exact, where)};'
     value = write_literal(f" = {write_value(parameter.decimal, parameter.unit)}")
     return f"{{{equation}{value}}}"
 

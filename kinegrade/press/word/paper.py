@@ -14,18 +14,12 @@ from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.units import write_unit
 from kinegrade.language.prose.pandoc import make_formula, write_line, write_prose
 from kinegrade.language.prose.pandoc_tree import (
-    Alignment,
     Node,
     make_bullets,
-    make_document,
-    make_heading,
-    make_image,
     make_line_break,
     make_paragraph,
     make_plain,
     make_strong,
-    make_styled,
-    make_table,
     make_text,
 )
 from kinegrade.press.paper_parts import (
@@ -35,6 +29,14 @@ from kinegrade.press.paper_parts import (
     write_points_text,
 )
 from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
+from kinegrade.press.word.tree import (
+    Alignment,
+    make_document,
+    make_heading,
+    make_image,
+    make_styled,
+    make_table,
+)
 
 _FIELD_WIDTHS = (0.5, 0.25, 0.25)
 _FIELD_SIDES: tuple[Alignment, ...] = ("Default", "Default", "Default")

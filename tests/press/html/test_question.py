@@ -29,5 +29,5 @@ def test_a_question_without_a_figure_is_its_statement() -> None:
 def test_points_are_written_as_on_paper() -> None:
     row = AnswerRow("v_B", "speed of $B$", "m/s^2", "to the right", Fraction(1, 3))
     assert write_row(row, "q1", ENGLISH, "[ ]") == (
-        "<p>Speed of \\(B\\) (to the right): \\(v_B =\\) [ ] m/s<sup>2</sup> (1/3 points)</p>\n"
+        "<p>Speed of \\(B\\) (to the right): \\(v_{B} =\\) [ ] m/s<sup>2</sup> (1/3 points)</p>\n"
     )
