@@ -76,11 +76,11 @@ class JsonError(SyntaxFault):
 class FieldError(KinegradeError):
     """A value that is not what its key needs: what was found, what was expected, what to do."""
 
-    def __init__(self, what: Text, expected: Text = "", do: Text = "") -> None:
+    def __init__(self, what: Problem, expected: Text = "", do: Text = "") -> None:
         self.what, self.expected, self.do = what, expected, do
         super().__init__(Fault("", what, expected, do))
 
-    def __reduce__(self) -> tuple[type[FieldError], tuple[Text, Text, Text]]:
+    def __reduce__(self) -> tuple[type[FieldError], tuple[Problem, Text, Text]]:
         return type(self), (self.what, self.expected, self.do)
 
 

@@ -15,6 +15,7 @@ from typing import Any
 from flint import fmpq
 
 from kinegrade.errors import ExpressionError, MechanismError
+from kinegrade.language.message import Message
 from kinegrade.mechanics.geometry import Round
 from kinegrade.mechanics.motion import solve_motion
 from kinegrade.mechanics.plan import Plan
@@ -60,9 +61,7 @@ class Centrodes:
         not a circle.
         """
         if not isinstance(body, BodyName):
-            raise ExpressionError(
-                "circle_of_poles(BODY, parameter): expected the name of a body first"
-            )
+            raise ExpressionError(Message("template.poles-of-a-body"))
         key = (body.name, self.parameter(angle))
         if key not in self.known:
             self.known[key] = self.find(*key, arithmetic)
@@ -75,14 +74,13 @@ class Centrodes:
         poles = list(islice(self.poles(body, parameter, arithmetic), 4))
         if len(poles) < 4:
             raise MechanismError(
-                f"the centrode of {body}: fewer than four configurations can be reached by "
-                f"changing {parameter}: choose another value"
+                Message("template.centrode-too-short", body=body, parameter=parameter)
             )
         circle = find_circle(poles[0], poles[1], poles[2], arithmetic)
         if not arithmetic.is_zero(
             (poles[3] - circle.centre).squared() - (poles[0] - circle.centre).squared()
         ):
-            raise MechanismError(f"the centrode of {body} is no circle")
+            raise MechanismError(Message("template.centrode-no-circle", body=body))
         return circle
 
     def parameter(self, angle: Any) -> str:
@@ -90,9 +88,7 @@ class Centrodes:
         for name, value in self.values.items():
             if value is angle and name in self.template.angles:
                 return name
-        raise ExpressionError(
-            "circle_of_poles(BODY, parameter): expected the name of an angular parameter second"
-        )
+        raise ExpressionError(Message("template.poles-by-an-angle"))
 
     def poles(self, body: str, parameter: str, arithmetic: Any) -> Iterator[Vector]:
         """The poles at the instant and at the neighbouring configurations that can be reached."""
@@ -112,6 +108,6 @@ def find_circle(first: Vector, second: Vector, third: Vector, arithmetic: Any) -
     across, along = second - first, third - first
     area = across.cross(along) * 2
     if arithmetic.is_zero(area):
-        raise MechanismError("the poles lie on one line: the centrode is no circle")
+        raise MechanismError(Message("template.poles-on-a-line"))
     offset = (along.turned() * across.squared() - across.turned() * along.squared()) / -area
     return Round(first + offset, arithmetic.sqrt(offset.squared()))

@@ -11,6 +11,7 @@ from kinegrade.angular import is_angle
 from kinegrade.errors import FieldError
 from kinegrade.expression import Number, read_expression
 from kinegrade.fields.values import found
+from kinegrade.language.message import Message
 from kinegrade.problem.template import Condition, Relation
 
 _MARK = re.compile(r"([<>=]=?)")
@@ -32,7 +33,7 @@ def read_condition(text: str) -> Condition:
     """
     parts = _MARK.split(text)
     if len(parts) != 3 or parts[1] not in _RELATIONS:
-        raise FieldError(found(text), '"left < right", with one of <, <=, >, >=, ==')
+        raise FieldError(found(text), Message("template.a-condition"))
     left, right = read_expression(parts[0]), read_expression(parts[2])
     relation, turned = _RELATIONS[parts[1]]
     if turned:

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, assert_never
+from typing import Any, Literal, assert_never
 
 from kinegrade.errors import ExpressionError, FieldError
 from kinegrade.expression import Expression, find_names
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.place import Place, key_path
+from kinegrade.language.message import Listing, Message, Quoted, list_choices
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.dimension import (
@@ -25,6 +26,7 @@ from kinegrade.problem.dimension import (
     RATE,
     SPEED,
     Dimension,
+    describe_dimension,
     find_dimension,
 )
 from kinegrade.problem.draft import Draft
@@ -46,10 +48,7 @@ from kinegrade.problem.sentences import DriverSentence, JointSentence
 from kinegrade.problem.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES, Signature
 from kinegrade.problem.template import Ask, Condition, Published, Wording
 
-_OF_A_VECTOR = "take magnitude(...), x(...), y(...) or along(...) of a vector"
-_POINT = "a point, like (x, y) or polar(O, r, phi)"
-_SHAPE = "line(POINT, angle or point) or circle(POINT, radius)"
-_ALONG = "+x, -x, +y, -y or an angle, like direction(O, A)"
+_Having = Literal["coordinates", "velocity", "acceleration", "direction"]
 
 
 @dataclass(frozen=True)
@@ -72,9 +71,13 @@ def _wrong_unit(draft: Draft, found: Sequence[_Inconsistency]) -> Sequence[_Inco
     first = found[0]
     for name, parameter in draft.parameters.items():
         if not list(_Consistency(draft, {**_find_given_kinds(draft), name: Unknown()}).faults()):
-            what = (
-                f'"{parameter.unit.text}" does not fit where {name} is used ({len(found)} faults), '
-                f"as in {key_path(first.place)}: {first.error.what}"
+            what = Message(
+                "template.unit-misfit",
+                unit=Quoted(parameter.unit.text),
+                name=name,
+                count=len(found),
+                place=key_path(first.place),
+                fault=first.error.what,
             )
             error = FieldError(what, first.error.expected, first.error.do)
             return [_Inconsistency(("parameters", name, "unit"), error)]
@@ -146,15 +149,15 @@ class _Consistency:
         """A point: its coordinates are lengths."""
         kind = scope.kind(tree)
         if not isinstance(kind, Arrow | Unknown):
-            raise FieldError(describe_kind(kind), _POINT)
-        _require_dimension(kind, LENGTH, "its coordinates are")
+            raise FieldError(describe_kind(kind), Message("template.point-like"))
+        _require_dimension(kind, LENGTH, "coordinates")
 
     def joint(self, scope: Scope, sentence: JointSentence) -> None:
         """A joint: its lines and circles."""
         for shape in (sentence.circle, sentence.on):
             kind = scope.kind(shape) if shape is not None else Unknown()
             if not isinstance(kind, Straight | Ring | Unknown):
-                raise FieldError(describe_kind(kind), _SHAPE)
+                raise FieldError(describe_kind(kind), Message("template.a-shape"))
 
     def driver(self, scope: Scope, sentence: DriverSentence) -> None:
         """An input: a rotation in rad/s and rad/s^2, the motion of a point in m/s and m/s^2."""
@@ -165,25 +168,24 @@ class _Consistency:
                 velocity, acceleration = SPEED, ACCELERATION
             case _:
                 assert_never(sentence.kind)
+        _require_dimension(_require_number(scope.kind(sentence.velocity)), velocity, "velocity")
         _require_dimension(
-            _require_number(scope.kind(sentence.velocity)), velocity, "its velocity is"
-        )
-        _require_dimension(
-            _require_number(scope.kind(sentence.acceleration)), acceleration, "its acceleration is"
+            _require_number(scope.kind(sentence.acceleration)), acceleration, "acceleration"
         )
         if sentence.along is None:
             return
         require_no_radians(sentence.along)
         direction = scope.kind(sentence.along)
         if not isinstance(direction, Scalar | Unknown):
-            raise FieldError(f"moves along {describe_kind(direction)}", _ALONG)
-        _require_dimension(direction, NUMBER, "its direction is")
+            what = Message("template.moves-along", kind=describe_kind(direction))
+            raise FieldError(what, Message("template.a-direction"))
+        _require_dimension(direction, NUMBER, "direction")
 
     def condition(self, condition: Condition) -> None:
         """A condition: two numbers of one dimension, made of parameters."""
         scope = self.scope(self.parameters, ELEMENTARY)
         unite_dimensions(
-            f'"{condition.text}"',
+            Quoted(condition.text),
             _require_number(scope.kind(condition.left)),
             _require_number(scope.kind(condition.right)),
         )
@@ -198,7 +200,9 @@ class _Consistency:
         """An ask: a number of the dimension of its unit."""
         kind = scope.kind(ask.quantity)
         if not isinstance(kind, Scalar | Unknown):
-            raise FieldError(describe_kind(kind), "a number", _OF_A_VECTOR)
+            raise FieldError(
+                describe_kind(kind), Message("template.a-number"), Message("template.of-a-vector")
+            )
         _require_unit(kind, ask)
 
     def published(self, number: int, result: Published) -> Iterator[_Inconsistency]:
@@ -240,21 +244,26 @@ def _try_kinds(
     except FieldError as error:
         yield _Inconsistency(place, error)
     except ExpressionError as error:
-        yield _Inconsistency(place, FieldError(str(error)))
+        for problem in error.faults:
+            yield _Inconsistency(place, FieldError(problem))
 
 
 def _require_number(kind: Kind) -> Kind:
     """A kind that must be a number. Raises FieldError for anything else."""
     if not isinstance(kind, Scalar | Unknown):
-        raise FieldError(describe_kind(kind), "a number")
+        raise FieldError(describe_kind(kind), Message("template.a-number"))
     return kind
 
 
-def _require_dimension(kind: Kind, expected: Dimension, what: str) -> None:
+def _require_dimension(kind: Kind, expected: Dimension, having: _Having) -> None:
     """Raises FieldError where a kind has another dimension than is expected."""
     found = kind.dimension if isinstance(kind, Scalar | Arrow) else None
     if found is not None and found != expected:
-        raise FieldError(f"{what} {found}", str(expected), "check the units")
+        raise FieldError(
+            Message(f"template.its-{having}", dimension=describe_dimension(found)),
+            describe_dimension(expected),
+            Message("template.check-units"),
+        )
 
 
 def _require_unit(kind: Kind, ask: Ask) -> None:
@@ -262,11 +271,16 @@ def _require_unit(kind: Kind, ask: Ask) -> None:
     found = kind.dimension if isinstance(kind, Scalar) else None
     if found is not None and found != find_dimension(ask.unit):
         raise FieldError(
-            f'this is {found}: it cannot be counted in "{ask.unit.text}"',
-            do=f"write unit = {_list_units(found)}, or ask for something else",
+            Message(
+                "template.cannot-be-counted",
+                dimension=describe_dimension(found),
+                unit=Quoted(ask.unit.text),
+            ),
+            do=Message("template.write-unit", units=_list_units(found)),
         )
 
 
-def _list_units(found: Dimension) -> str:
+def _list_units(found: Dimension) -> Listing:
     """The units in SI that a dimension may be counted in."""
-    return '"rad", "deg" or "1"' if found == NUMBER else f'"{found.unit}"'
+    units = ("rad", "deg", "1") if found == NUMBER else (found.unit,)
+    return list_choices(map(Quoted, units))

@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
+from kinegrade.language.message import Message
 from kinegrade.units import Unit
 
 
@@ -25,9 +26,6 @@ class Dimension:
 
     def __pow__(self, exponent: Fraction) -> Dimension:
         return Dimension(self.length * exponent, self.time * exponent)
-
-    def __str__(self) -> str:
-        return _NAMES.get(self, f"something in {self.unit}")
 
     @property
     def unit(self) -> str:
@@ -68,11 +66,16 @@ ACCELERATION = _make_dimension(1, -2)
 RATE = _make_dimension(0, -1)
 CHANGE = _make_dimension(0, -2)
 _NAMES = {
-    NUMBER: "a pure number or an angle",
-    LENGTH: "a length (m)",
-    _make_dimension(0, 1): "a time (s)",
-    SPEED: "a velocity (m/s)",
-    ACCELERATION: "an acceleration (m/s^2)",
-    RATE: "an angular velocity (rad/s)",
-    CHANGE: "an angular acceleration (rad/s^2)",
+    NUMBER: Message("template.dimension-number"),
+    LENGTH: Message("template.dimension-length"),
+    _make_dimension(0, 1): Message("template.dimension-time"),
+    SPEED: Message("template.dimension-velocity"),
+    ACCELERATION: Message("template.dimension-acceleration"),
+    RATE: Message("template.dimension-rate"),
+    CHANGE: Message("template.dimension-change"),
 }
+
+
+def describe_dimension(dimension: Dimension) -> Message:
+    """A dimension for a message."""
+    return _NAMES.get(dimension) or Message("template.dimension-other", unit=dimension.unit)

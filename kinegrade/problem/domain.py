@@ -18,6 +18,7 @@ from kinegrade.expression import (
     read_rational,
 )
 from kinegrade.fields.values import found
+from kinegrade.language.message import Message
 
 _MAX_CHOICES = 2000
 _LARGEST = fmpq(10) ** 100  # what is worked out from such values still fits into doubles
@@ -41,7 +42,8 @@ def read_choices(draw: object) -> tuple[str, ...]:
         or len(texts) > _MAX_CHOICES
         or len({find_digits(text) for text in texts}) != len(texts)
     ):
-        raise FieldError(f"{len(texts)} values", f"1 to {_MAX_CHOICES} of them, each once")
+        what = Message("template.values", count=len(texts))
+        raise FieldError(what, Message("template.values-each-once", most=_MAX_CHOICES))
     return tuple(texts)
 
 
@@ -55,9 +57,11 @@ def find_digits(text: str) -> str:
             read_expression(text), {"pi": balls.turns(1)}, make_elementary_functions(balls), balls
         )
     if not isinstance(value, arb):
-        raise FieldError(found(text), "a number")
+        raise FieldError(found(text), Message("template.a-number"))
     if not abs(value) < _LARGEST:
-        raise FieldError(found(text), "a number up to 1e100", "choose another unit")
+        raise FieldError(
+            found(text), Message("template.number-too-large"), Message("template.another-unit")
+        )
     return write_decimal(value, 30)
 
 
@@ -65,14 +69,10 @@ def _read_range(text: str) -> list[str]:
     """The values of "first .. last step s"."""
     match = _RANGE.fullmatch(text) if len(text) <= MAX_LENGTH else None
     if match is None:
-        raise FieldError(found(text), 'a list, or a range like "0.1 .. 0.5 step 0.05"')
+        raise FieldError(found(text), Message("template.a-range"))
     first, last, step = (_read_signed(part) for part in match.groups())
     if step <= 0 or last < first or (last - first) / step > _MAX_CHOICES:
-        raise FieldError(
-            found(text),
-            "a step above zero, the last value not before the first, and "
-            f"at most {_MAX_CHOICES} values",
-        )
+        raise FieldError(found(text), Message("template.range-order", most=_MAX_CHOICES))
     count = int(((last - first) / step).floor()) + 1
     return [write_decimal(first + step * index, 30) for index in range(count)]
 
@@ -80,5 +80,5 @@ def _read_range(text: str) -> list[str]:
 def _read_signed(text: str) -> Any:
     """A decimal with its sign."""
     if text.count(".") > 1 or text.strip("-.") == "":
-        raise FieldError(found(text), "a decimal number")
+        raise FieldError(found(text), Message("template.a-decimal"))
     return -read_rational(text[1:]) if text.startswith("-") else fmpq(1) * read_rational(text)

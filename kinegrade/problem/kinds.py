@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from typing import assert_never
 
 from kinegrade.errors import FieldError
-from kinegrade.problem.dimension import Dimension
+from kinegrade.language.message import Message, Part
+from kinegrade.problem.dimension import Dimension, describe_dimension
 
 
 @dataclass(frozen=True)
@@ -60,32 +61,32 @@ class Unknown:
 Kind = Scalar | Arrow | Straight | Ring | BodyKind | Side | Unknown
 
 
-def describe_kind(kind: Kind) -> str:
+def describe_kind(kind: Kind) -> Message:
     """A kind for a message."""
     match kind:
-        case Scalar(None):
-            return "a number"
-        case Scalar(dimension):
-            return str(dimension)
+        case Scalar(Dimension() as dimension):
+            return describe_dimension(dimension)
+        case Scalar():
+            return Message("template.a-number")
         case Arrow(_, ""):
-            return "a vector"
+            return Message("template.a-vector")
         case Arrow():
-            return "a point"
+            return Message("template.a-point")
         case Straight():
-            return "a line"
+            return Message("template.a-line")
         case Ring():
-            return "a circle"
+            return Message("template.a-circle")
         case BodyKind():
-            return "a body"
+            return Message("template.a-body")
         case Side():
-            return "the name of a side"
+            return Message("template.a-side")
         case Unknown():
-            return "unknown"
+            return Message("template.of-unknown-kind")
         case _:
             assert_never(kind)
 
 
-def unite_dimensions(where: str, *kinds: Kind) -> Dimension | None:
+def unite_dimensions(where: Part, *kinds: Kind) -> Dimension | None:
     """The one dimension of numbers and vectors that go together; None where all are literals or
     unknown.
 
@@ -97,7 +98,8 @@ def unite_dimensions(where: str, *kinds: Kind) -> Dimension | None:
         if dimension is None:
             continue
         if found is not None and dimension != found:
-            what = f"{where}: {found} and {dimension} do not go together"
-            raise FieldError(what, do="check the units")
+            first, second = describe_dimension(found), describe_dimension(dimension)
+            what = Message("template.dimensions-apart", where=where, first=first, second=second)
+            raise FieldError(what, do=Message("template.check-units"))
         found = dimension
     return found

@@ -8,8 +8,9 @@ from functools import partial
 from pathlib import Path
 
 import kinegrade
-from kinegrade.errors import FieldError, TemplateError, did_you_mean
+from kinegrade.errors import FieldError, TemplateError, suggest
 from kinegrade.fields.document import read_text
+from kinegrade.language.message import Message, Quoted
 from kinegrade.problem.beside import is_translation, read_translations
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.sections.opening import FOLDER, TEMPLATE
@@ -50,7 +51,9 @@ def load_template(name: str, folder: Path | None = None, *, kept: bool = False) 
     )
     known = list_names(folder or find_shipped("templates"))
     if not name.endswith(".toml") and name not in known:
-        raise TemplateError(f'no template "{name}": {did_you_mean(name, known)}')
+        raise TemplateError(
+            Message("template.no-template", name=Quoted(name), hint=suggest(name, known))
+        )
     return read_template(
         path.stem,
         read_text(path, TEMPLATE),
@@ -75,7 +78,7 @@ def _read_mechanism(folder: Path, name: str) -> MechanismFile:
     """
     known = list_names(folder)
     if name not in known:
-        what = f'no mechanism "{name}" in {FOLDER}/ beside the template'
-        raise FieldError(what, do=did_you_mean(name, known))
+        what = Message("template.no-mechanism", name=Quoted(name), folder=FOLDER)
+        raise FieldError(what, do=suggest(name, known))
     path = folder / f"{name}.toml"
     return MechanismFile(name, read_text(path, TEMPLATE), read_translations(path, TEMPLATE))

@@ -7,14 +7,15 @@ the source's values in SI may be written out; as a factor it has none. Angles ar
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal, assert_never
 
 from kinegrade.angular import is_angle
-from kinegrade.errors import FieldError, did_you_mean
+from kinegrade.errors import FieldError, suggest
 from kinegrade.expression import Call, Expression, Name, Number, Operation, read_whole_power
+from kinegrade.language.message import Message, Quoted, list_all
 from kinegrade.problem.dimension import NUMBER, Dimension
 from kinegrade.problem.kinds import (
     Arrow,
@@ -37,11 +38,11 @@ _PLAIN: Mapping[PlainSlot, tuple[type[Kind], ...]] = {
     "VECTOR": (Arrow,),
     "LINE": (Straight,),
     "CIRCLE": (Ring,),
-    "LINE or CIRCLE": (Straight, Ring),
-    "PLACE or LINE": (Arrow, Straight),
+    "LINE|CIRCLE": (Straight, Ring),
+    "PLACE|LINE": (Arrow, Straight),
     "SIDE": (Side,),
 }
-_TOGETHER = "angles go with angles, points with points, numbers with numbers"
+_TOGETHER = Message("template.what-goes-together")
 
 
 @dataclass(frozen=True)
@@ -97,19 +98,23 @@ class Scope:
         signature = self.functions.get(tree.function)
         if signature is None:
             if not tree.function:
-                raise FieldError("a pair (x, y)", "a number or an angle here")
+                raise FieldError(Message("template.a-pair"), Message("template.number-or-angle"))
             known = [name for name in self.functions if name]
-            near = did_you_mean(tree.function, known)
-            raise FieldError(f'unknown function "{tree.function}"', do=near)
+            what = Message("template.unknown-function", name=Quoted(tree.function))
+            raise FieldError(what, do=suggest(tree.function, known))
         if not signature.needed <= len(tree.arguments) <= len(signature.slots):
-            what = f"{_write_call(tree)} of {_write_count(len(tree.arguments))}"
+            count = len(tree.arguments)
+            what = Message("template.call-of", call=_write_call(tree), count=count)
             raise FieldError(what, signature.usage(tree.function))
         kinds = [self.kind(argument) for argument in tree.arguments]
         slots = signature.slots[: len(kinds)]
         for number, slot in enumerate(slots):
             if not self.fits(slot, tree.arguments[number], kinds[number]):
-                what = (
-                    f"{_write_call(tree)}: argument {number + 1} is {describe_kind(kinds[number])}"
+                what = Message(
+                    "template.argument-is",
+                    call=_write_call(tree),
+                    number=number + 1,
+                    kind=describe_kind(kinds[number]),
                 )
                 raise FieldError(what, signature.usage(tree.function))
         return signature.result(tree.function, kinds)
@@ -126,7 +131,7 @@ class Scope:
             case "ANGLE":
                 require_no_radians(tree)
                 return _is_number(kind)
-            case "PLACE or ANGLE":
+            case "PLACE|ANGLE":
                 return isinstance(kind, Arrow) or self.fits("ANGLE", tree, kind)
             case "POINT":
                 return isinstance(kind, Arrow) and kind.point != ""
@@ -149,11 +154,6 @@ def _write_call(tree: Call) -> str:
     return f"{tree.function}(...)" if tree.function else "(x, y)"
 
 
-def _write_count(count: int) -> str:
-    """How many arguments."""
-    return f"{count} argument{'' if count == 1 else 's'}"
-
-
 def _raise_kind(base: Kind, exponent: int) -> Kind:
     """A number to a whole power."""
     match base:
@@ -162,9 +162,8 @@ def _raise_kind(base: Kind, exponent: int) -> Kind:
         case Scalar(dimension):
             return base if dimension is None else Scalar(dimension ** Fraction(exponent))
         case Arrow() | Straight() | Ring() | BodyKind() | Side():
-            raise FieldError(
-                f"a power of {describe_kind(base)}", "a number to be raised to a power"
-            )
+            what = Message("template.power-of", kind=describe_kind(base))
+            raise FieldError(what, Message("template.number-for-power"))
         case _:
             assert_never(base)
 
@@ -179,9 +178,9 @@ def _add_kinds(tree: Operation, left: Kind, right: Kind) -> Kind:
     if signed and isinstance(right, Arrow):
         return Arrow(right.dimension)
     if isinstance(left, Scalar) and isinstance(right, Scalar):
-        return Scalar(unite_dimensions(f'"{tree.sign}"', left, right))
+        return Scalar(unite_dimensions(Quoted(tree.sign), left, right))
     if isinstance(left, Arrow) and isinstance(right, Arrow):
-        return Arrow(unite_dimensions(f'"{tree.sign}"', left, right))
+        return Arrow(unite_dimensions(Quoted(tree.sign), left, right))
     raise _explain_misfit(tree.sign, left, right)
 
 
@@ -212,6 +211,5 @@ def _multiply_dimensions(sign: Literal["*", "/"], first: Dimension, second: Dime
 
 def _explain_misfit(sign: str, left: Kind, right: Kind) -> FieldError:
     """The error for two things between which a sign makes no sense."""
-    kinds: Sequence[Kind] = (left, right)
-    words = " and ".join(describe_kind(kind) for kind in kinds)
-    return FieldError(f'"{sign}" between {words}', do=_TOGETHER)
+    kinds = list_all([describe_kind(left), describe_kind(right)])
+    return FieldError(Message("template.between", sign=Quoted(sign), kinds=kinds), do=_TOGETHER)

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from kinegrade.errors import ExpressionError
+from kinegrade.language.message import Message, Quoted, list_all
 from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
@@ -73,7 +74,7 @@ class Quantities:
         for name, point in self.motion.points.items():
             if point is place:
                 return name
-        raise ExpressionError("expected a point's name here")
+        raise ExpressionError(Message("template.point-name-here"))
 
     def body(self, body: Any) -> str:
         """The name of a body; a particle may be named by its point, whose name it shares."""
@@ -82,7 +83,7 @@ class Quantities:
         name = self.point(body)
         if any(other.name == name for other in self.motion.frames.mechanism.bodies):
             return name
-        raise ExpressionError(f'"{name}" is a point: expected the name of a body here')
+        raise ExpressionError(Message("template.body-name-here", point=Quoted(name)))
 
     def owner(self, point: str, body: Any) -> str:
         """The body whose point is meant: the one named, or the one that needs no naming."""
@@ -96,14 +97,16 @@ class Quantities:
             if isinstance(joint, Pin) and joint.point == point
         ]
         if not owners:
-            raise ExpressionError(
-                f"point {point} belongs to no body: name the body that carries it, "
-                f"like velocity({point}, {mechanism.bodies[0].name})"
-            )
+            body = mechanism.bodies[0].name
+            raise ExpressionError(Message("template.point-of-no-body", point=point, body=body))
         if len(owners) > 1 and not any(set(owners) <= set(bodies) for bodies in pins):
             raise ExpressionError(
-                f"point {point} belongs to {' and '.join(owners)}, which are not pinned there: "
-                f"name the body, like velocity({point}, {owners[0]})"
+                Message(
+                    "template.point-of-several",
+                    point=point,
+                    bodies=list_all(owners),
+                    body=owners[0],
+                )
             )
         return owners[0]
 

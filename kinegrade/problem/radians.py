@@ -8,6 +8,7 @@ from typing import Any, assert_never
 
 from kinegrade.errors import FieldError
 from kinegrade.expression import Call, Expression, Name, Number, Operation, Operator
+from kinegrade.language.message import Message
 
 
 def require_no_radians(tree: Expression) -> None:
@@ -18,9 +19,12 @@ def require_no_radians(tree: Expression) -> None:
     value = _evaluate_literals(tree)
     if value is None or value == 0:
         return
-    plural = "" if abs(value) == 1 else "s"
-    meant = f"did you mean {value} degree{plural}? write {_write_parts_of_pi(value)}"
-    raise FieldError(f"{value} radian{plural}", do=meant)
+    count = abs(int(value)) if value.q == 1 else 0
+    degrees, written = str(value), _write_parts_of_pi(value)
+    raise FieldError(
+        Message("template.radians", count=count, radians=degrees),
+        do=Message("template.meant-degrees", count=count, degrees=degrees, written=written),
+    )
 
 
 def _evaluate_literals(tree: Expression) -> Any:

@@ -61,7 +61,7 @@ def read_template(
         if not kept:
             note_inconsistencies(draft, table.faults)
     template = draft.template(name, opened.file)
-    problems = [problem for faults in opened.faults for problem in faults.raised().problems]
+    problems = [problem for faults in opened.faults for problem in faults.raised().faults]
     if template is None or problems:
         raise TemplateError(*problems)
     return template

@@ -22,13 +22,14 @@ Where no second body is named it is the ground. `inside` says that one circle li
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Literal, TypeVar
 
 from kinegrade.errors import FieldError
 from kinegrade.expression import MAX_LENGTH, Call, Expression, Name, read_expression
 from kinegrade.fields.values import found
+from kinegrade.language.message import Message, Quoted, list_plainly
 from kinegrade.mechanics.joints import GROUND
 
 _SHAPE = r"(?:line|circle)\(.+?\)"
@@ -59,12 +60,20 @@ _DRIVER_PATTERNS: Mapping[DriverKind, str] = {
 JOINTS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in _JOINT_PATTERNS.items()}
 DRIVERS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in _DRIVER_PATTERNS.items()}
 _JOINT_EXAMPLES = (
-    '"pin A: OA AB", "B of AB slides on line(O, 0)", "... stays on circle(C, r) of ...", '
-    '"... touches ...", "... rolls on ...", "... meshes with ... on ...", '
-    '"... slides through ... along ...", "... translates"'
+    "pin A: OA AB",
+    "B of AB slides on line(O, 0)",
+    "... stays on circle(C, r) of ...",
+    "... touches ...",
+    "... rolls on ...",
+    "... meshes with ... on ...",
+    "... slides through ... along ...",
+    "... translates",
 )
 _DRIVER_EXAMPLES = (
-    '"OA turns", "AB turns relative to OA", "B of AB moves along +x", "A of W circles O"'
+    "OA turns",
+    "AB turns relative to OA",
+    "B of AB moves along +x",
+    "A of W circles O",
 )
 _AXES = {"+x": "0", "-x": "pi", "+y": "pi/2", "-y": "-pi/2"}
 
@@ -104,7 +113,8 @@ def read_joint(text: str) -> JointSentence:
     """The joint that a sentence states. Raises FieldError saying which sentences there are."""
     stated = _stated(JOINTS, text)
     if stated is None:
-        raise FieldError(f"{found(text)}: no such joint", f"one of {_JOINT_EXAMPLES}")
+        what = Message("template.no-such-joint", sentence=found(text))
+        raise FieldError(what, _list_examples(_JOINT_EXAMPLES))
     kind, parts = stated
     bodies = parts.get("bodies")
     return JointSentence(
@@ -125,7 +135,8 @@ def read_driver(text: str, velocity: Expression, acceleration: Expression) -> Dr
     """The input that a sentence states. Raises FieldError saying which sentences there are."""
     stated = _stated(DRIVERS, text)
     if stated is None:
-        raise FieldError(f"{found(text)}: no such input", f"one of {_DRIVER_EXAMPLES}")
+        what = Message("template.no-such-input", sentence=found(text))
+        raise FieldError(what, _list_examples(_DRIVER_EXAMPLES))
     kind, parts = stated
     along = parts.get("along")
     return DriverSentence(
@@ -141,6 +152,10 @@ def read_driver(text: str, velocity: Expression, acceleration: Expression) -> Dr
     )
 
 
+def _list_examples(sentences: Iterable[str]) -> Message:
+    return Message("template.one-of-sentences", sentences=list_plainly(map(Quoted, sentences)))
+
+
 def _stated(
     patterns: Mapping[_Kind, re.Pattern[str]], text: str
 ) -> tuple[_Kind, Mapping[str, str]] | None:
@@ -149,7 +164,8 @@ def _stated(
     Raises FieldError for what is too long for a sentence, before it keeps the patterns busy.
     """
     if len(text) > MAX_LENGTH:
-        raise FieldError(f"a sentence of {len(text)} characters", f"at most {MAX_LENGTH}")
+        what = Message("template.long-sentence", count=len(text))
+        raise FieldError(what, Message("template.at-most", most=MAX_LENGTH))
     for kind, pattern in patterns.items():
         match = pattern.fullmatch(text.strip())
         if match:
@@ -165,4 +181,4 @@ def _shape(text: str | None) -> Call | None:
         case Call(_, (Name(), _)) as shape:
             return shape
         case _:
-            raise FieldError(found(text), "line(POINT, angle or point) or circle(POINT, radius)")
+            raise FieldError(found(text), Message("template.a-shape"))

@@ -36,9 +36,9 @@ from kinegrade.problem.kinds import (
 # A POINT is named, as its motion is meant; a PLACE may be worked out, and is written POINT to
 # people as well.
 PlainSlot = Literal[
-    "NUMBER", "PLACE", "VECTOR", "LINE", "CIRCLE", "LINE or CIRCLE", "PLACE or LINE", "SIDE"
+    "NUMBER", "PLACE", "VECTOR", "LINE", "CIRCLE", "LINE|CIRCLE", "PLACE|LINE", "SIDE"
 ]
-Slot = PlainSlot | Literal["RATIO", "ANGLE", "PLACE or ANGLE", "POINT", "BODY", "PARAMETER"]
+Slot = PlainSlot | Literal["RATIO", "ANGLE", "PLACE|ANGLE", "POINT", "BODY", "PARAMETER"]
 Result = Callable[[str, Sequence[Kind]], Kind]
 
 
@@ -154,14 +154,14 @@ CONSTRUCTIONS: Mapping[str, Signature] = {
     **ELEMENTARY,
     "": _make_signature("NUMBER", "NUMBER", gives=_joined),
     "polar": _make_signature("PLACE", "NUMBER", "ANGLE", gives=_polar),
-    "line": _make_signature("PLACE", "PLACE or ANGLE", gives=_line),
+    "line": _make_signature("PLACE", "PLACE|ANGLE", gives=_line),
     "circle": _make_signature("PLACE", "NUMBER", gives=_circle),
     "meet": _make_signature(
-        "LINE or CIRCLE", "LINE or CIRCLE", "SIDE", gives=_vector(LENGTH), optional=1
+        "LINE|CIRCLE", "LINE|CIRCLE", "SIDE", gives=_vector(LENGTH), optional=1
     ),
     "foot": _make_signature("PLACE", "LINE", gives=_same),
     "midpoint": _make_signature("PLACE", "PLACE", gives=_joined),
-    "distance": _make_signature("PLACE", "PLACE or LINE", gives=_apart),
+    "distance": _make_signature("PLACE", "PLACE|LINE", gives=_apart),
     "toward": _make_signature("PLACE", "PLACE", "NUMBER", gives=_joined),
     "x": _make_signature("VECTOR", gives=_first),
     "y": _make_signature("VECTOR", gives=_first),

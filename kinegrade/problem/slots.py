@@ -10,13 +10,14 @@ import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
-from kinegrade.errors import did_you_mean
+from kinegrade.errors import suggest
+from kinegrade.language.message import Message, Text
 
 _BRACES = re.compile(r"\{\{(?P<inside>.*?)\}\}|(?P<other>\{\{|\{%|\{#)", re.DOTALL)
 _NAMED = re.compile(r"\s*(?P<name>[A-Za-z_]\w*)(?P<value>\s*\.\s*value)?\s*", re.ASCII)
 _LONGEST_SHOWN = 40
 _DOLLARS = re.compile(r"(?<!\\)\$\$?")
-_ALLOWED = "only {{ name }} and {{ name.value }} are filled in"
+_ALLOWED = Message("template.slots-allowed")
 
 
 @dataclass(frozen=True)
@@ -31,8 +32,8 @@ class Slot:
 class SlotFault:
     """What is wrong with a slot: `name` is the unknown name, "" where the fault is another one."""
 
-    what: str
-    do: str
+    what: Message
+    do: Text
     name: str = ""
 
 
@@ -87,20 +88,20 @@ def find_slot_faults(
     """What is wrong with the slots of a text that may name these parameters and texts.
 
     >>> [fault.what for fault in find_slot_faults("{{ 7*7 }} {{ r }}", ["r"], [])]
-    ['{{ 7*7 }}']
+    [Message('template.slot', slot='{{ 7*7 }}')]
     """
     for match in _BRACES.finditer(text):
         slot = _read_slot(match)
         if slot is None:
             passage = match[0] if match["other"] is None else text[match.start() :]
-            yield SlotFault(_shorten(passage), _ALLOWED)
+            yield SlotFault(Message("template.slot", slot=_shorten(passage)), _ALLOWED)
         elif slot.name in texts:
             if slot.value:
-                name = f"{{{{ {slot.name} }}}}"
-                yield SlotFault(f"{_shorten(match[0])}: a text has no value", f"write {name}")
+                what = Message("template.slot-no-value", slot=_shorten(match[0]))
+                yield SlotFault(what, Message("template.write-slot", name=slot.name))
         elif slot.name not in parameters:
-            known = did_you_mean(slot.name, {*parameters, *texts})
-            yield SlotFault(f"{_shorten(match[0])}: no such parameter", known, slot.name)
+            what = Message("template.slot-unknown", slot=_shorten(match[0]))
+            yield SlotFault(what, suggest(slot.name, {*parameters, *texts}), slot.name)
 
 
 def _read_slot(match: re.Match[str]) -> Slot | None:

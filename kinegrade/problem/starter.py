@@ -9,6 +9,7 @@ from pathlib import Path
 
 from kinegrade.errors import TemplateError
 from kinegrade.files import write_file
+from kinegrade.language.message import Fault, Message
 from kinegrade.problem.reading import read_template
 
 
@@ -28,9 +29,6 @@ def write_starter(name: str, path: Path | None = None, *, force: bool = False) -
     read_template(name, text)
     target = path if path is not None else Path(f"{name}.toml")
     if target.name != f"{name}.toml":
-        raise TemplateError(
-            f"{target}: a template is called by the name of its file: expected a path that ends in "
-            f"{name}.toml: change the path or the name"
-        )
+        raise TemplateError(Fault(str(target), Message("template.starter-name", name=name)))
     write_file(target, text.encode("utf-8"), force=force)
     return target

@@ -6,10 +6,11 @@ from __future__ import annotations
 
 import re
 
-from kinegrade.errors import TypesetError, did_you_mean
+from kinegrade.errors import TypesetError, suggest
 from kinegrade.language.math.letters import GREEK
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Group, Node, Scripts, list_nodes
+from kinegrade.language.message import Message, Quoted
 
 _COMMANDS = frozenset(
     (
@@ -32,20 +33,18 @@ _COMMANDS = frozenset(
 _LETTERS = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z0-9 _^{}'()+\-=.,])+")
 
 
-def find_symbol_fault(symbol: str) -> str | None:
+def find_symbol_fault(symbol: str) -> Message | None:
     """What is wrong with a symbol, or None: LaTeX math from the small alphabet, braces balanced."""
     if not symbol.strip():
-        return "a blank symbol - write LaTeX math without dollar signs, such as '\\omega_{AB}'"
+        return Message("template.symbol-blank")
     if not _LETTERS.fullmatch(symbol):
-        return (
-            f"{symbol!r} has characters no symbol needs - use letters, digits, _ ^ {{ }} ' and "
-            "LaTeX commands"
-        )
+        return Message("template.symbol-characters", symbol=Quoted(symbol))
     unknown = sorted(set(re.findall(r"\\([A-Za-z]+)", symbol)) - _COMMANDS)
     if unknown:
-        return f"unknown LaTeX command \\{unknown[0]} - {did_you_mean(unknown[0], _COMMANDS)}"
+        hint = suggest(unknown[0], _COMMANDS)
+        return Message("template.symbol-command", command=f"\\{unknown[0]}", hint=hint)
     if not _is_complete(symbol):
-        return f"{symbol!r} is incomplete - close every brace, give every _ and ^ one thing"
+        return Message("template.symbol-incomplete", symbol=Quoted(symbol))
     return None
 
 

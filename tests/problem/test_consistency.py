@@ -31,6 +31,7 @@ from kinegrade.problem.radians import require_no_radians
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES
 from tests.problem.crank import crank, crank_text
+from tests.said import said
 from tests.small_class import kinegrade
 
 PUBLISHED = 'gives = { v_x = "-omega*h" }'
@@ -370,7 +371,7 @@ def test_the_kind_of_an_expression(text: str, kind: Kind) -> None:
 
 def test_kinds_in_words() -> None:
     kinds: tuple[Kind, ...] = (Straight(), Ring(), BodyKind(), Side(), Arrow(None), Scalar(None))
-    assert [describe_kind(kind) for kind in kinds] == [
+    assert [said(describe_kind(kind)) for kind in kinds] == [
         "a line",
         "a circle",
         "a body",

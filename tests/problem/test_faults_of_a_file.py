@@ -5,7 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
+from kinegrade.cli import main
+from tests.problem.crank import crank_text
 from tests.problem.turning_crank import changed
 from tests.small_class import kinegrade
 
@@ -51,3 +54,13 @@ def test_check_lists_a_dozen_faults_in_the_order_of_the_file(
     result = kinegrade("check", file)
     assert (result.exit_code, result.stdout) == (2, "")
     assert result.stderr.splitlines() == [f"error: {fault}" for fault in FAULTS]
+
+
+def test_faults_are_said_in_the_language_of_the_terminal(tmp_path: Path) -> None:
+    template = tmp_path / "crank.toml"
+    template.write_text(
+        crank_text(('unit = "m/s", sign = "+y"', 'unit = "m", sign = "+y"')), encoding="utf-8"
+    )
+    shown = CliRunner(env={"LC_ALL": "zh_CN.UTF-8"}).invoke(main, ["check", str(template)])
+    assert shown.exit_code == 2
+    assert '这是速度（m/s）：不能以 "m" 计 - 请写 unit = "m/s"，或改求别的量' in shown.stderr

@@ -141,7 +141,7 @@ def test_all_faults_come_at_once() -> None:
         (
             "lengths = [{ symbol = '#read', from = 'O', to = 'A' }]",
             [
-                "lengths[1].symbol: '#read' has characters no symbol needs - use letters, digits, _ ^ { } ' and LaTeX commands"
+                'lengths[1].symbol: "#read" has characters no symbol needs - use letters, digits, _ ^ { } \' and LaTeX commands'
             ],
         ),
         (
@@ -151,7 +151,7 @@ def test_all_faults_come_at_once() -> None:
         (
             "lengths = [{ symbol = 'r_', from = 'O', to = 'A' }]",
             [
-                "lengths[1].symbol: 'r_' is incomplete - close every brace, give every _ and ^ one thing"
+                'lengths[1].symbol: "r_" is incomplete - close every brace, give every _ and ^ one thing'
             ],
         ),
     ],

@@ -9,6 +9,7 @@ import re
 from kinegrade.errors import FieldError
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import choice, found
+from kinegrade.language.message import Message
 from kinegrade.problem.sections.values import words
 from kinegrade.problem.template import METHODS, About
 from kinegrade.problem.translations import translated
@@ -32,7 +33,4 @@ def _read_tag(value: object) -> str:
     """One of the author's words."""
     if isinstance(value, str) and _TAG.fullmatch(value):
         return value
-    raise FieldError(
-        found(value),
-        'a short word of small letters, digits and hyphens, like "two-drivers"',
-    )
+    raise FieldError(found(value), Message("template.a-tag"))

@@ -9,7 +9,7 @@ from typing import TypeVar
 from kinegrade.errors import FieldError
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import Read, choice, flag, found
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Quoted
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.hints import (
     PROJECTIONS,
@@ -57,7 +57,7 @@ class Names:
     @property
     def direction(self) -> Read[str]:
         """A point or a side of the paper."""
-        return named("point or side", self.points | set(SIDES))
+        return named("point-or-side", self.points | set(SIDES))
 
     @property
     def labelled(self) -> Set[str]:
@@ -124,7 +124,11 @@ def _read_circle(table: Table, names: Names) -> Rimmed | None:
     if body is None or centre is None or through is None:
         return None
     if centre == through:
-        row.fault("through", f'a circle about "{centre}" through itself', "another point")
+        row.fault(
+            "through",
+            Message("template.circle-through-itself", centre=Quoted(centre)),
+            Message("template.another-point"),
+        )
     return Rimmed(body, centre, through)
 
 
@@ -154,11 +158,12 @@ def _read_line(value: object, names: Names) -> tuple[str, str]:
     """Two different points."""
     match value:
         case [start, end] if start == end:
-            raise FieldError(f"a line from {found(start)} to itself", "two points")
+            what = Message("template.line-to-itself", point=found(start))
+            raise FieldError(what, Message("template.two-points"))
         case [start, end]:
             return names.point(start), names.point(end)
         case _:
-            raise FieldError(found(value), 'two points, like lines = [["O", "B"]]')
+            raise FieldError(found(value), Message("template.two-points-like"))
 
 
 def _read_labels(figure: Table, names: Names) -> Mapping[str, str | None]:
@@ -185,7 +190,7 @@ def _label(value: object) -> str:
 def _read_symbol(value: object) -> str:
     """LaTeX math from a small alphabet, without dollar signs."""
     if not isinstance(value, str):
-        raise FieldError(found(value), "LaTeX math without dollar signs, like '\\omega_{AB}'")
+        raise FieldError(found(value), Message("template.a-symbol"))
     fault = find_symbol_fault(value)
     if fault:
         raise FieldError(fault)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from kinegrade.fields.table import Table
+from kinegrade.language.message import Message, list_plainly
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 
@@ -39,19 +40,19 @@ def check_names(table: Table, declared: Declared) -> None:
         for name in listed:
             expected = _describe_expected(key, name)
             if expected:
-                table.faults.note((key, name), "not usable as a name", expected)
+                table.faults.note((key, name), Message("template.not-a-name"), expected)
     for key, name, first in dict.fromkeys(_find_declared_twice(declared)):
-        what = f"one name for two things: {first}.{name} is there too"
-        table.faults.note((key, name), what, do="rename one of them")
+        what = Message("template.one-name-twice", other=f"{first}.{name}")
+        table.faults.note((key, name), what, do=Message("template.rename-one"))
 
 
-def _describe_expected(key: str, name: str) -> str:
-    """What was expected of a name in place of this one; "" where it serves."""
+def _describe_expected(key: str, name: str) -> Message | None:
+    """What was expected of a name in place of this one; None where it serves."""
     if not _PLAIN.fullmatch(name):
-        return "a letter, then letters, digits and _"
+        return Message("template.plain-name")
     if name in _RESERVED and key not in _APART_FROM_EXPRESSIONS:
-        return f"a name other than {', '.join(sorted(_RESERVED))}"
-    return ""
+        return Message("template.name-other-than", names=list_plainly(sorted(_RESERVED)))
+    return None
 
 
 def _find_declared_twice(declared: Declared) -> Iterator[tuple[str, str, str]]:

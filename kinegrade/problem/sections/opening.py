@@ -6,14 +6,14 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from kinegrade.errors import FieldError, TemplateError, did_you_mean, write_message
+from kinegrade.errors import FieldError, Problem, TemplateError, suggest
 from kinegrade.fields.document import Document, FileKind, toml_table
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.lines import lines_of_toml
 from kinegrade.fields.place import Source
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import found
-from kinegrade.language.message import Message
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.problem.beside import Beside, LaidIn, Translations, lay_in
 from kinegrade.problem.sections.keys import KNOWN, MAX_CHARACTERS, NEEDED, SHARED, SHARED_LISTS
 from kinegrade.problem.sections.layers import Layer, Layers, is_sharable
@@ -21,7 +21,7 @@ from kinegrade.problem.sections.translated_places import list_translated_places
 from kinegrade.problem.template import MechanismFile, TemplateFile
 
 FOLDER = "mechanisms"  # beside the templates
-TEMPLATE = FileKind("a template", TemplateError, 4 * MAX_CHARACTERS)
+TEMPLATE = FileKind(Message("template.a-template"), TemplateError, 4 * MAX_CHARACTERS)
 _FILE_NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*", re.ASCII)
 # The mechanism of that name; raises KinegradeError when there is none.
 Mechanisms = Callable[[str], MechanismFile]
@@ -42,7 +42,9 @@ class Opened:
 
 def no_mechanisms(name: str) -> MechanismFile:
     """Refuses every mechanism: a text alone has no folder beside it."""
-    raise FieldError(f'no folder to look for "{name}" in', do="load the template from its file")
+    raise FieldError(
+        Message("template.no-folder", name=Quoted(name)), do=Message("template.load-from-file")
+    )
 
 
 def open_template(
@@ -53,9 +55,7 @@ def open_template(
     Raises TemplateError where a file is not TOML, or where the mechanism cannot be loaded.
     """
     if not _FILE_NAME.fullmatch(name):
-        raise TemplateError(
-            f"{name}.toml: a template's name is made of small letters, digits and hyphens"
-        )
+        raise TemplateError(Fault(f"{name}.toml", Message("template.file-name")))
     file = f"{name}.toml"
     template = _read_toml(file, text)
     if "mechanism" in template:
@@ -83,8 +83,9 @@ def _lay_in(
 
 def _read_toml(file: str, text: str) -> Table:
     if len(text) > MAX_CHARACTERS:
-        expected = f"a template of at most {MAX_CHARACTERS}"
-        raise TemplateError(write_message(file, f"{len(text)} characters", expected, "shorten it"))
+        what = Message("template.characters", count=len(text))
+        expected = Message("template.of-at-most", most=MAX_CHARACTERS)
+        raise TemplateError(Fault(file, what, expected, Message("template.shorten-it")))
     return toml_table(file, text, TEMPLATE)
 
 
@@ -93,7 +94,7 @@ def _require_known(table: Table, needed: Sequence[str]) -> Table:
     known = table.only(*KNOWN, unknown=Message("fields.unknown-table-or-key"))
     for key in needed:
         if key not in known:
-            known.missing(key, "in every template")
+            known.missing(key, Message("template.in-every-template"))
     return known
 
 
@@ -121,21 +122,20 @@ def _read_shared(template: Table, file: str, mechanism: MechanismFile) -> Table:
     try:
         return _read_toml(file, mechanism.text)
     except TemplateError as error:
-        raise TemplateError(*_find_outline_faults(template), *error.problems) from error
+        raise TemplateError(*_find_outline_faults(template), *error.faults) from error
 
 
-def _find_outline_faults(template: Table) -> tuple[str, ...]:
+def _find_outline_faults(template: Table) -> tuple[Problem, ...]:
     """The faults that can be found in a template whose mechanism cannot be read."""
     _require_known(template, [key for key in NEEDED if key not in SHARED])
-    return template.faults.raised().problems
+    return template.faults.raised().faults
 
 
 def _read_mechanism_name(value: object) -> str:
     """A name that can stand for a file in the folder and nowhere else."""
     if isinstance(value, str) and _FILE_NAME.fullmatch(value):
         return value
-    expected = f"a file's name in {FOLDER}/ without .toml: small letters, digits and hyphens"
-    raise FieldError(found(value), expected)
+    raise FieldError(found(value), Message("template.mechanism-name", folder=FOLDER))
 
 
 def _lay_over_mechanism(
@@ -162,10 +162,12 @@ def _lay_over_mechanism(
 def _refuse(shared: Table, key: str, value: object) -> None:
     """Note why what stands under a key of a mechanism's file cannot be shared."""
     if key == "mechanism":
-        remedy = "write all its tables in this file"
-        shared.fault(key, "a mechanism cannot build on a further one", do=remedy)
+        what, do = Message("template.no-further-mechanism"), Message("template.write-all-tables")
+        shared.fault(key, what, do=do)
     elif key in SHARED:
-        shared.fault(key, found(value), "a list" if key in SHARED_LISTS else "a table")
+        listed = key in SHARED_LISTS
+        expected = Message("fields.a-list") if listed else Message("fields.a-table")
+        shared.fault(key, found(value), expected)
     else:
-        remedy = f"leave it to the templates: {did_you_mean(key, SHARED)}"
-        shared.fault(key, "cannot be shared", do=remedy)
+        remedy = Message("template.leave-to-templates", hint=suggest(key, SHARED))
+        shared.fault(key, Message("template.cannot-be-shared"), do=remedy)

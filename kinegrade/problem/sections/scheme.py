@@ -10,6 +10,7 @@ from kinegrade.errors import FieldError
 from kinegrade.expression import Expression, read_expression
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import found
+from kinegrade.language.message import Message
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.problem.conditions import read_condition
 from kinegrade.problem.sections.keys import INPUT
@@ -56,7 +57,7 @@ def _read_body(name: str, value: object) -> Body:
         case [first, *others] if first != "particle":
             return Body(name, (first, *others))
         case _:
-            raise FieldError(found(value), 'its points, like "O A", or "particle M"')
+            raise FieldError(found(value), Message("template.body-points"))
 
 
 def _read_driver(table: Table) -> DriverSentence | None:

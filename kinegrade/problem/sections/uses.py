@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
-from kinegrade.errors import did_you_mean
+from kinegrade.errors import suggest
 from kinegrade.expression import Expression, find_names
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.place import Place
+from kinegrade.language.message import Message, Quoted, Text
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.conditions import mixes_angle_and_number
 from kinegrade.problem.draft import Draft
+from kinegrade.problem.sections.values import NamedKind, explain_missing
 from kinegrade.problem.slots import find_slot_faults
 from kinegrade.problem.template import Condition, Published, Wording
 from kinegrade.problem.translated import Translated
@@ -23,8 +25,8 @@ class _Miss:
     """A name that is used at a place and does not exist, and what to do."""
 
     place: Place
-    what: str
-    do: str
+    what: Message
+    do: Text
 
 
 def check_uses(draft: Draft, faults: Faults) -> None:
@@ -32,13 +34,9 @@ def check_uses(draft: Draft, faults: Faults) -> None:
     uses = _Uses(draft, faults)
     uses.check()
     for first, *others in uses.unknown.values():
-        faults.note(
-            first.place, first.what + _describe_more(len(dict.fromkeys(others))), do=first.do
-        )
-
-
-def _describe_more(places: int) -> str:
-    return f" (and at {places} more place{'' if places == 1 else 's'})" if places else ""
+        more = len(dict.fromkeys(others))
+        again = Message("template.more-places", what=first.what, count=more)
+        faults.note(first.place, again if more else first.what, do=first.do)
 
 
 @dataclass(frozen=True)
@@ -113,8 +111,8 @@ class _Uses:
             self.known(place, tree, {*self.draft.parameters, "pi"})
         faulty = any(name in self.draft.faulty for tree in sides for name in find_names(tree))
         if not faulty and mixes_angle_and_number(condition, self.draft.angles):
-            what = f'"{condition.text}": an angle against a number'
-            self.faults.note(place, what, do="write degrees as parts of pi, like phi < pi/2")
+            what = Message("template.angle-against-number", condition=Quoted(condition.text))
+            self.faults.note(place, what, do=Message("template.parts-of-pi"))
 
     def words(self) -> None:
         """Statements name parameters and texts, texts name parameters."""
@@ -152,19 +150,20 @@ class _Uses:
             self.known((*place, "gives", name), tree, {*self.draft.parameters, "pi"})
 
     def _listed(
-        self, place: Place, kind: str, named: Collection[str], there: Collection[str]
+        self, place: Place, kind: NamedKind, named: Collection[str], there: Collection[str]
     ) -> None:
         """A name of each kind is there; parts that a sentence lacks are empty."""
         for name in named:
             if name and name not in there:
-                self._miss(name, _Miss(place, f'no {kind} "{name}"', did_you_mean(name, there)))
+                what = explain_missing(kind, Quoted(name))
+                self._miss(name, _Miss(place, what, suggest(name, there)))
 
     def known(self, place: Place, tree: Expression | None, known: Collection[str]) -> None:
         """Every name in an expression is known at this place."""
         for name in dict.fromkeys(find_names(tree)) if tree is not None else ():
             if name not in known:
-                miss = _Miss(place, f'unknown name "{name}"', did_you_mean(name, known))
-                self._miss(name, miss)
+                what = Message("template.unknown-name", name=Quoted(name))
+                self._miss(name, _Miss(place, what, suggest(name, known)))
 
     def _miss(self, name: str, miss: _Miss) -> None:
         """Note that a name is used and does not exist, unless its declaration in the file cannot be

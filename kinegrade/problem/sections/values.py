@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import TypeVar
+from typing import Literal, TypeVar
 
-from kinegrade.errors import FieldError, did_you_mean
+from kinegrade.errors import FieldError, suggest
 from kinegrade.expression import Expression, read_expression
 from kinegrade.fields.values import found
+from kinegrade.language.message import Message, Part
 
 _Key = TypeVar("_Key")
 _Entry = TypeVar("_Entry")
+NamedKind = Literal["point", "body", "point-or-side", "parameter", "ask"]
 
 
 def words(value: object) -> str:
@@ -21,7 +23,7 @@ def words(value: object) -> str:
     """
     if isinstance(value, str):
         return str(value)
-    raise FieldError(found(value), 'a text in quotation marks, "..."')
+    raise FieldError(found(value), Message("fields.a-text"))
 
 
 def written(value: object) -> str:
@@ -40,16 +42,21 @@ def expression(value: object) -> Expression:
     return read_expression(written(value))
 
 
-def named(kind: str, names: Iterable[str]) -> Callable[[object], str]:
+def named(kind: NamedKind, names: Iterable[str]) -> Callable[[object], str]:
     """A reader of one of these names, which are called a `kind` in messages."""
     known = frozenset(names)
 
     def read_name(value: object) -> str:
         if isinstance(value, str) and value in known:
             return value
-        raise FieldError(f"no {kind} {found(value)}", do=did_you_mean(str(value), known))
+        raise FieldError(explain_missing(kind, found(value)), do=suggest(str(value), known))
 
     return read_name
+
+
+def explain_missing(kind: NamedKind, name: Part) -> Message:
+    """What is said of a name that nothing of its kind has."""
+    return Message(f"template.missing-{kind}", name=name)
 
 
 def present(entries: Mapping[_Key, _Entry | None]) -> dict[_Key, _Entry]:
