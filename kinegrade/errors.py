@@ -47,6 +47,14 @@ class KinegradeError(Exception):
         """The faults in English, a line each."""
         return tuple(map(open_catalogue(ENGLISH).write, self.faults))
 
+    def faults_at(self, where: Text) -> tuple[Fault, ...]:
+        """The faults as faults of what stands at a place.
+
+        >>> str(KinegradeError(*KinegradeError("no unit").faults_at("asks.v_B")))
+        'asks.v_B: no unit'
+        """
+        return tuple(Fault(where, fault) for fault in self.faults)
+
     def __str__(self) -> str:
         return "\n".join(self.problems)
 

@@ -206,20 +206,18 @@ def _read_wish(label: str | None, words: str | None, *, new: bool) -> SecretWish
 
 
 def _say(written: Generated, output: Path) -> None:
+    from kinegrade.problem.deal import count_reasons
+
     for question, template in written.drawn.items():
         say(Message("terminal.drawn", question=question, template=template))
     refusals = written.dealt.refusals()
     for question, combinations in written.dealt.combinations().items():
-        refused = [
-            Message("terminal.refused", reason=reason, number=count)
-            for reason, count in refusals[question].items()
-        ]
         say(
             Message(
                 "terminal.combinations",
                 question=question,
                 count=combinations,
-                refused=list_plainly(refused) if refused else Message("grammar.no-names"),
+                refused=count_reasons(refusals[question]),
             )
         )
     if written.changes is not None:

@@ -194,11 +194,12 @@ def check(template_names: tuple[str, ...], sample: int, jobs: int) -> None:
     from kinegrade.problem.library import find_template_names as shipped_names
     from kinegrade.processes import open_executor
 
-    sound = True
+    sound, words = True, terminal_words()
     with open_executor(jobs, "check") as workers:
         for proof in prove_templates(template_names or shipped_names(), sample, workers):
-            for line in proof.lines:
-                click.echo(line)
+            click.echo(words.write(proof.verdict))
+            for finding in proof.findings:
+                click.echo(f"  {words.write(finding)}")
             sound &= proof.sound
     if not sound:
         sys.exit(COMPLAINTS)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinegrade.counting import count_in_words
-from kinegrade.errors import OutputError
+from kinegrade.errors import OutputError, Problem
 from kinegrade.exam.added_answers import write_grown_answers
 from kinegrade.exam.blueprint import Blueprint
 from kinegrade.exam.class_printing import CHUNK, print_class
@@ -48,7 +48,7 @@ class Added:
 
     papers: int
     before: int
-    complaints: tuple[str, ...]
+    complaints: tuple[Problem, ...]
 
     def __str__(self) -> str:
         stay = "stays" if self.before == 1 else "stay"
@@ -84,7 +84,7 @@ def add_students(
         press = run.press_order.press()
         whole = Roster(students.together, (), late.file)
         dealt = deal_exam(run.bank, whole, required_secret(exam), workers, old.kept)
-        said = (*roster_complaints(students.late, press), *dealt.shortages())
+        said: tuple[Problem, ...] = (*roster_complaints(students.late, press), *dealt.shortages())
         require_none(said if strict else ())
         _copy(exam, folder)
         with closing(

@@ -22,8 +22,10 @@ from kinegrade.exam.places import assign_places
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import DealtPaper, Exam, SetPaper, set_paper
 from kinegrade.exam.versions import choose_version, list_version_letters
-from kinegrade.problem.deal import Deal, DeckPart, Look, Verdicts, deal, look_here
+from kinegrade.language.message import Fault
+from kinegrade.problem.deal import Deal, DeckPart, Look, Verdicts, Whose, deal, look_here
 from kinegrade.problem.deck import Combination
+from kinegrade.problem.examining import Reason
 from kinegrade.problem.keyed_order import address
 from kinegrade.processes import Shared, map_in_order
 
@@ -79,15 +81,15 @@ class ClassDeal:
         """For each question how many combinations of values there are, good or not."""
         return {name: each.size for name, each in self.deals.items()}
 
-    def refusals(self) -> dict[str, dict[str, int]]:
+    def refusals(self) -> dict[str, dict[Reason, int]]:
         """For each question how many combinations were refused, by reason."""
         return {name: each.refused for name, each in self.deals.items()}
 
-    def shortages(self) -> tuple[str, ...]:
+    def shortages(self) -> tuple[Fault, ...]:
         """A line for each question of which several students, or versions, have the same numbers
         because there are too few.
         """
-        whose = "versions" if self.bank.versions else "students"
+        whose: Whose = "versions" if self.bank.versions else "students"
         dealt = (
             (f"{question.identifier} ({question.template.name})", self.deals[question.identifier])
             for question in self.bank.questions

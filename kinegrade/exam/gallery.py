@@ -15,6 +15,7 @@ from pathlib import Path
 from kinegrade.errors import KinegradeError, TemplateError, TypesetError
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.legible import make_legible
 from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure
@@ -71,8 +72,8 @@ def _make_entry(name: str, language: Language, draws: int) -> GalleryEntry:
         template = load_template(name)
         require_language([template], language)
     except TemplateError as error:
-        return _make_unreadable_entry(Path(name).stem, error.problems)
-    figures, faults = _draw_figures(template, draws)
+        return _make_unreadable_entry(Path(name).stem, _write_faults(error, language))
+    figures, faults = _draw_figures(template, draws, language)
     asked = template.asked()
     return GalleryEntry(
         template.about.family,
@@ -98,7 +99,7 @@ def _require_printable(press: TypstPress, entry: GalleryEntry, language: Languag
     try:
         press.gallery(Gallery(language, (entry,)), entry.name)
     except TypesetError as error:
-        faults = entry.faults + (error.problems if entry.family else ())
+        faults = entry.faults + (_write_faults(error, language) if entry.family else ())
         missing = press.unprintable((entry.name, *faults))
         return _make_unreadable_entry(
             make_legible(entry.name, missing),
@@ -108,7 +109,7 @@ def _require_printable(press: TypstPress, entry: GalleryEntry, language: Languag
 
 
 def _draw_figures(
-    template: Template, draws: int
+    template: Template, draws: int, language: Language
 ) -> tuple[tuple[GalleryFigure, ...], tuple[str, ...]]:
     """The figures of the first good combinations, the same in every gallery, and why there are no
     more.
@@ -122,8 +123,15 @@ def _draw_figures(
             values = deck.combination(dealt.position(place))
             figures.append(_draw_figure(filters["gallery"].solved(values)))
     except KinegradeError as error:
-        return tuple(figures), error.problems
-    return tuple(figures), (() if dealt.lasting else (dealt.shortage(template.name, "draws"),))
+        return tuple(figures), _write_faults(error, language)
+    if dealt.lasting:
+        return tuple(figures), ()
+    shortage = open_catalogue(language).write(dealt.shortage(template.name, "draws"))
+    return tuple(figures), (shortage,)
+
+
+def _write_faults(error: KinegradeError, language: Language) -> tuple[str, ...]:
+    return tuple(map(open_catalogue(language).write, error.faults))
 
 
 def _draw_figure(solution: Solution) -> GalleryFigure:

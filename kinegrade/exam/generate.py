@@ -11,7 +11,7 @@ from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass
 from pathlib import Path
 
-from kinegrade.errors import TableError
+from kinegrade.errors import Problem, TableError
 from kinegrade.exam.bank_texts import require_bank_language
 from kinegrade.exam.blueprint import Bank, Blueprint
 from kinegrade.exam.class_printing import CHUNK, print_class
@@ -63,7 +63,7 @@ class Generated:
 
     dealt: ClassDeal
     drawn: dict[str, str]
-    complaints: tuple[str, ...]
+    complaints: tuple[Problem, ...]
     changes: PaperChanges | None
     remarks: tuple[str, ...]
 
@@ -141,7 +141,7 @@ def generate(
         press = order.press()
         kept = {} if wish.new else _find_kept_papers(old, secret)
         dealt = deal_exam(bank, roster, secret, workers, kept)
-        said = (*roster_complaints(roster, press), *dealt.shortages())
+        said: tuple[Problem, ...] = (*roster_complaints(roster, press), *dealt.shortages())
         require_none(said if strict else ())
         run = PrintRun(bank, language, order, extras)
         with closing(print_class(run, dealt, workers, jobs)) as papers:
@@ -174,7 +174,7 @@ def _find_kept_papers(old: ReplacedExam | None, secret: ExamSecret) -> Mapping[s
     return old.kept if old is not None and old.secret == secret else {}
 
 
-def require_none(complaints: tuple[str, ...]) -> None:
+def require_none(complaints: tuple[Problem, ...]) -> None:
     """Raises TableError where there are complaints."""
     if complaints:
         raise TableError(*complaints)

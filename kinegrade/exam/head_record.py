@@ -63,7 +63,7 @@ def _make_exam_question(
         template=question.template.name,
         points=question.points,
         combinations=deal.size,
-        refused=deal.refused,
+        refused={str(reason): count for reason, count in deal.refused.items()},
         good=UNSET if deal.lasting else deal.good,
         asks=tuple(
             _make_ask(question.identifier, ask, question.template.asks[ask.name], language)

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from functools import partial
 
 from kinegrade.exam.printable import find_printing_faults
+from kinegrade.language.message import Message
 from kinegrade.problem.checking import check
 from kinegrade.problem.library import load_template
-from kinegrade.problem.reporting import write_report
+from kinegrade.problem.reporting import write_findings, write_verdict
 from kinegrade.processes import map_in_order
 
 
@@ -18,7 +19,8 @@ from kinegrade.processes import map_in_order
 class TemplateProof:
     """What `kinegrade check` prints of a template, and whether it is sound."""
 
-    lines: tuple[str, ...]
+    verdict: Message
+    findings: tuple[Message, ...]
     sound: bool
 
 
@@ -35,4 +37,5 @@ def prove_templates(
 def _prove(sample: int, name: str) -> TemplateProof:
     report = check(load_template(name), sample)
     report.faults += find_printing_faults(report.template)
-    return TemplateProof(tuple(write_report(report)), not report.faults)
+    findings = tuple(write_findings(report))
+    return TemplateProof(write_verdict(report), findings, not report.faults)

@@ -7,10 +7,11 @@ asked only on request.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 
-from kinegrade.errors import KinegradeError
+from kinegrade.errors import KinegradeError, Problem
+from kinegrade.language.message import Fault, Message, Part
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.examining import find_unfit
 from kinegrade.problem.holding import condition_holds
@@ -28,11 +29,11 @@ class Answerable:
     """
 
     template: Template
-    failed: dict[str, str] = field(default_factory=dict)
+    failed: dict[str, Fault] = field(default_factory=dict)
     fit: Counter[str] = field(default_factory=Counter)
-    unfit: dict[str, str] = field(default_factory=dict)
+    unfit: dict[str, Part] = field(default_factory=dict)
     solved: int = 0
-    stuck: str = ""
+    stuck: Fault | None = None
     plan: Plan | None = None
 
     @property
@@ -61,15 +62,15 @@ class Answerable:
         try:
             self.solution(values, ())
         except KinegradeError as error:
-            self.stuck = self.stuck or f"at {write_values(values)}: {error.problems[0]}"
+            self.stuck = self.stuck or _describe_failure(values, error.faults[0])
             return
         self.solved += 1
         for name in self.sound:
             try:
                 self.note(name, self.solution(values, (name,)))
             except KinegradeError as error:
-                problem = error.problems[0].removeprefix(f"{self.template.name}: {name}: ")
-                self.failed[name] = f"at {write_values(values)}: {problem}"
+                problem = _find_reason(error.faults[0], (self.template.name, name))
+                self.failed[name] = _describe_failure(values, problem)
 
     def solution(self, values: Mapping[str, str], asks: Iterable[str]) -> Solution:
         """The instance solved for some asks. Raises MechanismError."""
@@ -83,18 +84,27 @@ class Answerable:
         if refusal is None:
             self.fit[name] += 1
         else:
-            self.unfit.setdefault(name, str(refusal))
+            self.unfit.setdefault(name, refusal.detail)
 
-    def faults(self) -> list[str]:
+    def faults(self) -> list[Fault]:
         """A line for every ask that is unusable at some values, or at all of them."""
-        lines = [f"asks.{name}: {problem}" for name, problem in self.failed.items()]
+        lines = [Fault(f"asks.{name}", problem) for name, problem in self.failed.items()]
         for name in self.sound:
             if self.solved and not self.fit[name]:
-                lines.append(
-                    f"asks.{name}: no drawn instance has an answer to ask for: {self.unfit[name]}: "
-                    "ask for something else, or write vanishes = true where zero is a proper answer"
-                )
+                what = Message("template.nothing-to-ask", reason=self.unfit[name])
+                lines.append(Fault(f"asks.{name}", what))
         return lines
+
+
+def _describe_failure(values: Mapping[str, str], problem: Problem) -> Fault:
+    return Fault(Message("template.at-values", values=write_values(values)), problem)
+
+
+def _find_reason(problem: Problem, places: Collection[str]) -> Problem:
+    """A problem without the places, outermost, that are named anyway."""
+    while isinstance(problem, Fault) and problem.where in places:
+        problem = problem.what
+    return problem
 
 
 def find_answerable(template: Template, draws: Iterable[Mapping[str, str]]) -> Answerable:

@@ -17,6 +17,7 @@ from kinegrade.errors import ExpressionError, KinegradeError, MechanismError
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.surd import MAX_HEIGHT, Surd, height
 from kinegrade.expression import Call, Expression, Name, evaluate, make_elementary_functions
+from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.geometry import BRANCHES, Constructions, Round, make_constructions
 from kinegrade.mechanics.joints import (
@@ -65,7 +66,7 @@ def read_parameter(parameter: Parameter, tree: Expression, arithmetic: Any) -> A
         raise (
             Inexact("a number with pi in it")
             if isinstance(value, Angle)
-            else ExpressionError("expected a number")
+            else ExpressionError(Message("template.number-expected"))
         )
     return value * arithmetic.number(parameter.unit.factor)
 
@@ -103,9 +104,7 @@ def assemble(
     for name, tree in template.scheme.points.items():
         place = _locate(f"points.{name}", evaluate, tree, values, functions, arithmetic)
         if not isinstance(place, Vector):
-            raise ExpressionError(
-                f"points.{name}: expected a point, like (x, y) or polar(O, r, phi)"
-            )
+            raise ExpressionError(Fault(f"points.{name}", Message("template.point-expected")))
         points[name] = values[name] = _locate(f"points.{name}", _measure_point, put_down(place))
     parts = _Parts(values, functions, points, arithmetic)
     joints = tuple(
@@ -122,7 +121,7 @@ def _require_measure(value: Any) -> Any:
     Inexact for pi in it.
     """
     if isinstance(value, (Vector, Line, Round, str)):
-        raise ExpressionError("expected a number")
+        raise ExpressionError(Message("template.number-expected"))
     if isinstance(value, Angle):
         raise Inexact("a length with pi in it")
     return _require_bounded(value)
@@ -147,9 +146,9 @@ def _locate(place: str, make: Callable[..., Any], *arguments: Any) -> Any:
     try:
         return make(*arguments)
     except MechanismError as error:
-        raise MechanismError(*(f"{place}: {problem}" for problem in error.problems)) from error
+        raise MechanismError(*error.faults_at(place)) from error
     except KinegradeError as error:
-        raise ExpressionError(*(f"{place}: {problem}" for problem in error.problems)) from error
+        raise ExpressionError(*error.faults_at(place)) from error
 
 
 @dataclass(frozen=True)
@@ -175,7 +174,7 @@ class _Parts:
             return Circle(tree.arguments[0].name, _require_measure(self.value(tree.arguments[1])))
         line = self.value(tree)
         if not isinstance(line, Line):
-            raise ExpressionError("expected line(POINT, angle or point) or circle(POINT, radius)")
+            raise ExpressionError(Message("template.shape-expected"))
         return line
 
     def joint(self, sentence: JointSentence) -> Joint:
@@ -224,9 +223,7 @@ class _Parts:
         """The unit vector of an angle. Raises ExpressionError for what is not an angle."""
         along = None if tree is None else self.value(tree)
         if along is None or isinstance(along, (Vector, Line, Round, str)):
-            raise ExpressionError(
-                "moves along ...: expected +x, -x, +y, -y or an angle, like direction(O, A)"
-            )
+            raise ExpressionError(Message("template.direction-expected"))
         return Constructions(self.arithmetic, self.points).unit(along)
 
 

@@ -11,13 +11,14 @@ from statistics import median
 from time import perf_counter
 from typing import Any
 
-from kinegrade.errors import ExpressionError, KinegradeError
+from kinegrade.errors import ExpressionError, KinegradeError, Problem
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.expression import evaluate, make_elementary_functions
+from kinegrade.language.message import Fault, Message
 from kinegrade.problem.answerable import find_answerable, write_values
 from kinegrade.problem.deck import Combination, Deck, make_deck
 from kinegrade.problem.draw_filter import DrawFilter
-from kinegrade.problem.examining import Refused, examine
+from kinegrade.problem.examining import Reason, Refused, examine
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.searching import find_breaking_values
 from kinegrade.problem.solving import Solution, solve_template
@@ -50,13 +51,13 @@ class Report:
     sound: tuple[str, ...] = ()
     proved: int = 0
     instances: int = 0
-    refused: Counter[str] = field(default_factory=Counter)
-    blamed: Counter[tuple[str, str]] = field(default_factory=Counter)
+    refused: Counter[Reason] = field(default_factory=Counter)
+    blamed: Counter[tuple[Reason, str]] = field(default_factory=Counter)
     spreads: dict[str, Spread] = field(default_factory=dict)
     inseparable: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     seconds: float = 0.0
-    remarks: list[str] = field(default_factory=list)
-    faults: list[str] = field(default_factory=list)
+    remarks: list[Message] = field(default_factory=list)
+    faults: list[Problem] = field(default_factory=list)
 
     @property
     def distinct(self) -> int:
@@ -80,12 +81,10 @@ def check(template: Template, sample: int = 200, secret: str = _SECRET) -> Repor
     report.faults += find_unfinished_translations(template)
     _weigh_texts(report, sample)
     if not template.published:
-        report.faults.append(
-            "no published result: a template is finished when [[published]] proves it"
-        )
+        report.faults.append(Message("template.no-published"))
     report.faults += asks.faults()
     if asks.stuck and not asks.solved:
-        report.faults.append(f"no drawn instance can be solved: {asks.stuck}")
+        report.faults.append(Message("template.no-drawn-solved", reason=asks.stuck))
         return report
     for published in template.published:
         _prove(report, published)
@@ -99,14 +98,10 @@ def _search(report: Report, examples: int) -> None:
     """Look for values that break the template, drawable ones and their neighbours."""
     broken = find_breaking_values(report.template, _select_asked(report), examples, report.secret)
     if broken is not None:
-        report.faults.append(
-            f"breaks at {write_values(broken[0])}: {broken[1]}: "
-            "add a condition or narrow the domains"
-        )
+        values = write_values(broken[0])
+        report.faults.append(Message("template.breaks-at", values=values, reason=broken[1]))
     elif report.refused["mechanism"]:
-        report.remarks.append(
-            "some drawable combinations cannot be solved: a condition would say why"
-        )
+        report.remarks.append(Message("template.some-cannot-be-solved"))
 
 
 def _select_asked(report: Report) -> tuple[str, ...]:
@@ -130,14 +125,12 @@ def _weigh_texts(report: Report, sample: int) -> None:
         for name, wordings in template.words.texts.items():
             found = choose_wording(template, name, values)
             if found is None:
-                report.faults.append(
-                    f"text.{name}: no wording applies at {write_values(values)}: "
-                    'add one without "if", or a condition that keeps such values out'
-                )
+                what = Message("template.no-wording-applies", values=write_values(values))
+                report.faults.append(Fault(f"text.{name}", what))
                 return
             idle[name].discard(wordings.index(found))
     report.remarks += [
-        f"text.{name}[{index}] applies at no values that were tried: is it needed?"
+        Message("template.applies-nowhere", wording=f"text.{name}[{index}]")
         for name, indices in idle.items()
         for index in sorted(indices)
     ]
@@ -183,35 +176,26 @@ def _weigh(report: Report) -> None:
     remarks.
     """
     if not report.instances:
-        report.faults.append(
-            "no acceptable instance was found: widen the domains or relax the conditions"
-        )
+        report.faults.append(Message("template.no-acceptable-instance"))
     elif report.distinct < _FEWEST:
         report.faults.append(
-            f"about {report.distinct} distinct instances: at least {_FEWEST} are needed for a "
-            "class: widen the domains"
+            Message("template.too-few-instances", number=report.distinct, least=_FEWEST)
         )
     for name, spread in report.spreads.items():
         copied = spread.copied()
         if spread.constant:
-            report.faults.append(
-                f"{name} has the same answer in all instances: a student guesses it"
-            )
+            report.faults.append(Message("template.same-answer", ask=name))
         elif copied is not None:
-            report.remarks.append(f"{name} equals the given {copied} in almost all instances")
+            report.remarks.append(Message("template.equals-given", ask=name, given=copied))
     report.remarks += _find_rounding_remarks(report)
 
 
-def _find_rounding_remarks(report: Report) -> Iterator[str]:
+def _find_rounding_remarks(report: Report) -> Iterator[Message]:
     """The asks in which honest rounding often leaves the tolerance."""
     examined = report.instances + sum(report.refused.values())
     for (reason, ask), count in report.blamed.items():
         if reason == "rounding" and count >= _OFTEN_ASTRAY * examined:
-            yield (
-                f"{ask} is off by more than 1 % in {count} of {examined} instances when every "
-                "intermediate value is rounded to 3 significant figures: keep it from being a "
-                "small difference, or ask another quantity"
-            )
+            yield Message("template.often-astray", ask=ask, number=count, examined=examined)
 
 
 def choose_drawable(template: Template, sample: int, secret: str = _SECRET) -> list[Combination]:
@@ -239,27 +223,29 @@ def _prove(report: Report, published: Published) -> None:
         f"published ({published.source})",
         set(published.given) == set(report.template.parameters),
     )
-    proofs: list[tuple[Solution, dict[str, str]]] = []
-    problem = ""
+    proofs: list[tuple[Solution, dict[str, Problem]]] = []
+    problem: Problem = ""
     gives = [name for name in published.gives if name in report.sound]
     for values in _choose_settled(report, published, 1 if complete else 20 * _INSTANCES):
         try:
             solution = solve_template(report.template, values, gives)
             proofs.append((solution, dict(_find_differences(report.template, published, solution))))
         except KinegradeError as error:
-            problem = error.problems[0]
-        except Inexact as error:
-            problem = f"{error} lies in no small exact field"
+            problem = error.faults[0]
+        except Inexact:
+            problem = Message("template.no-small-field")
         if len(proofs) == _INSTANCES:
             break
-    wrong: dict[str, str] = {}
+    wrong: dict[str, Fault] = {}
     for solution, found in proofs:
         report.proved += len(gives) - len(found)
         for name, fault in found.items():
-            wrong.setdefault(name, f"{where} at {_write_instance(solution)}: {fault}")
+            place = Message("template.at-instance", where=where, values=_write_instance(solution))
+            wrong.setdefault(name, Fault(place, fault))
     report.faults += wrong.values()
     if not proofs:
-        report.faults.append(f"{where}: no instance can be solved: {problem}")
+        what = Message("template.no-instance-solved", reason=problem)
+        report.faults.append(Fault(where, what))
 
 
 def _choose_settled(report: Report, published: Published, count: int) -> list[Combination]:
@@ -278,7 +264,7 @@ def _write_instance(solution: Solution) -> str:
 
 def _find_differences(
     template: Template, published: Published, solution: Solution
-) -> Iterator[tuple[str, str]]:
+) -> Iterator[tuple[str, Problem]]:
     """The published results that the engine's answers do not equal exactly, by name, and how."""
     for name, answer in solution.answers.items():
         ask, tree = template.asks[name], published.gives[name]
@@ -290,16 +276,13 @@ def _find_differences(
                 solution.arithmetic,
             )
         except ExpressionError as error:
-            yield name, f"{name}: {error.problems[0]}"
+            yield name, Fault(name, error.faults[0])
             continue
         if not solution.arithmetic.exact:
-            yield (
-                name,
-                f"{name}: the stated values lie in no small exact field: state values that prove "
-                "it exactly",
-            )
+            yield name, Fault(name, Message("template.stated-in-no-field"))
         elif not _is_equal(expected, answer.number, ask, solution.arithmetic):
-            yield name, f"{name} = {published.texts[name]}, but the engine gives {answer.exact}"
+            stated, given = published.texts[name], str(answer.exact)
+            yield name, Message("template.engine-gives", ask=name, stated=stated, given=given)
 
 
 def _quote(solution: Solution) -> dict[str, Any]:

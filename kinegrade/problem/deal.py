@@ -13,9 +13,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import ceil
+from typing import Literal
 
 from kinegrade.errors import DrawError
+from kinegrade.language.message import Fault, Message, Part, list_plainly
 from kinegrade.problem.draw_filter import DrawFilter, Verdict
+from kinegrade.problem.examining import Reason, name_reason
 
 # Combinations that are looked at for each place. Shipped templates need 2 to 20; where one in 400
 # is not enough, an author has to widen the domains rather than an instructor to wait.
@@ -34,6 +37,7 @@ class DeckPart:
     positions: range
 
 
+Whose = Literal["students", "versions", "draws"]  # what the places of a deal are
 Verdicts = tuple[Verdict, ...]
 Look = Callable[
     [Sequence[DeckPart]], Iterable[Verdicts]
@@ -65,30 +69,31 @@ class Deal:
         return min(len(self._good), self.places)
 
     @property
-    def refused(self) -> dict[str, int]:
+    def refused(self) -> dict[Reason, int]:
         """By reason how many combinations were refused until each place had one."""
         looked = self._good[self.places - 1] + 1 if self.lasting else self.bound
         reasons = (reason for reason in self.verdicts[:looked] if reason is not None)
-        return dict(sorted(Counter[str](reasons).items()))
+        return dict(sorted(Counter[Reason](reasons).items()))
 
     @property
     def lasting(self) -> bool:
         """Whether there is a combination for each place."""
         return len(self._good) >= self.places
 
-    def __str__(self) -> str:
-        looked = len(self.verdicts)
-        among = (
-            f"the first {looked} of the {self.size}" if looked < self.size else f"the {self.size}"
-        )
-        return f"{self.good or 'none'} of {among} combinations of values"
-
-    def shortage(self, name: str, whose: str) -> str:
+    def shortage(self, name: str, whose: Whose) -> Fault:
         """The complaint that there are too few; `whose` says what the places are."""
-        return (
-            f"{name}: {self} are fit for {self.places} {whose}, so some have the same numbers - "
-            "expected one for each - widen the domains"
+        places = Message(f"template.for-{whose}", count=self.places)
+        what = Message(
+            "template.too-few-fit", good=self.good, among=self.looked_at(), places=places
         )
+        return Fault(name, what, Message("template.one-for-each"), Message("template.widen"))
+
+    def looked_at(self) -> Message:
+        """The combinations that were looked at, in words."""
+        looked = len(self.verdicts)
+        if looked < self.size:
+            return Message("template.first-combinations", looked=looked, size=self.size)
+        return Message("template.all-combinations", size=self.size)
 
     @property
     def hopeless(self) -> bool:
@@ -155,8 +160,7 @@ def _split(question: str, positions: range) -> Iterator[DeckPart]:
 def _require_hope(filters: Mapping[str, DrawFilter], deals: Mapping[str, Deal]) -> None:
     """Raises DrawError for questions of which nothing can be dealt."""
     faults = [
-        f"{name} ({filters[name].template.name}): {each} is fit for students "
-        f"({_count_reasons(each.refused)}) - expected one for each student - widen the domains"
+        _explain_hopeless(f"{name} ({filters[name].template.name})", each)
         for name, each in deals.items()
         if each.hopeless
     ]
@@ -164,6 +168,16 @@ def _require_hope(filters: Mapping[str, DrawFilter], deals: Mapping[str, Deal]) 
         raise DrawError(*faults)
 
 
-def _count_reasons(refused: Mapping[str, int]) -> str:
+def _explain_hopeless(where: str, hopeless: Deal) -> Fault:
+    reasons = count_reasons(hopeless.refused)
+    what = Message("template.none-fit", among=hopeless.looked_at(), reasons=reasons)
+    return Fault(where, what, Message("template.one-for-each-student"), Message("template.widen"))
+
+
+def count_reasons(refused: Mapping[Reason, int]) -> Part:
     """How often each reason refused a combination, in words: "degenerate 3, mistake 12"."""
-    return ", ".join(f"{reason} {count}" for reason, count in refused.items()) or "none"
+    counted = [
+        Message("template.reason-count", reason=name_reason(reason), number=count)
+        for reason, count in refused.items()
+    ]
+    return list_plainly(counted) if counted else Message("grammar.no-names")

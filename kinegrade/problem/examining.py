@@ -10,7 +10,10 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Literal
 
-from kinegrade.errors import MechanismError
+from kinegrade.errors import MechanismError, Problem
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.honest_rounding import find_stray
@@ -42,13 +45,21 @@ Reason = Literal[
 
 
 class Refused(Exception):
-    """A drawn instance is not fit for students; `ask` names the answer to blame, the message says
+    """A drawn instance is not fit for students; `ask` names the answer to blame, `detail` says
     more.
     """
 
-    def __init__(self, reason: Reason, detail: str, ask: str = "") -> None:
-        self.reason, self.ask = reason, ask
+    def __init__(self, reason: Reason, detail: Problem, ask: str = "") -> None:
+        self.reason, self.detail, self.ask = reason, detail, ask
         super().__init__(detail)
+
+    def __str__(self) -> str:
+        return open_catalogue(ENGLISH).write(self.detail)
+
+
+def name_reason(reason: Reason) -> Message:
+    """A reason in a word."""
+    return Message(f"template.refused-{reason}")
 
 
 def examine(
@@ -63,7 +74,7 @@ def examine(
     """
     solution = solve_sensible(template, values, asks, plan)
     if strayed := find_stray(solution, tolerances or {}):
-        raise Refused("rounding", str(strayed), strayed.ask)
+        raise Refused("rounding", strayed.said(), strayed.ask)
     return solution
 
 
@@ -89,7 +100,7 @@ def examine_together(
             and not next(sure)
             and (strayed := find_stray(one, tolerances))
         ):
-            found[place] = Refused("rounding", str(strayed), strayed.ask)
+            found[place] = Refused("rounding", strayed.said(), strayed.ask)
     return found
 
 
@@ -105,10 +116,10 @@ def solve_sensible(
                 raise Refused("condition", condition.text)
         for name in template.words.texts:
             if choose_wording(template, name, values) is None:
-                raise Refused("condition", f"no text of {name} applies")
+                raise Refused("condition", Message("template.no-text-applies", text=name))
         solution = solve_template(template, values, asks, plan)
     except MechanismError as error:
-        raise Refused("mechanism", error.problems[0]) from error
+        raise Refused("mechanism", error.faults[0]) from error
     for name, answer in solution.answers.items():
         if refusal := find_unfit(template.asks[name], answer):
             raise refusal
@@ -124,7 +135,7 @@ def require_doubles(solution: Solution) -> None:
         for answer in solution.answers.values():
             find_scale_of_mechanism(solution.doubles, answer.measure)
     except OverflowError as error:
-        raise Refused("absurd", "a size beyond 1e308") from error
+        raise Refused("absurd", Message("template.size-beyond")) from error
 
 
 def find_too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:
@@ -146,14 +157,14 @@ def find_unfit(ask: Ask, answer: Quantity) -> Refused | None:
     it, or of an absurd size; None if it can.
     """
     if answer.at_infinity:
-        return Refused("degenerate", f"{ask.name} is at infinity")
+        return Refused("degenerate", Message("template.at-infinity", ask=ask.name))
     if answer.is_zero:
-        return None if ask.vanishes else Refused("degenerate", f"{ask.name} is zero")
+        return (
+            None
+            if ask.vanishes
+            else Refused("degenerate", Message("template.is-zero", ask=ask.name))
+        )
     if not SMALLEST <= abs(answer.value) <= LARGEST:
-        return Refused("absurd", f"{ask.name} is {_write_sized(answer)}")
+        size = f"{answer.decimal(3)} {answer.unit}"
+        return Refused("absurd", Message("template.is-of-size", ask=ask.name, size=size))
     return None
-
-
-def _write_sized(answer: Quantity) -> str:
-    """An answer with its unit, for a message."""
-    return f"{answer.decimal(3)} {answer.unit}"

@@ -26,6 +26,7 @@ from kinegrade.exact.angle import Angle
 from kinegrade.exact.elimination import Singular
 from kinegrade.exact.rounding import NOTHING, Rounded, Sparing
 from kinegrade.expression import Call, Expression, evaluate, make_elementary_functions, walk
+from kinegrade.language.message import Message
 from kinegrade.mechanics.by_hand import solve_by_hand, write_down
 from kinegrade.mechanics.doubles import MotionInDoubles, convert_vector
 from kinegrade.mechanics.frames import build_frames
@@ -61,9 +62,13 @@ class Stray:
     figures: int
     answer: float | None
 
-    def __str__(self) -> str:
-        outcome = "cannot be found" if self.answer is None else f"comes out as {self.answer:.6g}"
-        return f"{self.ask}: {outcome} when {self.figures} significant figures are carried"
+    def said(self) -> Message:
+        """What becomes of the answer, in a line."""
+        ask, figures = self.ask, self.figures
+        if self.answer is None:
+            return Message("template.lost-by-rounding", ask=ask, figures=figures)
+        answer = f"{self.answer:.6g}"
+        return Message("template.strays-by-rounding", ask=ask, figures=figures, answer=answer)
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from hypothesis.configuration import set_hypothesis_home_dir
 from hypothesis.errors import NoSuchExample
 
-from kinegrade.errors import MechanismError
+from kinegrade.errors import MechanismError, Problem
 from kinegrade.problem.holding import condition_holds
 from kinegrade.problem.neighbours import list_probed
 from kinegrade.problem.solving import solve_template
@@ -25,7 +25,7 @@ from kinegrade.temporary import temporary_folder
 
 def find_breaking_values(
     template: Template, asks: Sequence[str], examples: int, secret: str
-) -> tuple[dict[str, str], str] | None:
+) -> tuple[dict[str, str], Problem] | None:
     """Values at which the asks cannot be worked out, with the reason; None if `examples` tries show
     none. Another `secret` makes other tries.
     """
@@ -67,7 +67,9 @@ def _keep_notes_elsewhere() -> Iterator[None]:
             set_hypothesis_home_dir(None)
 
 
-def _find_reason(template: Template, asks: Sequence[str], values: Mapping[str, str]) -> str | None:
+def _find_reason(
+    template: Template, asks: Sequence[str], values: Mapping[str, str]
+) -> Problem | None:
     """Why an instance that meets the conditions cannot be solved; None when it can, or does not
     meet them.
     """
@@ -77,5 +79,5 @@ def _find_reason(template: Template, asks: Sequence[str], values: Mapping[str, s
         ):
             solve_template(template, values, asks)
     except MechanismError as error:
-        return error.problems[0]
+        return error.faults[0]
     return None

@@ -17,8 +17,9 @@ from kinegrade.errors import (
     ExpressionError,
     KinegradeError,
     MechanismError,
+    Problem,
     TemplateError,
-    did_you_mean,
+    suggest,
 )
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import PRECISIONS, Balls, Undecided
@@ -26,6 +27,7 @@ from kinegrade.exact.field import Field
 from kinegrade.exact.surd import Surd
 from kinegrade.expression import Expression, evaluate, read_expression
 from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.doubles import MotionInDoubles, convert_to_doubles
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.plan import Plan
@@ -109,9 +111,7 @@ def solve_template(
             lambda arithmetic: _solve_in(template, trees, wanted, plan, arithmetic)
         )
     except (ExpressionError, MechanismError) as error:
-        raise MechanismError(
-            *(f"{template.name}: {problem}" for problem in error.problems)
-        ) from error
+        raise MechanismError(*error.faults_at(template.name)) from error
 
 
 def solve_certified(work: Callable[[Any], _Result]) -> _Result:
@@ -130,29 +130,25 @@ def solve_certified(work: Callable[[Any], _Result]) -> _Result:
                 return work(arithmetic)
         except (Inexact, Undecided):
             continue
-    raise MechanismError(
-        "at these values the configuration cannot be distinguished from a degenerate one "
-        f"even with {PRECISIONS[-1]} bits: choose other values"
-    )
+    raise MechanismError(Message("template.degenerate", bits=PRECISIONS[-1]))
 
 
 def read_values(template: Template, given: Mapping[str, str]) -> dict[str, Expression]:
     """The trees of all parameters' values. Raises TemplateError with every fault."""
-    faults, trees = [], {}
+    faults: list[Problem] = []
+    trees: dict[str, Expression] = {}
     for name in given:
         if name not in template.parameters:
-            faults.append(
-                f'{template.name}: no parameter "{name}": {did_you_mean(name, template.parameters)}'
-            )
+            hint = suggest(name, template.parameters)
+            problem = Message("template.no-parameter", name=Quoted(name), hint=hint)
+            faults.append(Fault(template.name, problem))
     for name, parameter in template.parameters.items():
         text = given.get(name, parameter.default)
         try:
             trees[name] = _read_cached(text)
         except ExpressionError as error:
-            faults += [
-                f"{template.name}: {name} = {show_in_one_line(text[:60])}: {problem}"
-                for problem in error.problems
-            ]
+            where = f"{template.name}: {name} = {show_in_one_line(text[:60])}"
+            faults += error.faults_at(where)
     if faults:
         raise TemplateError(*faults)
     return trees
@@ -170,14 +166,15 @@ def find_parameter_values(
     """All parameters in SI. Raises TemplateError with every value that is no number (roots of
     negative numbers, unknown names), Inexact where the exact field does not hold them.
     """
-    faults, values = [], {}
+    faults: list[Problem] = []
+    values: dict[str, Any] = {}
     for name, parameter in template.parameters.items():
         try:
             values[name] = read_parameter(parameter, trees[name], arithmetic)
             if parameter.is_size and arithmetic.sign(values[name]) < 0:
-                raise ExpressionError("a negative length: give zero or more")
+                raise ExpressionError(Message("template.negative-length"))
         except ExpressionError as error:
-            faults += [f"{template.name}: {name}: {problem}" for problem in error.problems]
+            faults += error.faults_at(f"{template.name}: {name}")
     if faults:
         raise TemplateError(*faults)
     return values
@@ -187,13 +184,18 @@ def _require_asks(template: Template, asks: Iterable[str] | None) -> tuple[Ask, 
     """The asks named, or all. Raises TemplateError for unknown ones."""
     chosen = tuple(template.asks if asks is None else asks)
     unknown = [
-        f'{template.name}: no ask "{name}": {did_you_mean(name, template.asks)}'
+        Fault(template.name, _explain_no_ask(name, template))
         for name in chosen
         if name not in template.asks
     ]
     if unknown:
         raise TemplateError(*unknown)
     return tuple(template.asks[name] for name in chosen)
+
+
+def _explain_no_ask(name: str, template: Template) -> Message:
+    hint = suggest(name, template.asks)
+    return Message("template.no-ask", name=Quoted(name), hint=hint)
 
 
 def _solve_in(
@@ -245,7 +247,7 @@ def _answer_ask(
     except AtInfinity:
         return Quantity(ask.name, None, ask.unit)
     except KinegradeError as error:
-        raise type(error)(*(f"{ask.name}: {problem}" for problem in error.problems)) from error
+        raise type(error)(*error.faults_at(ask.name)) from error
     _require_certified(quantity.number)
     return quantity
 
@@ -255,13 +257,9 @@ def _require_number(number: Any, ask: Ask) -> None:
     where one is due.
     """
     if not isinstance(number, (int, fmpq, Surd, arb, Angle)):
-        raise ExpressionError(
-            "expected a number: take magnitude(...), x(...), y(...) or along(...) of a vector"
-        )
+        raise ExpressionError(Message("template.number-of-a-vector"))
     if ask.unit.degrees and not isinstance(number, (Angle, arb)):
-        raise ExpressionError(
-            "expected an angle: degrees count angle(...), between(...), direction(...) or atan(...)"
-        )
+        raise ExpressionError(Message("template.angle-expected"))
 
 
 def _require_certified(number: Any) -> None:

@@ -15,8 +15,9 @@ from kinegrade.problem.checking import Report, check, choose_drawable
 from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.neighbours import list_probed
 from kinegrade.problem.reading import read_template
-from kinegrade.problem.reporting import write_report
+from kinegrade.problem.reporting import write_findings, write_verdict
 from tests.problem.crank import crank, crank_text
+from tests.said import all_said, said
 
 SLIDER = load_template("slider-crank").file.text
 UNPUBLISHED = crank_text(('[[published]]\nsource = "by hand"\ngives = { v_x = "-omega*h" }\n', ""))
@@ -30,7 +31,7 @@ def checked(old: str, new: str) -> Report:
 @pytest.mark.parametrize("name", find_template_names())
 def test_shipped_templates_are_sound(name: str) -> None:
     report = check(load_template(name), sample=40)
-    assert report.faults == []
+    assert all_said(report.faults) == []
     assert report.proved >= 1
     assert report.instances >= 1
 
@@ -46,19 +47,19 @@ def test_shipped_templates_are_sound(name: str) -> None:
 )
 def test_a_wrong_published_result_is_found(ask: str, right: str, wrong: str) -> None:
     report = checked(f'{ask} = "{right}"', f'{ask} = "{wrong}"')
-    [fault] = report.faults  # one cause, though it shows at five instances
+    [fault] = all_said(report.faults)  # one cause, though it shows at five instances
     assert f"{ask} = {wrong}, but the engine gives " in fault
     assert report.proved == 15  # of 20, at five instances each
 
 
 def test_the_fault_tells_the_instance() -> None:
-    fault = checked('"2*sqrt(3)/3*omega*r"', '"2*sqrt(3)/5*omega*r"').faults[0]
+    fault = all_said(checked('"2*sqrt(3)/3*omega*r"', '"2*sqrt(3)/5*omega*r"').faults)[0]
     assert fault.startswith("published (example 3, crank at 60 degrees) at r = ")
     assert ", k = sqrt(3), phi = 60, omega = " in fault
 
 
 def test_a_template_without_published_results_is_not_finished() -> None:
-    assert check(read_template("crank", UNPUBLISHED), sample=18).faults[0] == (
+    assert all_said(check(read_template("crank", UNPUBLISHED), sample=18).faults)[0] == (
         "no published result: a template is finished when [[published]] proves it"
     )
 
@@ -67,20 +68,25 @@ def test_a_published_result_that_cannot_be_worked_out_is_a_fault() -> None:
     unreachable = crank(
         ('gives = { v_x = "-omega*h" }', 'given = { h = "3" }\ngives = { v_x = "-omega*h" }')
     )
-    fault = check(unreachable, sample=18).faults[0]
+    fault = all_said(check(unreachable, sample=18).faults)[0]
     assert fault.startswith("published (by hand): no instance can be solved: crank: points.A: ")
     strange = crank(
         ('gives = { v_x = "-omega*h" }', 'given = { h = "x" }\ngives = { v_x = "-omega*h" }')
     )
-    assert 'unknown name "x"' in check(strange, sample=18).faults[0]
+    assert 'unknown name "x"' in all_said(check(strange, sample=18).faults)[0]
     divided = crank(('v_x = "-omega*h"', 'v_x = "omega*h*r/(r - r)"'))
-    assert "v_x: division by zero: check the values given" in check(divided, sample=18).faults[0]
+    assert (
+        "v_x: division by zero: check the values given"
+        in all_said(check(divided, sample=18).faults)[0]
+    )
 
 
 def test_a_result_that_no_field_holds_must_be_stated_otherwise() -> None:
-    (fault,) = check(
-        read_template("slider-crank", SLIDER.replace('phi = "60"', 'phi = "37"')), sample=2
-    ).faults[:1]
+    (fault,) = all_said(
+        check(
+            read_template("slider-crank", SLIDER.replace('phi = "60"', 'phi = "37"')), sample=2
+        ).faults
+    )[:1]
     assert fault.endswith(
         "the stated values lie in no small exact field: state values that prove it exactly"
     )
@@ -93,15 +99,14 @@ def test_a_formula_that_no_field_holds_at_its_values_proves_nothing() -> None:
             'given = { r = "2", h = "1", omega = "2" }\ngives = { v_x = "-omega*h*cos(7*pi/180)" }',
         )
     )
-    fault = check(inexact, sample=18).faults[0]
+    fault = all_said(check(inexact, sample=18).faults)[0]
     assert fault == (
-        "published (by hand): no instance can be solved: the cosine of 7 degrees lies in no small "
-        "exact field"
+        "published (by hand): no instance can be solved: the values lie in no small exact field"
     )
 
 
 def test_faults_of_the_statement_are_faults_of_the_template() -> None:
-    fault = check(crank(("{{ h.value }} above", "above")), sample=18).faults[0]
+    fault = all_said(check(crank(("{{ h.value }} above", "above")), sample=18).faults)[0]
     assert (
         fault
         == "crank.toml: statement.en: the parameter h is not given to the student: write {{ h }}"
@@ -116,26 +121,26 @@ def test_every_combination_is_examined_where_there_are_few() -> None:
 
 
 def test_no_acceptable_instance_is_a_fault() -> None:
-    faults = check(crank(('[0, "1/2", 3]', "[0, 3]")), sample=200).faults
+    faults = all_said(check(crank(('[0, "1/2", 3]', "[0, 3]")), sample=200).faults)
     assert "no acceptable instance was found: widen the domains or relax the conditions" in faults
 
 
 def test_the_report_says_what_was_found() -> None:
-    lines = list(write_report(check(crank(), sample=200)))
+    report = check(crank(), sample=200)
+    lines = [said(write_verdict(report)), *map(said, write_findings(report))]
     assert lines[:4] == [
         "crank: FAULTY",
-        "  complete in: en, zh",
-        "  published results proved exactly: 5",
-        "  drawable combinations: 18; examined: 18, accepted: 2, "
+        "complete in: en, zh",
+        "published results proved exactly: 5",
+        "drawable combinations: 18; examined: 18, accepted: 2, "
         "refused: absurd 2, condition 6, degenerate 4, mechanism 4",
     ]
-    assert re.fullmatch(r"  distinct instances: about 2; [\d.]+ ms each", lines[4])
+    assert re.fullmatch(r"distinct instances: about 2; [\d.]+ ms each", lines[4])
     assert lines[5:] == [
-        "  v_x                  -1 .. -1         m/s     negative 100%, different 1",
-        "  fault: about 2 distinct instances: at least 500 are needed for a class: widen the "
-        "domains",
-        "  fault: v_x has the same answer in all instances: a student guesses it",
-        "  fault: breaks at r = 1, h = 3, omega = 2: crank: points.A: the circle about O of "
+        "v_x                  -1 .. -1         m/s     negative 100%, different 1",
+        "fault: about 2 distinct instances: at least 500 are needed for a class: widen the domains",
+        "fault: v_x has the same answer in all instances: a student guesses it",
+        "fault: breaks at r = 1, h = 3, omega = 2: crank: points.A: the circle about O of "
         "radius 1 does not reach the line y = 3: add a condition or narrow the domains",
     ]
 
@@ -144,7 +149,7 @@ def test_a_check_leaves_nothing_in_the_folder_where_it_is_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    assert check(load_template("slider-crank"), sample=20).faults == []
+    assert all_said(check(load_template("slider-crank"), sample=20).faults) == []
     assert list(tmp_path.iterdir()) == []
 
 
@@ -158,8 +163,8 @@ def test_an_answer_that_copies_a_given_is_remarked() -> None:
         ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "omega*r" }'),
     )
     report = check(copying, sample=40)
-    assert report.faults == []
-    assert report.remarks == ["v_x equals the given omega in almost all instances"]
+    assert all_said(report.faults) == []
+    assert all_said(report.remarks) == ["v_x equals the given omega in almost all instances"]
     assert report.distinct == 600
 
 
@@ -169,7 +174,7 @@ def test_the_command_ends_with_status_1_for_a_faulty_template(tmp_path: Path) ->
     result = CliRunner().invoke(main, ["check", str(file)])
     assert result.exit_code == 1
     assert result.stdout.startswith("crank: FAULTY\n")
-    assert "  fault: no published result" in result.stdout
+    assert "fault: no published result" in result.stdout
     assert CliRunner().invoke(main, ["check", "slider-crank"]).exit_code == 0
 
 
@@ -191,15 +196,15 @@ def on_request(quantity: str, unit: str, flags: str = "") -> tuple[str, str]:
 
 def test_an_ask_on_request_that_fails_at_every_value_is_one_fault() -> None:
     report = check(crank(*WIDE, on_request("y(velocity(A))/(r - r)", "1/s")), sample=20)
-    assert len(report.faults) == 1
-    assert report.faults[0].startswith("asks.w: at r = ")
-    assert report.faults[0].endswith(": division by zero: check the values given")
+    assert len(all_said(report.faults)) == 1
+    assert all_said(report.faults)[0].startswith("asks.w: at r = ")
+    assert all_said(report.faults)[0].endswith(": division by zero: check the values given")
     assert report.proved == 5
 
 
 def test_an_ask_with_points_that_fails_is_one_fault() -> None:
     changed = ('quantity = "x(velocity(A))"', 'quantity = "x(velocity(A))*r/(h - h)"')
-    (fault,) = check(crank(*WIDE, changed), sample=20).faults
+    (fault,) = all_said(check(crank(*WIDE, changed), sample=20).faults)
     assert fault.startswith("asks.v_x: at r = ")
     assert fault.endswith(": division by zero: check the values given")
 
@@ -211,28 +216,28 @@ def test_another_secret_looks_at_other_instances() -> None:
     )
     assert first == again != other
     report = check(template, 20, "b")
-    assert (report.secret, report.faults) == ("b", [])
+    assert (report.secret, all_said(report.faults)) == ("b", [])
 
 
 def test_an_ask_on_request_that_fails_at_one_drawn_value_is_a_fault() -> None:
     report = check(crank(*WIDE, on_request("omega(OA)*r/(r - 1)", "rad/s")), sample=1_000)
-    assert [fault.split(": ", 1)[0] for fault in report.faults] == ["asks.w"]
-    assert "asks.w: at r = 1, " in report.faults[0]
+    assert [fault.split(": ", 1)[0] for fault in all_said(report.faults)] == ["asks.w"]
+    assert "asks.w: at r = 1, " in all_said(report.faults)[0]
 
 
 def test_an_ask_on_request_without_any_answer_to_ask_for_is_a_fault() -> None:
     zero = on_request("alpha(OA)", "rad/s^2")
-    assert check(crank(*WIDE, zero), sample=20).faults == [
+    assert all_said(check(crank(*WIDE, zero), sample=20).faults) == [
         "asks.w: no drawn instance has an answer to ask for: w is zero: "
         "ask for something else, or write vanishes = true where zero is a proper answer"
     ]
     allowed = on_request("alpha(OA)", "rad/s^2", "vanishes = true, ")
-    assert check(crank(*WIDE, allowed), sample=20).faults == []
+    assert all_said(check(crank(*WIDE, allowed), sample=20).faults) == []
 
 
 def test_a_mechanism_that_never_moves_is_one_fault() -> None:
     loose = crank(*WIDE, ('joints = ["pin O: ground OA"]', "joints = []"))
-    (fault,) = check(loose, sample=20).faults
+    (fault,) = all_said(check(loose, sample=20).faults)
     assert fault.startswith("no drawn instance can be solved: at r = ")
     assert fault.endswith("(2 degrees of freedom left): add a joint or a driver")
 
@@ -277,4 +282,4 @@ def test_no_value_breaks_a_template_that_could_never_be_drawn() -> None:
         ("[2, 1000000, 20000000]", '"2 .. 600 step 1"'),
         ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "-omega*r*h/(2*abs(h))" }'),
     )
-    assert not [fault for fault in check(small, sample=60).faults if "breaks" in fault]
+    assert not [fault for fault in all_said(check(small, sample=60).faults) if "breaks" in fault]

@@ -18,6 +18,7 @@ from kinegrade.problem.draw_filter import DrawFilter, Verdict
 from kinegrade.problem.library import load_template
 from tests.problem.crank import crank
 from tests.problem.draws import dealt, draw_filter, drawn
+from tests.said import said
 
 FEW = {"r": ("2", "3"), "h": ("1/2", "1"), "omega": ("2", "3", "4")}
 ONE_TO_SIXTY = tuple(map(str, range(1, 61)))
@@ -102,7 +103,7 @@ def test_a_shortage_is_dealt_round_and_said() -> None:
     found = dealt(cranks(**FEW), 30)
     assert (found.size, found.good, found.lasting, found.refused) == (12, 12, False, {})
     assert positions(found) == [place % 12 for place in range(30)]
-    assert found.shortage("q1 (crank)", "students") == (
+    assert said(found.shortage("q1 (crank)", "students")) == (
         "q1 (crank): 12 of the 12 combinations of values are fit for 30 students, so some have the "
         "same numbers - expected one for each - widen the domains"
     )
@@ -114,7 +115,10 @@ def test_looking_for_a_place_ends_at_a_bound() -> None:
     three, four = of(good, 3), of(good, 4)
     assert positions(three) == [10, 10, 10]
     assert positions(four) == [10, 10, 10, 1500]
-    assert str(three) == "1 of the first 1200 of the 2000 combinations of values"
+    assert (three.good, said(three.looked_at())) == (
+        1,
+        "the first 1200 of the 2000 combinations of values",
+    )
     assert three.refused == {"mechanism": 1199}
 
 

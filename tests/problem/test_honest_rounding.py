@@ -30,6 +30,7 @@ from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
 from tests.problem.crank import crank
 from tests.problem.draws import dealt, draw_filter, drawn
+from tests.said import all_said, said
 
 DIFFERENCE = (
     'quantity = "x(velocity(A))"',
@@ -71,7 +72,7 @@ def test_a_small_difference_of_written_values_strays() -> None:
     assert found is not None
     assert (found.ask, found.figures) == ("v_x", 3)
     assert found.answer == pytest.approx(3.54 - 3.36)  # 1.77 (2 - 1.9) = 0.177
-    assert str(found) == "v_x: comes out as 0.18 when 3 significant figures are carried"
+    assert said(found.said()) == "v_x: comes out as 0.18 when 3 significant figures are carried"
 
 
 def test_what_cannot_be_found_strays_too() -> None:
@@ -79,7 +80,8 @@ def test_what_cannot_be_found_strays_too() -> None:
     solution = solved(crank(), r="1.0065", h="1.006")
     assert find_stray(solution, {}) == Stray("v_x", 3, None)
     assert (
-        str(Stray("v_x", 3, None)) == "v_x: cannot be found when 3 significant figures are carried"
+        said(Stray("v_x", 3, None).said())
+        == "v_x: cannot be found when 3 significant figures are carried"
     )
 
 
@@ -178,7 +180,7 @@ def test_check_tells_the_author_which_answer_often_strays() -> None:
         ),
         sample=60,
     )
-    (remark,) = [remark for remark in report.remarks if "significant" in remark]
+    (remark,) = [remark for remark in all_said(report.remarks) if "significant" in remark]
     assert remark.startswith(
         f"v_x is off by more than 1 % in {report.refused['rounding']} of 60 instances when every"
     )
