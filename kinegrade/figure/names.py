@@ -14,6 +14,7 @@ from kinegrade.figure.layers import Drawing
 from kinegrade.figure.place import Wish, list_spots_around, rate_nearness
 from kinegrade.figure.plane import NEAR, length, on_line, polar, unit
 from kinegrade.figure.rims import Rim
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -133,8 +134,6 @@ def _label_body(body: str, symbol: str, drawing: Drawing) -> Wish:
         )
     parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
     if not parts:
-        raise TemplateError(
-            f"figure.labels.{body}: no circle and no bar of {body!r} is drawn; label one of its "
-            "points"
-        )
+        what = Message("figure.nothing-to-label", body=Quoted(body))
+        raise TemplateError(Fault(f"figure.labels.{body}", what))
     return Wish(symbol, list_spots_around(symbol, (parts[0].start + parts[0].end) / 2))

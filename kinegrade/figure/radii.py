@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import pi
 
-from kinegrade.errors import TemplateError, did_you_mean
+from kinegrade.errors import TemplateError, suggest
 from kinegrade.figure.mark import Mark
 from kinegrade.figure.obstacles import Segment
 from kinegrade.figure.place import Wish, list_spots_around, list_spots_beside
@@ -14,6 +14,7 @@ from kinegrade.figure.plane import NEAR, angle_of, length, polar
 from kinegrade.figure.rims import Rim
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import Radius
 
@@ -43,14 +44,24 @@ def _find_rim(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> R
         )
         if rim.centre == hint.centre and hint.of in (None, rim.body) and on_it:
             return rim
-    of = (f" of {hint.of!r}" if hint.of else "") + (
-        f" through {hint.through!r}" if hint.through else ""
-    )
-    centres = {rim.centre for rim in found}
-    raise TemplateError(
-        f"figure.radii: no circle{of} about {hint.centre!r}; circles come from the joints and "
-        f"from 'circles'; {did_you_mean(hint.centre, centres)}"
-    )
+    near = suggest(hint.centre, {rim.centre for rim in found})
+    what = Message("figure.no-such-circle", circle=_describe_circle(hint), hint=near)
+    raise TemplateError(Fault("figure.radii", what))
+
+
+def _describe_circle(hint: Radius) -> Message:
+    centre = Quoted(hint.centre)
+    match hint:
+        case Radius(of=str() as body, through=str() as point):
+            return Message(
+                "figure.circle-of-through", body=Quoted(body), point=Quoted(point), centre=centre
+            )
+        case Radius(of=str() as body):
+            return Message("figure.circle-of", body=Quoted(body), centre=centre)
+        case Radius(through=str() as point):
+            return Message("figure.circle-through", point=Quoted(point), centre=centre)
+        case _:
+            return Message("figure.circle-about", centre=centre)
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,8 @@ from html import escape
 from math import ceil, cos, pi, sin
 from typing import assert_never
 
-from kinegrade.errors import TypesetError
 from kinegrade.figure.extent import EM
+from kinegrade.figure.required_symbol import require_symbol
 from kinegrade.figure.scene import (
     Bow,
     Dash,
@@ -27,7 +27,6 @@ from kinegrade.figure.scene import (
 )
 from kinegrade.language.math.runs import Run, split_symbol
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.symbols import find_symbol_fault
 
 _FONTS = "Libertinus Serif, STIX Two Text, Times New Roman, Times, Liberation Serif, serif"
 _FILLS: dict[Fill, str] = {"none": "", "white": "#fff", "grey": "#e8e8e8", "black": "#000"}
@@ -133,10 +132,8 @@ def _label(label: Label, height: float) -> str:
 
 @lru_cache(maxsize=1024)
 def _write_runs(symbol: str) -> tuple[Run, ...]:
-    fault = find_symbol_fault(symbol)
-    if fault:
-        raise TypesetError(f"figure: label: {fault}")
-    return split_symbol(symbol, "figure: label")
+    require_symbol(symbol)
+    return split_symbol(symbol, "figure.labels")
 
 
 def _spans(runs: tuple[Run, ...]) -> str:

@@ -11,8 +11,8 @@ from itertools import chain
 from math import ceil, cos, pi, sin, tan
 from typing import assert_never
 
-from kinegrade.errors import TypesetError
 from kinegrade.figure.extent import FONT_SIZE
+from kinegrade.figure.required_symbol import require_symbol
 from kinegrade.figure.scene import (
     Bow,
     Disc,
@@ -27,7 +27,6 @@ from kinegrade.figure.scene import (
 )
 from kinegrade.language.math.latex import write_latex_math
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.symbols import find_symbol_fault
 
 _FILLS: dict[Fill, str] = {"none": "", "white": "white", "grey": "black!9", "black": "black"}
 _DASHES = {"solid": "", "dashed": "{3pt}{3pt}", "dash-dotted": "{3pt}{2pt}{0.01pt}{2pt}"}
@@ -142,10 +141,8 @@ def _find_tangent(angle: float) -> Vector:
 
 
 def _write_label(label: Label) -> str:
-    fault = find_symbol_fault(label.symbol)
-    if fault:
-        raise TypesetError(f"figure: label: {fault}")
-    symbol = write_latex_math(label.symbol, "figure: label")
+    require_symbol(label.symbol)
+    symbol = write_latex_math(label.symbol, "figure.labels")
     return rf"\pgftext[at={{{_write_corner(label.centre)}}}]{{${symbol}$}}"
 
 

@@ -7,8 +7,8 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import assert_never
 
-from kinegrade.errors import TypesetError
 from kinegrade.figure.extent import FONT_SIZE
+from kinegrade.figure.required_symbol import require_symbol
 from kinegrade.figure.scene import (
     Bow,
     Dash,
@@ -24,7 +24,6 @@ from kinegrade.figure.scene import (
 from kinegrade.figure.svg import to_svg
 from kinegrade.language.math.typst import write_typst_math
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.symbols import find_symbol_fault
 
 _DASHES: dict[Dash, str] = {
     "solid": "",
@@ -88,10 +87,8 @@ def translate_symbol(symbol: str) -> str:
     >>> translate_symbol("O_1")
     '$O_(1)$'
     """
-    fault = find_symbol_fault(symbol)
-    if fault:
-        raise TypesetError(f"figure: label: {fault}")
-    return f"${write_typst_math(symbol, 'figure: label')}$"
+    require_symbol(symbol)
+    return f"${write_typst_math(symbol, 'figure.labels')}$"
 
 
 def _write(primitive: Primitive, height: float) -> str:

@@ -16,6 +16,7 @@ from kinegrade.exact.angle import Angle
 from kinegrade.exact.text import LATEX, write_angle
 from kinegrade.fields.place import Place, key_path
 from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message
 from kinegrade.problem.holding import choose_wording
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.slots import Slot, find_slots_in_formulas, split_slots
@@ -72,10 +73,8 @@ def write_statement(
     }
     text = _fill_slots(template.words.statement.in_language(language), givens, texts)
     if len(text) > _LONGEST:
-        raise TemplateError(
-            f"{template.name}.toml: statement.{language}: {len(text)} characters once it is "
-            f"filled in: at most {_LONGEST} are printed: shorten it"
-        )
+        what = Message("template.statement-too-long", count=len(text), most=_LONGEST)
+        raise TemplateError(Fault(f"{template.name}.toml: statement.{language}", what))
     return text
 
 
@@ -90,10 +89,8 @@ def _choose_wordings(
         found = choose_wording(template, name, given)
         if found is None:
             values = ", ".join(f"{parameter} = {text}" for parameter, text in given.items())
-            raise TemplateError(
-                f"{template.name}.toml: text.{name}: no wording applies at {values}: "
-                'add one without "if", or a condition that keeps such values out'
-            )
+            what = Message("template.no-wording-applies", values=values)
+            raise TemplateError(Fault(f"{template.name}.toml: text.{name}", what))
         yield name, found.text
 
 
@@ -138,7 +135,7 @@ def check_statements(template: Template) -> None:
         raise TemplateError(*faults)
 
 
-def find_statement_faults(template: Template) -> list[str]:
+def find_statement_faults(template: Template) -> list[Fault]:
     """What an author has to add to the statements before students can be given them."""
     faults = _find_unused_texts(template)
     for language in list_statement_languages(template):
@@ -155,7 +152,7 @@ def list_statement_languages(template: Template) -> tuple[Language, ...]:
     return tuple(each for each in common if each in named) or common[:1]
 
 
-def _find_left_out(template: Template, language: Language) -> list[str]:
+def _find_left_out(template: Template, language: Language) -> list[Fault]:
     """The parameters that a statement does not give to the student, whatever wordings apply."""
     statement = template.words.statement
     place = statement.find_place(("statement",), language)
@@ -166,18 +163,16 @@ def _find_left_out(template: Template, language: Language) -> list[str]:
             *(_find_slot_names(one.text.in_language(language)) for one in wordings)
         )
     return [
-        f"{template.name}.toml: {key_path(place)}: the parameter {name} is not given to the "
-        f"student: write {{{{ {name} }}}}"
+        _make_fault(template, key_path(place), Message("template.not-given", name=name))
         for name in template.parameters
         if name not in given
     ]
 
 
-def _find_cutting_slots(template: Template, language: Language) -> list[str]:
+def _find_cutting_slots(template: Template, language: Language) -> list[Fault]:
     """The slots between dollar signs, which would cut a formula in two."""
     return [
-        f"{template.name}.toml: {key_path(where)}: {{{{ {slot.name} }}}} stands inside a formula: "
-        "it brings dollar signs of its own, so write it outside"
+        _make_fault(template, key_path(where), Message("template.in-formula", name=slot.name))
         for where, text in _list_written_texts(template, language)
         for slot in find_slots_in_formulas(text)
     ]
@@ -189,7 +184,7 @@ def _list_written_texts(template: Template, language: Language) -> Iterator[tupl
         yield text.find_place(place, language), text.in_language(language)
 
 
-def _find_unused_texts(template: Template) -> list[str]:
+def _find_unused_texts(template: Template) -> list[Fault]:
     """The texts that no statement, or only that of another language, uses."""
     faults = []
     statements = dict(template.words.statement.list_written(("statement",)))
@@ -198,13 +193,18 @@ def _find_unused_texts(template: Template) -> list[str]:
             place for place, text in statements.items() if name not in _find_slot_names(text)
         ]
         if len(lacking) == len(statements):
-            faults.append(f"text.{name}: stands in no statement: write {{{{ {name} }}}} there")
+            what = Message("template.in-no-statement", name=name)
+            faults.append(_make_fault(template, f"text.{name}", what))
         else:
             faults += [
-                f"{key_path(place)}: the text {name} does not stand in it: write {{{{ {name} }}}}"
+                _make_fault(template, key_path(place), Message("template.not-in-it", name=name))
                 for place in lacking
             ]
-    return [f"{template.name}.toml: {fault}" for fault in faults]
+    return faults
+
+
+def _make_fault(template: Template, place: str, what: Message) -> Fault:
+    return Fault(f"{template.name}.toml: {place}", what)
 
 
 def _find_slot_names(text: str) -> frozenset[str]:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from kinegrade.errors import TemplateError
 from kinegrade.fields.place import Place, key_path
 from kinegrade.language import Language
-from kinegrade.language.message import Fault, Message, Part, list_choices, list_plainly
+from kinegrade.language.message import Fault, Message, Part, Quoted, list_choices, list_plainly
 from kinegrade.problem.template import Template
 from kinegrade.problem.translated import (
     Translated,
@@ -47,11 +47,11 @@ def find_missing_texts(template: Template, language: Language) -> tuple[str, ...
     return tuple(key_path(place) for place, text in _list_texts(template) if not text.has(language))
 
 
-def find_unfinished_translations(template: Template) -> list[str]:
+def find_unfinished_translations(template: Template) -> list[Fault]:
     """A fault for each text that is missing in a language which other texts have."""
     named = find_named_languages([text for _, text in _list_texts(template)])
     return [
-        f'{place}: no text in "{language}", in which others are: write it, or remove "{language}"'
+        Fault(place, Message("template.unfinished", language=Quoted(language)))
         for language in named
         for place in find_missing_texts(template, language)
     ]

@@ -156,14 +156,14 @@ def test_the_same_mechanism_gives_the_same_figure() -> None:
 @pytest.mark.parametrize(
     ("table", "message"),
     [
-        ({"radii": [{"symbol": "r", "centre": "O"}]}, "figure.radii: no circle about 'O'"),
+        ({"radii": [{"symbol": "r", "centre": "O"}]}, 'figure.radii: no circle about "O"'),
         (
             {"radii": [{"symbol": "r", "centre": "O", "through": "B"}]},
-            "no circle through 'B' about 'O'",
+            'no circle through "B" about "O"',
         ),
         (
             {"labels": {"ground": "1"}},
-            "figure.labels.ground: no circle and no bar of 'ground' is drawn",
+            'figure.labels.ground: no circle and no bar of "ground" is drawn',
         ),
     ],
 )

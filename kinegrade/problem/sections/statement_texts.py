@@ -25,17 +25,16 @@ from kinegrade.problem.template import Condition, Wording
 from kinegrade.problem.translated import Translated
 
 _MOST = 20  # texts of a template, and wordings of a text
+_AT_MOST = Message("template.at-most", most=_MOST)
 _LIKE = '{ if = "alpha > 0", en = "...", zh = "..." }'
-_LAST = 'without "if" it applies at all values, so nothing after it does'
 
 
 def read_texts(table: Table) -> dict[str, dict[int, Wording]]:
     """The texts by name, each with the wordings that can be read, by their position in the file."""
     texts = table.table("text")
     if len(texts) > _MOST:
-        table.fault(
-            "text", f"{len(texts)} texts", f"at most {_MOST}", "put fewer into the statement"
-        )
+        what, expected = Message("template.texts", count=len(texts)), _AT_MOST
+        table.fault("text", what, expected, Message("template.put-fewer"))
         return {}
     return {name: _read_wordings(texts, name) for name in texts}
 
@@ -43,12 +42,12 @@ def read_texts(table: Table) -> dict[str, dict[int, Wording]]:
 def _read_wordings(texts: Table, name: str) -> dict[int, Wording]:
     entries = texts.tables(name, _LIKE)
     if isinstance(texts.value(name), list) and not 1 <= len(entries) <= _MOST:
-        expected = f"1 to {_MOST} of them, each under its own [[text.{name}]]"
-        texts.fault(name, f"{len(entries)} wordings", expected)
+        expected = Message("template.wordings-each", most=_MOST, name=name)
+        texts.fault(name, Message("template.wordings", count=len(entries)), expected)
         return {}
     for entry in entries[:-1]:
         if _applies_always(entry):
-            entry.fault(None, _LAST, do="put it last")
+            entry.fault(None, Message("template.not-last"), do=Message("template.put-last"))
     return present({number: _read_wording(entry) for number, entry in enumerate(entries)})
 
 
