@@ -30,9 +30,8 @@ from kinegrade.grading.sense import find_direction, split_sense
 from kinegrade.grading.typed_amount import Amount, convert, make_rational_amount, work_out
 from kinegrade.grading.typed_value import Formula, scan_value
 from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion
-from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message, Quoted, Text
+from kinegrade.language.spellings import match_spellings
 from kinegrade.sign_conventions import Convention
 
 _LONGEST_ANSWER = 200
@@ -176,9 +175,7 @@ def _undress(text: str) -> str:
 @cache
 def _match_about() -> re.Pattern[str]:
     """A sign or a word for "about" in any language, the longest of those that begin alike."""
-    listed = (open_catalogue(language).text("marking.about") for language in known_languages())
-    spellings = sorted((word for words in listed for word in words.split("|")), key=len)
-    words = "|".join(map(re.escape, reversed(spellings)))
+    words = match_spellings(Message("marking.about"))
     return re.compile(rf"(?:{_ABOUT}|{words})\s*", re.IGNORECASE)
 
 
