@@ -117,7 +117,7 @@ def make_feedback_sheets(
                 student,
                 candidate.name,
                 candidate.paper,
-                _write_share(total.total, total.out_of),
+                _write_share(total.total, total.out_of, catalogue),
                 kept,
                 tuple(_make_questions(answers, paper, wording, catalogue)),
             ),
@@ -149,9 +149,8 @@ def _make_questions(
         points = sum((answer.points for answer in asked), Fraction(0))
         out_of = sum((answer.out_of for answer in asked), Fraction(0))
         rows = tuple(_make_feedback_row(answer, paper, wording, catalogue) for answer in asked)
-        yield FeedbackQuestion(
-            heading, wording.titles.get(question, ""), _write_share(points, out_of), rows
-        )
+        share = _write_share(points, out_of, catalogue)
+        yield FeedbackQuestion(heading, wording.titles.get(question, ""), share, rows)
 
 
 def _head_question(question: str, number: int) -> Message:
@@ -172,10 +171,10 @@ def _make_feedback_row(
         wording.symbols.get(answer.column, rf"\mathrm{{{answer.ask.replace('_', ' ')}}}"),
         wording.meanings.get(answer.column, ""),
         _cut(answer.typed),
-        catalogue.write(_describe_reading(answer)),
-        write_right(right) if right else "",
+        catalogue.write(_describe_reading(answer, catalogue)),
+        _mark_decimals(write_right(right), catalogue) if right else "",
         catalogue.write(name_verdict(answer.verdict)),
-        _write_share(answer.points, answer.out_of),
+        _write_share(answer.points, answer.out_of, catalogue),
         prose,
         bool(prose) and answer.verdict == "wrong",
         remark.note,
@@ -186,11 +185,16 @@ def _cut(typed: str) -> str:
     return typed if len(typed) <= _LONGEST_TYPED else f"{typed[:_LONGEST_TYPED]}…"
 
 
-def _describe_reading(answer: MarkedAnswer) -> Text:
+def _mark_decimals(number: str, catalogue: Catalogue) -> str:
+    """A number that is written with a decimal point, with the mark of the language."""
+    return number.replace(".", catalogue.decimal_mark)
+
+
+def _describe_reading(answer: MarkedAnswer, catalogue: Catalogue) -> Text:
     if answer.read_as in ("", answer.typed.strip()):
         return ""
     number = _write_with_unit(answer.read_as, answer.unit).replace("-", "−")
-    return Message("feedback.read-as", number=number)
+    return Message("feedback.read-as", number=_mark_decimals(number, catalogue))
 
 
 def write_right(right: RightAnswer) -> str:
@@ -236,6 +240,6 @@ def _write_with_unit(number: str, unit: str) -> str:
     return f"{number}{shown}" if shown in ("", "°") else f"{number}\u202f{shown}"
 
 
-def _write_share(points: Fraction, out_of: Fraction) -> str:
+def _write_share(points: Fraction, out_of: Fraction, catalogue: Catalogue) -> str:
     """Points out of the maximum."""
-    return f"{write_amount(points)} / {write_amount(out_of)}"
+    return _mark_decimals(f"{write_amount(points)} / {write_amount(out_of)}", catalogue)

@@ -23,7 +23,7 @@ from kinegrade.grading.feedback_html import write_feedback_html
 from kinegrade.grading.feedback_markdown import write_feedback_markdown
 from kinegrade.grading.hints import Hint, find_hint
 from kinegrade.grading.paper_record import PaperRecords, RightAnswer
-from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.grading.marked_folder import RIGHT, Page, mark_class
 
@@ -128,6 +128,18 @@ def test_a_sheet_says_what_was_typed_how_it_was_read_what_is_right_and_why(tmp_p
     )
     assert (sheet.total, first.points, second.points) == ("0 / 9.5", "0 / 7", "0 / 2.5")
     assert (first.heading, first.title, second.title) == ("Question 1", "Crank $OA$ & rod", "")
+
+
+def test_numbers_have_the_decimal_mark_of_the_language(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Catalogue, "decimal_mark", ",")
+    (sheet,) = sheets(tmp_path, ("1.760 m/s", "0", "-0.125"))
+    (first, _), (second,) = (question.rows for question in sheet.questions)
+    assert (first.typed, first.read_as) == ("1.760 m/s", "read as 1,760\u202fm/s")
+    assert (first.right, sheet.total) == ("√3 ≈ 1,73205\u202fm/s", "5,5 / 9,5")
+    assert "off by 1,6 % where" in first.remark
+    assert (second.right, second.points) == ("−0,125\u202fm/s²", "2,5 / 2,5")
 
 
 def test_a_close_answer_is_told_by_how_much_it_is_off(tmp_path: Path) -> None:
