@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, Protocol
 
-from kinegrade.errors import write_message
+from kinegrade.language.message import Fault, Message
 from kinegrade.press.sheet import KeyBook, Paper, SolutionSheet
 
 Engine = Literal["typst", "latex"]
@@ -26,14 +26,10 @@ class Printout:
     sources: Mapping[str, bytes] = field(default_factory=dict)
 
 
-def unprintable_character(where: str, character: str) -> str:
+def unprintable_character(where: str, character: str) -> Fault:
     """The message for a character that no font of a press has."""
-    return write_message(
-        where,
-        f"no font prints {character} (U+{ord(character):04X})",
-        "Latin, Greek, Cyrillic or Chinese",
-        "write it otherwise",
-    )
+    code = f"U+{ord(character):04X}"
+    return Fault(where, Message("typesetting.no-font", character=character, code=code))
 
 
 class Press(Protocol):

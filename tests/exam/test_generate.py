@@ -21,7 +21,6 @@ from kinegrade.exact.balls import Balls
 from kinegrade.exact.text import write_decimal
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.expression import evaluate, make_elementary_functions, read_expression
-from kinegrade.press.word.press import MISSING
 from kinegrade.problem.library import find_shipped, load_template
 from tests.problem.crank import crank_text
 from tests.small_class import (
@@ -50,6 +49,7 @@ TOP = [
     "papers.pdf",
     "templates",
 ]
+NO_PANDOC = "pandoc not found - expected the optional extra - pip install 'kinegrade[word]'"
 
 
 @pytest.fixture
@@ -489,7 +489,7 @@ def test_a_missing_pandoc_is_reported_before_anything_is_drawn(
     for module in (None, SimpleNamespace(get_pandoc_path=lambda: "/nowhere/pandoc")):
         monkeypatch.setitem(sys.modules, "pypandoc", module)
         (line,) = refused(folder, "--also", "html", "--also", "docx")
-        assert line == f"error: html, docx: {MISSING}"
+        assert line == f"error: html, docx: {NO_PANDOC}"
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="names of any bytes")

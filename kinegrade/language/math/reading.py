@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 
-from kinegrade.errors import TypesetError, write_message
+from kinegrade.errors import TypesetError
 from kinegrade.language.lines import shorten
 from kinegrade.language.math.letters import FUNCTIONS, GREEK, SIGNS
 from kinegrade.language.math.tokens import (
@@ -19,7 +19,6 @@ from kinegrade.language.math.tokens import (
     FRACTIONS,
     SPACES,
     STYLES,
-    MathFault,
     TokenCursor,
     find_environment,
     find_token_faults,
@@ -48,17 +47,18 @@ from kinegrade.language.math.tree import (
     Text,
     Unit,
 )
+from kinegrade.language.message import Fault, Message
 
 _DEEPEST = 40  # levels of braces and arguments; a formula of an exam has five
-_TOO_DEEP = MathFault("is nested too deeply", f"at most {_DEEPEST} levels", "write it flatter")
+_TOO_DEEP = Message("typesetting.too-deep", most=_DEEPEST)
 BRACKETS = frozenset(("(", ")", "[", "]", "|", ".", r"\{", r"\}", r"\|"))
 _SCRIPTS = frozenset(("_", "^", "'"))
 _NO_ATOM = _SCRIPTS | {"&", r"\\", r"\\{}"}
-_WHOLE = MathFault("cannot be read", "whole LaTeX math", "fix it")
-_STRAY = MathFault(r"\right without \left", r"a \left for it", "add it")
+_WHOLE = Message("typesetting.not-whole")
+_STRAY = Message("typesetting.right-alone")
 _MISSING = {
-    r"\right": MathFault(r"\left without \right", r"a \right for it", "add it"),
-    "]": MathFault(r"\sqrt[ without ]", "a ] for it", "add it"),
+    r"\right": Message("typesetting.left-alone"),
+    "]": Message("typesetting.root-open"),
 }
 
 
@@ -73,21 +73,19 @@ def read_math(latex: str, where: str) -> Row:
     read = _read(latex)
     if isinstance(read, _Refused):
         place = write_formula_place(latex, where)
-        raise TypesetError(
-            *(write_message(place, fault.what, fault.expected, fault.do) for fault in read.faults)
-        )
+        raise TypesetError(*(Fault(place, fault) for fault in read.faults))
     return read
 
 
-def write_formula_place(latex: str, where: str) -> str:
+def write_formula_place(latex: str, where: str) -> Message:
     """How a message names a formula, cut if it is long."""
-    return f"{where}: formula ${shorten(latex)}$"
+    return Message("typesetting.formula", where=where, formula=shorten(latex))
 
 
 class _Refused(Exception):
     """The faults of a formula."""
 
-    def __init__(self, *faults: MathFault) -> None:
+    def __init__(self, *faults: Message) -> None:
         self.faults = faults
         super().__init__()
 
@@ -174,8 +172,7 @@ class _Reader:
             self._tokens.take()
             return self._row("}")
         if token in _NO_ATOM or _is_end(token):
-            do = f"write {command}{{...}}"
-            raise _Refused(MathFault(f"{command} with nothing after it", "what it acts on", do))
+            raise _Refused(Message("typesetting.nothing-after", command=command))
         self._deepen()
         atom = self._atom()
         self._depth -= 1
@@ -237,8 +234,7 @@ class _Reader:
     def _bracket(self, command: str) -> str:
         bracket = self._tokens.take()
         if bracket not in BRACKETS:
-            expected, do = "a bracket, or a point for none", f"write {command}( or {command}."
-            raise _Refused(MathFault(f"{command} without a bracket", expected, do))
+            raise _Refused(Message("typesetting.no-bracket", command=command))
         return bracket
 
 

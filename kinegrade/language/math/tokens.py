@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from difflib import get_close_matches
 from itertools import pairwise
 from typing import get_args
@@ -22,6 +21,7 @@ from kinegrade.language.math.tree import (
     SpaceName,
     Style,
 )
+from kinegrade.language.message import Message, list_choices
 
 ENVIRONMENTS: dict[str, EnvironmentName] = {name: name for name in get_args(EnvironmentName)}
 FRACTIONS: dict[str, FractionName] = {name: name for name in get_args(FractionName)}
@@ -60,15 +60,6 @@ _TOKEN = re.compile(
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)\{([^{}]*)\}")
 _WORDS = re.compile(r"\\(?:text|unit)\s*\{")
 _FORBIDDEN = re.compile(r'[#"$@`~]|//|/\*|[^\x00-\x7f]')
-
-
-@dataclass(frozen=True, slots=True)
-class MathFault:
-    """What is wrong in a formula, what was expected, and what to do."""
-
-    what: str
-    expected: str
-    do: str
 
 
 def split_tokens(latex: str) -> tuple[str, ...]:
@@ -124,46 +115,41 @@ def find_environment(token: str) -> str | None:
     return found[1] if found else None
 
 
-def find_token_faults(tokens: Sequence[str]) -> Iterator[MathFault]:
+def find_token_faults(tokens: Sequence[str]) -> Iterator[Message]:
     """What is wrong with single tokens, in their order, and with the number of braces."""
     for token in tokens:
         yield from _find_fault(token)
     if any(pair == ("^", "^") for pair in pairwise(tokens)):
-        yield MathFault("^ after ^", "one thing after each ^", "write ^{...}")
+        yield Message("typesetting.raised-twice")
     if not _is_balanced(tokens):
-        yield MathFault("braces do not match", "a } for every {", "count them")
+        yield Message("typesetting.braces")
 
 
-def _find_fault(token: str) -> Iterator[MathFault]:
+def _find_fault(token: str) -> Iterator[Message]:
     environment = find_environment(token)
     if is_words(token) or environment in ENVIRONMENTS:
         return
     if environment is not None:
-        expected = " or ".join(sorted(ENVIRONMENTS))
-        yield MathFault(f"unknown environment {environment}", expected, "use one of these")
+        known = list_choices(sorted(ENVIRONMENTS))
+        yield Message("typesetting.unknown-environment", name=environment, known=known)
     elif token in (r"\begin", r"\end"):
-        yield MathFault(
-            "\\begin or \\end without braces",
-            "braces right after it",
-            "write \\begin{cases} or \\begin{aligned}",
-        )
+        yield Message("typesetting.bare-environment")
     elif token.startswith("\\"):
         yield from _find_unknown(token.removeprefix("\\").removesuffix("{}"))
     elif token == "%":
-        yield MathFault("% in math", "a percent sign that starts no comment", "write \\%")
+        yield Message("typesetting.comment")
     elif _FORBIDDEN.fullmatch(token) or not token.isprintable():
-        yield MathFault(
-            f"{token if token.isprintable() else repr(token)} in math",
-            "letters, numbers and LaTeX commands",
-            "put it into \\text{...} or outside the formula",
-        )
+        shown = token if token.isprintable() else repr(token)
+        yield Message("typesetting.no-math", text=shown)
 
 
-def _find_unknown(name: str) -> Iterator[MathFault]:
+def _find_unknown(name: str) -> Iterator[Message]:
     if name not in _KNOWN:
         near = get_close_matches(name, COMMANDS, n=1)
-        hint = f"did you mean \\{near[0]}?" if near else "write it with other commands"
-        yield MathFault(f"unknown command \\{name}", "plain LaTeX math", hint)
+        hint = Message("typesetting.other-commands")
+        if near:
+            hint = Message("typesetting.near-command", name=near[0])
+        yield Message("typesetting.unknown-command", name=name, hint=hint)
 
 
 def _is_balanced(tokens: Sequence[str]) -> bool:

@@ -19,23 +19,23 @@ from markdown_it.tree import SyntaxTreeNode
 from markdown_it.utils import EnvType, OptionsDict
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-from kinegrade.errors import TypesetError, write_message
+from kinegrade.errors import TypesetError
 from kinegrade.language.gathering import convert_each
+from kinegrade.language.message import Fault, Message
 
 _REFUSED = {
-    "image": "an image",
-    "html_inline": "raw HTML",
-    "html_block": "raw HTML",
-    "link": "a link",
-    "heading": "a heading",
-    "blockquote": "a quotation",
-    "code_inline": "code",
-    "code_block": "code (a line indented by four blanks)",
-    "fence": "code",
-    "hr": "a rule across the page",
-    "math_block_label": "a labelled formula",
+    "image": Message("typesetting.image"),
+    "html_inline": Message("typesetting.html"),
+    "html_block": Message("typesetting.html"),
+    "link": Message("typesetting.link"),
+    "heading": Message("typesetting.heading"),
+    "blockquote": Message("typesetting.quotation"),
+    "code_inline": Message("typesetting.code"),
+    "code_block": Message("typesetting.indented-code"),
+    "fence": Message("typesetting.code"),
+    "hr": Message("typesetting.rule"),
+    "math_block_label": Message("typesetting.labelled-formula"),
 }
-_EXPECTED = "text, **bold**, *emphasis*, lists and $math$"
 
 Piece = TypeVar("Piece")
 
@@ -165,9 +165,13 @@ def make_reader(renderer: type[ProseRenderer[Piece]]) -> MarkdownIt:
 
 
 def _refuse(node: SyntaxTreeNode, where: str) -> TypesetError:
-    shown = f" ({node.content.strip()})" if node.content.strip() else ""
-    what = f"{_REFUSED[node.type]}{shown} cannot be printed"
-    return TypesetError(write_message(where, what, _EXPECTED, "take it out"))
+    kind, content = _REFUSED[node.type], node.content.strip()
+    what = Message("typesetting.refused", kind=kind)
+    if content:
+        what = Message("typesetting.refused-text", kind=kind, text=content)
+    return TypesetError(
+        Fault(where, what, Message("typesetting.prose"), Message("typesetting.take-out"))
+    )
 
 
 def _is_between_wide(nodes: Sequence[SyntaxTreeNode], place: int) -> bool:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from kinegrade.errors import write_message
 from kinegrade.language.lines import shorten
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.press.latex.xetex import Outcome
 from kinegrade.press.protocol import unprintable_character
 
 _PLACE = "%% "  # begins the comment lines of a source that say what follows
 
 
-def find_faults(outcome: Outcome, source: str, where: str) -> tuple[str, ...]:
+def find_faults(outcome: Outcome, source: str, where: str) -> tuple[Fault, ...]:
     """A line for the fault of a run, or for each character that no font printed; `where` if nothing
     nearer is known.
     """
@@ -19,21 +19,22 @@ def find_faults(outcome: Outcome, source: str, where: str) -> tuple[str, ...]:
         return tuple(
             _describe_unprinted(character, lines, where) for character in sorted(outcome.missing)
         )
-    complaint, number = f"TeX: {outcome.fault.message}", outcome.fault.line
+    complaint = Message("typesetting.tex", complaint=outcome.fault.message)
+    number = outcome.fault.line
     if number is None or number > len(lines):
-        return (write_message(where, complaint, "LaTeX that can be typeset", "fix the formulas"),)
+        return (Fault(where, complaint, Message("typesetting.latex"), Message("typesetting.fix")),)
     offending = shorten(lines[number - 1].strip())
     return (
-        write_message(
+        Fault(
             _find_place(lines, number, where),
-            f'{complaint} in line "{offending}"',
-            "math that can be typeset",
-            "fix the formula in the template",
+            Message("typesetting.in-line", complaint=complaint, line=Quoted(offending)),
+            Message("typesetting.math"),
+            Message("typesetting.fix-template"),
         ),
     )
 
 
-def _describe_unprinted(character: str, lines: list[str], where: str) -> str:
+def _describe_unprinted(character: str, lines: list[str], where: str) -> Fault:
     numbers = (
         number
         for number, line in enumerate(lines, start=1)

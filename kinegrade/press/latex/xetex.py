@@ -19,8 +19,9 @@ from typing import Literal
 
 import pylopdf_fonts_zh_cn
 
-from kinegrade.errors import TypesetError, write_message
+from kinegrade.errors import TypesetError
 from kinegrade.language.lines import shorten
+from kinegrade.language.message import Fault, Message, Text
 from kinegrade.press.program_run import run_program
 
 _Program = Literal["xelatex", "xdvipdfmx"]
@@ -53,10 +54,10 @@ _MISSING = re.compile(r"Missing character: There is no (.)")
 
 
 @dataclass(frozen=True)
-class Fault:
+class TexFault:
     """A fault that stopped TeX; `line` counts from 1 in the source, None if TeX gives none."""
 
-    message: str
+    message: Text
     line: int | None
 
 
@@ -67,7 +68,7 @@ class Outcome:
     """
 
     ranges: tuple[tuple[int, int], ...]  # of each sheet: its first page (from 1), how many it has
-    fault: Fault | None
+    fault: TexFault | None
     missing: frozenset[str]
 
 
@@ -96,12 +97,7 @@ def make_pdf(folder: Path, pages: tuple[int, int] | None = None) -> bytes:
     file = folder / f"{_JOB}.pdf"
     if not file.exists():
         raise TypesetError(
-            write_message(
-                "latex",
-                f"xdvipdfmx wrote no PDF ({shorten(output.strip())})",
-                "the pages that XeTeX has typeset",
-                "try again, or use --engine typst",
-            )
+            Fault("latex", Message("typesetting.no-pdf", output=shorten(output.strip())))
         )
     pdf = file.read_bytes()
     file.unlink()
@@ -130,15 +126,7 @@ def _execute(program: _Program, options: Sequence[str], folder: Path, seconds: f
     """
     found = which(program)
     if found is None:
-        raise TypesetError(
-            write_message(
-                "latex",
-                f"{program} not found",
-                "a TeX installation",
-                "run make tools, or install TeX Live with LaTeX, TikZ, XeTeX and xeCJK, "
-                "or use --engine typst",
-            )
-        )
+        raise TypesetError(Fault("latex", Message("typesetting.no-tex", program=program)))
     kept = {name: os.environ[name] for name in ("PATH", "SYSTEMROOT") if name in os.environ}
     private = {name: str(folder) for name in ("HOME", "TEXMFHOME", "TEXMFVAR", "TMPDIR")}
     try:
@@ -150,11 +138,9 @@ def _execute(program: _Program, options: Sequence[str], folder: Path, seconds: f
         )
     except TimeoutError as error:
         raise TypesetError(
-            write_message(
+            Fault(
                 "latex",
-                f"{program} did not end within {seconds:.0f} s",
-                "a few pages a second",
-                "typeset fewer papers at once, or look for a formula that has no end",
+                Message("typesetting.endless", program=program, seconds=round(seconds)),
             )
         ) from error
     return (done.output + done.complaint).decode("utf-8", "replace")
@@ -167,17 +153,21 @@ def _list_ranges(file: Path) -> tuple[tuple[int, int], ...]:
     return tuple((int(first), int(pages)) for first, pages in rows)
 
 
-def _find_fault(log: str, pages: Path) -> Fault | None:
+def _find_fault(log: str, pages: Path) -> TexFault | None:
     """The first thing that TeX complains of; it halts there."""
     found = _FAULT.search(log)
     if found:
-        return Fault(
+        return TexFault(
             _read_sentence(log, found), int(found[2]) if found[1] == f"{_JOB}.tex" else None
         )
     unplaced = _BARE_FAULT.search(log)
     if unplaced:
-        return Fault(unplaced[1].strip(), None)
-    return None if pages.exists() and pages.stat().st_size else Fault("TeX wrote no pages", None)
+        return TexFault(unplaced[1].strip(), None)
+    return (
+        None
+        if pages.exists() and pages.stat().st_size
+        else TexFault(Message("typesetting.no-pages"), None)
+    )
 
 
 def _read_sentence(log: str, found: re.Match[str]) -> str:

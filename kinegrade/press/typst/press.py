@@ -17,8 +17,9 @@ from typing import Literal, TypeVar
 
 import typst
 
-from kinegrade.errors import TypesetError, write_message
+from kinegrade.errors import Problem, TypesetError
 from kinegrade.language.gathering import convert_each
+from kinegrade.language.message import Fault, Message
 from kinegrade.language.typst_text import write_literal
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.legible import make_owner_legible, make_owners_legible
@@ -151,7 +152,7 @@ class TypstPress:
             return set("".join(_find_boxed(error)))
         return set()
 
-    def _faults(self, paper: Paper) -> tuple[str, ...]:
+    def _faults(self, paper: Paper) -> tuple[Problem, ...]:
         """What the compiler says of the frame around the questions, or else of each question
         alone.
         """
@@ -166,7 +167,7 @@ class TypstPress:
             for problem in self._fault(part, f"{where}, {part.questions[0].identifier}")
         )
 
-    def _fault(self, paper: Paper, where: str) -> tuple[str, ...]:
+    def _fault(self, paper: Paper, where: str) -> tuple[Problem, ...]:
         try:
             self._compile(write_paper_source(paper, self._size))
         except typst.TypstError as error:
@@ -209,10 +210,10 @@ def _find_boxed(error: typst.TypstError) -> list[str]:
     return [_ESCAPE.sub(lambda match: chr(int(match[1], 16)), text) for text in quoted]
 
 
-def _explain(error: typst.TypstError, where: str) -> tuple[str, ...]:
+def _explain(error: typst.TypstError, where: str) -> tuple[Problem, ...]:
     boxed = dict.fromkeys("".join(_find_boxed(error)))
     if not boxed:
         return (
-            write_message(where, error.message, "math that can be typeset", "fix the formulas"),
+            Fault(where, error.message, Message("typesetting.math"), Message("typesetting.fix")),
         )
     return tuple(unprintable_character(where, character) for character in boxed)

@@ -8,12 +8,13 @@ from importlib import import_module
 from shutil import which
 from typing import Literal
 
-from kinegrade.errors import TypesetError, write_message
+from kinegrade.errors import TypesetError
 from kinegrade.language.math.reading import write_formula_place
+from kinegrade.language.message import Fault, Message
 from kinegrade.press.program_run import run_program
 
 Kind = Literal["docx", "html"]
-MISSING = "pandoc not found - expected the optional extra - pip install 'kinegrade[word]'"
+_MISSING = Message("typesetting.no-pandoc")
 _SECONDS = 60  # a paper takes a fraction of one
 _UNREAD = re.compile(r"Could not convert TeX math (.*?), rendering as TeX")
 
@@ -22,7 +23,7 @@ def require_pandoc(kinds: Iterable[str]) -> None:
     """Raises TypesetError where there is no pandoc to write these kinds of files."""
     wanted = ", ".join(kinds)
     if which(_find_pandoc(wanted)) is None:
-        raise TypesetError(f"{wanted}: {MISSING}")
+        raise TypesetError(Fault(wanted, _MISSING))
 
 
 def run_pandoc(kind: Kind, options: Sequence[str], tree: bytes) -> bytes:
@@ -40,34 +41,23 @@ def run_bare_pandoc(kind: Kind, options: Sequence[str], given: bytes) -> bytes:
         result = run_program(command, _SECONDS, given=given)
     except TimeoutError as error:
         raise TypesetError(
-            write_message(
-                kind, f"pandoc has not ended after {_SECONDS} s", "a fraction of one", "try again"
-            )
+            Fault(kind, Message("typesetting.pandoc-endless", seconds=_SECONDS))
         ) from error
     except OSError as error:
-        raise TypesetError(f"{kind}: {MISSING}") from error
+        raise TypesetError(Fault(kind, _MISSING)) from error
     if result.status:
         raise TypesetError(*_explain(result.complaint.decode(errors="replace"), kind))
     return result.output
 
 
-def _explain(complaint: str, kind: Kind) -> tuple[str, ...]:
+def _explain(complaint: str, kind: Kind) -> tuple[Fault, ...]:
     """What pandoc complains about, usually formulas."""
     said = " ".join(complaint.split())
     formulas = tuple(dict.fromkeys(_UNREAD.findall(said)))
     if not formulas:
-        return (
-            write_message(
-                kind,
-                f"pandoc: {said}",
-                "a document that it can write",
-                "try a pandoc of version 3",
-            ),
-        )
+        return (Fault(kind, Message("typesetting.pandoc", complaint=said)),)
     return tuple(
-        write_message(
-            write_formula_place(latex, kind), "cannot be read", "whole LaTeX math", "fix it"
-        )
+        Fault(write_formula_place(latex, kind), Message("typesetting.not-whole"))
         for latex in formulas
     )
 
@@ -77,4 +67,4 @@ def _find_pandoc(kind: str) -> str:
     try:
         return str(import_module("pypandoc").get_pandoc_path())
     except (ImportError, OSError) as error:
-        raise TypesetError(f"{kind}: {MISSING}") from error
+        raise TypesetError(Fault(kind, _MISSING)) from error

@@ -12,9 +12,10 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import Literal, get_args
 
-from kinegrade.errors import TypesetError, did_you_mean, write_message
+from kinegrade.errors import TypesetError, suggest
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import write_typst
+from kinegrade.language.message import Fault, Message
 from kinegrade.press.html.page import write_page
 from kinegrade.press.sheet import Paper, PaperSize
 from kinegrade.press.typst.compiler import make_compiler
@@ -49,11 +50,7 @@ class PandocPress:
                 return self.html(paper)
             case _:
                 raise TypesetError(
-                    write_message(
-                        kind,
-                        "not a kind of file that papers are written in",
-                        do=did_you_mean(kind, _KINDS),
-                    )
+                    Fault(kind, Message("typesetting.no-kind"), do=suggest(kind, _KINDS))
                 )
 
     def docx(self, paper: Paper) -> bytes:

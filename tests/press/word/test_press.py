@@ -21,7 +21,6 @@ from kinegrade.language.math.tokens import COMMANDS
 from kinegrade.press.program_run import ProgramRun
 from kinegrade.press.sheet import Paper
 from kinegrade.press.word import pandoc
-from kinegrade.press.word.pandoc import MISSING
 from kinegrade.press.word.paper import write_paper_tree
 from kinegrade.press.word.press import PandocPress
 from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION
@@ -43,6 +42,7 @@ WITH_ARGUMENT = (
     "mathrm mathbf mathit boldsymbol bm vec bar hat tilde dot ddot overline underbrace "
     "overrightarrow sqrt"
 )
+NO_PANDOC = "pandoc not found - expected the optional extra - pip install 'kinegrade[word]'"
 
 
 @pytest.fixture(scope="module")
@@ -298,12 +298,12 @@ def test_without_pandoc_one_is_told_how_to_get_it(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setitem(sys.modules, "pypandoc", None)
     with pytest.raises(TypesetError) as refusal:
         PandocPress().docx(ENGLISH)
-    assert str(refusal.value) == f"docx: {MISSING}"
+    assert str(refusal.value) == f"docx: {NO_PANDOC}"
     gone = SimpleNamespace(get_pandoc_path=lambda: "/nowhere/pandoc")
     monkeypatch.setitem(sys.modules, "pypandoc", gone)
     with pytest.raises(TypesetError) as refusal:
         PandocPress().html(ENGLISH)
-    assert str(refusal.value) == f"html: {MISSING}"
+    assert str(refusal.value) == f"html: {NO_PANDOC}"
 
 
 def test_a_pandoc_that_does_not_end_is_given_up(
