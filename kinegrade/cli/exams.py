@@ -176,7 +176,7 @@ def _add(
         jobs=jobs,
         progress=show_progress,
     )
-    say_of(exam, str(added))
+    say_of(exam, added.summary)
     finish_with_complaints(added.complaints)
 
 
@@ -221,7 +221,7 @@ def _say(written: Generated, output: Path) -> None:
             )
         )
     if written.changes is not None:
-        say_of(output, str(written.changes))
+        say_of(output, written.changes.summary)
     for remark in written.remarks:
         say_of(output, remark)
     say(Message("terminal.generated", exam=str(output), count=written.papers))

@@ -5,12 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from kinegrade.csv_writing import neutralise, write_for_people
-from kinegrade.errors import TableError, write_message
+from kinegrade.errors import TableError
 from kinegrade.exam.exam_files import write_blank_answers
 from kinegrade.exam.folder.contents import ANSWERS
 from kinegrade.exam.folder.records import Candidate, ExamHead
 from kinegrade.exam.hand_work import OWN_COLUMNS
 from kinegrade.exam.roster import make_student_key
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.tables import Table, make_header_key, read_table
 
 
@@ -28,12 +29,7 @@ def write_grown_answers(old: Path, head: ExamHead, folder: Path) -> None:
     columns = [make_header_key(name) for name in table.header]
     if OWN_COLUMNS[0] not in columns:
         raise TableError(
-            write_message(
-                str(sheet),
-                f'no column "{OWN_COLUMNS[0]}"',
-                "the answer sheet as kinegrade generate wrote it, with what was typed into it",
-                "restore the header, or move the file elsewhere",
-            )
+            Fault(str(sheet), Message("exam.no-answer-column", column=Quoted(OWN_COLUMNS[0])))
         )
     blank = (_blank(columns, each) for each in _lacking(table, columns, head))
     write_for_people(folder / ANSWERS, table.header, (*(row.cells for row in table.rows), *blank))

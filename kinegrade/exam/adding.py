@@ -12,7 +12,6 @@ from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from kinegrade.counting import count_in_words
 from kinegrade.errors import OutputError, Problem
 from kinegrade.exam.added_answers import write_grown_answers
 from kinegrade.exam.blueprint import Blueprint
@@ -36,10 +35,15 @@ from kinegrade.exam.roster import Roster
 from kinegrade.exam.roster_complaints import roster_complaints
 from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
+from kinegrade.language.message import Fault, Message
 from kinegrade.press.sheet import KeyPaper
 from kinegrade.processes import open_executor
 
 _GROUP_READS = 0o040
+_MISSING = {
+    PAPERS: Message("exam.papers-missing"),
+    SOLUTIONS: Message("exam.solutions-missing"),
+}
 
 
 @dataclass(frozen=True)
@@ -50,10 +54,11 @@ class Added:
     before: int
     complaints: tuple[Problem, ...]
 
-    def __str__(self) -> str:
-        stay = "stays" if self.before == 1 else "stay"
-        as_were = "as it is" if self.before == 1 else "as they are"
-        return f"{count_in_words(self.papers, 'paper')} added, {self.before} {stay} {as_were}"
+    @property
+    def summary(self) -> Message:
+        """What was done, in one line."""
+        stay = Message("exam.papers-stay", count=self.before)
+        return Message("exam.papers-added", count=self.papers, stay=stay)
 
 
 def add_students(
@@ -108,11 +113,7 @@ def _run(exam: ExamFolder, kept: KeptExam) -> PrintRun:
     missing = [name for name in names if not (exam.path / f"{name}.pdf").is_file()]
     if missing:
         raise OutputError(
-            *(
-                f"{exam.path / f'{name}.pdf'}: is missing - expected the {name} of all students, "
-                "to which those of late students are added - restore the exam folder"
-                for name in missing
-            )
+            *(Fault(str(exam.path / f"{name}.pdf"), _MISSING[name]) for name in missing)
         )
     stems = [Path(each.file).stem for each in exam.head.students]
     also = tuple(

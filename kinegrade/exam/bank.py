@@ -37,6 +37,7 @@ from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries, Entry
 from kinegrade.exam.bank_terms import read_bank_tolerance
 from kinegrade.exam.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
 from kinegrade.exam.folder.contents import HEAD
+from kinegrade.exam.folder.faults import REMEDY
 from kinegrade.exam.versions import LETTERS
 from kinegrade.fields.document import Document, FileKind, read_text, toml_table
 from kinegrade.fields.faults import Faults
@@ -113,9 +114,9 @@ def read_kept_bank(path: Path, folder: Path, chosen: Mapping[str, str]) -> Bank:
         if candidate.template.name == chosen.get(slot.identifier)
     )
     if [question.identifier for question in found] != list(chosen):
-        questions = list_plainly(chosen)
-        what = Message("bank.differing-questions", head=HEAD, questions=questions)
-        raise BankError(Fault(str(path), what))
+        what = Message("bank.differing-questions", head=HEAD)
+        expected = Message("bank.questions-of-exam", questions=list_plainly(chosen))
+        raise BankError(Fault(str(path), what, expected, REMEDY))
     return replace(kept.frame, questions=found)
 
 

@@ -14,13 +14,18 @@ from typing import assert_never
 
 import msgspec
 
-from kinegrade.errors import FieldError, KinegradeError
+from kinegrade.errors import FieldError, KinegradeError, Problem
 from kinegrade.exam.blueprint import BankQuestion
-from kinegrade.exam.folder.contradictions import describe_difference, explain_contradiction
+from kinegrade.exam.folder.contradictions import (
+    describe_difference,
+    explain_contradiction,
+    list_names,
+)
 from kinegrade.exam.folder.numbers import RATIONAL, require_number
 from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer, StatedNumber, StatedTolerance
 from kinegrade.exam.key_record import make_stated_answer
 from kinegrade.exam.setting import Drawn, SetAsk, SetQuestion, set_drawn
+from kinegrade.language.message import Fault, Message, Part, Text
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.quantity import CERTIFIED_DIGITS, Quantity
 from kinegrade.problem.solving import Solution, solve_template
@@ -33,7 +38,7 @@ _DIGITS_SHOWN = 12
 
 
 def derive_question(
-    question: BankQuestion, kept: KeyQuestion, where: str, plan: Plan | None = None
+    question: BankQuestion, kept: KeyQuestion, where: Text, plan: Plan | None = None
 ) -> SetQuestion:
     """The question as it was set for a student whose line of the key says `kept`; `where` names
     that place in messages, `plan` is one that may serve.
@@ -48,21 +53,23 @@ def derive_question(
     return derived
 
 
-def _solve(question: BankQuestion, kept: KeyQuestion, where: str, plan: Plan | None) -> Solution:
+def _solve(question: BankQuestion, kept: KeyQuestion, where: Text, plan: Plan | None) -> Solution:
     asks = tuple(ask.name for ask in question.asks)
     try:
         return solve_template(question.template, kept.values, asks, plan)
     except KinegradeError as error:
-        reasons = (f"no longer follows ({problem})" for problem in error.problems)
+        reasons = (Message("exam.no-longer-follows", reason=each) for each in error.faults)
         raise explain_contradiction(where, reasons) from error
 
 
-def _find_differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[str]:
+def _find_differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[Problem]:
     """The differences between a question and its key, each with both values."""
     parameters = derived.drawn.solution.parameters
     asks = {entry.ask.name: entry for entry in derived.asks}
-    yield from _name_differences("parameters", parameters, kept.parameters)
-    yield from _name_differences("asks", asks, kept.asks)
+    if set(parameters) != set(kept.parameters):
+        yield Message("exam.parameters-differ", **_name_both(parameters, kept.parameters))
+    if set(asks) != set(kept.asks):
+        yield Message("exam.asks-of-templates-differ", **_name_both(asks, kept.asks))
     for name, quantity in parameters.items():
         if name in kept.parameters:
             yield from _find_value_differences(name, quantity, kept.parameters[name], _CERTIFIED)
@@ -78,25 +85,21 @@ def _exactly_drawn(kept: KeyQuestion) -> bool:
     return bool(kept.drawn) or all(each.exact is not None for each in kept.parameters.values())
 
 
-def _name_differences(what: str, derived: Collection[str], kept: Collection[str]) -> Iterator[str]:
-    if set(derived) != set(kept):
-        yield f"the key has the {what} {_write_list(kept)}, the templates {_write_list(derived)}"
-
-
-def _write_list(names: Collection[str]) -> str:
-    return ", ".join(sorted(names)) or "none"
+def _name_both(derived: Collection[str], kept: Collection[str]) -> dict[str, Part]:
+    """The names on both sides of a difference, as parts of a message."""
+    return {"found": list_names(sorted(kept)), "derived": list_names(sorted(derived))}
 
 
 def _find_value_differences(
     name: str, derived: Quantity, kept: StatedNumber | StatedAnswer, room: Fraction
-) -> Iterator[str]:
+) -> Iterator[Message]:
     """Where a quantity differs from the key: in its unit, or in one of the forms of its value.
 
     An exact form that is no plain number is not compared: it may be printed in many ways, and
     marks go by its decimal.
     """
     if derived.unit != kept.unit:
-        yield f"{name} is in {kept.unit} by the key, in {derived.unit} by the template"
+        yield Message("exam.unit-differs", name=name, found=kept.unit, derived=derived.unit)
     plain = kept.exact if kept.exact is not None and RATIONAL.fullmatch(kept.exact) else None
     stated = (
         ("exact", plain, room),
@@ -105,9 +108,9 @@ def _find_value_differences(
     )
     for way, found, allowed in stated:
         if found is not None and not _agree(way, found, derived, allowed):
-            yield describe_difference(name, found, derived.decimal(_DIGITS_SHOWN))
+            yield describe_difference(name, str(found), derived.decimal(_DIGITS_SHOWN))
     if all(found is None for _, found, _ in stated):
-        yield f"{name} has no value in the key"
+        yield Message("exam.no-value", name=name)
 
 
 def _agree(way: str, found: Decimal | str, derived: Quantity, room: Fraction) -> bool:
@@ -122,7 +125,7 @@ def _agree(way: str, found: Decimal | str, derived: Quantity, room: Fraction) ->
     return abs(kept - right) <= room * abs(right)
 
 
-def _find_term_differences(entry: SetAsk, kept: StatedAnswer) -> Iterator[str]:
+def _find_term_differences(entry: SetAsk, kept: StatedAnswer) -> Iterator[Fault]:
     """Where the terms by which an answer is marked are not those of the key."""
     derived = make_stated_answer(entry, {})
     terms = (
@@ -132,16 +135,15 @@ def _find_term_differences(entry: SetAsk, kept: StatedAnswer) -> Iterator[str]:
     )
     for term, ours, theirs in terms:
         if ours != theirs:
-            yield (
-                f"{entry.ask.name}: {term} is {_write_value(theirs)} "
-                f"by the key, {_write_value(ours)} by the bank"
-            )
+            found, derives = _write_value(theirs), _write_value(ours)
+            what = Message("exam.term-differs", term=term, found=found, derived=derives)
+            yield Fault(entry.ask.name, what)
 
 
-def _write_value(term: StatedTolerance | Decimal | None) -> str:
+def _write_value(term: StatedTolerance | Decimal | None) -> Text:
     match term:
         case None:
-            return "none"
+            return Message("grammar.no-names")
         case Decimal():
             return str(term)
         case StatedTolerance():

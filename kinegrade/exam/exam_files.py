@@ -28,7 +28,7 @@ from kinegrade.exam.folder.contents import (
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.writing import encode_head
 from kinegrade.exam.hand_work import OWN_COLUMNS
-from kinegrade.exam.head_record import WARNING
+from kinegrade.exam.head_record import write_warning
 from kinegrade.exam.pages import make_key_book
 from kinegrade.exam.printed_files import printed_files, write_key
 from kinegrade.exam.printing import Printed, PrintRun
@@ -153,4 +153,4 @@ def write_head(head: ExamHead, editable: Mapping[str, str] | None, folder: Path)
     """exam.json and the notice to instructors; `editable` are digests of files as generated."""
     stated = None if editable is None else dict(editable)
     (folder / HEAD).write_bytes(encode_head(structs.replace(head, editable=stated)))
-    (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")
+    (folder / NOTICE).write_text(f"{write_warning()}\n", encoding="utf-8")

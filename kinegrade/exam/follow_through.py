@@ -13,10 +13,15 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import remainder
 
-from kinegrade.exam.folder.contradictions import describe_difference, explain_contradiction
+from kinegrade.exam.folder.contradictions import (
+    describe_difference,
+    explain_contradiction,
+    name_place,
+)
 from kinegrade.exam.folder.exact_keys import find_exact_value
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer
+from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.follow_through import (
     Follower,
@@ -101,20 +106,19 @@ class FollowThrough:
             for name, parameter in template.parameters.items()
         }
         follower = Follower(template, values, self.plan(question, template))
-        self._require_same(follower, kept, f'student "{student}", {question}')
+        self._require_same(follower, kept, name_place(self.exam.key, student, question))
         return follower
 
-    def _require_same(self, follower: Follower, kept: KeyQuestion, where: str) -> None:
+    def _require_same(self, follower: Follower, kept: KeyQuestion, where: Message) -> None:
         """Raises ExamError if an answer of the instance differs from the key's: anything that
         followed would belong to another mechanism.
         """
         for name, answer in kept.asks.items():
             derived = follower.right(name) if name in follower.template.asks else None
             if derived is not None and not _is_same(derived, answer):
-                difference = describe_difference(
-                    name, answer.decimal or answer.value, f"{derived:.12g}"
-                )
-                raise explain_contradiction(f"{self.exam.key}: {where}", [difference])
+                stated = str(answer.decimal or answer.value)
+                difference = describe_difference(name, stated, f"{derived:.12g}")
+                raise explain_contradiction(where, [difference])
 
     def plan(self, question: str, template: Template) -> Plan | None:
         """The plan of a question's template, found once; it is the same for all students."""

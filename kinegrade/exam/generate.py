@@ -42,6 +42,7 @@ from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages
+from kinegrade.language.message import Message
 from kinegrade.press.protocol import Engine
 from kinegrade.press.sheet import PaperSize
 from kinegrade.processes import open_executor
@@ -65,7 +66,7 @@ class Generated:
     drawn: dict[str, str]
     complaints: tuple[Problem, ...]
     changes: PaperChanges | None
-    remarks: tuple[str, ...]
+    remarks: tuple[Message, ...]
 
     @property
     def papers(self) -> int:

@@ -8,16 +8,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from kinegrade.errors import BankError, TableError, write_message
+from kinegrade.errors import BankError, TableError
 from kinegrade.exam.blueprint import Bank, Blueprint
 from kinegrade.exam.exam_files import source_files, translation_files
 from kinegrade.exam.folder.contents import HEAD, TEMPLATES
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.kept_exam import student_of
 from kinegrade.exam.roster import Roster, Student, make_file_names, make_student_key
+from kinegrade.language.message import Fault, Message, Quoted
 
-_EXPECTED = "the bank and the templates that the exam was generated from"
-_RESTORING = "give those, or write another exam"
+_EXPECTED = Message("exam.same-sources")
+_RESTORING = Message("exam.give-same-sources")
 
 
 @dataclass(frozen=True)
@@ -34,13 +35,16 @@ def require_same_sources(exam: ExamFolder, blueprint: Blueprint) -> None:
     sources = source_files(bank) | translation_files(bank, (exam.language,))
     found = {question.template.name for question in bank.questions}
     faults = [
-        write_message(str(exam.path / name), "differs from what was given", _EXPECTED, _RESTORING)
+        Fault(str(exam.path / name), Message("exam.differs-from-given"), _EXPECTED, _RESTORING)
         for name, text in sources.items()
         if not _holds(exam.path / name, text)
     ]
     faults += [
-        write_message(
-            str(exam.path / TEMPLATES), f"{name} is not in the bank", _EXPECTED, _RESTORING
+        Fault(
+            str(exam.path / TEMPLATES),
+            Message("exam.not-in-bank", template=name),
+            _EXPECTED,
+            _RESTORING,
         )
         for name in dict.fromkeys(each.template for each in exam.head.questions)
         if name not in found
@@ -83,50 +87,56 @@ def late_class(exam: ExamFolder, roster: Roster, late: Roster) -> LateClass:
     return LateClass(replace(late, students=newcomers), (*earlier, *newcomers))
 
 
-def _roster_faults(exam: ExamFolder, known: Mapping[str, Student], roster: Roster) -> Iterator[str]:
+def _roster_faults(
+    exam: ExamFolder, known: Mapping[str, Student], roster: Roster
+) -> Iterator[Fault]:
     """How a roster differs from that of an exam, but for its order."""
     given = {make_student_key(each.student): each for each in roster.students}
     for student in (each for key, each in known.items() if key not in given):
-        yield write_message(
+        yield Fault(
             roster.file,
-            f'no student "{student.student}"',
-            f"everyone who has a paper in {exam.path}",
-            "add the line",
+            Message("exam.no-student", student=Quoted(student.student)),
+            Message("exam.everyone-with-paper", exam=str(exam.path)),
+            Message("exam.add-line"),
         )
     for key, student in given.items():
         if key not in known:
-            yield write_message(
+            whose = Quoted(student.student)
+            yield Fault(
                 _place(roster, student),
-                f'student "{student.student}" has no paper in {exam.path}',
-                "the students of the exam",
-                "list late students in the file of --add alone",
+                Message("exam.student-without-paper", student=whose, exam=str(exam.path)),
+                Message("exam.students-of-exam"),
+                Message("exam.list-late-alone"),
             )
         else:
             yield from _changes(exam, known[key], roster, student)
 
 
-def _changes(exam: ExamFolder, known: Student, roster: Roster, given: Student) -> Iterator[str]:
+def _changes(exam: ExamFolder, known: Student, roster: Roster, given: Student) -> Iterator[Fault]:
     """What of a student stands otherwise in the exam, on whose paper the name is printed."""
     fields = (("name", given.name, known.name), ("email", given.email, known.email))
     for field, here, there in fields:
         if here != there:
-            yield write_message(
+            whose, file = Quoted(given.student), str(exam.path / HEAD)
+            yield Fault(
                 _place(roster, given),
-                f'{field} "{here}" of student "{given.student}"',
-                f'"{there}", as in {exam.path / HEAD}',
-                "correct the line",
+                Message("exam.field-of-student", field=field, text=Quoted(here), student=whose),
+                Message("exam.as-in", text=Quoted(there), file=file),
+                Message("exam.correct-line"),
             )
 
 
-def _known_faults(exam: ExamFolder, known: Mapping[str, Student], late: Roster) -> Iterator[str]:
+def _known_faults(exam: ExamFolder, known: Mapping[str, Student], late: Roster) -> Iterator[Fault]:
     for student in late.students:
         if make_student_key(student.student) in known:
-            yield write_message(
-                _place(late, student),
-                f'student "{student.student}" ({student.name}) has a paper in {exam.path} already',
-                "students without one",
-                "delete the line",
+            what = Message(
+                "exam.has-paper-already",
+                student=Quoted(student.student),
+                name=student.name,
+                exam=str(exam.path),
             )
+            expected, do = Message("exam.students-without"), Message("exam.delete-line")
+            yield Fault(_place(late, student), what, expected, do)
 
 
 def _require_names_kept(earlier: Sequence[Student], late: Roster) -> None:
@@ -136,12 +146,7 @@ def _require_names_kept(earlier: Sequence[Student], late: Roster) -> None:
     before = make_file_names(each.student for each in earlier)
     after = make_file_names(each.student for each in (*earlier, *late.students))
     faults = [
-        write_message(
-            late.file,
-            f'an id differs from "{student}" in capitals alone, so that their files would be one',
-            "ids that differ in more",
-            "correct the id, or write the exam again with --force and a roster of all",
-        )
+        Fault(late.file, Message("exam.id-differs-in-capitals", student=Quoted(student)))
         for student, stem in before.items()
         if after[student] != stem
     ]

@@ -12,6 +12,7 @@ from kinegrade.errors import OutputError, TableError
 from kinegrade.exam.folder.contents import ANSWERS
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files import DESKTOP_DROPPINGS
+from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.tables import make_header_key, read_table, trim
 
 OWN_COLUMNS = ("student", "name")  # of the answer sheet; all others are for answers
@@ -41,11 +42,9 @@ def require_nothing_edited(old: Path, head: ExamHead | None, new: Path) -> None:
 
 def refuse_edited(folder: Path, names: Sequence[str]) -> OutputError:
     """The refusal to replace a folder that holds these files."""
-    return OutputError(
-        f"{folder}: holds {', '.join(names[:_NAMED])}, edited or added since it was generated, "
-        "which would be lost - expected only what is written again - move it elsewhere or choose "
-        "another folder"
-    )
+    what = Message("exam.holds-edited", files=list_plainly(names[:_NAMED]))
+    expected, do = Message("exam.only-rewritten"), Message("exam.move-or-choose")
+    return OutputError(Fault(str(folder), what, expected, do))
 
 
 def find_edited(old: Path, head: ExamHead | None, new: Path) -> Iterator[str]:

@@ -10,7 +10,7 @@ from kinegrade.exam.folder.contents import HEAD, PAPERS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import explain_broken
 from kinegrade.files import output_folder
-from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Fault, Message, Quoted
 
 KINDS = (".pdf", ".docx", ".html")  # every student has the first
 
@@ -36,10 +36,7 @@ def _require_outside(exam: Path, output: Path) -> None:
     """Raises OutputError where `output` is the exam folder, or lies in it or around it."""
     inner, outer = output.resolve(), exam.resolve()
     if outer == inner or outer in inner.parents or inner in outer.parents:
-        raise OutputError(
-            f"{output}: is, holds or lies in the exam folder {exam}, which gives the key away - "
-            "expected another place - choose a folder beside it"
-        )
+        raise OutputError(Fault(str(output), Message("exam.output-in-exam", exam=str(exam))))
 
 
 def _list_paper_stems(exam: ExamFolder) -> list[str]:
@@ -49,15 +46,9 @@ def _list_paper_stems(exam: ExamFolder) -> list[str]:
     files = [Path(candidate.file) for candidate in exam.head.students]
     for file in files:
         if file.parent != Path(PAPERS) or file.suffix != KINDS[0]:
-            raise explain_broken(
-                exam.path / HEAD,
-                [
-                    (
-                        f'the paper "{show_in_one_line(str(file))}" - '
-                        f"expected a {KINDS[0]} file in {PAPERS}"
-                    )
-                ],
-            )
+            paper = Quoted(str(file))
+            what = Message("exam.strange-paper", paper=paper, kind=KINDS[0], folder=PAPERS)
+            raise explain_broken(exam.path / HEAD, [what])
     return [file.stem for file in files]
 
 
@@ -76,14 +67,9 @@ def _list_paper_files(exam: Path, stems: list[str]) -> Iterator[Path]:
 def _read_paper(file: Path) -> bytes:
     """The bytes of a paper. Raises ExamError."""
     if file.is_symlink():
-        raise ExamError(
-            f"{file}: is a link - expected the paper of a student, as a link may lead to what is "
-            "not for students - restore the exam folder"
-        )
+        raise ExamError(Fault(str(file), Message("exam.paper-is-link")))
     try:
         return file.read_bytes()
     except OSError as fault:
-        raise ExamError(
-            f"{file}: cannot be read ({fault.strerror}) - expected the paper of a student - "
-            "restore the exam folder"
-        ) from fault
+        what = Message("exam.paper-unreadable", reason=str(fault.strerror))
+        raise ExamError(Fault(str(file), what)) from fault

@@ -16,19 +16,19 @@ from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.exam.printing import PrintRun
 from kinegrade.exam.roster import Student
 from kinegrade.exam.versions import list_version_letters
-from kinegrade.language import Language
+from kinegrade.language import ENGLISH, Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.known import known_languages
 from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.signs import write_sign
 from kinegrade.problem.template import Ask as TemplateAsk
 from kinegrade.problem.translated import Translated
 
-WARNING = (
-    "For the instructor only: this folder gives the key away. Students may see what is under "
-    "papers/ and nothing else, "
-    "and after the exam, if you hand them out, their own worked solutions under solutions/. "
-    "仅供教师使用：本文件夹含全部答案，学生只能看到 papers/ 中的内容；"
-    "考试结束后可由教师发放 solutions/ 中的题解。"
-)
+
+def write_warning() -> str:
+    """That the folder is not for students, in every language: anyone may come across it."""
+    languages = dict.fromkeys((ENGLISH, *known_languages()))
+    return " ".join(open_catalogue(each).text("exam.warning") for each in languages)
 
 
 def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: PrintRun) -> ExamHead:
@@ -37,7 +37,7 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
     head = ExamHead(
         format=FORMAT,
         kinegrade=__version__,
-        warning=WARNING,
+        warning=write_warning(),
         title=bank.title.in_language(language),
         course=bank.course.in_language(language),
         date=bank.date,

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import Literal, TypeAlias
 
 from kinegrade.exam.bank import read_kept_bank
 from kinegrade.exam.blueprint import Bank, BankQuestion
 from kinegrade.exam.derivation import derive_question
 from kinegrade.exam.folder.contents import BANK, HEAD, TEMPLATES
-from kinegrade.exam.folder.contradictions import explain_contradiction
+from kinegrade.exam.folder.contradictions import explain_contradiction, list_names, name_place
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate, KeyLine, KeyQuestion
 from kinegrade.exam.roster import Student
 from kinegrade.exam.setting import Exam, SetPaper, SetQuestion
+from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.follow_through import find_generic_plan
+
+_Term: TypeAlias = Literal["code", "version", "questions", "printed"]
 
 
 @dataclass(frozen=True)
@@ -39,10 +43,10 @@ class KeptExam:
 
         Raises ExamError where something else follows than the key says, BankError.
         """
-        where = f'{self.exam.key}: student "{line.student}", {kept.question}'
+        where = name_place(self.exam.key, line.student, kept.question)
         question = self._questions.get(kept.question)
         if question is None:
-            raise explain_contradiction(where, ["is no question of the bank"])
+            raise explain_contradiction(where, [Message("exam.no-question-of-bank")])
         return derive_question(question, kept, where, plan)
 
     def paper(self, candidate: Candidate) -> SetPaper:
@@ -70,19 +74,19 @@ class KeptExam:
         the bank.
         """
         stated = [each.question for each in line.questions]
-        terms = (
-            ("the code", line.paper, candidate.paper, HEAD),
-            ("the version", line.version, candidate.version, HEAD),
-            ("the questions", _listed(stated), _listed(names), BANK),
-            ("the questions as printed", _listed(line.order), _listed(names), BANK),
+        terms: tuple[tuple[_Term, Sequence[str], Sequence[str], str], ...] = (
+            ("code", (line.paper,), (candidate.paper,), HEAD),
+            ("version", (line.version,), (candidate.version,), HEAD),
+            ("questions", sorted(stated), sorted(names), BANK),
+            ("printed", sorted(line.order), sorted(names), BANK),
         )
         differences = [
-            f"{term} is {found or 'none'} by the key, {other or 'none'} by {file}"
+            _describe(term, found, other, file)
             for term, found, other, file in terms
             if found != other
         ]
         if differences:
-            raise explain_contradiction(f'{self.exam.key}: student "{line.student}"', differences)
+            raise explain_contradiction(name_place(self.exam.key, line.student), differences)
 
     def require_no_contradiction(self) -> None:
         """Raises ExamError where something else follows for a paper than the key says."""
@@ -107,5 +111,7 @@ def student_of(candidate: Candidate) -> Student:
     return Student(candidate.student, candidate.name, candidate.email, stem)
 
 
-def _listed(names: Iterable[str]) -> str:
-    return ", ".join(sorted(names))
+def _describe(term: _Term, found: Sequence[str], other: Sequence[str], file: str) -> Message:
+    """The difference in a term between the key and another file."""
+    here, there = list_names(found), list_names(other)
+    return Message(f"exam.head-{term}-differs", found=here, other=there, file=file)

@@ -21,6 +21,7 @@ from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
 from kinegrade.exam.quiz_paper import QuizWishes, list_asks, make_quiz_paper
 from kinegrade.exam.quiz_source import QuizSource, read_quiz_source
 from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message
 from kinegrade.processes import THIS_PROCESS, Shared, map_in_order, split_in_parts
 
 _PART = 20  # papers in one task, few enough for all processes to end together
@@ -58,10 +59,8 @@ def read_quiz(
     source = read_quiz_source(exam, language)
     available = len(exam.head.versions) or len(exam.head.students)
     if variants is not None and variants > available:
-        raise ExamError(
-            f"{exam.path}: has {available} different papers - expected {variants} for {variants} "
-            f"variants of each question - ask for up to {available}"
-        )
+        what = Message("exam.too-few-papers", count=available, variants=variants)
+        raise ExamError(Fault(str(exam.path), what))
     order = _QuizOrder(source, wishes, variants is not None)
     papers = _make_papers(order, islice(different(exam), variants), workers)
     return Quiz(

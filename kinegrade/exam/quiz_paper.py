@@ -12,7 +12,12 @@ from typing import Any
 from kinegrade.errors import ExamError, FieldError, KinegradeError
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exact_keys import find_exact_value, read_mistakes
-from kinegrade.exam.folder.faults import AS_GENERATED, explain_broken
+from kinegrade.exam.folder.faults import (
+    AS_GENERATED,
+    describe_damage,
+    explain_broken,
+    name_line_of,
+)
 from kinegrade.exam.folder.numbers import require_number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer
 from kinegrade.exam.pages import (
@@ -25,6 +30,7 @@ from kinegrade.exam.quiz_document import QuizAsk, QuizMistake, QuizPaper, QuizQu
 from kinegrade.exam.quiz_source import QuizSource, tolerance_of
 from kinegrade.exam.quiz_words import AskRule, count_digits_to_type, write_marking_rules
 from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.html.solution import write_blocks
 from kinegrade.problem.assemble import assemble
@@ -91,11 +97,11 @@ def list_asks(source: QuizSource, line: KeyLine) -> Iterator[tuple[str, QuizAsk]
 
 
 def _explain_broken(source: QuizSource, line: KeyLine, fault: KeyError | FieldError) -> ExamError:
-    reason = f"{fault} is not in {HEAD}" if isinstance(fault, KeyError) else str(fault)
-    return explain_broken(
-        source.exam.key,
-        [f'the line of student "{line.student}" is broken ({reason}) - {AS_GENERATED}'],
-    )
+    damage = describe_damage(fault)
+    if isinstance(fault, KeyError):
+        lacking = Message("exam.not-in", name=str(fault), file=HEAD)
+        damage = Fault("", Message("exam.broken", reason=lacking), AS_GENERATED)
+    return explain_broken(source.exam.key, [Fault(name_line_of(line.student), damage)])
 
 
 def _make_question(
@@ -129,9 +135,8 @@ def _make_question(
     except FieldError:
         raise  # a fault of the key, which its reader places
     except KinegradeError as error:
-        raise type(error)(
-            *(f"{source.exam.path}: paper {code}, {name}: {problem}" for problem in error.problems)
-        ) from error
+        where = Message("exam.at-paper", exam=str(source.exam.path), code=code, question=name)
+        raise type(error)(*(Fault(where, each) for each in error.faults)) from error
 
 
 def _write_solution(

@@ -21,10 +21,11 @@ from kinegrade.exam.bank_texts import require_bank_texts
 from kinegrade.exam.folder.contents import BANK
 from kinegrade.exam.folder.exact_keys import read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import describe_damage, explain_broken
+from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line_of
 from kinegrade.exam.folder.records import KeyLine, StatedTolerance
 from kinegrade.exam.kept_exam import KeptExam
 from kinegrade.language import Language
+from kinegrade.language.message import Fault
 from kinegrade.problem.template import Template
 from kinegrade.problem.template_texts import require_language
 from kinegrade.problem.tolerance import Tolerance
@@ -114,7 +115,7 @@ def _read_credits(exam: ExamFolder) -> dict[str, Fraction]:
         shares = msgspec.convert(stated, dict[str, object])
         return {name: read_number(share) for name, share in shares.items()}
     except (msgspec.ValidationError, NumberError) as fault:
-        raise explain_broken(exam.path, [f"credit: {describe_damage(fault)}"]) from fault
+        raise explain_broken(exam.path, [Fault("credit", describe_damage(fault))]) from fault
 
 
 def _read_tolerances(exam: ExamFolder) -> dict[tuple[str, str], Tolerance]:
@@ -126,9 +127,8 @@ def _read_tolerances(exam: ExamFolder) -> dict[tuple[str, str], Tolerance]:
                 if place not in found or tolerance.absolute < found[place].absolute:
                     found[place] = tolerance
         except FieldError as fault:
-            raise explain_broken(
-                exam.key, [f'the line of student "{line.student}": {fault}']
-            ) from fault
+            where = name_line_of(line.student)
+            raise explain_broken(exam.key, [Fault(where, fault.faults[0])]) from fault
     return found
 
 

@@ -20,13 +20,12 @@ from kinegrade.errors import ExamError, OutputError
 from kinegrade.exam.exam_secret import ExamSecret
 from kinegrade.exam.folder.contents import ANSWERS, HEAD, POOL, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.faults import AS_GENERATED
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedAnswer
 from kinegrade.exam.hand_work import is_answered, refuse_edited, require_nothing_edited
-from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 
-_UNKNOWN = "the exam that stood there could not be read, so nothing is known of its papers"
-_RESTORING = "expected it as kinegrade generate wrote it - restore the exam folder"
-_OTHERWISE = "choose another one, or add --new-numbers to replace its papers anyway"
+_UNKNOWN = Message("exam.unknown-before")
 _NAMED = 5  # students that a message names
 _MOST_PLACES = 100  # for each student; beyond the class are only those of students who left
 
@@ -45,10 +44,15 @@ class PaperChanges:
         """Whether every paper that exists stays as it is."""
         return not self.changed and not self.gone
 
-    def __str__(self) -> str:
-        return (
-            f"{len(self.unchanged)} papers keep their numbers, {len(self.changed)} changed, "
-            f"{len(self.gone)} gone, {len(self.added)} new"
+    @property
+    def summary(self) -> Message:
+        """How many there are of each, in one line."""
+        return Message(
+            "exam.changes",
+            count=len(self.unchanged),
+            changed=len(self.changed),
+            gone=len(self.gone),
+            added=len(self.added),
         )
 
 
@@ -84,14 +88,17 @@ class ReplacedExam:
         if changes.harmless:
             return
         whose = [*changes.changed, *changes.gone]
-        names = ", ".join(whose[:_NAMED]) + (", ..." if len(whose) > _NAMED else "")
-        removed = "and every student in the roster, " if changes.gone else ""
-        raise OutputError(
-            f"{self.folder}: {len(changes.changed)} of {len(self.papers)} papers would change and "
-            f"{len(changes.gone)} would be gone ({names}), {len(changes.added)} be new - expected "
-            "the papers as they may have been printed - keep bank, templates and --seed as they "
-            f"were, {removed}choose another folder, or add --new-numbers to replace the papers"
+        names = [*whose[:_NAMED], *(["..."] if len(whose) > _NAMED else [])]
+        what = Message(
+            "exam.papers-would-change",
+            changed=len(changes.changed),
+            papers=len(self.papers),
+            gone=len(changes.gone),
+            names=list_plainly(names),
+            added=len(changes.added),
         )
+        keep = Message("exam.keep-all" if changes.gone else "exam.keep-sources")
+        raise OutputError(Fault(str(self.folder), what, Message("exam.papers-as-printed"), keep))
 
 
 def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
@@ -109,7 +116,8 @@ def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
     except ExamError as error:
         if new_numbers:
             return ReplacedExam(folder, None, None, {}, {})
-        raise ExamError(*(f"{problem}, {_OTHERWISE}" for problem in error.problems)) from error
+        faults = (Message("exam.or-replace", problem=each) for each in error.faults)
+        raise ExamError(*faults) from error
 
 
 def read_replaced(exam: ExamFolder) -> ReplacedExam:
@@ -128,10 +136,8 @@ def required_secret(exam: ExamFolder) -> ExamSecret:
     """
     secret = exam.head.drawn_from
     if secret is None:
-        raise ExamError(
-            f"{exam.path / HEAD}: does not hold the secret that its numbers are drawn from - "
-            f"{_RESTORING}"
-        )
+        what, do = Message("exam.no-secret"), Message("exam.restore-folder")
+        raise ExamError(Fault(str(exam.path / HEAD), what, AS_GENERATED, do))
     return secret
 
 
@@ -143,16 +149,13 @@ def _require_places(exam: ExamFolder, kept: Mapping[str, KeyLine]) -> None:
             continue
         first = whose.setdefault(line.place, student)
         if first != student or not 0 <= line.place < _MOST_PLACES * len(kept):
-            raise ExamError(
-                f'{exam.key}: student "{show_in_one_line(student)}" '
-                f"has the place {line.place} - expected "
-                f"one of the class, and no other student's - {_RESTORING}"
-            )
+            what = Message("exam.strange-place", student=Quoted(student), place=line.place)
+            raise ExamError(Fault(str(exam.key), what))
 
 
 def settle(
     old: ReplacedExam | None, folder: Path, *, new_numbers: bool, solutions: bool
-) -> tuple[PaperChanges | None, tuple[str, ...]]:
+) -> tuple[PaperChanges | None, tuple[Message, ...]]:
     """Keep in the new exam at `folder` what belongs to papers that stay; give the changes, and
     remarks on the rest; no changes where the old exam cannot be read.
 
@@ -199,7 +202,7 @@ def _without_mistakes(named: tuple[str, StatedAnswer]) -> tuple[str, StatedAnswe
     return name, structs.replace(answer, mistakes={})
 
 
-def _keep(names: Iterable[str], old: Path, new: Path) -> Iterator[str]:
+def _keep(names: Iterable[str], old: Path, new: Path) -> Iterator[Message]:
     """Copy into the folder `new` what belongs to papers that stay, and say so."""
     for name in names:
         source = old / name
@@ -209,12 +212,14 @@ def _keep(names: Iterable[str], old: Path, new: Path) -> Iterator[str]:
             shutil.copy2(source, new / name)
         else:
             continue
-        lacking = "" if name == POOL else ", without papers that are new"
-        yield f"{name} stays as it was{lacking}"
+        if name == POOL:
+            yield Message("exam.pool-stays", name=name)
+        else:
+            yield Message("exam.solutions-stay", name=name)
 
 
-def _dropped(names: Iterable[str], old: Path) -> Iterator[str]:
+def _dropped(names: Iterable[str], old: Path) -> Iterator[Message]:
     """What belonged to papers that are replaced and goes with them, said."""
     for name in names:
         if (old / name).exists():
-            yield f"{name} belonged to the papers that were replaced, and is gone"
+            yield Message("exam.dropped", name=name)

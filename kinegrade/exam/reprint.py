@@ -14,7 +14,7 @@ from typing import TypeVar
 
 import msgspec
 
-from kinegrade.errors import ExamError, did_you_mean, write_message
+from kinegrade.errors import ExamError, Problem, suggest
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import Candidate
@@ -24,6 +24,7 @@ from kinegrade.exam.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.roster import Roster, make_student_key
 from kinegrade.exam.roster_complaints import roster_complaints
 from kinegrade.exam.setting import SetPaper
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.press.protocol import Press, Printout
 
 _Kind = TypeVar("_Kind")
@@ -51,7 +52,7 @@ class Reprint:
         sheet = write_solution_sheet(self.run.bank, self.paper, self.run.language, method)
         return self._only(self._press.solutions({self._name: sheet}))
 
-    def complaints(self) -> tuple[str, ...]:
+    def complaints(self) -> tuple[Problem, ...]:
         """What a person should look at before it is handed out."""
         return roster_complaints(Roster((self.paper.student,), (), self.file), self._press)
 
@@ -100,11 +101,11 @@ def _candidate(exam: ExamFolder, student: str) -> Candidate:
     found = known.get(make_student_key(student))
     if found is None:
         raise ExamError(
-            write_message(
+            Fault(
                 str(exam.head_file),
-                f'no student "{student}"',
-                "the id of a student who has a paper",
-                did_you_mean(student, exam.students),
+                Message("exam.no-student", student=Quoted(student)),
+                Message("exam.id-with-paper"),
+                suggest(student, exam.students),
             )
         )
     return found

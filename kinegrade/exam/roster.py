@@ -13,11 +13,14 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
 from pathlib import Path
+from typing import Literal, TypeAlias, get_args
 from unicodedata import normalize
 from urllib.parse import quote
 
-from kinegrade.errors import TableError
+from kinegrade.errors import Problem, TableError
 from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import Fault, Message, Quoted, list_all, list_choices, list_plainly
+from kinegrade.language.spellings import list_preferred_spellings
 from kinegrade.tables import (
     Complaint,
     Row,
@@ -29,13 +32,9 @@ from kinegrade.tables import (
     trim,
 )
 
-COLUMN_NAMES: Mapping[str, tuple[str, ...]] = {
-    "student": ("student", "id", "id number", "student id", "student number", "学号", "學號"),
-    "name": ("name", "full name", "student name", "姓名"),
-    "email": ("email", "e-mail", "email address", "e-mail address", "邮箱", "電子郵件"),
-}
+Column: TypeAlias = Literal["student", "name", "email"]
 _FORMULA_SIGNS = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")  # full-width ones too
-_REQUIRED = ("student", "name")
+_REQUIRED: tuple[Column, ...] = ("student", "name")
 _LONGEST_STEM = 100
 _RESERVED = re.compile(r"(?:con|prn|aux|nul|com[0-9]|lpt[0-9])(?:\.|$)", re.IGNORECASE)
 
@@ -64,6 +63,16 @@ class Roster:
     students: tuple[Student, ...]
     complaints: tuple[Complaint, ...]
     file: str = field(default="roster", compare=False)
+
+
+def list_column_names(column: Column) -> tuple[str, ...]:
+    """The names that a column may have, in small letters, the best first: those of English, then
+    those of all other languages.
+
+    >>> list_column_names("name")[:2]
+    ('name', 'full name')
+    """
+    return list_preferred_spellings(Message(f"roster.columns-{column}"))
 
 
 def read_roster(path: Path, *, odd_ids: bool = False) -> Roster:
@@ -136,13 +145,10 @@ def complain_of_unprintable_id(file: str, student: Student, characters: Iterable
     """The complaint about characters of an id that do not print: it cannot be typed as it stands on
     the paper.
     """
-    codes = ", ".join(f"U+{ord(character):04X}" for character in sorted(set(characters)))
-    whose = student.name or "a student without a name"
-    problem = f"the id of {whose} has characters that do not print ({codes})"
-    done = (
-        "on the paper they are code points, or not visible at all; correct the id before papers "
-        "are printed"
-    )
+    codes = list_plainly(f"U+{ord(character):04X}" for character in sorted(set(characters)))
+    whose = student.name or Message("roster.nameless")
+    problem = Message("roster.unprintable-id", whose=whose, codes=codes)
+    done = Message("roster.unprintable-id-done")
     return Complaint(
         file, student.line or None, "student", show_in_one_line(student.student), problem, done
     )
@@ -150,11 +156,11 @@ def complain_of_unprintable_id(file: str, student: Student, characters: Iterable
 
 def _make_roster(table: Table, *, odd_ids: bool) -> Roster:
     columns = _find_columns(table)
-    faults = [*_find_empty_ids(table, columns), *_find_repeated_ids(table, columns)]
+    faults: list[Problem] = [*_find_empty_ids(table, columns), *_find_repeated_ids(table, columns)]
     if not odd_ids:
         faults += _find_formula_ids(table, columns)
     if not table.rows:
-        faults.append(f"{table.file}: has no students - expected a line for each - add them")
+        faults.append(Fault(table.file, Message("roster.no-students")))
     if faults:
         raise TableError(*faults)
     stems = make_file_names(trim(row.cell(columns["student"])) for row in table.rows)
@@ -162,77 +168,74 @@ def _make_roster(table: Table, *, odd_ids: bool) -> Roster:
     return Roster(students, (*table.complaints, *_find_nameless(table, columns)), table.file)
 
 
-def _find_columns(table: Table) -> dict[str, int]:
-    """Where each column stands; of several names for one column the one first in COLUMN_NAMES
-    counts.
-    """
+def _find_columns(table: Table) -> dict[Column, int]:
+    """Where each column stands; of several names for one column the best counts."""
     header = [make_header_key(cell) for cell in table.header]
+    columns: tuple[Column, ...] = get_args(Column)
     found = {
         column: header.index(next(name for name in names if name in header))
-        for column, names in COLUMN_NAMES.items()
+        for column, names in zip(columns, map(list_column_names, columns), strict=True)
         if not set(names).isdisjoint(header)
     }
-    shown = ", ".join(shorten(cell) for cell in table.header)
-    missing = [
-        f'{table.file}: no column "{column}" - the columns here are: {shown} - name one of them '
-        + " or ".join(f'"{name}"' for name in COLUMN_NAMES[column])
-        for column in _REQUIRED
-        if column not in found
-    ]
+    missing = [_explain_missing(table, column) for column in _REQUIRED if column not in found]
     if missing:
         raise TableError(*missing)
     return found
 
 
-def _find_empty_ids(table: Table, columns: Mapping[str, int]) -> Iterator[str]:
+def _explain_missing(table: Table, column: Column) -> Fault:
+    do = Message(
+        "roster.name-column",
+        columns=list_plainly(map(shorten, table.header)),
+        names=list_choices(map(Quoted, list_column_names(column))),
+    )
+    return Fault(table.file, Message("roster.no-column", column=Quoted(column)), do=do)
+
+
+def _find_empty_ids(table: Table, columns: Mapping[Column, int]) -> Iterator[Fault]:
     for row in table.rows:
         if not trim(row.cell(columns["student"])):
-            name = shorten(trim(row.cell(columns["name"])))
-            yield (
-                f'{table.file}:{row.line}: no student id ("{name}") - expected one on every line '
-                "- add it"
-            )
+            name = Quoted(shorten(trim(row.cell(columns["name"]))))
+            yield Fault(f"{table.file}:{row.line}", Message("roster.no-id", name=name))
 
 
-def _find_repeated_ids(table: Table, columns: Mapping[str, int]) -> Iterator[str]:
+def _find_repeated_ids(table: Table, columns: Mapping[Column, int]) -> Iterator[Fault]:
     lines: dict[str, list[int]] = defaultdict(list)
     for row in table.rows:
         lines[make_student_key(row.cell(columns["student"]))].append(row.line)
     for student, places in lines.items():
         if student and len(places) > 1:
-            where = " and ".join(map(str, places))
-            yield (
-                f'{table.file}: student id "{shorten(student)}" stands on lines {where} '
-                "- expected each id once - correct or delete one"
-            )
+            shown = Quoted(shorten(student))
+            what = Message("roster.repeated-id", student=shown, lines=list_all(places))
+            yield Fault(table.file, what)
 
 
-def _find_formula_ids(table: Table, columns: Mapping[str, int]) -> Iterator[str]:
+def _find_formula_ids(table: Table, columns: Mapping[Column, int]) -> Iterator[Fault]:
     for row in table.rows:
         student = trim(row.cell(columns["student"]))
         if student.startswith(_FORMULA_SIGNS):
-            name = shorten(_read_name(row, columns))
-            yield (
-                f'{table.file}:{row.line}: student id "{shorten(student)}" ({name}) begins with '
-                f"{student[0]}, so that spreadsheets take it for a formula - expected a letter or "
-                "a digit first - correct it, or add --allow-odd-ids"
+            what = Message(
+                "roster.formula-id",
+                student=Quoted(shorten(student)),
+                name=shorten(_read_name(row, columns)),
+                sign=student[0],
             )
+            yield Fault(f"{table.file}:{row.line}", what)
 
 
-def _read_student(row: Row, columns: Mapping[str, int], stems: Mapping[str, str]) -> Student:
+def _read_student(row: Row, columns: Mapping[Column, int], stems: Mapping[str, str]) -> Student:
     student = trim(row.cell(columns["student"]))
     email = trim(row.cell(columns["email"])) if "email" in columns else ""
     return Student(student, _read_name(row, columns), email, stems[student], row.line)
 
 
-def _read_name(row: Row, columns: Mapping[str, int]) -> str:
+def _read_name(row: Row, columns: Mapping[Column, int]) -> str:
     return " ".join(trim(row.cell(columns["name"])).split())
 
 
-def _find_nameless(table: Table, columns: Mapping[str, int]) -> Iterator[Complaint]:
+def _find_nameless(table: Table, columns: Mapping[Column, int]) -> Iterator[Complaint]:
     for row in table.rows:
         if not _read_name(row, columns):
             student = trim(row.cell(columns["student"]))
-            yield Complaint(
-                table.file, row.line, "name", student, "no name", "the paper carries the id alone"
-            )
+            problem, done = Message("roster.no-name"), Message("roster.no-name-done")
+            yield Complaint(table.file, row.line, "name", student, problem, done)

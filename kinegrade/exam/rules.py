@@ -177,7 +177,7 @@ def make_percent(share: Fraction) -> Message:
     >>> open_catalogue(Language("en")).write(make_percent(Fraction(1, 100)))
     '1 %'
     """
-    return Message("paper.percent", number=share * 100)
+    return Message("grammar.percent", number=share * 100)
 
 
 def write_plain(number: Fraction) -> str:

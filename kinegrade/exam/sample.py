@@ -13,6 +13,7 @@ from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import lay_out_paper
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.examining import Refused, require_doubles
@@ -67,9 +68,8 @@ def print_worked_solution(
     try:
         require_doubles(solution)
     except Refused as refusal:
-        raise MechanismError(
-            f"{template.name}: {refusal}: too large for a worked solution: give smaller values"
-        ) from refusal
+        what = Message("exam.too-large-to-work", reason=str(refusal))
+        raise MechanismError(Fault(template.name, what)) from refusal
     worked = write_worked_solution(solution, _list_shown(template), language, method)
     question = WorkedQuestion(
         1,

@@ -13,6 +13,7 @@ from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping
 
 from kinegrade.exam.roster import make_student_key
+from kinegrade.language.message import Message, Quoted
 from kinegrade.tables import shorten, trim
 
 # As programs write a column of numbers with gaps
@@ -75,21 +76,12 @@ class StudentIds:
         return found
 
 
-def describe_restoration(restored: Mapping[str, str]) -> tuple[str, str]:
-    """The one message about a file whose ids were restored: what was found, and what was done.
-
-    >>> describe_restoration({"12345": "0012345"})[0]
-    '1 student id is not as in the exam: "12345" for "0012345"'
-    """
+def describe_restoration(restored: Mapping[str, str]) -> tuple[Message, Message]:
+    """The one message about a file whose ids were restored: what was found, and what was done."""
     cell, student = next(iter(restored.items()))
-    example = f'"{shorten(trim(cell))}" for "{student}"'
-    if len(restored) == 1:
-        found = f"1 student id is not as in the exam: {example}"
-        taken = "taken for this student, as it can mean no one else"
-    else:
-        found = f"{len(restored)} student ids are not as in the exam, such as {example}"
-        taken = "taken for these students, as each can mean only one"
-    return found, f"{taken}; keep ids as text, as in answers.xlsx"
+    count, shown = len(restored), Quoted(shorten(trim(cell)))
+    found = Message("roster.ids-restored", count=count, cell=shown, student=Quoted(student))
+    return found, Message("roster.ids-restored-done", count=count)
 
 
 def _strip(key: str) -> str:

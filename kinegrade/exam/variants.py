@@ -21,11 +21,12 @@ from kinegrade.errors import ExamError, FieldError
 from kinegrade.exam.folder.contents import KEY
 from kinegrade.exam.folder.exact_keys import find_exact_value
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import describe_damage, explain_broken
+from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line_of
 from kinegrade.exam.folder.records import KeyLine, KeyQuestion
 from kinegrade.exam.quiz import different
 from kinegrade.exam.quiz_paper import show_instance
 from kinegrade.files import write_file
+from kinegrade.language.message import Fault, Message
 from kinegrade.language.prose.html import write_prose
 from kinegrade.problem.statement import list_statement_languages, write_statement
 from kinegrade.problem.template import Template
@@ -48,10 +49,7 @@ def variants_stored(exam: ExamFolder, count: int) -> Iterator[None]:
     lines = [text.rstrip(b"\r\n") for _, text in islice(different(exam), count)]
     before = [text.rstrip(b"\r\n") for _, text in exam.pool_texts()]
     if before[: len(lines)] != lines[: len(before)]:
-        raise ExamError(
-            f"{exam.pool}: has variants of another key - expected the lines of {KEY} - if no "
-            "quiz made of them is in use any more, delete the file"
-        )
+        raise ExamError(Fault(str(exam.pool), Message("exam.other-variants", key=KEY)))
     if len(lines) > len(before):
         _write(exam, lines)
     try:
@@ -182,9 +180,8 @@ def _make_variant(
         right = {name: float(find_exact_value(ask)) for name, ask in entry.asks.items()}
         return Variant(line.student, right, entry, templates[entry.question])
     except (KeyError, FieldError) as fault:
-        raise explain_broken(
-            exam.pool, [f'the line of student "{line.student}" {describe_damage(fault)}']
-        ) from fault
+        damage = Fault(name_line_of(line.student), describe_damage(fault))
+        raise explain_broken(exam.pool, [damage]) from fault
 
 
 def _holds(numbers: Numbers, wanted: Numbers) -> bool:

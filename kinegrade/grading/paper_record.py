@@ -14,7 +14,7 @@ from math import nan
 from kinegrade.errors import ExamError, FieldError
 from kinegrade.exam.folder.exact_keys import find_exact_value, read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import decoding
+from kinegrade.exam.folder.faults import decoding, name_paper
 from kinegrade.exam.folder.numbers import require_number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer
 from kinegrade.language.message import Fault, Message, Quoted
@@ -60,7 +60,7 @@ class PaperRecords:
     def paper(self, student: str) -> PaperRecord:
         """The paper of a student. Raises ExamError where the exam has no paper for that student."""
         line = self.exam.line_of(student)
-        with decoding(self.exam.key, f'the paper of student "{student}"'):
+        with decoding(self.exam.key, name_paper(student)):
             return PaperRecord(line.order, dict(_read_answers(line)), dict(_read_parameters(line)))
 
     def marked(self, student: str, columns: Iterable[str]) -> PaperRecord:

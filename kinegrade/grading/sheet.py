@@ -18,7 +18,7 @@ from kinegrade.answer_file import AnswerFile, Sources
 from kinegrade.csv_writing import write_csv_text
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.keys import Ask, Sitting
-from kinegrade.exam.roster import COLUMN_NAMES, make_student_key
+from kinegrade.exam.roster import list_column_names, make_student_key
 from kinegrade.exam.student_ids import StudentIds, describe_restoration
 from kinegrade.language.message import (
     Fault,
@@ -39,7 +39,6 @@ from kinegrade.tables import (
 )
 
 _NO_STUDENT_COLUMN = Message("marking.no-student-column")
-_NEEDLESS = {*COLUMN_NAMES["name"], *COLUMN_NAMES["email"], "paper"}
 
 
 _ANSWER_COLUMN = re.compile(r"q[0-9]+\.\w+")  # as generate writes the headers of the answer sheet
@@ -153,7 +152,8 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
 
 def _find_columns(table: Table, asks: Sequence[Ask]) -> _Columns:
     header = [make_header_key(cell) for cell in table.header]
-    student = next((header.index(name) for name in COLUMN_NAMES["student"] if name in header), None)
+    named = (header.index(name) for name in list_column_names("student") if name in header)
+    student = next(named, None)
     found = _find_ask_columns(table.header, asks)
     faults = []
     if student is None:
@@ -170,9 +170,10 @@ def _find_columns(table: Table, asks: Sequence[Ask]) -> _Columns:
         faults.append(_explain(table, Message("marking.another-exam", columns=first)))
     if student is None or faults:
         raise TableError(*faults)
+    needless = {*list_column_names("name"), *list_column_names("email"), "paper"}
     unused = (index for index in range(len(header)) if index not in {student, *found})
     return _Columns(
-        student, found, tuple(index for index in unused if header[index] not in _NEEDLESS)
+        student, found, tuple(index for index in unused if header[index] not in needless)
     )
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
+from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message
@@ -21,9 +22,18 @@ def list_spellings(entry: Message) -> tuple[str, ...]:
     >>> list_spellings(Message("typing.unit-km"))[-2:]
     ('公里', '千米')
     """
-    texts = [open_catalogue(language).write(entry) for language in known_languages()]
-    spellings = {spelling for text in texts for spelling in text.split(_SEPARATOR)}
+    spellings = list_preferred_spellings(entry)
     return tuple(sorted(spellings, key=lambda spelling: (-len(spelling), spelling)))
+
+
+@cache
+def list_preferred_spellings(entry: Message) -> tuple[str, ...]:
+    """The spellings of an entry in the order of the catalogues, the best first: those of English,
+    then those of all other languages.
+    """
+    languages = dict.fromkeys((ENGLISH, *known_languages()))
+    texts = [open_catalogue(language).write(entry) for language in languages]
+    return tuple(dict.fromkeys(spelling for text in texts for spelling in text.split(_SEPARATOR)))
 
 
 @cache

@@ -11,11 +11,15 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.contradictions import REMEDY
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.follow_through import KEPT, FollowThrough
 from kinegrade.problem.library import find_shipped
 from tests.small_class import STUDENTS, key_lines
+
+REMEDY = (
+    "expected both to agree - restore the exam folder as it was generated, or use the version "
+    "of kinegrade that made it"
+)
 
 GIVEN = {
     "r": "1",

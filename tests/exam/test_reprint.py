@@ -193,7 +193,7 @@ def test_a_template_that_says_otherwise_is_refused(changed: Path) -> None:
             "key.jsonl",
             r'"paper": ?',
             '"printed":["q1","q3"],"paper":',
-            "the questions as printed is q1, q3 by the key, q1, q2, q3 by bank.toml",
+            "the questions as printed are q1, q3 by the key, q1, q2, q3 by bank.toml",
         ),
         ("exam.json", '"a4"', '"a3"', "exam.json: is broken (Invalid enum value 'a3'"),
         ("exam.json", '"typst"', '"word"', "exam.json: is broken (Invalid enum value 'word'"),

@@ -37,6 +37,31 @@ def test_a_refusal_and_a_usage_error_are_in_the_language_of_the_terminal(tmp_pat
     assert "只有通用表格的表头可以翻译" in usage.stderr
 
 
+def test_what_is_wrong_with_a_bank_and_a_roster_is_said_in_the_language_of_the_terminal(
+    tmp_path: Path,
+) -> None:
+    bank, roster = tmp_path / "bank.toml", tmp_path / "class.csv"
+    bank.write_text('title = "A"\ncourse = "B"\nquestions = []\n', encoding="utf-8")
+    roster.write_text("学号,姓名\n007,安\n007,博\n", encoding="utf-8")
+    refused = chinese("generate", bank, roster, "-o", tmp_path / "EXAM")
+    assert f"错误：{bank}:3: questions: 0 个表 - 应为1 至 50 个 [[questions]] 表" in refused.stderr
+    refused = chinese("generate", "demo", roster, "-o", tmp_path / "EXAM")
+    assert '错误：class.csv: 学号 "007" 出现在第 2和3 行 - 每个学号只应出现一次' in refused.stderr
+
+
+def test_what_is_wrong_with_an_exam_folder_is_said_in_the_language_of_the_terminal(
+    tmp_path: Path,
+) -> None:
+    head = tmp_path / "EXAM" / "exam.json"
+    head.parent.mkdir()
+    head.write_text('{"format": 9}', encoding="utf-8")
+    refused = chinese("papers", head.parent, "-o", tmp_path / "x")
+    assert refused.stderr == (
+        f"错误：{head}:1: format: 9 - 应为1或2，本 kinegrade 只能读取这些 - "
+        "请使用不早于生成该文件夹的 kinegrade 版本\n"
+    )
+
+
 @pytest.mark.parametrize("language", known_languages())
 def test_help_has_an_entry_for_each_command_and_option_and_none_besides(language: Language) -> None:
     entries = read_entries(language, "help").entries

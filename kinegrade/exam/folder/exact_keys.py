@@ -18,9 +18,11 @@ from kinegrade.exam.folder.faults import describe_damage
 from kinegrade.exam.folder.keys import Ask, Key, Rule, make_rule
 from kinegrade.exam.folder.numbers import RATIONAL, require_not_negative, require_number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer, StatedTolerance
+from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 
 _AGREEMENT = 1e-9  # relative, between the ways in which a right answer is stated
 _FIGURES = range(1, 16)
+_THE_SAME = Message("exam.the-same")
 _LINE = msgspec.json.Decoder(KeyLine)
 
 
@@ -41,27 +43,29 @@ def read_exact_keys(asks: Sequence[Ask], line: KeyLine) -> list[Key]:
         for name, answer in question.asks.items()
     }
     if found.keys() != {ask.column for ask in asks}:
-        differing = ", ".join(sorted(found.keys() ^ {ask.column for ask in asks}))
-        raise FieldError(
-            f'student "{line.student}": the asks differ from {HEAD} in {differing} - expected the '
-            "same"
-        )
+        differing = list_plainly(sorted(found.keys() ^ {ask.column for ask in asks}))
+        what = Message("exam.asks-differ", head=HEAD, asks=differing)
+        raise FieldError(Fault(_name_student(line), what, _THE_SAME))
     try:
         return [_read_key(ask, found[ask.column]) for ask in asks]
     except FieldError as fault:
-        raise FieldError(f'student "{line.student}": {fault}') from fault
+        raise FieldError(Fault(_name_student(line), fault.faults[0])) from fault
+
+
+def _name_student(line: KeyLine) -> Message:
+    return Message("exam.student", student=Quoted(line.student))
 
 
 def _read_key(ask: Ask, answer: StatedAnswer) -> Key:
     try:
         if answer.unit != ask.unit or require_number("points", answer.points) != ask.points:
-            raise FieldError(f"unit or points differ from {HEAD} - expected the same")
+            raise FieldError(Message("exam.unit-or-points-differ", head=HEAD), _THE_SAME)
         value = find_exact_value(answer)
         stated = read_rule(answer.tolerance)
         period = None if answer.period is None else require_not_negative("period", answer.period)
         mistakes = read_mistakes(answer.mistakes)
     except FieldError as fault:
-        raise FieldError(f"{ask.column}: {fault}") from fault
+        raise FieldError(Fault(ask.column, fault.faults[0])) from fault
     return stated.key(value, period, mistakes)
 
 
@@ -73,7 +77,8 @@ def read_rule(tolerance: StatedTolerance) -> Rule:
     absolute = require_not_negative("absolute", tolerance.absolute)
     figures = tolerance.figures
     if figures is not None and figures not in _FIGURES:
-        raise FieldError(f'"figures" is {figures} - expected a whole number from 1 to 15')
+        what = Message("exam.is", name=Quoted("figures"), found=figures)
+        raise FieldError(what, Message("exam.figures-from-to"))
     return make_rule(relative, absolute, figures)
 
 
@@ -90,9 +95,10 @@ def find_exact_value(answer: StatedAnswer) -> Fraction:
     stated = {"exact": plain, "decimal": answer.decimal, "value": answer.value}
     values = {name: require_number(name, text) for name, text in stated.items() if text is not None}
     if not values:
-        raise FieldError('neither "decimal" nor "value" is there - expected the right answer')
+        raise FieldError(Message("exam.no-right-answer"), Message("exam.the-right-answer"))
     first, *others = values.values()
     # A check only: floats will do
     if not all(isclose(first, other, rel_tol=_AGREEMENT) for other in others):
-        raise FieldError(f"{', '.join(values)} state different numbers - expected the same one")
+        what = Message("exam.different-numbers", names=list_plainly(values))
+        raise FieldError(what, Message("exam.the-same-one"))
     return first

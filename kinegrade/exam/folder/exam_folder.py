@@ -13,10 +13,10 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kinegrade.errors import ExamError, write_message
+from kinegrade.errors import ExamError
 from kinegrade.exam.folder.contents import BANK, HEAD, KEY, POOL, SOLUTIONS, TEMPLATES
 from kinegrade.exam.folder.exact_keys import read_key_line
-from kinegrade.exam.folder.faults import decoding, explain_unreadable
+from kinegrade.exam.folder.faults import decoding, explain_unreadable, name_line, name_paper
 from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.key_index import KeyIndex, make_index
@@ -24,7 +24,9 @@ from kinegrade.exam.folder.key_stream import stream_papers
 from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, list_questions
 from kinegrade.exam.folder.printed_orders import read_printed_orders
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedNumber
+from kinegrade.exam.folder.stated_keys import Place
 from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message, Quoted
 
 if TYPE_CHECKING:
     from kinegrade.exam.folder.kept_templates import KeptTemplates
@@ -185,10 +187,8 @@ class ExamFolder:
         try:
             return path.read_bytes()
         except OSError as fault:
-            raise ExamError(
-                f"{path}: cannot be read ({fault.strerror}) - expected the student's worked "
-                "solutions - generate the exam with --solutions, or leave them out"
-            ) from fault
+            what = Message("exam.no-solutions", reason=str(fault.strerror))
+            raise ExamError(Fault(str(path), what)) from fault
 
     @cached_property
     def _indices(self) -> tuple[KeyIndex, ...]:
@@ -211,33 +211,28 @@ class ExamFolder:
         index = self._index(student)
         if index is None:
             return None
-        with decoding(index.path, _name_owner(student)):
+        with decoding(index.path, name_paper(student)):
             return read_key_line(index.text(student))
 
     def _paper(self, student: str) -> Paper:
         index = self._index(student)
         if index is None:
             raise self._no_paper(student)
-        with decoding(index.path, _name_owner(student)):
-            return self._decoder.paper(index.text(student), str(index.path))
+        with decoding(index.path, name_paper(student)):
+            return self._decoder.paper(index.text(student), Place(index.path))
 
     def _index(self, student: str) -> KeyIndex | None:
         """The index that holds the line of a student."""
         return next((index for index in self._indices if student in index.beginnings), None)
 
     def _no_paper(self, student: str) -> ExamError:
-        return ExamError(
-            write_message(
-                str(self.key),
-                f'no paper of student "{student}"',
-                "one for every student who is marked",
-                "name the exam folder by which these marks were made",
-            )
-        )
+        what = Message("exam.no-paper", student=Quoted(student))
+        expected, do = Message("exam.one-for-every-student"), Message("exam.name-exam-of-marks")
+        return ExamError(Fault(str(self.key), what, expected, do))
 
     def _variant(self, number: int, text: bytes) -> Paper:
-        with decoding(self.pool, f"line {number}"):
-            return self._decoder.paper(text, f"{self.pool}: line {number}")
+        with decoding(self.pool, name_line(number)):
+            return self._decoder.paper(text, Place(self.pool, number))
 
 
 def open_exam(path: Path) -> ExamFolder:
@@ -254,9 +249,5 @@ def _read_texts(path: Path) -> Iterator[tuple[int, bytes]]:
 
 
 def _read_record(path: Path, number: int, text: bytes) -> KeyLine:
-    with decoding(path, f"line {number}"):
+    with decoding(path, name_line(number)):
         return read_key_line(text)
-
-
-def _name_owner(student: str) -> str:
-    return f'the paper of student "{student}"'

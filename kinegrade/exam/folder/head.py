@@ -10,14 +10,14 @@ from collections import Counter
 from collections.abc import Iterable
 from fractions import Fraction
 from pathlib import Path
-from typing import TypeVar
+from typing import Literal, TypeVar
 
 import msgspec
 
 from kinegrade.errors import ExamError, FieldError
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.earlier_signs import recognise_convention
-from kinegrade.exam.folder.faults import REMEDY, describe_damage
+from kinegrade.exam.folder.faults import EXAM_FOLDER, REMEDY, describe_damage
 from kinegrade.exam.folder.numbers import require_not_negative
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.exam.roster import make_student_key
@@ -26,13 +26,15 @@ from kinegrade.fields.table import Table
 from kinegrade.fields.values import Read, found
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.known import known_languages
+from kinegrade.language.message import Message, Quoted, list_choices, list_plainly
 from kinegrade.marks_folder.layout import GRADES
 
 FORMAT = 2  # the one that this version writes
 _FORMATS = (1, FORMAT)  # those that it reads
-_NEWER = "use a kinegrade at least as new as the one that made the folder"
+_NEWER = Message("exam.use-newer")
+_FILLED_LIST = Message("exam.a-filled-list")
 _MOST_BYTES = 10**9  # a class of any size
-_HEAD_FILE = FileKind("an exam folder made by kinegrade generate", ExamError, _MOST_BYTES, REMEDY)
+_HEAD_FILE = FileKind(EXAM_FOLDER, ExamError, _MOST_BYTES, REMEDY)
 _IDENTIFIER = re.compile(r"[^\W\d][\w'\u2032-]{0,79}")
 _Item = TypeVar("_Item")
 
@@ -47,9 +49,7 @@ def read_head(folder: Path) -> ExamHead:
     students = _read_list(table, "students", _read_candidate)
     columns = (ask.column for question in questions for ask in question.asks)
     _require_once(table, "questions", "ask", columns)
-    _require_once(
-        table, "students", "student", (make_student_key(each.student) for each in students)
-    )
+    _require_once(table, "students", "id", (make_student_key(each.student) for each in students))
     language = table.required("language", _read_language) or ENGLISH
     rest = {**table.content, "questions": [], "students": [], "language": language}
     try:
@@ -66,7 +66,7 @@ def _read_format(value: object) -> int:
     for known in _FORMATS:
         if value == known and not isinstance(value, bool):
             return known
-    expected = f"{' or '.join(map(str, _FORMATS))}, the only ones this kinegrade reads"
+    expected = Message("exam.formats", formats=list_choices(_FORMATS))
     newer = isinstance(value, int) and value > FORMAT
     raise FieldError(found(value), expected, _NEWER if newer else "")
 
@@ -76,16 +76,16 @@ def _read_language(value: object) -> Language:
     for known in known_languages():
         if value == known:
             return known
-    expected = f"one of {', '.join(known_languages())}, which this version of kinegrade knows"
+    expected = Message("exam.languages", languages=list_plainly(known_languages()))
     raise FieldError(found(value), expected)
 
 
 def _read_list(table: Table, key: str, read: Read[_Item]) -> tuple[_Item, ...]:
     """The entries of a list, which is not empty."""
     if key not in table:
-        table.missing(key, "a list that is not empty")
+        table.missing(key, _FILLED_LIST)
     if table.value(key) == []:
-        table.fault(key, "empty", "a list that is not empty")
+        table.fault(key, Message("exam.empty"), _FILLED_LIST)
     return table.listing(key, read)
 
 
@@ -93,7 +93,8 @@ def _read_question(value: object) -> ExamQuestion:
     question = _convert(_name_owner(value), ExamQuestion)
     _require_identifier("question", question.question)
     if not question.asks:
-        raise FieldError(f"question {question.question} asks nothing", "at least one ask")
+        what = Message("exam.asks-nothing", question=question.question)
+        raise FieldError(what, Message("exam.one-ask-at-least"))
     for ask in question.asks:
         _require_identifier("ask", ask.ask)
     return question
@@ -118,7 +119,7 @@ def _name_owner(item: object) -> object:
 def _read_candidate(value: object) -> Candidate:
     candidate = _convert(value, Candidate)
     if not make_student_key(candidate.student):
-        raise FieldError('"student" is empty', "an id")
+        raise FieldError(Message("exam.empty-id"), Message("exam.an-id"))
     return candidate
 
 
@@ -145,14 +146,13 @@ def _decode(kind: type, value: object) -> object:
 def _require_identifier(name: str, value: str) -> None:
     """Raises FieldError where that cannot be the id of a question or an ask."""
     if not _IDENTIFIER.fullmatch(value) or value in GRADES.columns:
-        raise FieldError(
-            f'"{name}" is {found(value)}',
-            f'letters, digits, "_" and "-", and no column of {GRADES.name}',
-        )
+        what = Message("exam.is", name=Quoted(name), found=found(value))
+        raise FieldError(what, Message("exam.identifier", file=GRADES.name))
 
 
-def _require_once(table: Table, key: str, kind: str, names: Iterable[str]) -> None:
+def _require_once(table: Table, key: str, kind: Literal["ask", "id"], names: Iterable[str]) -> None:
     """A fault for each name that appears in a list more than once."""
     for name, count in Counter(names).items():
         if count > 1:
-            table.fault(key, f'{kind} "{name}" appears {count} times', "each once")
+            what = Message(f"exam.twice-{kind}", name=Quoted(name), count=count)
+            table.fault(key, what, Message("exam.each-once"))

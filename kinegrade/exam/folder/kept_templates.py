@@ -10,8 +10,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from kinegrade.errors import ExamError, TemplateError
+from kinegrade.errors import ExamError, Problem, TemplateError
 from kinegrade.exam.folder.records import ExamQuestion
+from kinegrade.language.message import Fault
 from kinegrade.problem.library import load_kept_template
 from kinegrade.problem.template import Template
 
@@ -21,7 +22,7 @@ class KeptTemplates:
     """The templates that can be read, by question, and what is wrong with the others."""
 
     readable: Mapping[str, Template]
-    faults: tuple[str, ...]
+    faults: tuple[Problem, ...]
 
     def all(self) -> Mapping[str, Template]:
         """The templates of all questions. Raises ExamError with the faults of those that cannot be
@@ -35,10 +36,10 @@ class KeptTemplates:
 def read_kept_templates(folder: Path, questions: Sequence[ExamQuestion]) -> KeptTemplates:
     """The templates of these questions, of which the folder holds the files."""
     readable: dict[str, Template] = {}
-    faults: list[str] = []
+    faults: list[Problem] = []
     for each in questions:
         try:
             readable[each.question] = load_kept_template(each.template, folder)
         except TemplateError as error:
-            faults += (f"{folder.parent}: {problem}" for problem in error.problems)
+            faults += (Fault(str(folder.parent), each) for each in error.faults)
     return KeptTemplates(readable, tuple(faults))

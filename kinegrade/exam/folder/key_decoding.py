@@ -28,7 +28,7 @@ from kinegrade.exam.folder.exact_keys import read_exact_keys, read_key_line, rea
 from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.exam.folder.numbers import MOST_DIGITS, require_not_negative
 from kinegrade.exam.folder.records import Candidate, StatedTolerance
-from kinegrade.exam.folder.stated_keys import Entry, StatedKeys, Terms
+from kinegrade.exam.folder.stated_keys import Entry, Place, StatedKeys, Terms
 
 _REMOTE = re.compile("[eE][+-]?[0-9]{3}")  # powers of ten that no number may have
 _MOST_TERMS = 1000  # papers whose tolerances are kept, in case they differ on each
@@ -59,7 +59,7 @@ class PaperDecoder:
         self._decode = msgspec.json.Decoder(_define_line_type(asks), strict=False).decode
         self._terms: dict[bytes, Terms] = {}
 
-    def usual(self, lines: Sequence[bytes], places: Sequence[str]) -> list[Paper] | None:
+    def usual(self, lines: Sequence[bytes], places: Sequence[Place]) -> list[Paper] | None:
         """The papers on these lines, or None if one is not of the usual shape; `places` are the
         lines' in messages.
         """
@@ -68,7 +68,7 @@ class PaperDecoder:
         except _UNUSUAL:
             return None
 
-    def paper(self, line: bytes, place: str) -> Paper:
+    def paper(self, line: bytes, place: Place) -> Paper:
         """The paper on a line of any shape. Raises FieldError, and UnicodeDecodeError where it is
         not UTF-8.
         """
@@ -82,7 +82,7 @@ class PaperDecoder:
         candidate = self._candidates.get(student)
         return candidate.name if candidate else ""
 
-    def _papers(self, lines: Sequence[bytes], places: Sequence[str]) -> list[Paper]:
+    def _papers(self, lines: Sequence[bytes], places: Sequence[Place]) -> list[Paper]:
         found = [self._decode(line) for line in lines if line.isascii() or line.decode("utf-8")]
         papers = [
             [*chain.from_iterable([astuple(each.asks) for each in line.questions])]
@@ -94,21 +94,21 @@ class PaperDecoder:
             Paper(
                 line.student,
                 self._name(line.student),
-                self._keys(
-                    f'{place}: student "{line.student}"', keys, [*islice(centres, len(keys))]
-                ),
+                self._keys(place, line.student, keys, [*islice(centres, len(keys))]),
             )
             for line, place, keys in zip(found, places, papers, strict=True)
         ]
 
-    def _keys(self, place: str, entries: list[Entry], centres: list[float]) -> StatedKeys:
+    def _keys(
+        self, place: Place, student: str, entries: list[Entry], centres: list[float]
+    ) -> StatedKeys:
         terms = self._terms_of(b"\0".join(chain.from_iterable(map(_TERMS, entries))))
         if any(terms.periods):
             centres = [
                 nan if period else centre
                 for centre, period in zip(centres, terms.periods, strict=True)
             ]
-        return StatedKeys(place, entries, centres, terms)
+        return StatedKeys(place, student, entries, centres, terms)
 
     def _terms_of(self, stated: bytes) -> Terms:
         """Rule and period of each ask; they are the same on most papers."""

@@ -13,8 +13,14 @@ from pathlib import Path
 
 import msgspec
 
-from kinegrade.exam.folder.faults import describe_damage, explain_broken, explain_unreadable
+from kinegrade.exam.folder.faults import (
+    describe_damage,
+    explain_broken,
+    explain_unreadable,
+    name_line,
+)
 from kinegrade.exam.folder.ownership import find_repetitions
+from kinegrade.language.message import Fault
 
 _BEGINNING = re.compile(rb'\{"student": ?("(?:[^"\\]|\\.)*")')
 
@@ -70,9 +76,8 @@ def _find_owners(path: Path) -> Iterator[tuple[str, int]]:
                 try:
                     yield _read_owner(line), begin
                 except (ValueError, RecursionError) as fault:
-                    raise explain_broken(
-                        path, [f"line {number}: {describe_damage(fault)}"]
-                    ) from fault
+                    damage = Fault(name_line(number), describe_damage(fault))
+                    raise explain_broken(path, [damage]) from fault
             begin += len(line)
 
 

@@ -8,12 +8,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
-from kinegrade.errors import FieldError
-from kinegrade.exam.folder.faults import explain_broken, explain_unreadable
+from kinegrade.errors import FieldError, Problem
+from kinegrade.exam.folder.faults import explain_broken, explain_unreadable, name_line
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.exam.folder.ownership import find_ownership_faults
 from kinegrade.exam.folder.records import Candidate
+from kinegrade.exam.folder.stated_keys import Place
+from kinegrade.language.message import Fault
 
 # Bytes: a few of the long lines, but no more than fits in a processor's cache
 _BUFFER = 2**17
@@ -57,7 +59,7 @@ class _Papers:
         self.decoder = PaperDecoder(asks, candidates)
         self.early: dict[str, _Line] = {}
         self.seen: list[str] = []
-        self.faults: list[str] = []
+        self.faults: list[Problem] = []
 
     def in_roster_order(self) -> Iterator[Paper]:
         """All papers. Raises ExamError, after the last."""
@@ -92,7 +94,7 @@ class _Papers:
                     if not self.faults:
                         yield line, paper
                 except FieldError as fault:
-                    self.faults.append(f"line {line.number}: {fault}")
+                    self.faults.append(Fault(name_line(line.number), fault.faults[0]))
 
     def _lines(self) -> Iterator[list[_Line]]:
         """The lines that are not empty, in batches."""
@@ -113,5 +115,5 @@ class _Papers:
         self.stream.seek(now)
         return self.decoder.paper(text, self._place(line))
 
-    def _place(self, line: _Line) -> str:
-        return f"{self.path}: line {line.number}"
+    def _place(self, line: _Line) -> Place:
+        return Place(self.path, line.number)

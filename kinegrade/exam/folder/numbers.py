@@ -11,6 +11,7 @@ from functools import lru_cache
 
 from kinegrade.errors import FieldError
 from kinegrade.exact.written import NumberError, read_number
+from kinegrade.language.message import Message, Quoted
 
 MOST_DIGITS = 100
 RATIONAL = re.compile(r"-?[0-9]{1,300}(?:/[0-9]{0,299}[1-9][0-9]{0,299})?")
@@ -34,7 +35,7 @@ def require_number(name: str, found: object) -> Fraction:
     written = isinstance(found, Decimal | str | int) and not isinstance(found, bool)
     exact = _read_exactly(found) if written else None
     if exact is None:
-        raise FieldError(f'"{name}" is {_show(found)} - expected a number')
+        raise _refuse(name, found, Message("exam.a-number"))
     return exact
 
 
@@ -42,8 +43,12 @@ def require_not_negative(name: str, found: object) -> Fraction:
     """A number of zero or more, exactly. Raises FieldError."""
     exact = require_number(name, found)
     if exact < 0:
-        raise FieldError(f'"{name}" is {_show(found)} - expected zero or more')
+        raise _refuse(name, found, Message("exam.zero-or-more"))
     return exact
+
+
+def _refuse(name: str, found: object, expected: Message) -> FieldError:
+    return FieldError(Message("exam.is", name=Quoted(name), found=_show(found)), expected)
 
 
 @lru_cache(maxsize=4096)  # points and tolerances repeat on every paper

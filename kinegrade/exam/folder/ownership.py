@@ -6,21 +6,24 @@ from collections import Counter
 from collections.abc import Collection, Iterator
 
 from kinegrade.exam.folder.contents import HEAD
+from kinegrade.language.message import Message, Quoted
 
 
-def find_ownership_faults(owners: Collection[str], candidates: Collection[str]) -> Iterator[str]:
+def find_ownership_faults(
+    owners: Collection[str], candidates: Collection[str]
+) -> Iterator[Message]:
     """What is wrong with the students of the lines: students with several lines, candidates with
     none, and students who are not candidates.
     """
     yield from find_repetitions(owners)
     for student in sorted(set(candidates).difference(owners)):
-        yield f'no line for student "{student}" - expected one'
+        yield Message("exam.no-line", student=Quoted(student))
     for student in sorted(set(owners).difference(candidates)):
-        yield f'student "{student}" is not in {HEAD} - expected only its students'
+        yield Message("exam.strange-student", student=Quoted(student), head=HEAD)
 
 
-def find_repetitions(owners: Collection[str]) -> Iterator[str]:
+def find_repetitions(owners: Collection[str]) -> Iterator[Message]:
     """A fault for each student with several lines."""
     for student, count in Counter(owners).items():
         if count > 1:
-            yield f'student "{student}" appears {count} times - expected once'
+            yield Message("exam.repeated-student", student=Quoted(student), count=count)

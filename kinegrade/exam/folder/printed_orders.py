@@ -7,7 +7,8 @@ from pathlib import Path
 
 import msgspec
 
-from kinegrade.exam.folder.faults import AS_GENERATED, explain_broken, explain_unreadable
+from kinegrade.exam.folder.faults import AS_GENERATED, explain_broken, explain_unreadable, name_line
+from kinegrade.language.message import Fault, Message
 
 _STATED = b'"printed"'
 
@@ -46,6 +47,6 @@ def _read_orders(
             if sorted(found.printed) != questions:
                 raise ValueError
         except (ValueError, RecursionError) as fault:
-            wrong = f'line {number}: "printed" is not an order of the questions'
-            raise explain_broken(key, [f"{wrong} - {AS_GENERATED}"]) from fault
+            wrong = Fault(name_line(number), Message("exam.not-an-order"), AS_GENERATED)
+            raise explain_broken(key, [wrong]) from fault
         yield found.student, found.printed

@@ -12,18 +12,32 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain
 from math import isfinite
+from pathlib import Path
+from typing import NamedTuple
 
 import msgspec
 
-from kinegrade.errors import FieldError
+from kinegrade.errors import ExamError, FieldError, Problem
 from kinegrade.exam.folder.exact_keys import read_mistakes
-from kinegrade.exam.folder.faults import describe_damage, explain_broken
+from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line
 from kinegrade.exam.folder.keys import Ask, Rule, StatedKey
 from kinegrade.exam.folder.numbers import RATIONAL
+from kinegrade.language.message import Fault, Message, Quoted
 
 _all_decoded = msgspec.json.Decoder(list[dict[str, float]], strict=False).decode
 _decoded = msgspec.json.Decoder(dict[str, float], strict=False).decode
 _exactly_decoded = msgspec.json.Decoder(dict[str, str]).decode
+
+
+class Place(NamedTuple):
+    """Where the line of a paper stands, for messages; 0 where its number is not known."""
+
+    file: Path
+    line: int = 0
+
+    def locate(self, fault: Fault) -> Fault:
+        """A fault of that line, with its number."""
+        return Fault(name_line(self.line), fault) if self.line else fault
 
 
 class Entry(msgspec.Struct, frozen=True, gc=False):
@@ -54,13 +68,15 @@ class Terms:
 
 
 class StatedKeys(msgspec.Struct, frozen=True, gc=False):
-    """The keys in the order of the asks; `place` names the file and the line, for messages.
+    """The keys in the order of the asks; `place` and `student` are whose line of which file that
+    is, for messages.
 
     `centres` are the right answers rightly rounded to doubles, or NaN where a number of turns is
     right too.
     """
 
-    place: str
+    place: Place
+    student: str
     entries: Sequence[Entry]
     centres: Sequence[float]
     terms: Terms
@@ -92,13 +108,17 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
                 return usual
         except (msgspec.MsgspecError, ValueError):
             pass
-        where = f"{self.place}: {self.terms.asks[ask].column}"
         try:
             return read_mistakes(_exactly_decoded(written))
         except FieldError as fault:
-            raise explain_broken(where, [str(fault)]) from fault
+            raise self._explain(ask, fault.faults[0]) from fault
         except ValueError as fault:
-            raise explain_broken(where, [f"mistakes: {describe_damage(fault)}"]) from fault
+            raise self._explain(ask, Fault("mistakes", describe_damage(fault))) from fault
+
+    def _explain(self, ask: int, fault: Problem) -> ExamError:
+        whose = Message("exam.student", student=Quoted(self.student))
+        found = Fault(whose, Fault(self.terms.asks[ask].column, fault))
+        return explain_broken(self.place.file, [self.place.locate(found)])
 
 
 def read_stated_mistakes(

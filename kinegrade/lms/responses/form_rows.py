@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.roster import COLUMN_NAMES
+from kinegrade.exam.roster import Column, list_column_names
 from kinegrade.language.message import Message, Quoted
 from kinegrade.language.spellings import match_spellings
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks, without_derived
@@ -23,7 +23,7 @@ _TITLES: Mapping[str, Message] = {
     "email": Message("responses.titles-of-addresses"),
     "name": Message("responses.titles-of-names"),
 }
-_COLUMN_NAMES = {"id": "student", "email": "email", "name": "name"}
+_COLUMNS: Mapping[str, Column] = {"id": "student", "email": "email", "name": "name"}
 
 
 def form_rows(
@@ -69,7 +69,7 @@ def _asks_for(kind: str, title: str) -> bool:
     if len(title) > _LONGEST_TITLE:
         return False
     return (
-        key in COLUMN_NAMES[_COLUMN_NAMES[kind]]
+        key in list_column_names(_COLUMNS[kind])
         or _match_titles(_TITLES[kind]).search(key) is not None
     )
 

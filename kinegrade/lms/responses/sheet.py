@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.roster import COLUMN_NAMES
+from kinegrade.exam.roster import Column, list_column_names
 from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
@@ -35,7 +35,7 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     )
 
 
-def _places(header: Sequence[str], column: str) -> list[int]:
+def _places(header: Sequence[str], column: Column) -> list[int]:
     """The columns with that meaning, the best name first."""
     keys = [make_header_key(name) for name in header]
-    return [keys.index(name) for name in COLUMN_NAMES[column] if name in keys]
+    return [keys.index(name) for name in list_column_names(column) if name in keys]
