@@ -344,7 +344,7 @@ def test_a_broken_line_of_the_key_is_named(small_class: Path, tmp_path: Path) ->
     line["questions"][0]["asks"]["v_B"]["points"] = "1e999"
     with pytest.raises(
         ExamError,
-        match=r'the line of student "007" is broken \("points" is .* - expected a number\) - expect',
+        match=r'the line of student "007": is broken \("points" is .* - expected a number\) - expect',
     ):
         make_quiz_paper(source, PLAIN, read_line(line))
 
