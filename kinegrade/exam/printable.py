@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from kinegrade.errors import TypesetError
+from kinegrade.errors import Problem, TypesetError
 from kinegrade.fields.place import key_path
 from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.message import Fault, Message
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.slots import Slot, find_slots_in_formulas, split_slots
@@ -21,21 +22,21 @@ from kinegrade.problem.template_texts import list_lines
 _Writer = Callable[[str, str], str]  # takes a text and its place, gives Typst code
 
 
-def find_printing_faults(template: Template) -> list[str]:
+def find_printing_faults(template: Template) -> list[Problem]:
     """What keeps texts of a template from being printed, each with its place; empty where nothing
     does.
     """
-    faults: list[str] = []
+    faults: list[Problem] = []
     codes: dict[str, str] = {}
     for where, text, written in _list_texts(template):
         try:
             codes[where] = written(text, where)
         except TypesetError as error:
-            faults += error.problems
+            faults += error.faults
     return list(dict.fromkeys([*faults, *_find_refused(codes), *_find_unfilled(template)]))
 
 
-def _find_refused(codes: dict[str, str]) -> list[str]:
+def _find_refused(codes: dict[str, str]) -> list[Problem]:
     """The typesetter's complaints about codes, given by their places: all are tried at once, and
     one by one only if that is refused.
     """
@@ -43,27 +44,25 @@ def _find_refused(codes: dict[str, str]) -> list[str]:
     try:
         press.require_printable("\n".join(codes.values()), "texts")
     except TypesetError:
-        faults: list[str] = []
+        faults: list[Problem] = []
         for where, code in codes.items():
             try:
                 press.require_printable(code, where)
             except TypesetError as error:
-                faults += error.problems
+                faults += error.faults
         return faults
     return []
 
 
-def _find_unfilled(template: Template) -> Iterator[str]:
+def _find_unfilled(template: Template) -> Iterator[Fault]:
     """Slots where nothing is filled in: they would be printed with their braces."""
     for place, translated in list_lines(template):
         for where, text in translated.list_written(place):
             inside = find_slots_in_formulas(text)
             for slot in split_slots(text):
                 if isinstance(slot, Slot) and slot not in inside:
-                    yield (
-                        f"{key_path(where)}: {{{{ {slot.name} }}}}: nothing is filled in here: "
-                        "write it out, or put it into the statement"
-                    )
+                    what = Message("exam.slot-not-filled", name=slot.name)
+                    yield Fault(key_path(where), what)
 
 
 def _list_texts(template: Template) -> Iterator[tuple[str, str, _Writer]]:

@@ -68,7 +68,7 @@ def print_worked_solution(
     try:
         require_doubles(solution)
     except Refused as refusal:
-        what = Message("exam.too-large-to-work", reason=str(refusal))
+        what = Message("exam.too-large-to-work", reason=refusal.detail)
         raise MechanismError(Fault(template.name, what)) from refusal
     worked = write_worked_solution(solution, _list_shown(template), language, method)
     question = WorkedQuestion(
