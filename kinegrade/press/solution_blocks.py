@@ -5,6 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from re import fullmatch
 
+from kinegrade.language.message import Message
+from kinegrade.press.sheet import WorkedQuestion
+from kinegrade.question_numbers import find_other_number
 from kinegrade.worked.document import Block, Display, Heading, Prose, Result, TermTable
 
 FORMULA_ALONE = r"\$[^$]+\$"
@@ -28,6 +31,14 @@ def stays(block: Block, following: Block | None = None, third: Block | None = No
         # Any other neighbours may be parted: what stays together is named, a new block stands alone
         case _:
             return False
+
+
+def name_question(question: WorkedQuestion) -> Message:
+    """The heading of a question, with its number in the answer sheet where that is another."""
+    other = find_other_number(question.identifier, question.number)
+    if other is None:
+        return Message("solution.question", number=question.number)
+    return Message("solution.question-known", number=question.number, known=other)
 
 
 def has_exact_decimal(result: Result) -> bool:

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import assert_never
 
-from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.language import Language
+from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.html_text import (
     write_math_html,
     write_plain_html,
@@ -39,11 +39,11 @@ def write_blocks(blocks: Sequence[Block], language: Language) -> str:
     """The blocks of a worked solution one after the other; pictures are left out. Raises
     TypesetError.
     """
-    words = choose_solution_words(language)
+    words = open_catalogue(language)
     return "".join(_write_block(block, words) for block in blocks)
 
 
-def _write_block(block: Block, words: SolutionWords) -> str:
+def _write_block(block: Block, words: Catalogue) -> str:
     match block:
         case Heading():
             tag = "h4" if block.level == 1 else "h5"
@@ -76,7 +76,7 @@ def _write_aligned(lines: Sequence[str]) -> str:
     return write_math_html(rf"\begin{{aligned}} {body} \end{{aligned}}", _WHERE, display=True)
 
 
-def _write_terms(terms: Sequence[Term], words: SolutionWords) -> str:
+def _write_terms(terms: Sequence[Term], words: Catalogue) -> str:
     """The vector equation over the magnitudes and directions of its terms."""
     symbols = [
         write_math_html(
@@ -86,8 +86,8 @@ def _write_terms(terms: Sequence[Term], words: SolutionWords) -> str:
     ]
     rows = [
         ("", symbols),
-        (words.magnitude, [_write_cell(term.magnitude) for term in terms]),
-        (words.direction, [_write_cell(term.direction) for term in terms]),
+        (words.text("solution.layout.magnitude"), [_write_cell(term.magnitude) for term in terms]),
+        (words.text("solution.layout.direction"), [_write_cell(term.direction) for term in terms]),
     ]
     written = "".join(
         (

@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Generic, TypeVar
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.solution_words import choose_solution_words
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each
@@ -60,8 +59,7 @@ def _read_paper_words(language: Language) -> Mapping[str, str]:
 
 
 def _read_solution_words(language: Language) -> Mapping[str, str]:
-    words = choose_solution_words(language)
-    return asdict(words) | {"page": words.page.format("<page>", "<pages>")}
+    return open_catalogue(language).raw("solution", "layout.")
 
 
 _PAPERS: _Kind[Paper] = _Kind("papers", write_paper_body, _read_paper_words)

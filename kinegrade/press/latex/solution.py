@@ -7,8 +7,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from re import fullmatch
 
-from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.figure.tikz import write_tikz
+from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.latex_text import write_comment, write_plain
 from kinegrade.language.math.latex import write_latex_math
@@ -22,8 +22,13 @@ from kinegrade.press.latex.document import (
 )
 from kinegrade.press.paper_parts import choose_exact
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
-from kinegrade.press.solution_blocks import FORMULA_ALONE, UNKNOWN, has_exact_decimal, stays
-from kinegrade.question_numbers import find_other_number
+from kinegrade.press.solution_blocks import (
+    FORMULA_ALONE,
+    UNKNOWN,
+    has_exact_decimal,
+    name_question,
+    stays,
+)
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -46,7 +51,7 @@ _BANDS = (
 
 def write_solution_body(sheet: SolutionSheet) -> str:
     """One student's worked solutions; raises TypesetError with all faults of its texts."""
-    words, where = choose_solution_words(sheet.language), f"solutions of paper {sheet.code}"
+    words, where = open_catalogue(sheet.language), f"solutions of paper {sheet.code}"
     texts = (sheet.title, sheet.course, sheet.date, sheet.student, sheet.name, sheet.code)
     head = write_command("solutionhead", *map(write_plain, texts))
     questions = convert_each(
@@ -55,10 +60,8 @@ def write_solution_body(sheet: SolutionSheet) -> str:
     return write_environment("sheet", [write_comment(where), head, *questions]) + "\n"
 
 
-def _write_question(question: WorkedQuestion, words: SolutionWords, sheet: str) -> str:
+def _write_question(question: WorkedQuestion, words: Catalogue, sheet: str) -> str:
     where = write_named(sheet, question.identifier, question.template)
-    other = find_other_number(question.identifier, question.number)
-    known = words.question if other is None else words.question_known
     parts = gather(
         title=lambda: write_line(question.title, f"{where}, title"),
         statement=lambda: write_prose(question.statement, f"{where}, statement"),
@@ -66,7 +69,7 @@ def _write_question(question: WorkedQuestion, words: SolutionWords, sheet: str) 
             lambda place: _write_block(question.blocks, place, where), range(len(question.blocks))
         ),
     )
-    heading = write_plain(known.format(question.number, other))
+    heading = write_plain(words.write(name_question(question)))
     return "\n".join(
         (
             write_comment(where),

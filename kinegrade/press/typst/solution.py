@@ -7,18 +7,22 @@ the page (equations, tables of terms) goes to the layout in pieces, which it mea
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict
 from re import fullmatch
 
-from kinegrade.exam.solution_words import SolutionWords, choose_solution_words
 from kinegrade.figure.typst import write_typst
-from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.equation_line import split_equation_line
 from kinegrade.press.paper_parts import choose_exact
 from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
-from kinegrade.press.solution_blocks import FORMULA_ALONE, UNKNOWN, has_exact_decimal, stays
+from kinegrade.press.solution_blocks import (
+    FORMULA_ALONE,
+    UNKNOWN,
+    has_exact_decimal,
+    name_question,
+    stays,
+)
 from kinegrade.press.typst.layout_call import (
     Sheet,
     write_formula,
@@ -26,7 +30,6 @@ from kinegrade.press.typst.layout_call import (
     write_signed,
     write_value,
 )
-from kinegrade.question_numbers import find_other_number
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -48,7 +51,7 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
     """Typst source of one student's worked solutions; raises TypesetError with all faults of their
     texts.
     """
-    words = choose_solution_words(sheet.language)
+    words = open_catalogue(sheet.language)
     data: Sheet = {
         "questions": convert_each(
             lambda question: _write_question(question, words, size), sheet.questions
@@ -58,12 +61,12 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
         name: getattr(sheet, name)
         for name in ("course", "title", "date", "student", "name", "code")
     }
-    data |= {"language": open_catalogue(sheet.language).raw("language", "page.")}
-    data |= {"size": size, "words": asdict(words) | {"page": words.page.split("{}")}}
+    data |= {"language": words.raw("language", "page.")}
+    data |= {"size": size, "words": words.raw("solution", "layout.")}
     return write_layout_call("solution", data)
 
 
-def _write_question(question: WorkedQuestion, words: SolutionWords, size: PaperSize) -> Sheet:
+def _write_question(question: WorkedQuestion, words: Catalogue, size: PaperSize) -> Sheet:
     where = f"{question.identifier}, solution"
     sheet = gather(
         title=lambda: write_line(question.title, f"{question.identifier}, title"),
@@ -73,9 +76,7 @@ def _write_question(question: WorkedQuestion, words: SolutionWords, size: PaperS
             range(len(question.blocks)),
         ),
     )
-    other = find_other_number(question.identifier, question.number)
-    known = words.question if other is None else words.question_known
-    return sheet | {"heading": known.format(question.number, other)}
+    return sheet | {"heading": words.write(name_question(question))}
 
 
 def _write_block(blocks: Sequence[Block], place: int, where: str, size: PaperSize) -> Sheet:
