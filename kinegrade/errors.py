@@ -203,12 +203,3 @@ def find_misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[s
     from difflib import get_close_matches  # as above
 
     return frozenset(near for word in words for near in get_close_matches(word, absent, 1, 0.7))
-
-
-def join_alternatives(words: Sequence[str]) -> str:
-    """Words to choose from, each in quotation marks, in English.
-
-    >>> join_alternatives(["a", "b", "c"])
-    '"a", "b" or "c"'
-    """
-    return open_catalogue(ENGLISH).write(list_choices(map(Quoted, words)))

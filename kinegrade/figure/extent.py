@@ -19,5 +19,5 @@ def measure_symbol(symbol: str) -> tuple[float, float]:
 
     Raises TypesetError for what is not LaTeX math.
     """
-    width, height = measure_label(read_math(symbol, "figure: label"))
+    width, height = measure_label(read_math(symbol, "figure.labels"))
     return width * EM, height * EM

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinegrade.errors import TypesetError
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault
 from kinegrade.problem.symbols import find_symbol_fault
 
 
@@ -11,4 +11,4 @@ def require_symbol(symbol: str) -> None:
     """Raises TypesetError for a label that is not a LaTeX symbol."""
     fault = find_symbol_fault(symbol)
     if fault is not None:
-        raise TypesetError(Fault(Message("figure.label"), fault))
+        raise TypesetError(Fault("figure.labels", fault))

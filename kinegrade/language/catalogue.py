@@ -127,12 +127,11 @@ class Catalogue:
         where, what = self.write(fault.where), self.write(fault.what)
         expected, do = self.write(fault.expected), self.write(fault.do)
         place = f"{where}: " if where else ""
-        parts = (
-            f"{place}{shorten(what, _LONGEST_PART)}",
-            expected and self.text("grammar.expected", expected=expected),
-            do,
-        )
-        return " - ".join(shorten(part, 2 * _LONGEST_PART) for part in parts if part)
+        if not isinstance(fault.what, Fault):  # whose parts are short already
+            what = shorten(what, _LONGEST_PART)
+        remedies = (expected and self.text("grammar.expected", expected=expected), do)
+        advice = (shorten(part, 2 * _LONGEST_PART) for part in remedies)
+        return " - ".join(filter(None, (f"{show_in_one_line(place)}{what}", *advice)))
 
     def _write_listing(self, listing: Listing, form: str) -> str:
         items = [self.write(item, form) for item in listing.items]

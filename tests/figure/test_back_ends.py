@@ -79,7 +79,7 @@ def test_the_estimated_room_holds_every_symbol_latex_sets(tmp_path: Path) -> Non
 def test_what_is_no_symbol_is_refused(back_end: BackEnd) -> None:
     for symbol in ("#read(1)", r"\input{x}", "a$b"):
         scene = Scene(9.0, 9.0, 1.0, (Label(symbol, Vector(1.0, 1.0), 1.0, 1.0),))
-        with pytest.raises(TypesetError, match=r"^figure: label: "):
+        with pytest.raises(TypesetError, match=r"^figure\.labels: "):
             back_end(scene)
 
 

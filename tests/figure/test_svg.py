@@ -148,7 +148,7 @@ def test_the_middle_of_the_letters_is_the_middle_of_the_box() -> None:
 
 def test_what_is_no_symbol_is_refused() -> None:
     for symbol in ("<script>", r"\input{x}", "a$b"):
-        with pytest.raises(TypesetError, match=r"^figure: label: "):
+        with pytest.raises(TypesetError, match=r"^figure\.labels: "):
             drawn(Label(symbol, Vector(1.0, 1.0), 1.0, 1.0))
 
 

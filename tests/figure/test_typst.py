@@ -107,7 +107,7 @@ def test_the_box_round_a_picture_prints_what_typst_draws_itself() -> None:
 
 def test_a_picture_refuses_a_label_that_is_no_symbol() -> None:
     scene = Scene(10.0, 10.0, 1.0, (Label(r"\input{x}", Vector(5.0, 5.0), 3.0, 3.0),))
-    with pytest.raises(TypesetError, match="figure: label: "):
+    with pytest.raises(TypesetError, match="figure.labels: "):
         write_typst_picture(scene)
 
 

@@ -179,3 +179,13 @@ def test_statements_are_separated_by_semicolons() -> None:
 def test_choices_are_said_in_quotation_marks() -> None:
     english = open_catalogue(Language("en"))
     assert english.write(list_choices(map(Quoted, "abc"))) == '"a", "b" or "c"'
+
+
+def test_what_to_do_is_said_however_many_places_a_fault_is_in() -> None:
+    fault = Fault("points.A", "x" * 1000, "y" * 250, "narrow the domains")
+    for where in ("crank", "q1", "bank.toml:3"):
+        fault = Fault(where, fault)
+    written = open_catalogue(Language("en")).write(fault)
+    assert written.startswith("bank.toml:3: q1: crank: points.A: xxx")
+    assert written.endswith("yyy - narrow the domains")
+    assert "x… - expected y" in written
