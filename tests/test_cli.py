@@ -133,7 +133,8 @@ def test_show_tells_parameters_asks_and_the_number_of_instances(name: str, langu
     problem = api.template(name)
     result = kinegrade("show", name, "--lang", language)
     assert result.exit_code == 0
-    assert f"drawable combinations: {problem.template.combinations}, " in result.stdout
+    combinations = {"en": "drawable combinations: ", "zh": "可抽取的组合："}[language]
+    assert f"{combinations}{problem.template.combinations}" in result.stdout
     words = result.stdout.split()
     assert set(problem.template.parameters) | set(problem.template.asks) <= set(words)
 

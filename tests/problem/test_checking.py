@@ -283,3 +283,14 @@ def test_no_value_breaks_a_template_that_could_never_be_drawn() -> None:
         ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "-omega*r*h/(2*abs(h))" }'),
     )
     assert not [fault for fault in all_said(check(small, sample=60).faults) if "breaks" in fault]
+
+
+def test_the_report_is_in_the_language_of_the_terminal(tmp_path: Path) -> None:
+    file = tmp_path / "crank.toml"
+    file.write_text(crank_text(), encoding="utf-8")
+    chinese = CliRunner(env={"LC_ALL": "zh_CN.UTF-8"})
+    shown = chinese.invoke(main, ["check", str(file), "--sample", "18", "--jobs", "1"])
+    assert shown.exit_code == 1
+    assert shown.stdout.startswith("crank：有误\n  齐全的语言：en、zh\n")
+    assert "拒绝：大小不合理 2、不合条件 6、退化 4、机构不成立 4\n" in shown.stdout
+    assert "  错误：v_x 在所有实例中答案相同：学生会猜到\n" in shown.stdout
