@@ -69,3 +69,13 @@ def test_help_has_an_entry_for_each_command_and_option_and_none_besides(language
     commands = {f"help.{name}" for name in main.commands}
     assert all(isinstance(each, click.Command) for each in main.commands.values())
     assert all("kinegrade " in open_catalogue(language).text(key) for key in commands)
+
+
+def test_an_output_that_is_there_is_refused_in_the_language_of_the_terminal(tmp_path: Path) -> None:
+    path = tmp_path / "crank.toml"
+    path.write_text("mine", encoding="utf-8")
+    refused = chinese("new", "crank", "-o", path)
+    assert refused.stderr == (
+        f"错误：{path}: 已存在 - 应为新文件 - 请加 --force 以替换它，或换一个名称\n"
+    )
+    assert path.read_text(encoding="utf-8") == "mine"
