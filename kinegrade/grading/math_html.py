@@ -1,5 +1,5 @@
-"""Symbols and short prose of templates as HTML: formulas as MathML; a formula that cannot be read
-is left as text.
+"""Symbols and short prose of templates as HTML: formulas as MathML; what cannot be read is left as
+text.
 
 Every incoming character is escaped.
 """
@@ -12,6 +12,7 @@ from markupsafe import Markup
 
 from kinegrade.errors import TypesetError
 from kinegrade.language.math.mathml import write_mathml
+from kinegrade.language.prose.html import write_page_line
 
 
 def write_symbol_html(latex: str) -> Markup:
@@ -27,14 +28,12 @@ def write_symbol_html(latex: str) -> Markup:
 
 
 def write_prose_html(prose: str) -> Markup:
-    """A line of Markdown with `$...$` math: only math and text, no other markup.
+    """A line of Markdown with `$...$` math.
 
-    >>> print(write_prose_html("speed of $B$ < $c$"))
-    speed of <math><mi>B</mi></math> &lt; <math><mi>c</mi></math>
+    >>> print(write_prose_html("**speed** of $B$ < $c$"))
+    <strong>speed</strong> of <math><mi>B</mi></math> &lt; <math><mi>c</mi></math>
     """
-    parts = prose.split("$")
-    whole = len(parts) % 2 == 1
-    return Markup("").join(
-        write_symbol_html(part) if whole and index % 2 else Markup(escape(part))
-        for index, part in enumerate(parts)
-    )
+    try:
+        return Markup(write_page_line(prose, "text"))
+    except TypesetError:  # as above
+        return Markup(escape(prose))

@@ -227,5 +227,12 @@ def test_a_symbol_is_set_as_math_and_what_is_none_stays_text(latex: str, html: s
     assert write_symbol_html(latex) == html
 
 
-def test_prose_with_an_odd_dollar_sign_is_left_as_it_is() -> None:
-    assert write_prose_html("costs $5 <b>") == "costs 5 &lt;b&gt;"
+def test_prose_that_cannot_be_read_is_left_as_it_is() -> None:
+    assert write_prose_html("costs $5 <b>") == "costs $5 &lt;b&gt;"
+    assert write_prose_html(r"$\foo$ & more") == r"$\foo$ &amp; more"
+
+
+def test_prose_is_written_as_on_paper() -> None:
+    assert write_prose_html("the **slider's** *pin* &amp; $v$") == (
+        "the <strong>slider’s</strong> <em>pin</em> &amp; <math><mi>v</mi></math>"
+    )

@@ -1,4 +1,5 @@
-r"""Prose as HTML, as learning management systems show it: formulas between `\(` and `\)`.
+r"""Prose as HTML: for learning management systems with formulas between `\(` and `\)`, for pages of
+our own with MathML.
 
 Every character that comes in is escaped; the only tags are those made here, and they are
 well-formed XML too.
@@ -9,18 +10,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kinegrade.language.html_text import write_math_html, write_plain_html
+from kinegrade.language.math.mathml import write_mathml
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 
 
 class _HtmlRenderer(TextRenderer):
+    """Everything but formulas."""
+
     def text(self, plain: str, *, follows_formula: bool) -> str:
         return write_plain_html(plain)
-
-    def inline_formula(self, latex: str, where: str) -> str:
-        return write_math_html(latex, where)
-
-    def displayed_formula(self, latex: str, where: str) -> str:
-        return write_math_html(latex, where, display=True)
 
     def line_end(self, *, printed: bool) -> str:
         return " " if printed else ""
@@ -47,7 +45,24 @@ class _HtmlRenderer(TextRenderer):
         return f'<ol start="{start}">\n{_write_items(items)}</ol>\n'
 
 
-_WRITER = ProseWriter(_HtmlRenderer)
+class _MathjaxRenderer(_HtmlRenderer):
+    def inline_formula(self, latex: str, where: str) -> str:
+        return write_math_html(latex, where)
+
+    def displayed_formula(self, latex: str, where: str) -> str:
+        return write_math_html(latex, where, display=True)
+
+
+class _MathmlRenderer(_HtmlRenderer):
+    def inline_formula(self, latex: str, where: str) -> str:
+        return write_mathml(latex, where)
+
+    def displayed_formula(self, latex: str, where: str) -> str:
+        return write_mathml(latex, where)
+
+
+_WRITER = ProseWriter(_MathjaxRenderer)
+_PAGE_WRITER = ProseWriter(_MathmlRenderer)
 
 
 def write_prose(markdown: str, where: str) -> str:
@@ -68,6 +83,15 @@ def write_line(markdown: str, where: str) -> str:
     'speed of \\(B\\)'
     """
     return _WRITER.write_line(markdown, where)
+
+
+def write_page_line(markdown: str, where: str) -> str:
+    """HTML of one line of Markdown for a page of our own, which a browser shows without a script.
+
+    >>> write_page_line("**speed** of $B$", "q1")
+    '<strong>speed</strong> of <math><mi>B</mi></math>'
+    """
+    return _PAGE_WRITER.write_line(markdown, where)
 
 
 def _write_items(items: Sequence[Sequence[str]]) -> str:
