@@ -43,7 +43,6 @@ FLOORS = {
     "garbage_collection": 0,
     "processes": 0,
     "worker_process": 0,
-    "counting": 0,
     "mechanics": 1,
     "problem": 2,
     "figure": 3,

@@ -14,7 +14,6 @@ from kinegrade.language.math.tree import (
     Accent,
     Environment,
     Fenced,
-    Fraction,
     Function,
     Group,
     Letter,
@@ -23,6 +22,7 @@ from kinegrade.language.math.tree import (
     Mark,
     Node,
     Number,
+    Quotient,
     Root,
     Row,
     Scripts,
@@ -63,7 +63,7 @@ def _measure(node: Node) -> float:
             carried = 0.0 if base is None else _measure(base)
             scripts = _measure_row(lower or ()) + _measure_row(upper or ())
             return carried + primes + _SMALL * scripts
-        case Fraction(_, above, below):
+        case Quotient(_, above, below):
             return max(_measure_row(above), _measure_row(below)) + 0.5
         case Root(radicand, degree):
             return 1 + _measure_row(radicand) + _SMALL * _measure_row(degree or ())

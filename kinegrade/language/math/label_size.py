@@ -12,7 +12,6 @@ from kinegrade.language.math.tree import (
     Accent,
     Environment,
     Fenced,
-    Fraction,
     Function,
     Group,
     Letter,
@@ -21,6 +20,7 @@ from kinegrade.language.math.tree import (
     Mark,
     Node,
     Number,
+    Quotient,
     Root,
     Row,
     Scripts,
@@ -66,7 +66,7 @@ _BOLDER = 0.1
 def measure_label(row: Row) -> tuple[float, float]:
     """Width and height of a label, in em."""
     nodes = tuple(list_nodes(row))
-    tall = 1.9 if any(isinstance(node, Fraction) for node in nodes) else 1.0
+    tall = 1.9 if any(isinstance(node, Quotient) for node in nodes) else 1.0
     scripts = sum(
         (node.lower is not None) + (node.upper is not None)
         for node in nodes
@@ -106,7 +106,7 @@ def _measure_alone(node: Node) -> float:
             return _PRIME * primes
         case Lettering("boldsymbol", _):
             return _BOLDER
-        case Fraction() | Root() | Space() | LineBreak():
+        case Quotient() | Root() | Space() | LineBreak():
             return _find_width("")
         case Fenced():
             return 2 * _find_width("")

@@ -22,7 +22,6 @@ from kinegrade.language.math.tree import (
     Accent,
     Environment,
     Fenced,
-    Fraction,
     Function,
     Group,
     Letter,
@@ -31,6 +30,7 @@ from kinegrade.language.math.tree import (
     Mark,
     Node,
     Number,
+    Quotient,
     Root,
     Row,
     Scripts,
@@ -153,11 +153,11 @@ def _write_node(node: Node, dialect: LatexDialect) -> str:
 
 
 def _write_command(
-    node: Fraction | Root | Lettering | Accent | Fenced | Environment, dialect: LatexDialect
+    node: Quotient | Root | Lettering | Accent | Fenced | Environment, dialect: LatexDialect
 ) -> str:
     """What LaTeX writes as a command with its arguments."""
     match node:
-        case Fraction(name, above, below):
+        case Quotient(name, above, below):
             return rf"\{name}{_write_braced(above, dialect)}{_write_braced(below, dialect)}"
         case Root(radicand, degree):
             index = "" if degree is None else f"[{write_latex_row(degree, dialect)}]"

@@ -23,7 +23,6 @@ from kinegrade.language.math.tree import (
     Environment,
     EnvironmentName,
     Fenced,
-    Fraction,
     FractionName,
     Function,
     Group,
@@ -33,6 +32,7 @@ from kinegrade.language.math.tree import (
     Mark,
     Node,
     Number,
+    Quotient,
     Root,
     Row,
     Scripts,
@@ -225,9 +225,9 @@ def _is_many(node: Node) -> bool:
     return isinstance(node, Scripts | LineBreak | Mark)
 
 
-def _write_structure(node: Fraction | Root | Accent | Fenced | Environment, face: _Face) -> str:
+def _write_structure(node: Quotient | Root | Accent | Fenced | Environment, face: _Face) -> str:
     match node:
-        case Fraction(name, above, below):
+        case Quotient(name, above, below):
             parts = _write_grouped(above, face) + _write_grouped(below, face)
             return f"<mfrac{_FRACTIONS[name]}>{parts}</mfrac>"
         case Root(radicand, degree):

@@ -16,7 +16,6 @@ from kinegrade.language.math.tree import (
     Accent,
     Environment,
     Fenced,
-    Fraction,
     Function,
     Group,
     Letter,
@@ -25,6 +24,7 @@ from kinegrade.language.math.tree import (
     Mark,
     Node,
     Number,
+    Quotient,
     Root,
     Row,
     Scripts,
@@ -108,11 +108,11 @@ def _write_node(node: Node) -> str:
             return _write_rows(node)
 
 
-def _write_rows(node: Group | Fraction | Root | Lettering | Accent | Fenced | Environment) -> str:
+def _write_rows(node: Group | Quotient | Root | Lettering | Accent | Fenced | Environment) -> str:
     match node:
         case Group(row) | Lettering(_, row) | Accent(_, row) | Environment(_, row):
             return write_plain_row(row)
-        case Fraction(_, above, below):
+        case Quotient(_, above, below):
             return f"{_write_bracketed(above)}/{_write_bracketed(below)}"
         case Root(radicand, degree):
             index = "" if degree is None else _write_raised(degree)

@@ -30,7 +30,6 @@ from kinegrade.language.math.tree import (
     Accent,
     Environment,
     Fenced,
-    Fraction,
     Function,
     Group,
     Letter,
@@ -39,6 +38,7 @@ from kinegrade.language.math.tree import (
     Mark,
     Node,
     Number,
+    Quotient,
     Root,
     Row,
     Scripts,
@@ -207,7 +207,7 @@ class _Reader:
         if name in ACCENTS:
             return Accent(ACCENTS[name], self._argument(token))
         if name in FRACTIONS:
-            return Fraction(FRACTIONS[name], self._argument(token), self._argument(token))
+            return Quotient(FRACTIONS[name], self._argument(token), self._argument(token))
         return self._structure(token)
 
     def _structure(self, token: str) -> Node:

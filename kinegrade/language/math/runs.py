@@ -19,7 +19,6 @@ from kinegrade.language.math.tree import (
     AccentName,
     Environment,
     Fenced,
-    Fraction,
     Function,
     Group,
     Letter,
@@ -28,6 +27,7 @@ from kinegrade.language.math.tree import (
     Mark,
     Node,
     Number,
+    Quotient,
     Root,
     Row,
     Scripts,
@@ -111,7 +111,7 @@ def _write_node(node: Node, style: Run) -> list[Run]:
             return _write_row(row, style)
         case Scripts():
             return _write_scripts(node, style)
-        case Fraction(_, above, below):
+        case Quotient(_, above, below):
             return [*_write_row(above, style), replace(style, text="/"), *_write_row(below, style)]
         case Root(radicand, degree):
             return _write_root(radicand, degree, style)

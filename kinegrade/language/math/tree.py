@@ -95,7 +95,7 @@ class Scripts:
 
 
 @dataclass(frozen=True, slots=True)
-class Fraction:
+class Quotient:
     """One row above another."""
 
     name: FractionName
@@ -164,7 +164,7 @@ Node: TypeAlias = (
     | Space
     | Group
     | Scripts
-    | Fraction
+    | Quotient
     | Root
     | Lettering
     | Accent
@@ -207,7 +207,7 @@ def list_parts(node: Node) -> tuple[Row, ...]:
             return (row,)
         case Fenced(_, row, _):
             return (row,)
-        case Fraction(_, above, below):
+        case Quotient(_, above, below):
             return above, below
         case Root(radicand, degree):
             return degree or (), radicand

@@ -19,7 +19,6 @@ from kinegrade.language.math.tree import (
     Environment,
     EnvironmentName,
     Fenced,
-    Fraction,
     FractionName,
     Function,
     Group,
@@ -29,6 +28,7 @@ from kinegrade.language.math.tree import (
     Mark,
     Node,
     Number,
+    Quotient,
     Root,
     Row,
     Scripts,
@@ -170,10 +170,10 @@ def _write_node(node: Node, matched: bool = False) -> str:
             return _write_call(node)
 
 
-def _write_call(node: Fraction | Root | Lettering | Accent | Fenced | Environment) -> str:
+def _write_call(node: Quotient | Root | Lettering | Accent | Fenced | Environment) -> str:
     """What Typst writes as a function of its parts."""
     match node:
-        case Fraction(name, above, below):
+        case Quotient(name, above, below):
             return _FRACTIONS[name].format(_write_argument(above), _write_argument(below))
         case Root(radicand, degree):
             inside = _write_argument(radicand)

@@ -19,7 +19,6 @@ from kinegrade.language.math.tree import (
     Accent,
     Environment,
     Fenced,
-    Fraction,
     Function,
     Group,
     Letter,
@@ -28,6 +27,7 @@ from kinegrade.language.math.tree import (
     Mark,
     Node,
     Number,
+    Quotient,
     Root,
     Row,
     Scripts,
@@ -77,7 +77,7 @@ def list_formulas() -> list[str]:
 
 def _list_formulas_of(name: str) -> Iterator[str]:
     template = load_template(name)
-    shown, _ = show_instance(template, {})
+    shown = show_instance(template, {}).parameters
     symbols = [*template.parameters.values(), *template.asks.values()]
     yield from (each.symbol for each in symbols)
     for language in LANGUAGES:
@@ -122,7 +122,7 @@ def _parents(nodes: st.SearchStrategy[Node]) -> st.SearchStrategy[Node]:
     return st.one_of(
         st.builds(Group, rows),
         _scripts(nodes),
-        st.builds(Fraction, st.sampled_from(sorted(FRACTIONS)), rows, rows),
+        st.builds(Quotient, st.sampled_from(sorted(FRACTIONS)), rows, rows),
         st.builds(Root, rows, st.none() | unclosed),
         st.builds(Lettering, st.sampled_from(sorted(set(STYLES.values()))), rows),
         st.builds(Accent, st.sampled_from(sorted(ACCENTS)), rows),
