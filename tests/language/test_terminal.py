@@ -62,6 +62,13 @@ def test_what_is_wrong_with_an_exam_folder_is_said_in_the_language_of_the_termin
     )
 
 
+def test_why_a_mechanism_cannot_be_solved_is_said_in_the_language_of_the_terminal() -> None:
+    refused = chinese("solve", "slider-crank", "--set", "k=1/9")
+    assert refused.stderr == (
+        "错误：slider-crank: points.B: 以 A 为圆心、0.1111 为半径的圆达不到直线 y = 0\n"
+    )
+
+
 @pytest.mark.parametrize("language", known_languages())
 def test_help_has_an_entry_for_each_command_and_option_and_none_besides(language: Language) -> None:
     entries = read_entries(language, "help").entries
