@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -199,6 +200,30 @@ def test_only_the_arithmetic_knows_the_library_of_numbers() -> None:
     }
     assert {floor(module) for module, names in libraries.items() if "flint" in names} <= FLINT
     assert not set().union(*libraries.values()) & {"sympy", "mpmath", "scipy", "pandas"}
+
+
+def test_markdown_is_read_in_one_place_and_each_typesetter_has_its_room() -> None:
+    rooms = {
+        "markdown_it": "kinegrade.language.prose",
+        "mdit_py_plugins": "kinegrade.language.prose",
+        "typst": "kinegrade.press.typst",
+        "pylatex": "kinegrade.press.latex",
+    }
+    used = {
+        (name.split(".")[0], module)
+        for module, tree in TREES.items()
+        for name in imported(ast.walk(tree))
+        if name.split(".")[0] in rooms
+    }
+    assert {library for library, _ in used} == rooms.keys()
+    assert not [use for use in used if not use[1].startswith(f"{rooms[use[0]]}.")]
+
+
+def test_a_room_of_the_press_holds_at_most_twenty_files() -> None:
+    modules = [module for module in TREES if module.startswith("kinegrade.press.")]
+    rooms = Counter(module.rpartition(".")[0] for module in modules)
+    assert {"kinegrade.press.typst", "kinegrade.press.latex"} < rooms.keys()
+    assert max(rooms.values()) <= 20
 
 
 def test_only_what_hands_values_to_other_processes_knows_pickle() -> None:
