@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from abc import abstractmethod
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from itertools import chain
 
 from markdown_it import MarkdownIt
@@ -40,7 +40,8 @@ class ProseWriter:
     """Writes prose in the form of one target, and keeps what papers have in common."""
 
     def __init__(self, renderer: type[TextRenderer]) -> None:
-        self._renderer = renderer
+        self._renderer = renderer()
+        self._make_reader = partial(make_reader, renderer)
         self._lay_out_words_once = lru_cache(maxsize=1024)(self._lay_out_words)
         self._lay_out_line_once = lru_cache(maxsize=4096)(self._lay_out_line)
 
@@ -60,7 +61,7 @@ class ProseWriter:
 
     @cached_property
     def _reader(self) -> MarkdownIt:
-        return make_reader(self._renderer)
+        return self._make_reader()
 
     def _lay_out(self, markdown: str, where: str) -> str:
         return "".join(self._reader.render(markdown, {"where": where}))
@@ -84,7 +85,7 @@ class ProseWriter:
             between = self._lay_out_words_once(f"${_GAP}$".join(parts[::2]))
             if len(between) != len(formulas) + 1:
                 return None
-            written = [self._renderer().inline_formula(latex.strip(), "") for latex in formulas]
+            written = [self._renderer.inline_formula(latex.strip(), "") for latex in formulas]
         except TypesetError:
             return None
         return "".join(chain.from_iterable(zip(between, [*written, ""], strict=True)))
