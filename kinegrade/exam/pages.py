@@ -13,8 +13,10 @@ from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.decimal_mark import write_decimal_text
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.press.paper_parts import write_points_text
 from kinegrade.press.sheet import (
     AnswerRow,
     KeyAnswer,
@@ -170,7 +172,7 @@ def _make_key_entry(question: SetQuestion, language: Language) -> KeyEntry:
         KeyParameter(
             template.parameters[name].symbol,
             None if quantity.is_plain else quantity.closed_form,
-            quantity.decimal(6),
+            write_decimal_text(quantity.decimal(6), language),
             quantity.unit,
         )
         for name, quantity in solution.parameters.items()
@@ -179,10 +181,10 @@ def _make_key_entry(question: SetQuestion, language: Language) -> KeyEntry:
         KeyAnswer(
             template.asks[entry.ask.name].symbol,
             entry.answer.closed_form,
-            entry.answer.decimal(6),
+            write_decimal_text(entry.answer.decimal(6), language),
             entry.answer.unit,
-            write_interval(entry),
-            entry.ask.points,
+            write_interval(entry, language),
+            write_points_text(entry.ask.points, language),
         )
         for entry in question.asks
     )
@@ -194,10 +196,11 @@ def _make_key_entry(question: SetQuestion, language: Language) -> KeyEntry:
     )
 
 
-def write_interval(entry: SetAsk) -> str:
+def write_interval(entry: SetAsk, language: Language) -> str:
     """The closed interval of what is marked right, rounded to six figures for the reader."""
-    low, high = entry.tolerance.interval(_read_decimal(entry.answer))
-    return f"[{float(low):.6g}, {float(high):.6g}]"
+    ends = entry.tolerance.interval(_read_decimal(entry.answer))
+    low, high = (write_decimal_text(f"{float(end):.6g}", language) for end in ends)
+    return open_catalogue(language).text("paper.interval", low=low, high=high)
 
 
 def _read_decimal(quantity: Quantity) -> Fraction:

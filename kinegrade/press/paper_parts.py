@@ -9,7 +9,9 @@ from fractions import Fraction
 from functools import lru_cache
 
 from kinegrade.figure.scene import Scene
+from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue
+from kinegrade.language.decimal_mark import write_decimal_text
 from kinegrade.press.sheet import Paper, QuestionSheet
 from kinegrade.question_numbers import find_other_number
 
@@ -18,19 +20,21 @@ _BESIDE = 80.0  # millimetres: a wider figure leaves too narrow a column of text
 
 
 @lru_cache(maxsize=1024)
-def write_points_text(points: Fraction) -> str:
+def write_points_text(points: Fraction, language: Language) -> str:
     """Points as they are printed: a decimal where one is exact, else a fraction.
 
-    >>> [write_points_text(Fraction(value)) for value in ("4", "5/2", "1/3")]
+    >>> [write_points_text(Fraction(value), Language("en")) for value in ("4", "5/2", "1/3")]
     ['4', '2.5', '1/3']
     """
     decimal = f"{float(points):.6g}"
-    return decimal if Fraction(decimal) == points else str(points)
+    exact = Fraction(decimal) == points
+    return write_decimal_text(decimal, language) if exact else str(points)
 
 
 def write_points_in_words(points: Fraction, words: Catalogue) -> str:
     """Points with the word for them: "1 point", "2.5 points"."""
-    count = int(points) if points.denominator == 1 else write_points_text(points)
+    whole = points.denominator == 1
+    count = int(points) if whole else write_points_text(points, words.language)
     return words.text("paper.points", count=count)
 
 
@@ -47,19 +51,9 @@ def arrange_marks(
     rows of at most `widest`.
     """
     questions = ((str(each.number), each.points) for each in paper.questions)
-    columns = [(name, write_points_text(points)) for name, points in questions]
-    columns.append((total, write_points_text(paper.points)))
+    columns = [(name, write_points_text(points, paper.language)) for name, points in questions]
+    columns.append((total, write_points_text(paper.points, paper.language)))
     return [columns[start : start + widest] for start in range(0, len(columns), widest)]
-
-
-def choose_exact(exact: str | None, decimal: str) -> str:
-    """The exact value that stands before a decimal; "" where none is known, or it is written the
-    same way.
-
-    >>> choose_exact(r"\\frac{1}{5}", "0.2"), choose_exact("60", "60"), choose_exact(None, "1.7")
-    ('\\\\frac{1}{5}', '', '')
-    """
-    return "" if exact is None or exact == decimal else exact
 
 
 def fits_beside(figure: Scene) -> bool:

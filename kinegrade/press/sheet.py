@@ -89,7 +89,7 @@ class KeyAnswer:
     decimal: str  # plain, six significant digits
     unit: str  # plain
     interval: str  # plain, "[1.143, 1.166]"
-    points: Fraction
+    points: str  # plain
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-from re import fullmatch
-
 from kinegrade.language.message import Message
 from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.question_numbers import find_other_number
-from kinegrade.worked.document import Block, Display, Heading, Prose, Result, TermTable
+from kinegrade.worked.document import Block, Display, Heading, Prose, TermTable
 
 FORMULA_ALONE = r"\$[^$]+\$"
 UNKNOWN = "?"
@@ -39,19 +36,3 @@ def name_question(question: WorkedQuestion) -> Message:
     if other is None:
         return Message("solution.question", number=question.number)
     return Message("solution.question-known", number=question.number, known=other)
-
-
-def has_exact_decimal(result: Result) -> bool:
-    r"""Whether the decimal is the exact value, as it is of a short decimal fraction.
-
-    >>> has_exact_decimal(Result("v", r"\frac{1}{4}", "0.25", "m", ""))
-    True
-    >>> has_exact_decimal(Result("v", r"\frac{1}{3}", "0.333333", "m", ""))
-    False
-    """
-    found = fullmatch(r"(-?)(?:\\frac\{(\d+)\}\{(\d+)\}|(\d+(?:\.\d+)?))", result.exact or "")
-    if not found or not fullmatch(r"-?\d+(\.\d+)?", result.decimal):
-        return False
-    sign, upper, lower, plain = found.groups()
-    exact = Fraction(plain) if plain else Fraction(int(upper), int(lower)) if int(lower) else None
-    return exact is not None and Fraction(result.decimal) == (-exact if sign else exact)

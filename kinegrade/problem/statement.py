@@ -16,6 +16,7 @@ from kinegrade.exact.angle import Angle
 from kinegrade.exact.text import LATEX, write_angle
 from kinegrade.fields.place import Place, key_path
 from kinegrade.language import Language
+from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.language.message import Fault, Message
 from kinegrade.problem.holding import choose_wording
 from kinegrade.problem.quantity import Quantity
@@ -75,7 +76,7 @@ def write_statement(
     if len(text) > _LONGEST:
         what = Message("template.statement-too-long", count=len(text), most=_LONGEST)
         raise TemplateError(Fault(f"{template.name}.toml: statement.{language}", what))
-    return text
+    return write_decimals_of_prose(text, language)
 
 
 def _choose_wordings(

@@ -342,12 +342,14 @@ def _name_poles(tree: Expression, case: Case) -> Expression:
 def state_result(ask: Ask, case: Case) -> Result:
     """An answer as the list at the end states it."""
     answer, sense = case.solution.answers[ask.name], _find_sense(ask, case)
+    decimal, exact = answer.decimal(6), answer.closed_form
     return Result(
         ask.symbol,
-        answer.closed_form,
-        answer.decimal(6),
+        None if exact == decimal else exact,
+        decimal,
         answer.unit,
         case.write(sense) if sense else "",
+        answer.equals(decimal),
     )
 
 

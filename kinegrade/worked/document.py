@@ -81,8 +81,8 @@ class Pictures:
 
 @dataclass(frozen=True)
 class Result:
-    """An answer: the exact value where it fits a line, the decimal, and its sense or direction in
-    words.
+    """An answer: the exact value where it fits a line and is not the decimal itself, the decimal,
+    and its sense or direction in words.
     """
 
     symbol: str  # math
@@ -90,6 +90,7 @@ class Result:
     decimal: str  # plain
     unit: str  # plain, "m/s^2"
     sense: str  # prose: "clockwise", "to the left"; "" where there is none
+    is_settled: bool = False  # whether the decimal is the exact value, as it is of a quarter
 
 
 @dataclass(frozen=True)

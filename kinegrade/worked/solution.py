@@ -20,6 +20,7 @@ from kinegrade.problem.quantities import Quantities
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Ask, Method
 from kinegrade.worked.answers import explain_answer, state_result
+from kinegrade.worked.decimal_marks import mark_decimals
 from kinegrade.worked.deductions import Stage
 from kinegrade.worked.document import Block, Heading, Pictures, Results, WorkedSolution
 from kinegrade.worked.findings import Findings
@@ -48,7 +49,8 @@ def write_worked_solution(
     """
     case = Case(solution, language, method or solution.template.about.method)
     asked = tuple(solution.template.asks[name] for name in asks)
-    return WorkedSolution(tuple(_write_blocks(case, asked)))
+    blocks = _write_blocks(case, asked)
+    return WorkedSolution(tuple(mark_decimals(block, language) for block in blocks))
 
 
 def _write_blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:

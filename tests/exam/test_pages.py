@@ -20,6 +20,7 @@ from kinegrade.exam.pages import (
 )
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import SetPaper
+from kinegrade.language import ENGLISH
 from kinegrade.press.typst.key import write_key_source
 from kinegrade.press.typst.paper import write_paper_source
 from tests.small_class import write_class
@@ -88,11 +89,11 @@ def test_both_languages_carry_the_same_paper(bank: Bank, papers: list[SetPaper])
 def test_the_interval_of_right_answers_is_the_printed_rule(papers: list[SetPaper]) -> None:
     for paper in papers:
         (v_B, _), (v_x, v_y), _ = (question.asks for question in paper.questions)
-        low, high = map(float, write_interval(v_B).strip("[]").split(", "))
+        low, high = map(float, write_interval(v_B, ENGLISH).strip("[]").split(", "))
         assert [low, high] == pytest.approx(
             [v_B.answer.value * 0.99, v_B.answer.value * 1.01], 1e-5
         )
-        low, high = map(float, write_interval(v_x).strip("[]").split(", "))
+        low, high = map(float, write_interval(v_x, ENGLISH).strip("[]").split(", "))
         assert low == -high == -float(v_x.tolerance.absolute)
-        low, high = map(float, write_interval(v_y).strip("[]").split(", "))
+        low, high = map(float, write_interval(v_y, ENGLISH).strip("[]").split(", "))
         assert high - low == 0.5

@@ -114,7 +114,7 @@ ENGLISH_BLOCKS: tuple[Block, ...] = (
     Results(
         (
             Result("v_B", r"\frac{2\sqrt{3}}{5}", "0.692820", "m/s", "to the right"),
-            Result(r"\omega_{AB}", r"-\frac{1}{4}", "-0.25", "rad/s", "clockwise"),
+            Result(r"\omega_{AB}", r"-\frac{1}{4}", "-0.25", "rad/s", "clockwise", is_settled=True),
             Result(
                 "a_B",
                 None,

@@ -107,12 +107,10 @@ def test_the_last_lines_are_the_key(name: str) -> None:
         if not isinstance(last, Results):
             pytest.fail("a solution ends with its results")
         answers = solution.answers.values()
-        assert [result.decimal for result in last.results] == [
-            answer.decimal(6) for answer in answers
-        ]
-        assert [(result.exact, result.unit) for result in last.results] == [
-            (answer.closed_form, answer.unit) for answer in answers
-        ]
+        for result, answer in zip(last.results, answers, strict=True):
+            assert (result.decimal, result.unit) == (answer.decimal(6), answer.unit)
+            assert answer.closed_form in (result.exact, result.decimal)
+            assert result.is_settled == answer.equals(result.decimal)
 
 
 @cache

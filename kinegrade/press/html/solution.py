@@ -18,8 +18,6 @@ from kinegrade.language.html_text import (
 )
 from kinegrade.language.prose.html import write_line, write_prose
 from kinegrade.press.equation_line import split_equation_line
-from kinegrade.press.paper_parts import choose_exact
-from kinegrade.press.solution_blocks import has_exact_decimal
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -108,10 +106,10 @@ def _write_entry(cell: str) -> str:
 
 
 def _write_result(result: Result) -> str:
-    shown = choose_exact(result.exact, result.decimal)
-    exact = f"= {shown} " if shown else ""
-    relation = "=" if has_exact_decimal(result) else r"\approx"
-    value = write_math_html(rf"{result.symbol} {exact}{relation} {result.decimal}", _WHERE)
+    exact = f"= {result.exact} " if result.exact else ""
+    relation = "=" if result.is_settled else r"\approx"
+    decimal = result.decimal.replace(",", "{,}")  # or a blank would follow the comma
+    value = write_math_html(rf"{result.symbol} {exact}{relation} {decimal}", _WHERE)
     unit = write_unit_html(result.unit)
     spaced = unit if unit in ("", "°") else f" {unit}"
     sense = f" ({write_line(result.sense, _WHERE)})" if result.sense else ""

@@ -7,7 +7,6 @@ from kinegrade.language.latex_text import write_comment, write_plain, write_sign
 from kinegrade.language.math.latex import write_latex_math
 from kinegrade.language.prose.latex import write_line
 from kinegrade.press.latex.document import write_command, write_environment, write_value
-from kinegrade.press.paper_parts import choose_exact, write_points_text
 from kinegrade.press.sheet import KeyAnswer, KeyBook, KeyEntry, KeyPaper, KeyParameter
 from kinegrade.question_numbers import find_bank_number
 
@@ -50,8 +49,8 @@ def _write_parameter(parameter: KeyParameter, where: str) -> str:
     way.
     """
     equation = write_latex_math(parameter.symbol, where)
-    if exact := choose_exact(parameter.exact, parameter.decimal):
-        equation += f" = {write_latex_math(exact, where)}"
+    if parameter.exact:
+        equation += f" = {write_latex_math(parameter.exact, where)}"
     return rf"\mbox{{${equation} = {{}}${write_value(parameter.decimal, parameter.unit)}}}"
 
 
@@ -64,5 +63,5 @@ def _write_answer(answer: KeyAnswer, where: str) -> str:
         write_signed(answer.decimal),
         write_unit(answer.unit),
         write_signed(answer.interval),
-        write_points_text(answer.points),
+        answer.points,
     )

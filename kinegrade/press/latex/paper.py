@@ -130,5 +130,5 @@ def _write_ask(row: AnswerRow, words: Catalogue, where: str) -> str:
         parts["meaning"],
         parts["sign"],
         printed,
-        write_points_text(row.points),
+        write_points_text(row.points, words.language),
     )

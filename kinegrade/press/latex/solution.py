@@ -20,12 +20,10 @@ from kinegrade.press.latex.document import (
     write_named,
     write_value,
 )
-from kinegrade.press.paper_parts import choose_exact
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.press.solution_blocks import (
     FORMULA_ALONE,
     UNKNOWN,
-    has_exact_decimal,
     name_question,
     stays,
 )
@@ -178,13 +176,12 @@ def _write_picture(picture: Picture, where: str) -> str:
 
 
 def _write_result(result: Result, where: str) -> str:
-    exact = choose_exact(result.exact, result.decimal)
     parts = gather(
         symbol=lambda: write_latex_math(result.symbol, where),
-        exact=lambda: f"= {write_latex_math(exact, where)}" if exact else "",
+        exact=lambda: f"= {write_latex_math(result.exact, where)}" if result.exact else "",
         sense=lambda: write_line(result.sense, where),
     )
-    relation = "=" if has_exact_decimal(result) else r"\approx"
+    relation = "=" if result.is_settled else r"\approx"
     value = rf"{{}}{parts['exact']} {relation} {{}}"
     return write_command(
         "result",

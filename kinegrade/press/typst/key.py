@@ -7,7 +7,6 @@ from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.units import write_unit
 from kinegrade.language.prose.typst import write_line
 from kinegrade.language.typst_text import write_literal
-from kinegrade.press.paper_parts import choose_exact, write_points_text
 from kinegrade.press.sheet import (
     KeyAnswer,
     KeyBook,
@@ -67,8 +66,8 @@ def _write_parameter(parameter: KeyParameter, where: str) -> str:
     way.
     """
     equation = f"{write_formula(parameter.symbol, where)};"
-    if exact := choose_exact(parameter.exact, parameter.decimal):
-        equation += f'" = ";{write_formula(exact, where)};'
+    if parameter.exact:
+        equation += f'" = ";{write_formula(parameter.exact, where)};'
     value = write_literal(f" = {write_value(parameter.decimal, parameter.unit)}")
     return f"{{{equation}{value}}}"
 
@@ -81,5 +80,5 @@ def _write_answer(answer: KeyAnswer, where: str) -> Sheet:
         "decimal": write_signed(answer.decimal),
         "unit": write_unit(answer.unit),
         "interval": write_signed(answer.interval),
-        "points": write_points_text(answer.points),
+        "points": answer.points,
     }

@@ -104,5 +104,5 @@ def _write_answer_row(row: AnswerRow, where: str, words: Catalogue) -> Sheet:
     return sheet | {
         "wide": is_wide_symbol(row.symbol),
         "unit": words.text("paper.unitless") if row.unit == "1" else write_unit(row.unit),
-        "points": write_points_text(row.points),
+        "points": write_points_text(row.points, words.language),
     }

@@ -14,12 +14,10 @@ from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.equation_line import split_equation_line
-from kinegrade.press.paper_parts import choose_exact
 from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
 from kinegrade.press.solution_blocks import (
     FORMULA_ALONE,
     UNKNOWN,
-    has_exact_decimal,
     name_question,
     stays,
 )
@@ -170,13 +168,12 @@ def _write_picture(picture: Picture, where: str) -> Sheet:
 
 
 def _write_result(result: Result, where: str) -> Sheet:
-    exact = choose_exact(result.exact, result.decimal)
     sheet = gather(
         symbol=lambda: write_formula(result.symbol, where),
-        exact=lambda: write_formula(exact, where) if exact else None,
+        exact=lambda: write_formula(result.exact, where) if result.exact else None,
         sense=lambda: write_line(result.sense, where),
     )
     return sheet | {
-        "relation": "=" if has_exact_decimal(result) else "≈",
+        "relation": "=" if result.is_settled else "≈",
         "decimal": write_value(result.decimal, result.unit),
     }

@@ -184,5 +184,5 @@ def _write_row(row: AnswerRow, where: str, words: Catalogue) -> list[Node]:
     sign = [make_line_break(), *parts["sign"]] if parts["sign"] else []
     unit = words.text("paper.unitless") if row.unit == "1" else write_unit(row.unit)
     box = make_styled("Answer box", [make_paragraph([make_text(unit)])])
-    points = make_plain([make_text(f"/ {write_points_text(row.points)}")])
+    points = make_plain([make_text(f"/ {write_points_text(row.points, words.language)}")])
     return [make_plain([*parts["meaning"], *sign]), make_plain(parts["symbol"]), box, points]

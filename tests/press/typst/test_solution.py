@@ -197,11 +197,11 @@ def test_a_heading_is_never_the_last_thing_on_a_page(pages: Print) -> None:
 
 def test_a_rounded_decimal_is_told_from_an_exact_one(pages: Print) -> None:
     results = (
-        Result("a", r"\frac{1}{4}", "0.25", "m", ""),
+        Result("a", r"\frac{1}{4}", "0.25", "m", "", is_settled=True),
         Result("b", r"\frac{1}{3}", "0.333333", "m", ""),
         Result("c", None, "5.5", "m", ""),
-        Result("d", "3", "3", "1", ""),
-        Result("f", r"-\frac{1}{8}", "-0.125", "deg", ""),
+        Result("d", None, "3", "1", "", is_settled=True),
+        Result("f", r"-\frac{1}{8}", "-0.125", "deg", "", is_settled=True),
     )
     text = "".join(pages(worked(Results(results))))
     for expected in ("=0.25m", "≈0.333333m", "≈5.5m", "=3", "=−0.125°"):
