@@ -5,6 +5,8 @@ A choice is a `match`, a chain of `if`s or a conditional expression that asks wh
 types, literals or languages it has. A default is what such a choice gives to whatever it has not
 asked for: a thing added later gets it without a word. Asking for one kind alone and giving nothing
 otherwise (None, False, an empty text or tuple, the next round of a loop) is a filter and no choice.
+Nor is a match in two parts a default, whose last case hands what it matches on to a function of the
+module that says which types it takes and refuses all others: mypy sees that these are what is left.
 Which types and literals are our own is read from the same syntax trees.
 """
 
@@ -27,7 +29,7 @@ class Vocabulary:
     field, a variable, a function) the literals that its annotation allows. `tables`: the names of
     mappings keyed by such literals. `languages`: the literals of the type Language. `unpositional`:
     the classes whose patterns name their fields. `answers`: in one module the names to which the
-    outcome of a test is given, as `turns = kind == "rotation"`.
+    outcome of a test is given, as `turns = kind == "rotation"`. `functions`: those of one module.
     """
 
     classes: frozenset[str]
@@ -36,6 +38,7 @@ class Vocabulary:
     languages: frozenset[str]
     unpositional: frozenset[str]
     answers: Mapping[str, Question] = field(default_factory=dict)
+    functions: Mapping[str, Function] = field(default_factory=dict)
 
     @property
     def literals(self) -> frozenset[str]:
@@ -281,7 +284,10 @@ def _here(tree: ast.AST, words: Vocabulary) -> Vocabulary:
     answers = {
         name: question for name, value in _assigned(nodes) if (question := _question(value, words))
     }
-    return replace(words, tables=words.tables - others, answers=answers)
+    functions = {
+        node.name: node for node in ast.iter_child_nodes(tree) if isinstance(node, Function)
+    }
+    return replace(words, tables=words.tables - others, answers=answers, functions=functions)
 
 
 def _blocks(node: ast.AST) -> Iterator[list[ast.stmt]]:
@@ -306,8 +312,52 @@ def _of_match(node: ast.Match, words: Vocabulary) -> Iterator[tuple[int, str]]:
     own = classes & words.classes or set(values) & (_values_of(node.subject, words))
     last = node.cases[-1]
     takes_all = isinstance(last.pattern, ast.MatchAs) and last.pattern.pattern is None
-    if own and takes_all and not last.guard and not _refuses(last.body[0]):
+    if not own or not takes_all or last.guard:
+        return
+    if not _refuses(last.body[0]) and not _hands_on(last.body[0], node.subject, words):
         yield last.pattern.lineno, f"match {ast.unparse(node.subject)}: {ast.unparse(last.pattern)}"
+
+
+def _hands_on(statement: ast.stmt, subject: ast.expr, words: Vocabulary) -> bool:
+    """Whether a statement does no more than call a function of the module that names the types
+    which are left of the subject, and refuses all others.
+    """
+    call = statement.value if isinstance(statement, ast.Assign | ast.Expr | ast.Return) else None
+    if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Name):
+        return False
+    function = words.functions.get(call.func.id)
+    if function is None:
+        return False
+    parameters = function.args.args
+    given = [*zip(parameters, call.args, strict=False), *_named_arguments(parameters, call)]
+    return any(
+        ast.dump(argument) == ast.dump(subject) and _takes_up(function, parameter, words)
+        for parameter, argument in given
+    )
+
+
+def _named_arguments(
+    parameters: Sequence[ast.arg], call: ast.Call
+) -> Iterator[tuple[ast.arg, ast.expr]]:
+    by_name = {parameter.arg: parameter for parameter in parameters}
+    for keyword in call.keywords:
+        if keyword.arg in by_name:
+            yield by_name[keyword.arg], keyword.value
+
+
+def _takes_up(function: Function, parameter: ast.arg, words: Vocabulary) -> bool:
+    """Whether a function says which of our types a parameter has, and matches it without a
+    default.
+    """
+    members = _members(parameter.annotation) if parameter.annotation else frozenset()
+    if not members or not members <= words.classes:
+        return False
+    return any(
+        isinstance(node, ast.Match)
+        and ast.unparse(node.subject) == parameter.arg
+        and _refuses(node.cases[-1].body[0])
+        for node in function.body
+    )
 
 
 def _values_of(subject: ast.expr, words: Vocabulary) -> frozenset[str]:

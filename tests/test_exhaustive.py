@@ -21,8 +21,9 @@ PACKAGE = Path(kinegrade.__file__).parent
 EXCEPTIONS = {
     "cli/export.py: if system == "
     "'xlsx'": "the rest goes on to `_dialect`, which names every system",
-    "exam/solution_blocks.py: match (block, following, third): _": "what stays together is named; "
+    "press/solution_blocks.py: match (block, following, third): _": "what stays together is named; "
     "a new block may be parted from its neighbours, which costs looks and nothing else",
+    "lms/from_scratch.py: options.columns.get(item, '')": "what the instructor named no column for",
     "grading/decision.py: if verdict.kind == 'right'": "whatever is not right goes on to be looked "
     "at for credit, by what was read, which is a choice of its own",
     "problem/meaning.py: if tree.sign == "
@@ -65,6 +66,67 @@ match joint:
         x = 1
     case _:
         x = 2
+""",
+    "a last case handed on to a function that does not ask": """
+def f(joint: Joint):
+    match joint:
+        case Pin():
+            return 1
+        case _:
+            return g(joint)
+def g(joint: Slide | Belt):
+    return 2
+""",
+    "a last case handed on to a function that takes anything": """
+def f(joint: Joint):
+    match joint:
+        case Pin():
+            return 1
+        case _:
+            return g(joint)
+def g(joint: object):
+    match joint:
+        case Slide():
+            return 2
+        case Belt():
+            return 3
+        case _:
+            raise TypeError("no such joint")
+""",
+    "a last case handed on to a function that matches something else": """
+def f(joint: Joint, driver: Driver):
+    match joint:
+        case Pin():
+            return 1
+        case _:
+            return g(joint, driver)
+def g(joint: Slide | Belt, driver: Spin | Push):
+    match driver:
+        case Spin() | Push():
+            return 2
+        case _:
+            assert_never(driver)
+""",
+    "a last case handed on to a function of another module": """
+match joint:
+    case Pin():
+        x = 1
+    case _:
+        x = g(joint)
+""",
+    "a last case that does more than hand on": """
+def f(joint: Joint):
+    match joint:
+        case Pin():
+            return 1
+        case _:
+            return 1 + g(joint)
+def g(joint: Slide | Belt):
+    match joint:
+        case Slide() | Belt():
+            return 2
+        case _:
+            assert_never(joint)
 """,
     "a name as the last case": """
 match stage.level:
@@ -137,6 +199,20 @@ x = 1 if turns else 2
     "a default of a table without annotation": 'x = LETTERS.get(level, "v")',
     "a default of a table written there": 'x = {"en": 1, "zh": 2}.get(language, 1)',
 }
+FOUND_TWICE = """
+def f(joint: Joint):
+    match joint:
+        case Pin():
+            return 1
+        case _:
+            return g(joint)
+def g(joint: Slide | Belt):
+    match joint:
+        case Slide():
+            return 2
+        case _:
+            return 3
+"""
 PASSED = {
     "all named": """
 match joint:
@@ -153,6 +229,37 @@ match joint:
         x = 1
     case _:
         raise TypeError("no such joint")
+""",
+    "a last case handed on to a function that names the rest": """
+def f(joint: Joint, scale: int):
+    match joint:
+        case Pin():
+            return 1
+        case _:
+            return g(joint, scale)
+def g(joint: Slide | Belt, scale: int):
+    match joint:
+        case Slide():
+            return 2
+        case Belt():
+            return 3
+        case _:
+            assert_never(joint)
+""",
+    "a last case handed on by name": """
+def f(joint: Joint):
+    match joint:
+        case Pin():
+            x = 1
+        case _:
+            x = g(2, joint=joint)
+    return x
+def g(scale: int, joint: Slide | Belt):
+    match joint:
+        case Slide() | Belt():
+            return 2
+        case _:
+            assert_never(joint)
 """,
     "a chain that ends in assert_never": """
 def f():
@@ -210,6 +317,11 @@ def test_a_default_is_found_in_every_form_that_it_takes(form: str) -> None:
     assert len(list(defaults(tree, vocabulary([ast.parse(OWN)])))) == 1
 
 
+def test_a_last_case_handed_on_to_a_default_is_found_in_both_functions() -> None:
+    found = defaults(ast.parse(FOUND_TWICE), vocabulary([ast.parse(OWN)]))
+    assert [line for line, _ in found] == [6, 12]
+
+
 @pytest.mark.parametrize("form", PASSED)
 def test_what_names_all_refuses_or_only_filters_is_no_default(form: str) -> None:
     tree = ast.parse(PASSED[form])
@@ -231,13 +343,14 @@ def test_our_own_types_and_literals_are_known_from_the_package_itself() -> None:
 
 @cache
 def defaults_of_package() -> Mapping[str, str]:
-    """Every default in the package, by its file and its text, with its file and line."""
+    """Every default in the package, by its file and its text, with the lines that have it."""
     trees, words = words_of_package()
-    return {
-        f"{file}: {text}": f"{file}:{line}"
-        for file, tree in trees.items()
-        for line, text in defaults(tree, words)
-    }
+    found: dict[str, str] = {}
+    for file, tree in trees.items():
+        for line, text in defaults(tree, words):
+            name = f"{file}: {text}"
+            found[name] = f"{found[name]}, {line}" if name in found else f"{file}:{line}"
+    return found
 
 
 def test_a_new_joint_word_or_language_never_takes_the_place_of_an_old_one() -> None:
