@@ -44,7 +44,9 @@ class KinegradeError(Exception):
 
     @property
     def problems(self) -> tuple[str, ...]:
-        """The faults in English, a line each."""
+        """The faults in English, a line each: for logs and tests; people read `faults`, written in
+        their language.
+        """
         return tuple(map(open_catalogue(ENGLISH).write, self.faults))
 
     def faults_at(self, where: Text) -> tuple[Fault, ...]:
@@ -138,16 +140,6 @@ class WorkerError(KinegradeError):
 
 class ExportError(KinegradeError):
     """A quiz, or grades, cannot be expressed in the format of another system."""
-
-
-def write_message(where: str, what: str, expected: str = "", do: str = "") -> str:
-    """A fault in English, in one line: see `Fault`."""
-    return open_catalogue(ENGLISH).write(Fault(where, what, expected, do))
-
-
-def did_you_mean(word: str, choices: Iterable[str]) -> str:
-    """What `suggest` says, in English."""
-    return open_catalogue(ENGLISH).write(suggest(word, choices))
 
 
 def suggest(word: str, choices: Iterable[str]) -> Message:

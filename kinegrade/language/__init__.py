@@ -11,4 +11,3 @@ from typing import NewType
 
 Language = NewType("Language", str)  # the name of its folder: "en", "zh"
 ENGLISH = Language("en")  # the source of all translations
-LANGUAGES = (ENGLISH, Language("zh"))

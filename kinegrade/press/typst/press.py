@@ -200,7 +200,7 @@ def _print_each(
     try:
         pages = convert_each(pdf, sheets.values())
     except TypesetError as error:
-        raise TypesetError(*dict.fromkeys(error.problems)) from error
+        raise TypesetError(*dict.fromkeys(error.faults)) from error
     return dict(zip(sheets, map(Printout, pages), strict=True))
 
 
