@@ -305,7 +305,7 @@ def _raise_power(base: Any, exponent: Expression, arithmetic: Any) -> Any:
     power = read_whole_power(exponent)
     negative, size = power < 0, abs(power)
     if isinstance(base, (fmpq, Surd)) and height(base) * size > MAX_HEIGHT:
-        raise Inexact("a power of too many digits")
+        raise Inexact  # a power of too many digits
     try:
         raised = base**size
     except TypeError as error:

@@ -53,7 +53,7 @@ class Angle:
 
     def __mul__(self, factor: Any) -> Angle:
         if not isinstance(factor, (int, fmpq)):
-            raise Inexact("an angle times an irrational number")
+            raise Inexact  # an angle times an irrational number
         return Angle(
             self.half_turns * factor, _merge(tuple((k * factor, v) for k, v in self.parts))
         )
@@ -64,11 +64,11 @@ class Angle:
         if not isinstance(divisor, Angle):
             return self * (fmpq(1) / divisor)
         if self.parts or divisor.parts:
-            raise Inexact("the ratio of two angles")
+            raise Inexact  # the ratio of two angles
         return self.half_turns / divisor.half_turns
 
     def __rtruediv__(self, number: Any) -> Any:
-        raise Inexact("a number over an angle")
+        raise Inexact  # a number over an angle
 
     def direction(self, field: Field) -> Direction:
         """(cosine, sine) in `field`; raises Inexact where they lie in no small field."""
@@ -104,7 +104,7 @@ def _power(direction: Direction, factor: Any, field: Field) -> Direction:
     if factor.q == 2:
         direction, factor = _halve(direction, field), factor * 2
     if factor.q != 1 or abs(factor) > 12:
-        raise Inexact("a fraction of an angle that has no small field")
+        raise Inexact  # a fraction of an angle that has no small field
     if factor < 0:
         direction, factor = (direction[0], -direction[1]), -factor
     result: Direction = (fmpq(1), fmpq(0))
@@ -155,4 +155,4 @@ def _first_quadrant(degrees: Any, field: Field) -> Direction:
         )
     if degrees * 2 == 45:
         return _halve(_first_quadrant(fmpq(45), field), field)
-    raise Inexact(f"the cosine of {degrees} degrees")
+    raise Inexact  # no square roots of small numbers give its cosine

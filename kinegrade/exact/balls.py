@@ -65,7 +65,7 @@ class Balls(Magnitude):
             return False
         if value.rad() < arb(2) ** (-self.precision // 2):
             return True
-        raise Undecided("a value cannot be distinguished from zero")
+        raise Undecided
 
     def sign(self, number: Any) -> int:
         """-1, 0 or 1; raises Undecided for a wide ball about zero."""
@@ -109,4 +109,4 @@ class Balls(Magnitude):
     def require_zero(self, number: Any) -> None:
         """Raises Contradiction unless the number may be taken for zero."""
         if not self.is_zero(number):
-            raise Contradiction("the equations contradict each other")
+            raise Contradiction

@@ -56,10 +56,10 @@ class Doubles(Floats):
             return _pair(rows, right)
         matrix = np.array(rows, dtype=float)
         if len(rows) < len(rows[0]) or not np.isfinite(matrix).all():
-            raise Singular("the equations do not determine every unknown")
+            raise Singular
         left, sizes, across = np.linalg.svd(matrix, full_matrices=False)
         if sizes[-1] <= DEPENDENT * sizes[0]:
-            raise Singular("the equations do not determine every unknown")
+            raise Singular
         unknowns: list[Any] = (across.T @ (left.T @ np.array(right, dtype=float) / sizes)).tolist()
         return unknowns
 
@@ -69,5 +69,5 @@ def _pair(rows: list[list[Any]], right: list[Any]) -> list[Any]:
     (a, b), (c, d) = rows
     area = a * d - b * c
     if not abs(area) > DEPENDENT * (a * a + b * b + c * c + d * d):
-        raise Singular("the equations do not determine every unknown")
+        raise Singular
     return [(right[0] * d - b * right[1]) / area, (a * right[1] - right[0] * c) / area]

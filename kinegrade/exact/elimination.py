@@ -26,11 +26,11 @@ def eliminate(rows: list[list[Any]], right: list[Any], is_zero: Callable[[Any], 
     for column in range(count):
         pivot = next((i for i in range(column, len(table)) if not is_zero(table[i][column])), None)
         if pivot is None:
-            raise Singular("the equations do not determine every unknown")
+            raise Singular
         table[column], table[pivot] = table[pivot], table[column]
         _clear_column(table, column, is_zero)
     if any(not is_zero(row[count]) for row in table[count:]):
-        raise Contradiction("the equations contradict each other")
+        raise Contradiction
     return [table[column][count] for column in range(count)]
 
 

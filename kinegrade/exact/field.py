@@ -58,7 +58,7 @@ class Field(Magnitude):
         turns.
         """
         if not isinstance(half_turns, (int, fmpq)):
-            raise Inexact("an irrational part of a turn")
+            raise Inexact  # an irrational part of a turn
         return Angle(fmpq(half_turns))
 
     def is_zero(self, number: Real) -> bool:
@@ -87,13 +87,13 @@ class Field(Magnitude):
 
     def _adjoin(self, number: Real) -> Real:
         if len(self.roots) >= MAX_LEVEL:
-            raise Inexact("the exact field would be too large")
+            raise Inexact  # the exact field would be too large
         simpler = _denesting(number, self.roots)
         if simpler is not None:
             self.sqrt(simpler)
             return self.sqrt(number)
         if height(number) > MAX_HEIGHT:
-            raise Inexact("the root of a number of too many digits")
+            raise Inexact  # the root of a number of too many digits
         factor, radicand = split_radicand(number)
         shared = self._shared(radicand)
         if shared is not None:
@@ -164,7 +164,7 @@ class Field(Magnitude):
     def require_zero(self, number: Real) -> None:
         """Raises Contradiction unless the number is zero."""
         if number != 0:
-            raise Contradiction("the equations contradict each other")
+            raise Contradiction
 
 
 def _make_rational(number: Any) -> Real:
@@ -180,7 +180,7 @@ def _as_angle(value: Any) -> Angle:
         raise TypeError("an angle is a number or an Angle")
     if value == 0:
         return Angle(fmpq(0))
-    raise Inexact("the sine of a number of radians")
+    raise Inexact  # the sine of a number of radians
 
 
 def _recognise_angle(field: Field, y: Real, x: Real) -> Angle | None:

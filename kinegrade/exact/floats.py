@@ -96,7 +96,7 @@ class Floats(Magnitude):
             len(rows) >= len(rows[0])
         )
         if not regular.any():
-            raise Singular("the equations do not determine every unknown")
+            raise Singular
         along = (left.swapaxes(-2, -1) @ vector[..., None]) / np.where(
             regular[..., None], sizes, np.nan
         )[..., None]

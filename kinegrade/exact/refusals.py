@@ -6,12 +6,6 @@ from __future__ import annotations
 class NegativeRoot(ValueError):
     """The square root of a negative number."""
 
-    def __init__(self) -> None:
-        super().__init__("square root of a negative number")
-
 
 class NoDirection(ValueError):
     """The direction of a zero vector."""
-
-    def __init__(self) -> None:
-        super().__init__("the direction of a zero vector")

@@ -144,7 +144,7 @@ class RoundedArrays(Rounded):
         """
         count = len(rows[0])
         if len(rows) < count:
-            raise Singular("the equations do not determine every unknown")
+            raise Singular
         table = np.empty((len(rows), count + 1, len(self.unsettled)))
         for place, (row, value) in enumerate(zip(rows, right, strict=True)):
             for column, entry in enumerate((*row, value)):

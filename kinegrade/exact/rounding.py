@@ -101,7 +101,7 @@ class Rounded(Magnitude):
         table = [[*row, value] for row, value in zip(rows, right, strict=True)]
         count = len(rows[0])
         if len(table) < count:
-            raise Singular("the equations do not determine every unknown")
+            raise Singular
         for column in range(count):
             _bring_largest(table, column)
             _clear(table, column)
@@ -130,7 +130,7 @@ def _bring_largest(table: list[list[float]], column: int) -> None:
     """
     pivot = max(range(column, len(table)), key=lambda index: abs(table[index][column]))
     if not abs(table[pivot][column]) >= NOTHING:
-        raise Singular("the equations do not determine every unknown")
+        raise Singular
     table[column], table[pivot] = table[pivot], table[column]
 
 

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain
 from types import MappingProxyType
-from typing import Any
+from typing import Any, assert_never
 
-from kinegrade.errors import ExpressionError, KinegradeError, PolicyError
+from kinegrade.errors import ExpressionError, PolicyError
 from kinegrade.exact.angle import Angle, Inexact
-from kinegrade.exact.balls import Balls
+from kinegrade.exact.balls import Balls, Undecided
 from kinegrade.exact.field import Field
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting
@@ -45,6 +45,7 @@ _Number = tuple[str | Fraction, str]  # the text of a given or a right answer, a
 # Student, the student whose line of the key holds the ask, answer column
 Which = tuple[str, str, str]
 Alternatives = Mapping[Which, tuple[Alternative, ...]]
+_Failure = ExpressionError | Unreadable | ArithmeticError
 _NO_SOURCES: Mapping[str, Paper] = MappingProxyType({})
 
 
@@ -67,7 +68,7 @@ def alternatives(
         (ask, accepted) for ask in exam.asks for accepted in policy.ruling(ask.column).accepted
     ]
     found: dict[Which, tuple[Alternative, ...]] = {}
-    failing: dict[tuple[str, int], list[tuple[str, Exception]]] = {}
+    failing: dict[tuple[str, int], list[tuple[str, _Failure]]] = {}
     constant: dict[tuple[str, int], Alternative] = {}
     papers = chain(exam.papers(), pooled) if wanted else ()
     for ask, accepted, whole, place in _find_places(exam, wanted, papers, sources):
@@ -117,7 +118,7 @@ def _find_used(accepted: Accepted) -> set[str]:
     return set(find_names(accepted.tree)) - {"pi"}
 
 
-def _explain(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]]) -> Fault:
+def _explain(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, _Failure]]) -> Fault:
     """One line however many papers are affected: a fault in an expression shows on most of them."""
     student, fault = failing[0]
     problem = Message(
@@ -136,14 +137,18 @@ def _name_students(student: str, more: int) -> Part:
     return Message("grammar.names-and-more", names=first, count=more) if more else first
 
 
-def _find_reason(fault: Exception) -> Part:
+def _find_reason(fault: _Failure) -> Part:
     match fault:
-        case KinegradeError():
+        case ExpressionError():
             return fault.faults[0]
         case Unreadable():
             return fault.reason
+        case Undecided():
+            return Message("policy.undecided")
+        case ArithmeticError():
+            return Message("expression.undefined")
         case _:
-            return str(fault)
+            assert_never(fault)
 
 
 def _work_out(
@@ -186,7 +191,7 @@ def _work_out_amount(accepted: Accepted, numbers: Mapping[str, _Number], arithme
     if not isinstance(value, Angle):
         return Amount(value)
     if value.parts:
-        raise Inexact("an angle that is not a rational part of a turn")
+        raise Inexact  # an angle that is not a rational part of a turn
     return Amount(value.half_turns, 1)
 
 
@@ -210,7 +215,7 @@ def _convert_to_si(number: _Number, arithmetic: Any) -> Any:
     if (written.length, written.time, written.angle) == (0, 0, 1) and not isinstance(size, Angle):
         return _make_angle(size, written.pi, arithmetic)
     if written.pi and arithmetic.exact:
-        raise Inexact("a rate in turns")
+        raise Inexact  # a rate in turns
     return size * arithmetic.turns(1) ** written.pi if written.pi else size
 
 
@@ -218,5 +223,5 @@ def _make_angle(size: Any, pi: int, arithmetic: Any) -> Any:
     if pi == 1:
         return arithmetic.turns(size)
     if arithmetic.exact:
-        raise Inexact("an angle in radians that is not a part of a turn")
+        raise Inexact  # an angle in radians that is not a part of a turn
     return size

@@ -122,7 +122,7 @@ class Unsuspecting:
     def over(self, number: Any, divisor: Any) -> Any:
         """A quotient; Singular, or not a number in some instances, over zero."""
         if self.arithmetic.is_zero(divisor):
-            raise Singular("the equations do not determine every unknown")
+            raise Singular
         return number / (self.arithmetic.number(divisor) if isinstance(divisor, int) else divisor)
 
     def require_zero(self, number: Any) -> None:

@@ -48,7 +48,7 @@ def find_plan(relations: Sequence[Relation], equations: Equations, arithmetic: A
     while pending:
         step = next(_find_determined(relations, equations, pending, known, arithmetic), None)
         if step is None:
-            raise Singular("the relations do not determine the motion")
+            raise Singular
         steps.append(step)
         known.update(step.unknowns)
         pending = [index for index in pending if index not in step.relations]

@@ -62,12 +62,10 @@ def read_parameter(parameter: Parameter, tree: Expression, arithmetic: Any) -> A
         return value if angular else arithmetic.turns(value / 180)
     if parameter.unit.text == "rad":
         return value if angular or not arithmetic.exact else _read_radians(value)
-    if isinstance(value, (Angle, Vector)):
-        raise (
-            Inexact("a number with pi in it")
-            if isinstance(value, Angle)
-            else ExpressionError(Message("template.number-expected"))
-        )
+    if isinstance(value, Vector):
+        raise ExpressionError(Message("template.number-expected"))
+    if isinstance(value, Angle):
+        raise Inexact  # a number with pi in it
     return value * arithmetic.number(parameter.unit.factor)
 
 
@@ -75,7 +73,7 @@ def _read_radians(value: Any) -> Any:
     """A number of radians as an exact angle: only zero is one."""
     if value == 0:
         return Angle(value)
-    raise Inexact("a rational number of radians")
+    raise Inexact  # a rational number of radians
 
 
 def assemble(
@@ -123,7 +121,7 @@ def _require_measure(value: Any) -> Any:
     if isinstance(value, (Vector, Line, Round, str)):
         raise ExpressionError(Message("template.number-expected"))
     if isinstance(value, Angle):
-        raise Inexact("a length with pi in it")
+        raise Inexact  # a length with pi in it
     return _require_bounded(value)
 
 
@@ -137,7 +135,7 @@ def _measure_point(place: Vector) -> Vector:
 def _require_bounded(value: Any) -> Any:
     """A value, unchanged. Raises Inexact for an exact number with far too many digits."""
     if isinstance(value, (fmpq, Surd)) and height(value) > MAX_HEIGHT:
-        raise Inexact("a number of too many digits")
+        raise Inexact  # a number of too many digits
     return value
 
 

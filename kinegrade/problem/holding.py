@@ -61,5 +61,5 @@ def _meets_relation(relation: Relation, sign: int) -> bool:
 def _count_half_turns(angle: Angle) -> Any:
     """An angle over pi, as a rational. Raises Inexact where it is not one."""
     if angle.parts:
-        raise Inexact("the sign of an arctangent")
+        raise Inexact  # the sign of an arctangent
     return angle.half_turns

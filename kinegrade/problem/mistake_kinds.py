@@ -56,7 +56,7 @@ def _count_degrees(angle: Any, arithmetic: Any) -> Any:
     is no angle.
     """
     if isinstance(angle, Angle):
-        raise Inexact("a number of radians")
+        raise Inexact  # a number of radians
     return angle * 180 / (arb.pi() if isinstance(angle, arb) else arithmetic.turns(1))
 
 

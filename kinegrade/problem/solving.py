@@ -274,7 +274,7 @@ def _require_certified(number: Any) -> None:
         else number.rel_accuracy_bits() >= _CERTIFIED
     )
     if not narrow:
-        raise Undecided("an enclosure is too wide")
+        raise Undecided  # an enclosure is too wide
 
 
 def find_certain_values(

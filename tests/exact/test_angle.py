@@ -13,6 +13,7 @@ from mpmath import atan2, cos, mp, mpf, pi, sin
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import Balls
 from kinegrade.exact.field import Field
+from kinegrade.exact.refusals import NoDirection
 from kinegrade.exact.text import LATEX, write_angle
 from kinegrade.expression import evaluate, make_elementary_functions, read_expression
 from tests.exact.numbers import digits
@@ -140,21 +141,18 @@ def test_a_quarter_turn_less_an_angle_swaps_sine_and_cosine() -> None:
 
 
 @pytest.mark.parametrize(
-    ("make", "reason"),
+    "make",
     [
-        (lambda f: f.cos(f.turns(Q(37, 180))), "the cosine of 37 degrees"),
-        (lambda f: f.turns(Q(1)) * f.turns(Q(1)), "an angle times an irrational number"),
-        (lambda f: f.turns(Q(1)) * f.sqrt(Q(2)), "an angle times an irrational number"),
-        (lambda f: f.arctangent(Q(1), Q(3)) / f.turns(Q(1)), "the ratio of two angles"),
-        (lambda f: Q(1) / f.turns(Q(1)), "a number over an angle"),
-        (
-            lambda f: f.cos(f.arctangent(Q(1), Q(3)) / 3),
-            "a fraction of an angle that has no small field",
-        ),
+        pytest.param(lambda f: f.cos(f.turns(Q(37, 180))), id="cosine-of-37-degrees"),
+        pytest.param(lambda f: f.turns(Q(1)) * f.turns(Q(1)), id="angle-times-angle"),
+        pytest.param(lambda f: f.turns(Q(1)) * f.sqrt(Q(2)), id="angle-times-root"),
+        pytest.param(lambda f: f.arctangent(Q(1), Q(3)) / f.turns(Q(1)), id="ratio-of-angles"),
+        pytest.param(lambda f: Q(1) / f.turns(Q(1)), id="number-over-an-angle"),
+        pytest.param(lambda f: f.cos(f.arctangent(Q(1), Q(3)) / 3), id="third-of-an-angle"),
     ],
 )
-def test_what_has_no_small_field_is_left_to_balls(make: Any, reason: str) -> None:
-    with pytest.raises(Inexact, match=reason):
+def test_what_has_no_small_field_is_left_to_balls(make: Any) -> None:
+    with pytest.raises(Inexact):
         make(Field())
 
 
@@ -163,5 +161,5 @@ def test_the_ratio_of_two_plain_angles_is_a_number() -> None:
 
 
 def test_the_zero_vector_has_no_direction() -> None:
-    with pytest.raises(ValueError, match="direction of a zero vector"):
+    with pytest.raises(NoDirection):
         Field().arctangent(Q(0), Q(0))

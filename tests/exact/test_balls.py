@@ -13,6 +13,7 @@ from mpmath import atan2, cos, mp, mpf, pi, sin, sqrt
 from kinegrade.exact.balls import Balls, Undecided
 from kinegrade.exact.elimination import Contradiction, Singular
 from kinegrade.exact.field import Field
+from kinegrade.exact.refusals import NegativeRoot, NoDirection
 from kinegrade.problem.library import find_template_names
 from kinegrade.problem.solving import solve_template
 from tests.exact.numbers import build, digits, rationals, towers
@@ -87,7 +88,7 @@ def test_zero_is_told_from_small_numbers_or_not_told_at_all() -> None:
         assert BALLS.is_zero(arb(0, arb("1e-60")))
         assert not BALLS.is_zero(arb("1e-60"))
         assert (BALLS.sign(arb(-2)), BALLS.sign(arb(0)), BALLS.sign(arb("1e-70"))) == (-1, 0, 1)
-        with pytest.raises(Undecided, match="cannot be distinguished from zero"):
+        with pytest.raises(Undecided):
             BALLS.is_zero(arb(0, arb("1e-6")))
 
 
@@ -96,9 +97,9 @@ def test_roots_and_directions_at_their_borders() -> None:
         assert 0 in BALLS.sqrt(arb(0, arb("1e-60")))
         assert BALLS.arctangent(arb(0), arb(3)) == 0
         assert BALLS.arctangent(arb(0), arb(-3)).overlaps(arb.pi())
-        with pytest.raises(ValueError, match="square root of a negative number"):
+        with pytest.raises(NegativeRoot):
             BALLS.sqrt(arb(-1))
-        with pytest.raises(ValueError, match="direction of a zero vector"):
+        with pytest.raises(NoDirection):
             BALLS.arctangent(arb(0), arb(0))
 
 
@@ -108,10 +109,10 @@ def test_linear_equations_in_balls() -> None:
         x, y = BALLS.solve([[2, 1], [1, 3], [3, 4]], [3, 5, 8])
         assert x.overlaps(arb(Q(4, 5)))
         assert y.overlaps(arb(Q(7, 5)))
-        with pytest.raises(Singular, match="do not determine"):
+        with pytest.raises(Singular):
             BALLS.solve([[1, 2], [2, 4]], [0, 0])
-        with pytest.raises(Contradiction, match="contradict"):
+        with pytest.raises(Contradiction):
             BALLS.solve([[1], [1]], [1, 2])
         BALLS.require_zero(arb(0))
-        with pytest.raises(Contradiction, match="contradict"):
+        with pytest.raises(Contradiction):
             BALLS.require_zero(arb(1))

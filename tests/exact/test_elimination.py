@@ -42,12 +42,12 @@ def test_rows_are_exchanged_where_the_pivot_is_zero() -> None:
 
 def test_a_surplus_row_that_agrees_is_welcome_and_one_that_does_not_is_told() -> None:
     assert eliminate(rows((1, 0), (0, 1), (1, 1)), [Q(1), Q(2), Q(3)], zero) == [1, 2]
-    with pytest.raises(Contradiction, match="the equations contradict each other"):
+    with pytest.raises(Contradiction):
         eliminate(rows((1, 0), (0, 1), (1, 1)), [Q(1), Q(2), Q(4)], zero)
 
 
 def test_dependent_columns_are_told() -> None:
-    with pytest.raises(Singular, match="do not determine every unknown"):
+    with pytest.raises(Singular):
         eliminate(rows((1, 2), (2, 4)), [Q(1), Q(2)], zero)
 
 

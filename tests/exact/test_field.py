@@ -16,6 +16,7 @@ from mpmath import mp, mpf
 from kinegrade.exact.angle import Inexact
 from kinegrade.exact.elimination import Contradiction
 from kinegrade.exact.field import MAX_LEVEL, Field, split_radicand, split_square
+from kinegrade.exact.refusals import NegativeRoot
 from kinegrade.exact.surd import Surd, height
 from kinegrade.exact.surd import sign as surd_sign
 from kinegrade.exact.text import write_exact
@@ -158,7 +159,7 @@ def test_sqrt_six_beside_sqrt_two_adds_sqrt_three_alone() -> None:
 
 
 def test_the_root_of_a_negative_number_is_refused() -> None:
-    with pytest.raises(ValueError, match="square root of a negative number"):
+    with pytest.raises(NegativeRoot):
         Field().sqrt(1 - Field().sqrt(Q(2)))
 
 
@@ -166,7 +167,7 @@ def test_a_field_of_more_than_five_storeys_is_left_to_balls() -> None:
     field = Field()
     for prime in (2, 3, 5, 7, 11)[:MAX_LEVEL]:
         field.sqrt(Q(prime))
-    with pytest.raises(Inexact, match="too large"):
+    with pytest.raises(Inexact):
         field.sqrt(Q(13))
     assert field.sqrt(Q(2310)) ** 2 == 2310  # the product of the five is there already
 
@@ -209,13 +210,13 @@ def test_squares_are_drawn_out_of_the_radicand() -> None:
 
 def test_a_surplus_equation_must_hold_exactly() -> None:
     Field().require_zero(Q(0))
-    with pytest.raises(Contradiction, match="contradict each other"):
+    with pytest.raises(Contradiction):
         Field().require_zero(Q(1, 10**50))
 
 
 def test_the_turn_of_an_irrational_part_is_left_to_balls() -> None:
-    with pytest.raises(Inexact, match="irrational part of a turn"):
+    with pytest.raises(Inexact):
         Field().turns(Field().sqrt(Q(2)))
-    with pytest.raises(Inexact, match="number of radians"):
+    with pytest.raises(Inexact):
         Field().sin(Q(1))
     assert Field().sin(Q(0)) == 0

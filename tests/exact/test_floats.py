@@ -28,7 +28,7 @@ def test_an_instance_at_a_dead_point_is_not_a_number_and_leaves_the_others_alone
 
 
 def test_equations_that_determine_nothing_in_any_instance_are_refused() -> None:
-    with pytest.raises(Singular, match="do not determine every unknown"):
+    with pytest.raises(Singular):
         FLOATS.solve([[np.array([1.0, 1.0]), 2.0], [2.0, 4.0]], [0.0, 0.0])
     with pytest.raises(Singular):
         FLOATS.solve([[1.0, 2.0]], [0.0])

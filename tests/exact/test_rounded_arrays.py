@@ -116,7 +116,7 @@ def test_equations_are_solved_as_alone(count: int, surplus: int, seed: int) -> N
 
 
 def test_too_few_equations_are_refused() -> None:
-    with pytest.raises(Singular, match="the equations do not determine every unknown"):
+    with pytest.raises(Singular):
         RoundedArrays(3, 2).solve([[1.0, 2.0]], [3.0])
 
 

@@ -622,3 +622,10 @@ def test_a_broken_credit_of_the_bank_is_told(tmp_path: Path) -> None:
         '0.5, "50 %" or "1/2" '
         "- restore the exam folder as it was generated"
     )
+
+
+def test_an_accepted_answer_that_cannot_be_told_from_zero_is_refused(tmp_path: Path) -> None:
+    value = "sqrt((sin(1)**2 + cos(1)**2 - 1)*10**16*10**16*10**16)"
+    with pytest.raises(PolicyError, match="a value cannot be distinguished from zero") as caught:
+        marked("007,1,,\n", policy_of(ACCEPTED.format(f"{{ value = '{value}' }}"), tmp_path))
+    assert len(caught.value.faults) == 1
