@@ -13,7 +13,7 @@ from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.decimal_mark import write_decimal_text
+from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.paper_parts import write_points_text
@@ -171,7 +171,7 @@ def _make_key_entry(question: SetQuestion, language: Language) -> KeyEntry:
     parameters = tuple(
         KeyParameter(
             template.parameters[name].symbol,
-            None if quantity.is_plain else quantity.closed_form,
+            None if quantity.is_plain else _write_exact(quantity, language),
             write_decimal_text(quantity.decimal(6), language),
             quantity.unit,
         )
@@ -180,7 +180,7 @@ def _make_key_entry(question: SetQuestion, language: Language) -> KeyEntry:
     answers = tuple(
         KeyAnswer(
             template.asks[entry.ask.name].symbol,
-            entry.answer.closed_form,
+            _write_exact(entry.answer, language),
             write_decimal_text(entry.answer.decimal(6), language),
             entry.answer.unit,
             write_interval(entry, language),
@@ -194,6 +194,12 @@ def _make_key_entry(question: SetQuestion, language: Language) -> KeyEntry:
         parameters,
         answers,
     )
+
+
+def _write_exact(quantity: Quantity, language: Language) -> str | None:
+    """The exact number in LaTeX math where it fits a line."""
+    exact = quantity.closed_form
+    return exact and write_decimals_of_math(exact, language)
 
 
 def write_interval(entry: SetAsk, language: Language) -> str:
