@@ -86,8 +86,14 @@ def _measure(node: Node) -> float:
             carried = 0.0 if base is None else _measure(base)
             scripts = max(_add_all(lower or ()), _add_all(upper or ()))
             return carried + _PRIME * primes + _SCRIPT * scripts
-        case _:
+        case Group() | Quotient() | Root() | Lettering() | Accent() | Fenced() | Environment():
             return _measure_alone(node) + sum(map(measure_advance, list_parts(node)))
+        case Letter() | Number() | Sign() | Function() | Text() | Unit():
+            return _measure_alone(node)
+        case Space() | LineBreak() | Mark():
+            return _measure_alone(node)
+        case _:
+            assert_never(node)
 
 
 def _add_all(row: Row) -> float:

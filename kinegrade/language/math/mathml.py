@@ -14,7 +14,7 @@ from typing import assert_never
 
 from kinegrade.language.math.letters import SIGNS, find_letter
 from kinegrade.language.math.reading import read_math
-from kinegrade.language.math.spacing import is_spaced
+from kinegrade.language.math.spacing import SPACE_WIDTHS, is_function, is_spaced
 from kinegrade.language.math.tree import (
     DEGREE,
     PRIME,
@@ -46,15 +46,6 @@ from kinegrade.language.math.tree import (
 )
 from kinegrade.language.math.units import raise_exponents, write_unit
 
-_SPACES: dict[SpaceName, str] = {
-    ",": "0.167em",
-    ":": "0.222em",
-    ";": "0.278em",
-    "!": "-0.167em",
-    " ": "0.25em",
-    "quad": "1em",
-    "qquad": "2em",
-}
 _FRACTIONS: dict[FractionName, str] = {
     "frac": "",
     "dfrac": ' displaystyle="true"',
@@ -72,7 +63,6 @@ _ACCENTS: dict[AccentName, str] = {
     "overrightarrow": '<mo stretchy="true">→</mo>',
     "underbrace": '<mo stretchy="true">⏟</mo>',
 }
-_AFTER_FUNCTION = f'<mspace width="{_SPACES[","]}"/>'
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,21 +131,17 @@ def _write_pieces(row: Row, face: _Face) -> Iterator[str]:
 
 
 def _write_piece(row: Row, place: int, node: Node, face: _Face) -> str:
-    match node:
-        case Sign(latex) if SIGNS[latex].kind == "binary" and not is_spaced(row, place):
-            return f'<mo form="prefix">{SIGNS[latex].character}</mo>'
-        case Function() | Scripts(base=Function()) if not _opens(row[place + 1 : place + 2]):
-            return _write_node(node, face) + _AFTER_FUNCTION
-        case _:
-            return _write_node(node, face)
+    if isinstance(node, Sign) and SIGNS[node.latex].kind == "binary" and not is_spaced(row, place):
+        return f'<mo form="prefix">{SIGNS[node.latex].character}</mo>'
+    written = _write_node(node, face)
+    if is_function(node) and not _closes_up(row[place + 1 : place + 2]):
+        written += _write_space(",")
+    return written
 
 
-def _opens(following: Row) -> bool:
-    match following:
-        case () | (Fenced(), *_) | (Sign("("), *_):
-            return True
-        case _:
-            return False
+def _closes_up(following: Row) -> bool:
+    """Whether no room is left between a function and what follows: a bracket, or nothing."""
+    return not following or isinstance(following[0], Fenced) or following[0] == Sign("(")
 
 
 def _write_letters(letters: str, face: _Face) -> str:
@@ -182,7 +168,7 @@ def _write_node(node: Node, face: _Face) -> str:
         case Unit(text):
             return _write_text(write_unit(text))
         case Space(name):
-            return f'<mspace width="{_SPACES[name]}"/>'
+            return _write_space(name)
         case LineBreak() | Mark():
             return ""
         case Lettering(style, row):
@@ -193,6 +179,10 @@ def _write_node(node: Node, face: _Face) -> str:
             return _write_scripts(node, face)
         case _:
             return _write_structure(node, face)
+
+
+def _write_space(name: SpaceName) -> str:
+    return f'<mspace width="{SPACE_WIDTHS[name]:g}em"/>'
 
 
 def _write_sign(latex: str) -> str:

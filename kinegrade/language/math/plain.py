@@ -10,7 +10,7 @@ from typing import assert_never
 
 from kinegrade.language.math.letters import SIGNS, find_letter
 from kinegrade.language.math.reading import read_math
-from kinegrade.language.math.spacing import is_spaced
+from kinegrade.language.math.spacing import SPACE_WIDTHS, is_function, is_spaced
 from kinegrade.language.math.tree import (
     DEGREE,
     Accent,
@@ -35,7 +35,7 @@ from kinegrade.language.math.tree import (
 )
 from kinegrade.language.math.units import raise_digits, raise_exponents, write_unit
 
-_TYPED = {"-": "-", "*": "*"}  # as on a keyboard, which every system shows
+_TYPED = frozenset("-*")  # as on a keyboard, which every system shows
 _ATOM = re.compile(r"[^\W_]+(?:_[^\W_]+)?|[0-9.]+")
 _DIGITS = re.compile(r"-?[0-9]+")
 _BLANKS = re.compile(r"\s+")
@@ -63,10 +63,10 @@ def write_plain_row(row: Row) -> str:
     written = ""
     for place, node in enumerate(row):
         piece = _write_node(node)
-        function_before = place > 0 and _is_function(row[place - 1])
+        function_before = place > 0 and is_function(row[place - 1])
         if is_spaced(row, place):
             piece = f" {piece} "
-        elif _meet(written, piece) and (function_before or _is_function(node)):
+        elif _meet(written, piece) and (function_before or is_function(node)):
             piece = f" {piece}"
         written += piece
     return _BLANKS.sub(" ", written).strip()
@@ -77,10 +77,6 @@ def _meet(before: str, after: str) -> bool:
     return before[-1:].isalnum() and after[:1].isalnum()
 
 
-def _is_function(node: Node) -> bool:
-    return isinstance(node.base if isinstance(node, Scripts) else node, Function)
-
-
 def _write_node(node: Node) -> str:
     match node:
         case Letter(name):
@@ -88,8 +84,7 @@ def _write_node(node: Node) -> str:
         case Number(digits):
             return digits
         case Sign(latex):
-            character = _TYPED.get(latex, SIGNS[latex].character)
-            return f"{character} " if SIGNS[latex].kind == "punctuation" else character
+            return _write_sign(latex)
         case Function(name):
             return name
         case Text(text):
@@ -97,7 +92,7 @@ def _write_node(node: Node) -> str:
         case Unit(text):
             return write_unit(text)
         case Space(name):
-            return "" if name == "!" else " "
+            return " " if SPACE_WIDTHS[name] > 0 else ""
         case Mark():
             return " "
         case LineBreak():
@@ -106,6 +101,18 @@ def _write_node(node: Node) -> str:
             return _write_scripts(node)
         case _:
             return _write_rows(node)
+
+
+def _write_sign(latex: str) -> str:
+    character = latex if latex in _TYPED else SIGNS[latex].character
+    kind = SIGNS[latex].kind
+    match kind:
+        case "punctuation":
+            return f"{character} "
+        case "ordinary" | "relation" | "binary" | "opening" | "closing" | "large":
+            return character
+        case _:
+            assert_never(kind)
 
 
 def _write_rows(node: Group | Quotient | Root | Lettering | Accent | Fenced | Environment) -> str:

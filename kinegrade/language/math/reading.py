@@ -7,7 +7,7 @@ by every press and shown by every page.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from kinegrade.errors import TypesetError
@@ -15,11 +15,13 @@ from kinegrade.language.lines import shorten
 from kinegrade.language.math.letters import FUNCTIONS, GREEK, SIGNS
 from kinegrade.language.math.tokens import (
     ACCENTS,
+    BRACKETS,
     ENVIRONMENTS,
     FRACTIONS,
     SPACES,
     STYLES,
     TokenCursor,
+    ends_row,
     find_environment,
     find_token_faults,
     is_words,
@@ -46,12 +48,12 @@ from kinegrade.language.math.tree import (
     Space,
     Text,
     Unit,
+    carries_scripts,
 )
 from kinegrade.language.message import Fault, Message
 
 _DEEPEST = 40  # levels of braces and arguments; a formula of an exam has five
 _TOO_DEEP = Message("typesetting.too-deep", most=_DEEPEST)
-BRACKETS = frozenset(("(", ")", "[", "]", "|", ".", r"\{", r"\}", r"\|"))
 _SCRIPTS = frozenset(("_", "^", "'"))
 _NO_ATOM = _SCRIPTS | {"&", r"\\", r"\\{}"}
 _WHOLE = Message("typesetting.not-whole")
@@ -71,10 +73,10 @@ def read_math(latex: str, where: str) -> Row:
     (Scripts(base=Letter(name='v'), lower=(Letter(name='B'),), primes=0, upper=None),)
     """
     read = _read(latex)
-    if isinstance(read, _Refused):
+    if read.faults:
         place = write_formula_place(latex, where)
         raise TypesetError(*(Fault(place, fault) for fault in read.faults))
-    return read
+    return read.row
 
 
 def write_formula_place(latex: str, where: str) -> Message:
@@ -82,25 +84,33 @@ def write_formula_place(latex: str, where: str) -> Message:
     return Message("typesetting.formula", where=where, formula=shorten(latex))
 
 
-class _Refused(Exception):
-    """The faults of a formula."""
+@dataclass(frozen=True, slots=True)
+class _Formula:
+    """The tree of a formula, or its faults."""
 
-    def __init__(self, *faults: Message) -> None:
-        self.faults = faults
+    row: Row
+    faults: tuple[Message, ...] = ()
+
+
+class _Refused(Exception):
+    """Why a formula cannot be read to its end."""
+
+    def __init__(self, fault: Message) -> None:
+        self.fault = fault
         super().__init__()
 
 
 @lru_cache(maxsize=8192)
-def _read(latex: str) -> Row | _Refused:
+def _read(latex: str) -> _Formula:
     """The same wherever it is used, so that the papers of a class share it."""
     tokens = split_tokens(latex)
     faults = tuple(find_token_faults(tokens))
     if faults:
-        return _Refused(*faults)
+        return _Formula((), faults)
     try:
-        return _Reader(tokens).whole()
+        return _Formula(_Reader(tokens).whole())
     except _Refused as refusal:
-        return refusal
+        return _Formula((), (refusal.fault,))
 
 
 class _Reader:
@@ -118,7 +128,7 @@ class _Reader:
         """Everything up to `closing`, which is passed, or to the end of what is around."""
         self._deepen()
         row = []
-        while self._tokens.peek() != closing and not _is_end(self._tokens.peek()):
+        while self._tokens.peek() != closing and not ends_row(self._tokens.peek()):
             row.append(self._scripted())
         found = self._tokens.take()
         if found != closing:
@@ -133,22 +143,23 @@ class _Reader:
 
     def _scripted(self) -> Node:
         """An atom with what stands below and above it."""
-        node = None if self._tokens.peek() in _SCRIPTS else self._number() or self._atom()
-        if isinstance(node, Mark | LineBreak | Space):
-            return node
-        depth = self._depth
-        while self._tokens.peek() in _SCRIPTS:
-            node = self._add_script(node, self._tokens.take())
-        self._depth = depth
-        return node or Group(())
-
-    def _number(self) -> Number | None:
+        if self._tokens.peek() in _SCRIPTS:
+            return self._read_scripts(None)
         digits = self._tokens.take_number()
-        return Number(digits) if digits else None
+        node = Number(digits) if digits else self._atom()
+        if self._tokens.peek() in _SCRIPTS and carries_scripts(node):
+            return self._read_scripts(None if node == Group(()) else node)
+        return node
 
-    def _add_script(self, node: Node | None, sign: str) -> Scripts:
-        base = None if node == Group(()) else node
-        scripts = base if isinstance(base, Scripts) else Scripts(base, None, 0, None)
+    def _read_scripts(self, base: Node | None) -> Scripts:
+        depth = self._depth
+        scripts = Scripts(base, None, 0, None)
+        while self._tokens.peek() in _SCRIPTS:
+            scripts = self._add_script(scripts, self._tokens.take())
+        self._depth = depth
+        return scripts
+
+    def _add_script(self, scripts: Scripts, sign: str) -> Scripts:
         if sign == "'":
             return replace(scripts, primes=scripts.primes + 1)
         argument = self._argument(sign)
@@ -171,7 +182,7 @@ class _Reader:
         if token == "{":
             self._tokens.take()
             return self._row("}")
-        if token in _NO_ATOM or _is_end(token):
+        if token in _NO_ATOM or ends_row(token):
             raise _Refused(Message("typesetting.nothing-after", command=command))
         self._deepen()
         atom = self._atom()
@@ -236,8 +247,3 @@ class _Reader:
         if bracket not in BRACKETS:
             raise _Refused(Message("typesetting.no-bracket", command=command))
         return bracket
-
-
-def _is_end(token: str) -> bool:
-    """Whether nothing of a row can follow."""
-    return token in ("", "}", r"\right") or token.startswith(r"\end{")

@@ -13,6 +13,7 @@ from typing import assert_never
 from kinegrade.language.math.label_size import measure_advance
 from kinegrade.language.math.letters import SIGNS, find_letter
 from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.spacing import SPACE_WIDTHS
 from kinegrade.language.math.tree import (
     DEGREE,
     Accent,
@@ -124,9 +125,11 @@ def _write_node(node: Node, style: Run) -> list[Run]:
             opening = replace(style, text=_write_fence(left))
             closing = replace(style, text=_write_fence(right))
             return [opening, *_write_row(row, style), closing]
-        case _:
+        case Number() | Sign() | Function() | Text() | Unit() | Space() | LineBreak() | Mark():
             text = _write_text(node)
             return [replace(style, text=text)] if text else []
+        case _:
+            assert_never(node)
 
 
 def _write_scripts(node: Scripts, style: Run) -> list[Run]:
@@ -194,7 +197,7 @@ def _write_text(
         case Unit(text):
             return write_unit(text)
         case Space(name):
-            return "" if name == "!" else "\u2009"
+            return "\u2009" if SPACE_WIDTHS[name] > 0 else ""
         case LineBreak() | Mark():
             return " "
         case _:

@@ -28,6 +28,7 @@ FRACTIONS: dict[str, FractionName] = {name: name for name in get_args(FractionNa
 SPACES: dict[str, SpaceName] = {name: name for name in get_args(SpaceName)}
 ACCENTS: dict[str, AccentName] = {name: name for name in get_args(AccentName)}
 STYLES: dict[str, Style] = {name: name for name in get_args(Style)} | {"bm": "boldsymbol"}
+BRACKETS = frozenset(("(", ")", "[", "]", "|", ".", r"\{", r"\}", r"\|"))  # "." for none
 _SIGN_COMMANDS = (sign.removeprefix("\\") for sign in SIGNS if sign.startswith("\\"))
 _KNOWN = frozenset(
     (
@@ -107,6 +108,11 @@ class TokenCursor:
 def is_words(token: str) -> bool:
     r"""Whether a token is a whole `\text{...}` or `\unit{...}`."""
     return _WORDS.match(token) is not None
+
+
+def ends_row(token: str) -> bool:
+    """Whether nothing of a row can follow."""
+    return token in ("", "}", r"\right") or token.startswith(r"\end{")
 
 
 def find_environment(token: str) -> str | None:

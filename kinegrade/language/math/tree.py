@@ -192,6 +192,19 @@ def split_row(row: Row, divider: type[LineBreak | Mark]) -> Iterator[Row]:
     yield row[begin:]
 
 
+def carries_scripts(node: Node) -> bool:
+    """Whether an index or a power after a node is its own; after the others it stands alone."""
+    match node:
+        case Letter() | Number() | Sign() | Function() | Text() | Unit() | Scripts():
+            return True
+        case Group() | Quotient() | Root() | Lettering() | Accent() | Fenced() | Environment():
+            return True
+        case Space() | LineBreak() | Mark():
+            return False
+        case _:
+            assert_never(node)
+
+
 def list_nodes(row: Row) -> Iterator[Node]:
     """Every node of a row and of its parts."""
     for node in row:

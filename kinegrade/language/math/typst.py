@@ -124,13 +124,12 @@ def _find_matched(row: Row) -> Iterable[int]:
 
 def _find_bracket(node: Node) -> str:
     """Which half of brackets a node is, with or without scripts; "" for all else."""
-    match node:
-        case Sign(latex) if latex in _TYPED:
-            return SIGNS[latex].kind
-        case Scripts(base=Sign(latex)) if SIGNS[latex].kind == "closing":
-            return "closing"
-        case _:
-            return ""
+    if isinstance(node, Sign) and node.latex in _TYPED:
+        return SIGNS[node.latex].kind
+    carrier = node.base if isinstance(node, Scripts) else None
+    if isinstance(carrier, Sign) and SIGNS[carrier.latex].kind == "closing":
+        return "closing"
+    return ""
 
 
 def _join(pieces: Iterable[str]) -> str:
@@ -236,5 +235,9 @@ def _write_base(base: Node | None, matched: bool) -> str:
             return _EMPTY
         case Group(row):
             return f"attach({_write_argument(row)})"
-        case _:
+        case Letter() | Number() | Sign() | Function() | Text() | Unit() | Scripts():
             return _write_node(base, matched)
+        case Space() | LineBreak() | Mark():
+            return _write_node(base)
+        case _:
+            return _write_call(base)

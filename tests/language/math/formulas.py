@@ -12,8 +12,14 @@ from kinegrade.exam.quiz_paper import show_instance
 from kinegrade.language import Language
 from kinegrade.language.math.latex import LatexDialect
 from kinegrade.language.math.letters import FUNCTIONS, GREEK, SIGNS
-from kinegrade.language.math.reading import BRACKETS
-from kinegrade.language.math.tokens import ACCENTS, ENVIRONMENTS, FRACTIONS, SPACES, STYLES
+from kinegrade.language.math.tokens import (
+    ACCENTS,
+    BRACKETS,
+    ENVIRONMENTS,
+    FRACTIONS,
+    SPACES,
+    STYLES,
+)
 from kinegrade.language.math.tree import (
     PRIME,
     Accent,
