@@ -6,6 +6,7 @@ import re
 from collections import defaultdict
 from collections.abc import Sequence
 from pathlib import Path
+from typing import assert_never
 
 from kinegrade.errors import Problem
 from kinegrade.language.message import Message, Text
@@ -41,4 +42,10 @@ def shorten_list(complaints: Sequence[Complaint], file: Path) -> tuple[Problem, 
 
 
 def _find_kind(problem: Text) -> str:
-    return problem.key if isinstance(problem, Message) else _PARTICULARS.sub("…", problem)
+    match problem:
+        case Message():
+            return problem.key
+        case str():
+            return _PARTICULARS.sub("…", problem)
+        case _:
+            assert_never(problem)

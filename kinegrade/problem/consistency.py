@@ -177,8 +177,10 @@ class _Consistency:
         require_no_radians(sentence.along)
         direction = scope.kind(sentence.along)
         if not isinstance(direction, Scalar | Unknown):
-            what = Message("template.moves-along", kind=describe_kind(direction))
-            raise FieldError(what, Message("template.a-direction"))
+            raise FieldError(
+                Message("template.moves-along", kind=describe_kind(direction)),
+                Message("template.a-direction"),
+            )
         _require_dimension(direction, NUMBER, "direction")
 
     def condition(self, condition: Condition) -> None:

@@ -138,7 +138,6 @@ def read_driver(text: str, velocity: Expression, acceleration: Expression) -> Dr
         what = Message("template.no-such-input", sentence=found(text))
         raise FieldError(what, _list_examples(_DRIVER_EXAMPLES))
     kind, parts = stated
-    along = parts.get("along")
     return DriverSentence(
         kind=kind,
         text=text,
@@ -147,9 +146,18 @@ def read_driver(text: str, velocity: Expression, acceleration: Expression) -> Dr
         point=parts.get("point", ""),
         body=parts["body"],
         of=parts.get("of", GROUND),
-        along=read_expression(_AXES.get(along, along)) if along else None,
+        along=_read_direction(parts.get("along")),
         centre=parts.get("centre", ""),
     )
+
+
+def _read_direction(text: str | None) -> Expression | None:
+    """The angle of a direction: of an axis by its name, or as an expression."""
+    if text is None:
+        return None
+    if text in _AXES:
+        return read_expression(_AXES[text])
+    return read_expression(text)
 
 
 def _list_examples(sentences: Iterable[str]) -> Message:

@@ -61,8 +61,7 @@ def _is_complete(symbol: str) -> bool:
 
 def _is_bare(node: Node) -> bool:
     """Whether scripts stand on nothing, or on scripts, as the second of `a_1_2` does."""
-    match node:
-        case Scripts(base=None | Group((Scripts(),))):
-            return True
-        case _:
-            return False
+    if not isinstance(node, Scripts):
+        return False
+    carrier = node.base.row if isinstance(node.base, Group) else ()
+    return node.base is None or (len(carrier) == 1 and isinstance(carrier[0], Scripts))

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from decimal import Decimal
+from typing import assert_never
 
 from kinegrade.figure.pole_construction import Pole, draw_pole_construction
 from kinegrade.figure.polygon import Arrow, draw_polygon
@@ -143,13 +144,22 @@ def _find_asked_arrows(ask: Ask, level: Level, case: Case) -> Iterator[PointArro
         if call.function != level:
             continue
         for body, point in find_chains(call, case.motion, quantities):
-            motion = case.motion.velocity if level == "velocity" else case.motion.acceleration
-            value = _make_floats(motion(point, body))
+            value = _make_floats(_find_motion(point, body, level, case))
             if _is_seen(value):
                 letters = f"{LETTERS[level]}_{{{case.naming.point(point)}}}"
                 yield PointArrow(
                     letters, _make_floats(case.motion.points[point]), value, known=False
                 )
+
+
+def _find_motion(point: str, body: str, level: Level, case: Case) -> Vector:
+    match level:
+        case "velocity":
+            return case.motion.velocity(point, body)
+        case "acceleration":
+            return case.motion.acceleration(point, body)
+        case _:
+            assert_never(level)
 
 
 def _draw_vectors(equations: Sequence[VectorEquation], stage: Stage) -> Picture:

@@ -9,7 +9,17 @@ from kinegrade.problem.symbols import find_symbol_fault
 
 @pytest.mark.parametrize(
     "symbol",
-    ["l", "k r", r"\omega_{AB}", r"\varphi", "O_1'", r"\mathrm{II}", r"\sqrt{3} r", r"\frac{l}{2}"],
+    [
+        "{a_1 b}_2",
+        "l",
+        "k r",
+        r"\omega_{AB}",
+        r"\varphi",
+        "O_1'",
+        r"\mathrm{II}",
+        r"\sqrt{3} r",
+        r"\frac{l}{2}",
+    ],
 )
 def test_what_statements_use_is_a_symbol(symbol: str) -> None:
     assert find_symbol_fault(symbol) is None
