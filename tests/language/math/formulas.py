@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import cache
 from itertools import pairwise
 
 from hypothesis import strategies as st
@@ -121,7 +122,18 @@ def _scripts(nodes: st.SearchStrategy[Node]) -> st.SearchStrategy[Node]:
     ).filter(lambda node: node.lower is not None or node.primes > 0 or node.upper is not None)
 
 
-def _parents(nodes: st.SearchStrategy[Node]) -> st.SearchStrategy[Node]:
+@st.composite
+def _nodes(draw: st.DrawFn, levels: int) -> Node:
+    """A node of so many levels at most: a strategy with a name, which is shown in place of all that
+    it is made of.
+    """
+    return draw(_LEAVES if levels == 1 else _LEAVES | _parents(levels - 1))
+
+
+@cache
+def _parents(levels: int) -> st.SearchStrategy[Node]:
+    """Nodes with parts of so many levels at most."""
+    nodes = _nodes(levels)
     rows = _rows(nodes)
     unclosed = rows.filter(lambda row: Sign("]") not in row)
     brackets = st.sampled_from(sorted(BRACKETS))
@@ -149,4 +161,4 @@ _LEAVES: st.SearchStrategy[Node] = st.one_of(
     st.just(LineBreak()),
     st.just(Mark()),
 )
-TREES = _rows(st.recursive(_LEAVES, _parents, max_leaves=12))
+TREES = _rows(_nodes(4))
