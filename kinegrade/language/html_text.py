@@ -11,7 +11,8 @@ import re
 from functools import lru_cache
 from html import escape
 
-from kinegrade.language.math.latex import MATHJAX, write_latex_math
+from kinegrade.language.math.latex import MATHJAX, write_latex_math, write_latex_row
+from kinegrade.language.math.tree import Row
 from kinegrade.language.math.units import raise_exponents, write_unit
 
 # What no XML document may hold
@@ -28,7 +29,7 @@ def write_plain_html(text: str) -> str:
 
 
 @lru_cache(maxsize=4096)
-def write_math_html(latex: str, where: str = "text", *, display: bool = False) -> str:
+def write_math_html(latex: str, where: str = "text") -> str:
     r"""A formula between MathJax's delimiters, in the LaTeX that MathJax knows.
 
     Raises TypesetError where it holds anything but the math that every press prints.
@@ -36,8 +37,12 @@ def write_math_html(latex: str, where: str = "text", *, display: bool = False) -
     >>> write_math_html(r"v_B = 2\,\unit{m/s^2}")
     '\\(v_{B} = 2\\,\\mathrm{m/s^{2}}\\)'
     """
-    written = write_plain_html(write_latex_math(latex, where, MATHJAX))
-    return rf"\[{written}\]" if display else rf"\({written}\)"
+    return rf"\({write_plain_html(write_latex_math(latex, where, MATHJAX))}\)"
+
+
+def write_display_html(row: Row) -> str:
+    """A formula on lines of its own between MathJax's delimiters, by its tree."""
+    return rf"\[{write_plain_html(write_latex_row(row, MATHJAX))}\]"
 
 
 def write_unit_html(unit: str) -> str:

@@ -1,80 +1,63 @@
-"""Where a long line of LaTeX math may be broken: before a relation, or before a plus or minus,
-outside all brackets.
+"""Where a long line of math may be broken: before a relation, or before a plus or minus between two
+terms, outside all brackets.
 
 A press breaks a line only where the page is too narrow for it.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
+
+from kinegrade.language.math.spacing import is_sign_of, is_spaced
+from kinegrade.language.math.tree import Mark, Row, Sign
 
 _RELATIONS = (
     r"= < > \approx \equiv \sim \le \leq \ge \geq \ne \neq \propto \Rightarrow \implies \to"
 )
-RELATIONS = frozenset(_RELATIONS.split())
-_TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
-_OPENING = frozenset(("{", "(", "[", r"\left", r"\begin"))
-_CLOSING = frozenset(("}", ")", "]", r"\right", r"\end"))
-_FENCES = frozenset((r"\left", r"\right"))
-_SIGNS = frozenset("+-")
+_BREAKING = frozenset(map(Sign, _RELATIONS.split()))
+_SIGNS = frozenset((Sign("+"), Sign("-")))
 
 
 @dataclass(frozen=True)
 class EquationLine:
-    """What is to the left of the alignment mark, and the pieces to its right; both are LaTeX math,
-    and either may be empty.
+    """What is to the left of the alignment mark, and the pieces to its right; either may be
+    empty.
     """
 
-    left: str
-    pieces: tuple[str, ...]
+    left: Row
+    pieces: tuple[Row, ...]
 
 
-def split_equation_line(latex: str) -> EquationLine:
+def split_equation_line(row: Row) -> EquationLine:
     """The parts of one line of a display.
 
-    >>> split_equation_line(r"v_B &= v_A + (a + b) = 2")
-    EquationLine(left='v_B', pieces=('= v_A', '+ (a + b)', '= 2'))
+    >>> from kinegrade.language.math.plain import write_plain_row
+    >>> from kinegrade.language.math.reading import read_math
+    >>> line = split_equation_line(read_math("v_B &= v_A + (a + b) = 2", "line"))
+    >>> write_plain_row(line.left), [write_plain_row(piece) for piece in line.pieces]
+    ('v_B', ['= v_A', '+(a + b)', '= 2'])
     """
-    tokens = [match.group() for match in _TOKEN.finditer(latex)]
-    depths = _count_depths(tokens)
-    marks = [index for index, token in enumerate(tokens) if token == "&" and depths[index] == 0]
-    start = marks[0] + 1 if marks else 0
-    starts = [start] + [
-        index
-        for index in range(start + 1, len(tokens))
-        if depths[index] == 0 and _breaks_before(tokens, index, start)
-    ]
-    ends = [*starts[1:], len(tokens)]
-    pieces = ("".join(tokens[begin:end]).strip() for begin, end in zip(starts, ends, strict=True))
+    start = row.index(Mark()) + 1 if Mark() in row else 0
+    left, right = row[: max(start - 1, 0)], row[start:]
+    starts = (0, *_find_breaks(right), len(right))
     return EquationLine(
-        "".join(tokens[: max(start - 1, 0)]).strip(), tuple(piece for piece in pieces if piece)
+        left, tuple(right[begin:end] for begin, end in pairwise(starts) if begin < end)
     )
 
 
-def _count_depths(tokens: Sequence[str]) -> list[int]:
-    """How many brackets are open at each token; a fence's own bracket, as in `\\left(`, is not
-    counted again.
-    """
-    depths, depth = [], 0
-    for index, token in enumerate(tokens):
-        fenced = index > 0 and tokens[index - 1] in _FENCES
-        if token in _CLOSING and not fenced:
-            depth = max(depth - 1, 0)
-        depths.append(depth)
-        if token in _OPENING and not fenced:
-            depth += 1
-    return depths
+def begins_with_sign(piece: Row) -> bool:
+    """Whether a piece adds a term to what is before it, rather than stating a relation to it."""
+    return piece[0] in _SIGNS
 
 
-def _breaks_before(tokens: Sequence[str], index: int, start: int) -> bool:
-    """Whether a relation or a binary sign stands at `index`; the sign of a term stays with its
-    term.
-    """
-    before = "".join(tokens[start:index]).split()
-    last = next((token for token in reversed(tokens[start:index]) if not token.isspace()), "")
-    if tokens[index] in RELATIONS:
-        return bool(before)
-    bound = RELATIONS | _SIGNS | {"", ",", "_", "^", r"\pm", r"\mp", r"\cdot", r"\times"}
-    return tokens[index] in _SIGNS and last not in bound
+def _find_breaks(row: Row) -> Iterator[int]:
+    """The places of a row before which it may be broken."""
+    depth = 0
+    for place, node in enumerate(row):
+        sign = node in _SIGNS and is_spaced(row, place)
+        if place > 0 and depth == 0 and (sign or node in _BREAKING):
+            yield place
+        opened = is_sign_of(node, "opening") - is_sign_of(node, "closing")
+        depth = max(depth + opened, 0)

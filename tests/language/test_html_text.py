@@ -10,10 +10,12 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import TypesetError
 from kinegrade.language.html_text import (
+    write_display_html,
     write_math_html,
     write_plain_html,
     write_unit_html,
 )
+from kinegrade.language.math.reading import read_math
 
 
 def element(html: str) -> ElementTree.Element:
@@ -46,7 +48,7 @@ def test_formulas_are_such_as_mathjax_sets(latex: str, written: str) -> None:
 
 
 def test_a_formula_on_its_own_line() -> None:
-    assert write_math_html("v", display=True) == r"\[v\]"
+    assert write_display_html(read_math("v", "q1")) == r"\[v\]"
 
 
 @pytest.mark.parametrize("latex", [r"\input{x}", r"\href{javascript:1}", "<#b>", r"\frac{1}{2"])

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from kinegrade.language.math.letters import SIGNS
+from kinegrade.language.math.letters import SIGNS, Kind
 from kinegrade.language.math.tree import (
     Accent,
     Environment,
@@ -55,6 +55,13 @@ def is_spaced(row: Row, place: int) -> bool:
         return False
     kind = SIGNS[node.latex].kind
     return kind == "relation" or (kind == "binary" and _ends_term(row, place - 1))
+
+
+def is_sign_of(node: Node, kind: Kind) -> bool:
+    """Whether a node is a sign of a kind, with or without scripts."""
+    carrier = node.base if isinstance(node, Scripts) else None
+    signs = [part for part in (node, carrier) if isinstance(part, Sign)]
+    return any(SIGNS[sign.latex].kind == kind for sign in signs)
 
 
 def is_function(node: Node) -> bool:

@@ -9,8 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinegrade.language.html_text import write_math_html, write_plain_html
+from kinegrade.language.html_text import (
+    write_display_html,
+    write_math_html,
+    write_plain_html,
+)
 from kinegrade.language.math.mathml import write_mathml
+from kinegrade.language.math.reading import read_math
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 
 
@@ -50,7 +55,7 @@ class _MathjaxRenderer(_HtmlRenderer):
         return write_math_html(latex, where)
 
     def displayed_formula(self, latex: str, where: str) -> str:
-        return write_math_html(latex, where, display=True)
+        return write_display_html(read_math(latex, where))
 
 
 class _MathmlRenderer(_HtmlRenderer):

@@ -11,13 +11,16 @@ from typing import assert_never
 
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.language.gathering import convert_each
 from kinegrade.language.html_text import (
+    write_display_html,
     write_math_html,
     write_plain_html,
     write_unit_html,
 )
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Environment, LineBreak, Mark, Row
 from kinegrade.language.prose.html import write_line, write_prose
-from kinegrade.press.equation_line import split_equation_line
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -62,16 +65,15 @@ def _write_block(block: Block, words: Catalogue) -> str:
 
 
 def _write_aligned(lines: Sequence[str]) -> str:
-    """Equations one below another; a long one continues on a new line before a relation sign."""
-    rows = []
-    for latex in lines:
-        parts = split_equation_line(latex)
-        rows += [
-            f"{parts.left} &{parts.pieces[0] if parts.pieces else ''} "
-            f"{' '.join(parts.pieces[1:])}".strip()
-        ]
-    body = r" \\ ".join(rows)
-    return write_math_html(rf"\begin{{aligned}} {body} \end{{aligned}}", _WHERE, display=True)
+    """Equations one below another."""
+    rows = convert_each(lambda latex: _align(read_math(latex, _WHERE)), lines)
+    body = [node for row in rows for node in (LineBreak(), *row)]
+    return write_display_html((Environment("aligned", tuple(body[1:])),))
+
+
+def _align(row: Row) -> Row:
+    """A line with its mark, which stands before one that has none."""
+    return row if Mark() in row else (Mark(), *row)
 
 
 def _write_terms(terms: Sequence[Term], words: Catalogue) -> str:

@@ -11,9 +11,11 @@ from kinegrade.figure.tikz import write_tikz
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.latex_text import write_comment, write_plain
-from kinegrade.language.math.latex import write_latex_math
+from kinegrade.language.math.latex import TEX, write_latex_math, write_latex_row
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Row
 from kinegrade.language.prose.latex import write_line, write_prose
-from kinegrade.press.equation_line import split_equation_line
+from kinegrade.press.equation_line import begins_with_sign, split_equation_line
 from kinegrade.press.latex.document import (
     write_command,
     write_environment,
@@ -117,16 +119,14 @@ def _write_line(latex: str, where: str) -> str:
     r"""`\equationline{left}{\relation{= a}\summand{+ b}}`: a line may be broken before each
     piece.
     """
-    parts = split_equation_line(latex)
-    pieces = convert_each(
-        lambda piece: write_command(_write_kind(piece), write_latex_math(piece, where)),
-        parts.pieces,
-    )
-    return write_command("equationline", write_latex_math(parts.left, where), "".join(pieces))
+    parts = split_equation_line(read_math(latex, where))
+    pieces = "".join(map(_write_piece, parts.pieces))
+    return write_command("equationline", write_latex_row(parts.left, TEX), pieces)
 
 
-def _write_kind(piece: str) -> str:
-    return "summand" if piece[0] in "+-" else "relation"
+def _write_piece(piece: Row) -> str:
+    kind = "summand" if begins_with_sign(piece) else "relation"
+    return write_command(kind, write_latex_row(piece, TEX))
 
 
 def _write_bands(terms: Sequence[Term], where: str) -> list[str]:

@@ -12,8 +12,11 @@ from re import fullmatch
 from kinegrade.figure.typst import write_typst
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Row
+from kinegrade.language.math.typst import write_typst_row
 from kinegrade.language.prose.typst import write_line, write_prose
-from kinegrade.press.equation_line import split_equation_line
+from kinegrade.press.equation_line import begins_with_sign, split_equation_line
 from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
 from kinegrade.press.solution_blocks import (
     FORMULA_ALONE,
@@ -112,15 +115,15 @@ def _write_content(block: Block, where: str, size: PaperSize) -> Sheet:
 
 
 def _write_line(latex: str, where: str) -> Sheet:
-    parts = split_equation_line(latex)
-    return gather(
-        left=lambda: write_formula(parts.left, where),
-        pieces=lambda: convert_each(lambda piece: _write_piece(piece, where), parts.pieces),
-    )
+    parts = split_equation_line(read_math(latex, where))
+    return {
+        "left": f"${write_typst_row(parts.left)}$",
+        "pieces": [_write_piece(piece) for piece in parts.pieces],
+    }
 
 
-def _write_piece(latex: str, where: str) -> Sheet:
-    return {"code": write_formula(latex, where), "relation": latex[0] not in "+-"}
+def _write_piece(piece: Row) -> Sheet:
+    return {"code": f"${write_typst_row(piece)}$", "relation": not begins_with_sign(piece)}
 
 
 def _write_term(term: Term, where: str) -> Sheet:
