@@ -26,7 +26,7 @@ from kinegrade.grading.number_text import (
     fold,
     show,
 )
-from kinegrade.grading.sense import find_direction, split_sense
+from kinegrade.grading.sense import find_direction, names_sense, split_sense
 from kinegrade.grading.typed_amount import Amount, convert, make_rational_amount, work_out
 from kinegrade.grading.typed_value import Formula, scan_value
 from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion
@@ -165,9 +165,11 @@ def _apply_sign(found: TypedNumber, minus: bool) -> str:
 
 
 def _undress(text: str) -> str:
-    """The text without a label before the number (v_B =) and without a word for "about"."""
+    """The text without a label before the number (v_B =) and without a word for "about"; a sense
+    (clockwise: 5) is no label.
+    """
     label = _LABEL.match(text)
-    unlabelled = text[label.end() :] if label else text
+    unlabelled = text[label.end() :] if label and not names_sense(label[0]) else text
     about = _match_about().match(unlabelled)
     return (unlabelled[about.end() :] if about else unlabelled).strip()
 

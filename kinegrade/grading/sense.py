@@ -47,6 +47,7 @@ class _Patterns:
     """
 
     anywhere: re.Pattern[str]
+    alone: re.Pattern[str]
     behind: re.Pattern[str]
     before: re.Pattern[str]
 
@@ -55,8 +56,9 @@ class _Patterns:
 def _compile_patterns() -> _Patterns:
     words = "|".join(f"(?P<{sense}>{_match_sense(sense)})" for sense in _WORDS)
     behind = rf"(?<![\s,;(\[])[\s,;(\[]*(?<![A-Za-z])(?:{words})\.?[\s)\]]*$"
-    before = rf"^[\s(\[]*(?:{words})(?![A-Za-z])[\s)\],:.]*"
-    return _Patterns(*(re.compile(each, re.IGNORECASE) for each in (words, behind, before)))
+    before = rf"^[\s(\[]*(?:{words})(?![A-Za-z])[\s)\],:.=]*"
+    alone = rf"(?<![A-Za-z_])(?:{words})(?![A-Za-z])"
+    return _Patterns(*(re.compile(each, re.IGNORECASE) for each in (words, alone, behind, before)))
 
 
 def _match_sense(sense: Sense) -> str:
@@ -65,6 +67,15 @@ def _match_sense(sense: Sense) -> str:
     """
     words = match_spellings(_WORDS[sense]).replace(r"\-", "[- ]?").replace(r"\.", r"\.?")
     return f"{words}|[{_ARROWS[sense]}]"
+
+
+def names_sense(label: str) -> bool:
+    """Whether a text before an equals sign or a colon is, or holds, a word for a sense.
+
+    >>> names_sense("clockwise:"), names_sense("v_up ="), names_sense("upsilon =")
+    (True, False, False)
+    """
+    return _compile_patterns().alone.search(label) is not None
 
 
 def split_sense(text: str) -> tuple[str, Sense | None]:

@@ -7,6 +7,7 @@ from typing import get_args
 import pytest
 
 from kinegrade.exam.folder.earlier_signs import recognise_convention
+from kinegrade.grading.answers import read
 from kinegrade.grading.number_text import Unreadable, fold
 from kinegrade.grading.sense import Sense, find_direction, split_sense
 from kinegrade.language import ENGLISH, Language
@@ -132,3 +133,21 @@ def test_a_convention_is_recognised_by_the_words_of_earlier_folders(
     words: object, convention: Convention | None
 ) -> None:
     assert recognise_convention(words) == convention
+
+
+@pytest.mark.parametrize(
+    "typed", ["clockwise: 5", "clockwise = 5", "Clockwise:5 rad/s", "顺时针：5", "Uhrzeigersinn: 5"]
+)
+def test_a_sense_before_a_colon_is_no_label_to_be_dropped(typed: str) -> None:
+    reading = read(typed, "rad/s", convention="ccw")
+    assert (reading.kind, reading.read_as) == ("number", "-5")
+
+
+@pytest.mark.parametrize("typed", ["omega (clockwise) = 5", "not clockwise: 5"])
+def test_a_sense_inside_a_label_is_never_dropped_in_silence(typed: str) -> None:
+    assert read(typed, "rad/s", convention="ccw").kind == "unreadable"
+
+
+@pytest.mark.parametrize("typed", ["v_up = 5", "omega_AB: 5", "upsilon = 5"])
+def test_a_symbol_before_the_number_is_a_label(typed: str) -> None:
+    assert read(typed, "rad/s", convention="ccw").read_as == "5"
