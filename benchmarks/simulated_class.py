@@ -28,7 +28,6 @@ from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.sample import make_sample_bank
 from kinegrade.exam.setting import SetPaper
 from kinegrade.grading.class_sheet import read_sheet
-from kinegrade.grading.class_tally import named_mistakes
 from kinegrade.grading.marks import Mark, mark
 from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.honest_rounding import find_full_turn, find_nearest_turn
@@ -95,7 +94,7 @@ class SimulatedClass:
     @staticmethod
     def named(each: Mark) -> tuple[str, ...]:
         """The mistakes that the marks name."""
-        return named_mistakes(each.verdict.reason) if each.verdict.kind == "mistake" else ()
+        return each.verdict.mistakes if each.verdict.kind == "mistake" else ()
 
 
 def answered(

@@ -201,7 +201,7 @@ def test_what_cannot_be_worked_out_is_told(text: str, message: str) -> None:
     ],
 )
 def test_towers_of_powers_do_not_fill_the_memory(text: str) -> None:
-    with pytest.raises(Inexact, match="a power of too many digits"):
+    with pytest.raises(Inexact):
         value(text)
     balls = Balls(256)
     with balls.context():

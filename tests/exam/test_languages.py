@@ -91,7 +91,8 @@ def test_what_shows_a_template_in_a_language_that_it_lacks_is_refused(tmp_path: 
     ):
         result = kinegrade(*command, "--lang", "zh")
         assert result.exit_code == 2
-        assert 'error: crank: no text in "zh" (title, ' in result.stderr
+        assert result.stderr.startswith("error: crank: ")
+        assert '"zh"' in result.stderr or "“zh”" in result.stderr  # a gallery's faults stand on it
 
 
 def test_late_students_get_the_texts_that_the_others_have(tmp_path: Path) -> None:

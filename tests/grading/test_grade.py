@@ -152,11 +152,11 @@ def test_ids_without_zeros_or_in_another_case_keep_their_points_where_one_studen
     marks = marked(exam_folder, HEADER + f"7,王伟,{RIGHT},0,-0.125\ns9,x,1,1,1\n00012,x,1,1,1\n")
     assert verdicts(exam_folder, "007") == ["right"] * 3
     restored, *others = [each for each in marks.complaints if each.column == "student"]
-    assert (restored.line, restored.problem) == (
+    assert (restored.line, said(restored.problem)) == (
         None,
         '2 student ids are not as in the exam, such as "7" for "007"',
     )
-    assert restored.done.startswith("taken for these students, as each can mean only one")
+    assert said(restored.done).startswith("taken for these students, as each can mean only one")
     assert [(each.line, said(each.done)) for each in others] == [
         (4, 'not graded; probably "0012" or "12": correct the id and grade again')
     ]

@@ -161,7 +161,7 @@ def test_no_plan_is_found_for_relations_that_leave_a_motion_free() -> None:
         [p.turns("OA", 2, of="AB")],
     )
     frames = build_frames(mechanism, p.field)
-    with pytest.raises(Singular, match="the relations do not determine the motion"):
+    with pytest.raises(Singular):
         plan.find_plan(
             frames.relations, [relation.equations() for relation in frames.relations], p.field
         )

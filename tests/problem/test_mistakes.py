@@ -216,7 +216,7 @@ def test_a_class_at_once_gives_what_each_instance_gives() -> None:
 
 def test_an_angle_of_radians_is_no_exact_angle() -> None:
     template = read_template("crank", TURNING)
-    with pytest.raises(Inexact, match="a number of radians"):
+    with pytest.raises(Inexact):
         take_degrees_as_radians(template, {"h": Angle(1)}, None)
 
 

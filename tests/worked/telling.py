@@ -29,8 +29,10 @@ def lines(blocks: Iterable[Block]) -> Iterator[str]:
                 yield from (f"    [picture: {picture.caption}]" for picture in pictures)
             case Results(results):
                 for result in results:
+                    exact = result.decimal if result.is_settled else result.exact
+                    exact = result.exact or exact
                     yield (
-                        f"    {result.symbol} = {result.exact} = {result.decimal} {result.unit} "
+                        f"    {result.symbol} = {exact} = {result.decimal} {result.unit} "
                         f"({result.sense})"
                     )
 
