@@ -9,12 +9,13 @@ from unicodedata import east_asian_width
 
 from kinegrade.press.paper_parts import fits_beside
 from kinegrade.press.sheet import AnswerRow, QuestionSheet
+from kinegrade.worked.formula_width import measure_width
 
 _PAGE = 225.0  # millimetres: a little less than any page holds between its margins
 _MEASURE = 123.0  # millimetres: the width of a line of text, without a figure beside it
 _LINE_OF_ROW = 36  # Latin characters that surely fit a line of what is asked for
 _PARAGRAPH = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*+]|\d+[.)])\s)")  # or item of a list
-_PLAIN_SYMBOL = 7  # letters of a symbol that surely fits its column
+_PLAIN_SYMBOL = 7  # letters: the width of a symbol that surely fits its column
 
 
 def fits_page(question: QuestionSheet) -> bool:
@@ -24,7 +25,7 @@ def fits_page(question: QuestionSheet) -> bool:
 
 def is_wide_symbol(symbol: str) -> bool:
     """Whether a symbol (math) may be too wide for its column."""
-    return len(_reduce_to_seen(symbol)) > _PLAIN_SYMBOL
+    return measure_width(symbol) > _PLAIN_SYMBOL
 
 
 def _bound_height(question: QuestionSheet) -> float:
@@ -45,11 +46,11 @@ def _bound_height(question: QuestionSheet) -> float:
     return 30 + (max(text, height) if beside else text + height) + rows
 
 
-def _reduce_to_seen(math: str) -> str:
-    """The text with each LaTeX command as one letter and without braces and dollar signs: what
+def _reduce_to_seen(text: str) -> str:
+    """A text with each LaTeX command as one letter and without braces and dollar signs: what
     takes up room.
     """
-    return re.sub(r"[{}$_^]", "", re.sub(r"\\[A-Za-z]+", "x", math))
+    return re.sub(r"[{}$_^]", "", re.sub(r"\\[A-Za-z]+", "x", text))
 
 
 def _count_columns(text: str) -> int:
