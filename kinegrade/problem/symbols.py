@@ -4,11 +4,12 @@ every back end can set them and none can be led astray.
 
 from __future__ import annotations
 
-import re
+from string import ascii_letters, digits
 
 from kinegrade.errors import TypesetError, suggest
 from kinegrade.language.math.letters import GREEK
 from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tokens import split_tokens
 from kinegrade.language.math.tree import Group, Node, Scripts, list_nodes
 from kinegrade.language.message import Message, Quoted
 
@@ -30,16 +31,18 @@ _COMMANDS = frozenset(
         "infty",
     )
 )
-_LETTERS = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z0-9 _^{}'()+\-=.,])+")
+_CHARACTERS = frozenset((*ascii_letters, *digits, *"_^{}'()+-=.,", "{,}"))
 
 
 def find_symbol_fault(symbol: str) -> Message | None:
     """What is wrong with a symbol, or None: LaTeX math from the small alphabet, braces balanced."""
     if not symbol.strip():
         return Message("template.symbol-blank")
-    if not _LETTERS.fullmatch(symbol):
+    tokens = split_tokens(symbol)
+    commands = {token.removeprefix("\\") for token in tokens if token.startswith("\\")}
+    if any(token not in _CHARACTERS and not token.startswith("\\") for token in tokens):
         return Message("template.symbol-characters", symbol=Quoted(symbol))
-    unknown = sorted(set(re.findall(r"\\([A-Za-z]+)", symbol)) - _COMMANDS)
+    unknown = sorted(commands - _COMMANDS)
     if unknown:
         hint = suggest(unknown[0], _COMMANDS)
         return Message("template.symbol-command", command=f"\\{unknown[0]}", hint=hint)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from kinegrade.errors import TypesetError
+from kinegrade.figure.required_symbol import require_symbol
 from kinegrade.problem.symbols import find_symbol_fault
 
 
@@ -47,3 +49,29 @@ def test_what_statements_use_is_a_symbol(symbol: str) -> None:
 )
 def test_what_could_lead_a_typesetter_astray_is_none(symbol: str) -> None:
     assert find_symbol_fault(symbol) is not None
+
+
+@pytest.mark.parametrize(
+    ("symbol", "message"),
+    [
+        (
+            " ",
+            r"a blank symbol - write LaTeX math without dollar signs, such as '\omega_{AB}'",
+        ),
+        (
+            "$r$",
+            '"$r$" has characters no symbol needs - use letters, digits, _ ^ { } \' and LaTeX '
+            "commands",
+        ),
+        (r"\omgea", r"unknown LaTeX command \omgea - did you mean "),
+        (r"\text{a}", r"unknown LaTeX command \text{a} - "),
+        (
+            "a^",
+            '"a^" is incomplete - close every brace, give every _ and ^ one thing',
+        ),
+    ],
+)
+def test_what_is_no_symbol_is_refused_by_its_fault(symbol: str, message: str) -> None:
+    with pytest.raises(TypesetError) as refusal:
+        require_symbol(symbol)
+    assert message in str(refusal.value)
