@@ -1,0 +1,251 @@
+"""Texts of the program that look like words of a language and are none, with the reasons."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+NAMES = {  # identifiers that modules share, and files of ours hold
+    "another ask",
+    "degrees for radians",
+    "feedback format",
+    "name and id",
+    "power of ten",
+    "radians for degrees",
+    "revolutions per minute",
+    "revolutions per second",
+    "wrong unit",
+}
+# By the reason why they are no words of the program: the files and the texts in them
+ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
+    "a report for the program's authors": {
+        "cli/crash.py": [
+            "command: {}",
+            "kinegrade {}, Python {}, {}",
+        ],
+    },
+    "part of what an order is computed from": {
+        "exam/dealing.py": [
+            "version {}",
+        ],
+    },
+    "what earlier versions wrote into files": {
+        "exam/folder/earlier_signs.py": [
+            "-x|positive in the direction of \\$-x\\$",
+            "-y|positive in the direction of \\$-y\\$",
+            "\\+x|positive in the direction of \\$\\+x\\$",
+            "\\+y|positive in the direction of \\$\\+y\\$",
+            "with its sign",
+        ],
+        "marks_folder/earlier.py": [
+            " by the policy",
+        ],
+    },
+    "what Python's reader of TOML says": {
+        "fields/toml_text.py": [
+            "Cannot overwrite a value",
+        ],
+    },
+    "names of fonts": {
+        "figure/svg.py": [
+            "Libertinus Serif, STIX Two Text, Times New Roman, Times, Liberation Serif, serif",
+        ],
+    },
+    "Typst code": {
+        "figure/typst.py": [
+            '(thickness: {}, cap: "round", join: "round"{})',
+            "stroke: {}, fill: {}",
+            "width: {}, height: {}",
+            "{}, box({}, align(center + horizon, box({}))))",
+            "{}, circle(radius: {}, {}))",
+        ],
+        "language/math/typst.py": [
+            "{} degree",
+        ],
+        "language/prose/typst.py": [
+            "enum(start: {}, {});",
+        ],
+    },
+    "signs for a product": {
+        "grading/number_text.py": [
+            "×·⋅•∙・✕✖",
+        ],
+    },
+    "a unit in symbols": {
+        "grading/unit_spelling.py": [
+            "m^{} s^{} rad^{}",
+        ],
+    },
+    "the letters that a font has": {
+        "language/latex_text.py": [
+            "[ -~\n¡-§©-¬®-·»-ĥĨ-ķĹ-ľŁ-ňŊ-ťŨ-žȘșȚț–—‘’‚“”„…‰‹›€™•]*",
+            "[ẠạẢảẤ-ỹƠơƯưΑ-ΡΣ-Ωα-ωА-яЁё\u3000-。一-龥]",
+        ],
+    },
+    "names of functions in formulas": {
+        "language/math/letters.py": [
+            "sin cos tan cot arcsin arccos arctan sinh cosh tanh exp ln log min max",
+        ],
+    },
+    "what another system calls its columns": {
+        "lms/blackboard.py": [
+            "Feedback Format",
+            "Feedback to Learner",
+            "Student ID",
+        ],
+        "lms/brightspace.py": [
+            "End-of-Line Indicator",
+            "{title} Points Grade <Numeric MaxPoints:{maximum}>",
+        ],
+        "lms/canvas.py": [
+            "SIS Login ID",
+            "SIS User ID",
+        ],
+        "lms/edx.py": [
+            "New Points",
+            "Open edX",
+            "Previous Points",
+        ],
+        "lms/moodle.py": [
+            "Email address",
+            "Email地址",
+            "Feedback comments",
+            "Full name",
+            "Grade can be changed",
+            "ID number",
+            "Last modified (grade)",
+            "Maximum grade",
+            "Rückmeldung",
+            "分数",
+            "反馈",
+            "学号",
+            "実データ",
+            "百分比",
+        ],
+        "lms/responses/canvas.py": [
+            "Student, Test",
+            "Test Student",
+        ],
+        "lms/responses/google_forms.py": [
+            "email address",
+        ],
+        "lms/responses/moodle_columns.py": [
+            "respuesta correcta",
+            "richtige antwort",
+            "right answer",
+            "réponse correcte",
+            "問題",
+            "标准答案",
+            "正解",
+            "题目",
+        ],
+        "lms/responses/ms_forms.py": [
+            "completion time",
+            "last modified time",
+            "quiz feedback",
+            "start time",
+            "total points",
+        ],
+        "lms/responses/wjx.py": [
+            "序号",
+        ],
+        "lms/sakai.py": [
+            "Student ID",
+            "Student Name",
+        ],
+    },
+    "an option of the command line": {
+        "lms/from_scratch.py": [
+            "--column HEADER",
+            "--column {}=HEADER",
+        ],
+        "lms/item_columns.py": [
+            "--column HEADER",
+            "--column {}=HEADER",
+        ],
+    },
+    "addresses of XML schemas": {
+        "lms/quiz/qti12_manifest.py": [
+            '<?xml version="1.0" encoding="UTF-8"?>\n<manifest identifier="kinegrade" xmlns="http://www.imsglobal.org/xsd/imsccv1p1/imscp_v1p1">\n<metadata><schema>IMS Content</schema><schemaversion>1.1.3</schemaversion></metadata>\n<organizations/>\n<resources>\n',
+            "{} https://canvas.instructure.com/xsd/cccv1p0.xsd",
+        ],
+        "lms/quiz/qti21_item.py": [
+            "{} http://www.imsglobal.org/xsd/qti/qtiv2p1/imsqti_v2p1.xsd",
+        ],
+    },
+    "names of unknowns inside the program": {
+        "mechanics/frames.py": [
+            "circle {} {}/{}",
+            "free {} {} x",
+            "free {} {} y",
+            "slide {} {}/{}",
+        ],
+        "mechanics/own_terms.py": [
+            "added {} {} x",
+            "added {} {} y",
+            "coriolis {}/{}",
+            "normal {}/{}",
+        ],
+        "mechanics/relations.py": [
+            "omega {}",
+        ],
+        "worked/asked_vectors.py": [
+            "circle {} {}/",
+            "slide {} {}/",
+        ],
+        "worked/centrodes.py": [
+            "circle {}",
+        ],
+        "worked/methods.py": [
+            "omega {}",
+        ],
+        "worked/pictures.py": [
+            "omega {}",
+        ],
+    },
+    "what TeX writes into its log": {
+        "press/latex/xetex.py": [
+            "Missing character: There is no (.)",
+            "Undefined control sequence",
+        ],
+    },
+    "a style of the Word document": {
+        "press/word/paper.py": [
+            "Answer box",
+        ],
+    },
+    "part of what a draw is computed from": {
+        "problem/keyed_order.py": [
+            "order of draws",
+        ],
+    },
+    "an example in the language of templates": {
+        "problem/sections/scheme.py": [
+            '{ motion = "OA turns", velocity = "omega" }',
+        ],
+    },
+    "examples in the language of templates": {
+        "problem/sentences.py": [
+            "... meshes with ... on ...",
+            "... rolls on ...",
+            "... slides through ... along ...",
+            "... stays on circle(C, r) of ...",
+            "AB turns relative to OA",
+            "B of AB moves along +x",
+            "B of AB slides on line(O, 0)",
+            "OA turns",
+            "pin A: OA AB",
+        ],
+    },
+    "a place in a template's file": {
+        "problem/statement.py": [
+            "{}.toml: statement.{}",
+            "{}.toml: text.{}",
+            "{}.toml: {}",
+        ],
+    },
+    "a mark that no cell can hold": {
+        "tables.py": [
+            "\x00end of table",
+        ],
+    },
+}
