@@ -16,6 +16,7 @@ from kinegrade.errors import KinegradeError, TemplateError, TypesetError
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.legible import make_legible
 from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure
@@ -121,7 +122,7 @@ def _draw_figures(
         dealt = deal(filters, draws, partial(look_here, filters))["gallery"]
         for place in range(dealt.good):
             values = deck.combination(dealt.position(place))
-            figures.append(_draw_figure(filters["gallery"].solved(values)))
+            figures.append(_draw_figure(filters["gallery"].solved(values), language))
     except KinegradeError as error:
         return tuple(figures), _write_faults(error, language)
     if dealt.lasting:
@@ -134,7 +135,7 @@ def _write_faults(error: KinegradeError, language: Language) -> tuple[str, ...]:
     return tuple(map(open_catalogue(language).write, error.faults))
 
 
-def _draw_figure(solution: Solution) -> GalleryFigure:
+def _draw_figure(solution: Solution, language: Language) -> GalleryFigure:
     """The figure of an instance with the values drawn."""
     template = solution.template
     figure = sketch(convert_to_floats(solution.assembly.mechanism), template.figure)
@@ -142,4 +143,5 @@ def _draw_figure(solution: Solution) -> GalleryFigure:
         Given(template.parameters[name].symbol, write_with_unit(quantity))
         for name, quantity in solution.parameters.items()
     )
-    return GalleryFigure(figure, ", ".join(map(str, givens)))
+    values = ", ".join(map(str, givens))
+    return GalleryFigure(figure, write_decimals_of_prose(values, language))

@@ -10,8 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinegrade.errors import Problem, TableError, suggest
-from kinegrade.language.lines import show_in_one_line
-from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.language.message import Fault, Message, Part, Quoted, list_plainly
 from kinegrade.lms.cells import CellTable, Record
 from kinegrade.lms.dialect import Dialect, Download, ExportOptions
 from kinegrade.lms.grades import TOTAL, ClassGrades
@@ -294,6 +293,8 @@ class _Chooser:
             and content_below(self.table, place) in ("numbers", "dashes", "nothing")
         )
 
-    def listing(self) -> str:
+    def listing(self) -> Part:
         """The columns that are possible."""
-        return ", ".join(f'"{show_in_one_line(each.header)}"' for each in self.candidates) or "none"
+        if not self.candidates:
+            return Message("grammar.no-names")
+        return list_plainly(Quoted(each.header) for each in self.candidates)

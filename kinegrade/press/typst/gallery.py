@@ -44,7 +44,7 @@ def _write_entry(entry: GalleryEntry, words: Catalogue) -> Sheet:
         on_request=lambda: _write_symbols(entry.on_request, entry.name),
         figures=lambda: convert_each(lambda draw: _write_figure(draw, entry.name), entry.figures),
     )
-    combinations = words.text("gallery.combinations", count=f"{entry.combinations:,}")
+    combinations = words.text("gallery.combinations", count=entry.combinations)
     return sheet | {
         "family": entry.family,
         "name": entry.name,
