@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from kinegrade.errors import Problem, TypesetError
 from kinegrade.fields.place import key_path
 from kinegrade.language.math.typst import write_typst_math
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Location, Message
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.slots import Slot, find_slots_in_formulas, split_slots
@@ -79,13 +79,13 @@ def _list_texts(template: Template) -> Iterator[tuple[str, str, _Writer]]:
             yield key_path(where), text, _write_line
 
 
-def _write_symbol(latex: str, where: str) -> str:
+def _write_symbol(latex: str, where: Location) -> str:
     return f"#[${write_typst_math(latex, where)}$]"
 
 
-def _write_prose(markdown: str, where: str) -> str:
+def _write_prose(markdown: str, where: Location) -> str:
     return f"#{write_prose(markdown, where)}"
 
 
-def _write_line(markdown: str, where: str) -> str:
+def _write_line(markdown: str, where: Location) -> str:
     return f"#{write_line(markdown, where)}"

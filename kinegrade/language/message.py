@@ -84,6 +84,7 @@ class Fault:
 
 
 Text: TypeAlias = str | Message
+Location: TypeAlias = Text  # where a fault is, as its line begins
 Number: TypeAlias = int | Decimal | Fraction
 Part: TypeAlias = str | int | Decimal | Fraction | Message | Listing | Quoted | Fault
 

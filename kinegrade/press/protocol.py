@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, Protocol
 
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Location, Message
 from kinegrade.press.sheet import KeyBook, Paper, SolutionSheet
 
 Engine = Literal["typst", "latex"]
@@ -26,7 +26,7 @@ class Printout:
     sources: Mapping[str, bytes] = field(default_factory=dict)
 
 
-def unprintable_character(where: str, character: str) -> Fault:
+def unprintable_character(where: Location, character: str) -> Fault:
     """The message for a character that no font of a press has."""
     code = f"U+{ord(character):04X}"
     return Fault(where, Message("typesetting.no-font", character=character, code=code))

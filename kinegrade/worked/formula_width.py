@@ -32,6 +32,7 @@ from kinegrade.language.math.tree import (
     Text,
     Unit,
 )
+from kinegrade.language.message import Message
 
 _SPACES: dict[SpaceName, float] = {
     ",": 0.3,
@@ -49,7 +50,7 @@ _SMALL = 0.7  # of a subscript relative to the letter that carries it
 
 def measure_width(latex: str) -> float:
     """The width of a formula in letters of its body. Raises TypesetError for what is no math."""
-    return _measure_row(read_math(latex, "worked solution"))
+    return _measure_row(read_math(latex, Message("typesetting.place-worked-solution")))
 
 
 def _measure_row(row: Row) -> float:

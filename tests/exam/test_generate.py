@@ -413,14 +413,29 @@ def test_a_question_of_which_nothing_is_good_leaves_nothing(folder: Path) -> Non
 
 
 def test_a_page_that_cannot_be_typeset_leaves_nothing(folder: Path) -> None:
+    with_nonsense(folder)
+    (line,) = refused(folder)
+    assert "q1, statement" in line
+    assert "nonsense" in line
+
+
+def test_the_place_of_what_cannot_be_typeset_is_named_in_the_language_of_the_terminal(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LC_ALL", "zh_CN.UTF-8")
+    with_nonsense(folder)
+    result = generate(folder, "NEW")
+    assert result.exit_code == 2
+    assert "q1，题干" in result.stderr
+
+
+def with_nonsense(folder: Path) -> None:
+    """The statement holds a command that no typesetter knows."""
     with_crank(
         folder,
         '[[questions]]\ntemplate = "crank.toml"\ndraw = { omega = [2, 3, 4] }\n',
         ("above $O$.", r"above $\nonsense{O}$."),
     )
-    (line,) = refused(folder)
-    assert "q1, statement" in line
-    assert "nonsense" in line
 
 
 def test_a_name_that_no_font_prints_does_not_stop_an_exam(folder: Path) -> None:

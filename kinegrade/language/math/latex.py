@@ -40,6 +40,7 @@ from kinegrade.language.math.tree import (
     Unit,
 )
 from kinegrade.language.math.units import raise_exponents, write_unit
+from kinegrade.language.message import Location
 
 _CONTROL_WORD = re.compile(r"\\[A-Za-z]+\Z")
 _PLAIN_UNIT = re.compile(r"[A-Za-z0-9/*^{}\-]+")
@@ -90,7 +91,7 @@ PANDOC = LatexDialect(
 )
 
 
-def write_latex_math(latex: str, where: str, dialect: LatexDialect = TEX) -> str:
+def write_latex_math(latex: str, where: Location, dialect: LatexDialect = TEX) -> str:
     r"""LaTeX math without dollar signs, on one line, for `latex` as authors write it.
 
     Raises TypesetError with every fault of the formula, each naming `where`.

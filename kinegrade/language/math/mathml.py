@@ -45,6 +45,7 @@ from kinegrade.language.math.tree import (
     split_row,
 )
 from kinegrade.language.math.units import raise_exponents, write_unit
+from kinegrade.language.message import Location
 
 _FRACTIONS: dict[FractionName, str] = {
     "frac": "",
@@ -87,7 +88,7 @@ class _Face:
                 assert_never(style)
 
 
-def write_mathml(latex: str, where: str) -> str:
+def write_mathml(latex: str, where: Location) -> str:
     r"""A formula as a `math` element, which is well-formed XML too.
 
     Raises TypesetError with every fault of the formula, each naming `where`.

@@ -34,6 +34,7 @@ from kinegrade.language.math.tree import (
     Unit,
 )
 from kinegrade.language.math.units import raise_digits, raise_exponents, write_unit
+from kinegrade.language.message import Location
 
 _TYPED = frozenset("-*")  # as on a keyboard, which every system shows
 _ATOM = re.compile(r"[^\W_]+(?:_[^\W_]+)?|[0-9.]+")
@@ -41,7 +42,7 @@ _DIGITS = re.compile(r"-?[0-9]+")
 _BLANKS = re.compile(r"\s+")
 
 
-def write_plain_math(latex: str, where: str = "text") -> str:
+def write_plain_math(latex: str, where: Location = "text") -> str:
     r"""A formula in one line of plain text.
 
     Raises TypesetError with every fault of the formula, each naming `where`.

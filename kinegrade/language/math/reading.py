@@ -50,7 +50,7 @@ from kinegrade.language.math.tree import (
     Unit,
     carries_scripts,
 )
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Location, Message
 
 _DEEPEST = 40  # levels of braces and arguments; a formula of an exam has five
 _TOO_DEEP = Message("typesetting.too-deep", most=_DEEPEST)
@@ -64,7 +64,7 @@ _MISSING = {
 }
 
 
-def read_math(latex: str, where: str) -> Row:
+def read_math(latex: str, where: Location) -> Row:
     r"""The tree of LaTeX math without dollar signs.
 
     Raises TypesetError with every fault of the formula, each naming `where`.
@@ -79,7 +79,7 @@ def read_math(latex: str, where: str) -> Row:
     return read.row
 
 
-def write_formula_place(latex: str, where: str) -> Message:
+def write_formula_place(latex: str, where: Location) -> Message:
     """How a message names a formula, cut if it is long."""
     return Message("typesetting.formula", where=where, formula=shorten(latex))
 

@@ -39,6 +39,7 @@ from kinegrade.language.math.tree import (
     Unit,
 )
 from kinegrade.language.math.units import raise_exponents, write_unit
+from kinegrade.language.message import Location
 
 _SCRIPT = 0.72  # relative to the size of the script's base
 _RAISED, _LOWERED = 0.38, -0.2  # the baseline of a script, in em of its base
@@ -87,7 +88,7 @@ class Run:
         return self.shift - self.size * (0.21 if deep else 0.0)
 
 
-def split_symbol(symbol: str, where: str) -> tuple[Run, ...]:
+def split_symbol(symbol: str, where: Location) -> tuple[Run, ...]:
     """The runs of a symbol, given as LaTeX math.
 
     Raises TypesetError with every fault of the symbol, each naming `where`.

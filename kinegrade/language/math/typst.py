@@ -41,6 +41,7 @@ from kinegrade.language.math.tree import (
     split_row,
 )
 from kinegrade.language.math.units import raise_exponents, write_unit
+from kinegrade.language.message import Location
 from kinegrade.language.typst_text import write_literal
 
 _ACCENTS: dict[AccentName, str] = {
@@ -81,7 +82,7 @@ _LINE_BREAK = "\\ "
 _NO_BLANK = frozenset('"| ')  # beside these a blank would be printed
 
 
-def write_typst_math(latex: str, where: str) -> str:
+def write_typst_math(latex: str, where: Location) -> str:
     r"""Typst math (to stand between dollar signs) for `latex`, LaTeX math without dollar signs.
 
     Raises TypesetError with every fault of the formula, each naming `where`.

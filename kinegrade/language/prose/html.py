@@ -16,6 +16,7 @@ from kinegrade.language.html_text import (
 )
 from kinegrade.language.math.mathml import write_mathml
 from kinegrade.language.math.reading import read_math
+from kinegrade.language.message import Location
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 
 
@@ -51,18 +52,18 @@ class _HtmlRenderer(TextRenderer):
 
 
 class _MathjaxRenderer(_HtmlRenderer):
-    def inline_formula(self, latex: str, where: str) -> str:
+    def inline_formula(self, latex: str, where: Location) -> str:
         return write_math_html(latex, where)
 
-    def displayed_formula(self, latex: str, where: str) -> str:
+    def displayed_formula(self, latex: str, where: Location) -> str:
         return write_display_html(read_math(latex, where))
 
 
 class _MathmlRenderer(_HtmlRenderer):
-    def inline_formula(self, latex: str, where: str) -> str:
+    def inline_formula(self, latex: str, where: Location) -> str:
         return write_mathml(latex, where)
 
-    def displayed_formula(self, latex: str, where: str) -> str:
+    def displayed_formula(self, latex: str, where: Location) -> str:
         return write_mathml(latex, where)
 
 
@@ -70,7 +71,7 @@ _WRITER = ProseWriter(_MathjaxRenderer)
 _PAGE_WRITER = ProseWriter(_MathmlRenderer)
 
 
-def write_prose(markdown: str, where: str) -> str:
+def write_prose(markdown: str, where: Location) -> str:
     r"""HTML of several paragraphs of Markdown.
 
     Raises TypesetError with every fault of the text, each naming `where`.
@@ -81,7 +82,7 @@ def write_prose(markdown: str, where: str) -> str:
     return _WRITER.write_prose(markdown, where)
 
 
-def write_line(markdown: str, where: str) -> str:
+def write_line(markdown: str, where: Location) -> str:
     r"""HTML of one line of Markdown, which is not set as a paragraph.
 
     >>> write_line("speed of $B$", "q1")
@@ -90,7 +91,7 @@ def write_line(markdown: str, where: str) -> str:
     return _WRITER.write_line(markdown, where)
 
 
-def write_page_line(markdown: str, where: str) -> str:
+def write_page_line(markdown: str, where: Location) -> str:
     """HTML of one line of Markdown for a page of our own, which a browser shows without a script.
 
     >>> write_page_line("**speed** of $B$", "q1")

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from kinegrade.language.latex_text import write_plain
 from kinegrade.language.math.latex import write_latex_math
+from kinegrade.language.message import Location
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 
 
@@ -17,10 +18,10 @@ class _LatexRenderer(TextRenderer):
     def text(self, plain: str, *, follows_formula: bool) -> str:
         return write_plain(plain)
 
-    def inline_formula(self, latex: str, where: str) -> str:
+    def inline_formula(self, latex: str, where: Location) -> str:
         return f"${write_latex_math(latex, where)}$"
 
-    def displayed_formula(self, latex: str, where: str) -> str:
+    def displayed_formula(self, latex: str, where: Location) -> str:
         return f"\\[{write_latex_math(latex, where)}\\]"
 
     def line_end(self, *, printed: bool) -> str:
@@ -52,7 +53,7 @@ class _LatexRenderer(TextRenderer):
 _WRITER = ProseWriter(_LatexRenderer)
 
 
-def write_prose(markdown: str, where: str) -> str:
+def write_prose(markdown: str, where: Location) -> str:
     r"""LaTeX for several paragraphs of Markdown.
 
     Raises TypesetError with every fault of the text, each naming `where`.
@@ -63,7 +64,7 @@ def write_prose(markdown: str, where: str) -> str:
     return _WRITER.write_prose(markdown, where).rstrip("\n")
 
 
-def write_line(markdown: str, where: str) -> str:
+def write_line(markdown: str, where: Location) -> str:
     r"""LaTeX for one line of Markdown: a title, the meaning of a symbol, a sign convention.
 
     >>> print(write_line("speed of $B$ & more", "q1"))

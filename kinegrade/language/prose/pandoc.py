@@ -8,6 +8,7 @@ from functools import lru_cache
 from markdown_it import MarkdownIt
 
 from kinegrade.language.math.latex import PANDOC, write_latex_math
+from kinegrade.language.message import Location
 from kinegrade.language.prose.pandoc_tree import (
     Node,
     make_bullets,
@@ -27,13 +28,13 @@ class _PandocRenderer(ProseRenderer[Node]):
     def text(self, plain: str, *, follows_formula: bool) -> Node:
         return make_text(plain)
 
-    def formula(self, latex: str, where: str) -> Node:
+    def formula(self, latex: str, where: Location) -> Node:
         return make_formula(latex, where)
 
-    def displayed_formula(self, latex: str, where: str) -> Node:
+    def displayed_formula(self, latex: str, where: Location) -> Node:
         return make_formula(latex, where, display=True)
 
-    def formula_block(self, latex: str, where: str) -> Node:
+    def formula_block(self, latex: str, where: Location) -> Node:
         return make_paragraph([self.displayed_formula(latex, where)])
 
     def line_end(self, *, printed: bool) -> Node:
@@ -61,13 +62,13 @@ class _PandocRenderer(ProseRenderer[Node]):
         return make_numbered(items, start)
 
 
-def write_prose(markdown: str, where: str) -> list[Node]:
+def write_prose(markdown: str, where: Location) -> list[Node]:
     """Several paragraphs. Raises TypesetError with every fault of the text, each naming `where`."""
     nodes: list[Node] = _make_reader().render(markdown, {"where": where})
     return nodes
 
 
-def write_line(markdown: str, where: str) -> list[Node]:
+def write_line(markdown: str, where: Location) -> list[Node]:
     """One line of Markdown. Raises TypesetError as `write_prose` does.
 
     >>> write_line("speed of $B$", "q1")
@@ -77,7 +78,7 @@ def write_line(markdown: str, where: str) -> list[Node]:
     return nodes
 
 
-def make_formula(latex: str, where: str, *, display: bool = False) -> Node:
+def make_formula(latex: str, where: Location, *, display: bool = False) -> Node:
     """A formula. Raises TypesetError where it holds anything but the math that every press
     prints.
     """

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from kinegrade.language.math.plain import write_plain_math
+from kinegrade.language.message import Location
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 
 _UNPRINTED = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ufffe\uffff\ud800-\udfff]+")
@@ -16,10 +17,10 @@ class _PlainRenderer(TextRenderer):
     def text(self, plain: str, *, follows_formula: bool) -> str:
         return plain
 
-    def inline_formula(self, latex: str, where: str) -> str:
+    def inline_formula(self, latex: str, where: Location) -> str:
         return write_plain_math(latex, where)
 
-    def displayed_formula(self, latex: str, where: str) -> str:
+    def displayed_formula(self, latex: str, where: Location) -> str:
         return write_plain_math(latex, where)
 
     def line_end(self, *, printed: bool) -> str:
@@ -50,7 +51,7 @@ class _PlainRenderer(TextRenderer):
 _WRITER = ProseWriter(_PlainRenderer)
 
 
-def write_prose(markdown: str, where: str) -> str:
+def write_prose(markdown: str, where: Location) -> str:
     r"""Several paragraphs of Markdown in one line of plain text.
 
     Raises TypesetError with every fault of the text, each naming `where`.
@@ -61,7 +62,7 @@ def write_prose(markdown: str, where: str) -> str:
     return write_one_plain_line(_WRITER.write_prose(markdown, where))
 
 
-def write_line(markdown: str, where: str) -> str:
+def write_line(markdown: str, where: Location) -> str:
     """One line of Markdown as plain text.
 
     >>> write_line("speed of $B$", "q1")

@@ -21,7 +21,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 from kinegrade.errors import TypesetError
 from kinegrade.language.gathering import convert_each
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Location, Message
 
 _REFUSED = {
     "image": Message("typesetting.image"),
@@ -63,15 +63,15 @@ class ProseRenderer(RendererProtocol, Generic[Piece]):
         """Words and punctuation, to be printed as they are."""
 
     @abstractmethod
-    def formula(self, latex: str, where: str) -> Piece:
+    def formula(self, latex: str, where: Location) -> Piece:
         """A formula in its line. Raises TypesetError."""
 
     @abstractmethod
-    def displayed_formula(self, latex: str, where: str) -> Piece:
+    def displayed_formula(self, latex: str, where: Location) -> Piece:
         """A formula on a line of its own within a paragraph. Raises TypesetError."""
 
     @abstractmethod
-    def formula_block(self, latex: str, where: str) -> Piece:
+    def formula_block(self, latex: str, where: Location) -> Piece:
         """A formula between paragraphs. Raises TypesetError."""
 
     @abstractmethod
@@ -106,13 +106,13 @@ class ProseRenderer(RendererProtocol, Generic[Piece]):
     def numbered_list(self, items: Sequence[Sequence[Piece]], start: int) -> Piece:
         """A list numbered from `start`."""
 
-    def _write_all(self, nodes: Sequence[SyntaxTreeNode], where: str) -> list[Piece]:
+    def _write_all(self, nodes: Sequence[SyntaxTreeNode], where: Location) -> list[Piece]:
         # The reader leaves empty texts beside emphasis
         places = (place for place, node in enumerate(nodes) if node.type != "text" or node.content)
         written = convert_each(lambda place: self._write(nodes, place, where), places)
         return [piece for pieces in written for piece in pieces]
 
-    def _write(self, nodes: Sequence[SyntaxTreeNode], place: int, where: str) -> list[Piece]:
+    def _write(self, nodes: Sequence[SyntaxTreeNode], place: int, where: Location) -> list[Piece]:
         node = nodes[place]
         match node.type:
             case "inline":
@@ -130,7 +130,7 @@ class ProseRenderer(RendererProtocol, Generic[Piece]):
             case _:
                 return [self._write_in_line(nodes, place, where)]
 
-    def _write_in_line(self, nodes: Sequence[SyntaxTreeNode], place: int, where: str) -> Piece:
+    def _write_in_line(self, nodes: Sequence[SyntaxTreeNode], place: int, where: Location) -> Piece:
         node = nodes[place]
         match node.type:
             case "text":
@@ -151,7 +151,7 @@ class ProseRenderer(RendererProtocol, Generic[Piece]):
             case _:
                 raise _refuse(node, where)
 
-    def _write_items(self, node: SyntaxTreeNode, where: str) -> list[list[Piece]]:
+    def _write_items(self, node: SyntaxTreeNode, where: Location) -> list[list[Piece]]:
         return convert_each(lambda item: self._write_all(item.children, where), node.children)
 
 
@@ -164,7 +164,7 @@ def make_reader(renderer: type[ProseRenderer[Piece]]) -> MarkdownIt:
     return reader.use(dollarmath_plugin, double_inline=True)
 
 
-def _refuse(node: SyntaxTreeNode, where: str) -> TypesetError:
+def _refuse(node: SyntaxTreeNode, where: Location) -> TypesetError:
     kind, content = _REFUSED[node.type], node.content.strip()
     what = Message("typesetting.refused", kind=kind)
     if content:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.message import Location
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 from kinegrade.language.typst_text import write_literal
 
@@ -23,11 +24,11 @@ class _TypstRenderer(TextRenderer):
         glue = "\u2060" if follows_formula and plain[0] in "：；" else ""
         return f"{write_literal(glue + plain)};"
 
-    def inline_formula(self, latex: str, where: str) -> str:
+    def inline_formula(self, latex: str, where: Location) -> str:
         # In a box, so that a value is not separated from its symbol
         return f"box(${write_typst_math(latex, where)}$);"
 
-    def displayed_formula(self, latex: str, where: str) -> str:
+    def displayed_formula(self, latex: str, where: Location) -> str:
         return f"$ {write_typst_math(latex, where)} $;"
 
     def line_end(self, *, printed: bool) -> str:
@@ -58,7 +59,7 @@ class _TypstRenderer(TextRenderer):
 _WRITER = ProseWriter(_TypstRenderer)
 
 
-def write_prose(markdown: str, where: str) -> str:
+def write_prose(markdown: str, where: Location) -> str:
     """Typst code (an expression yielding content) for several paragraphs of Markdown.
 
     Raises TypesetError with every fault of the text, each naming `where`.
@@ -69,7 +70,7 @@ def write_prose(markdown: str, where: str) -> str:
     return f"{{{_WRITER.write_prose(markdown, where).removesuffix(_PARAGRAPH_END)}}}"
 
 
-def write_line(markdown: str, where: str) -> str:
+def write_line(markdown: str, where: Location) -> str:
     """Typst code for one line of Markdown: a title, the meaning of a symbol, a sign convention.
 
     >>> print(write_line("speed of $B$", "q1"))

@@ -13,6 +13,7 @@ from itertools import chain
 from markdown_it import MarkdownIt
 
 from kinegrade.errors import TypesetError
+from kinegrade.language.message import Location
 from kinegrade.language.prose.rendering import ProseRenderer, make_reader
 
 _FORMULA = re.compile(r"\$([^$\n]+)\$")
@@ -23,16 +24,16 @@ _MISREAD = ("\\$", "`", _GAP)  # where dollar signs may not enclose a formula
 class TextRenderer(ProseRenderer[str]):
     """A target whose pieces are texts to be written one after another."""
 
-    def formula(self, latex: str, where: str) -> str:
+    def formula(self, latex: str, where: Location) -> str:
         """A formula in its line, or the gap that is left for one."""
         return latex if latex == _GAP else self.inline_formula(latex, where)
 
-    def formula_block(self, latex: str, where: str) -> str:
+    def formula_block(self, latex: str, where: Location) -> str:
         """A formula between paragraphs, as in one."""
         return self.displayed_formula(latex, where)
 
     @abstractmethod
-    def inline_formula(self, latex: str, where: str) -> str:
+    def inline_formula(self, latex: str, where: Location) -> str:
         """A formula in its line. Raises TypesetError."""
 
 
@@ -45,14 +46,14 @@ class ProseWriter:
         self._lay_out_words_once = lru_cache(maxsize=1024)(self._lay_out_words)
         self._lay_out_line_once = lru_cache(maxsize=4096)(self._lay_out_line)
 
-    def write_prose(self, markdown: str, where: str) -> str:
+    def write_prose(self, markdown: str, where: Location) -> str:
         """Several paragraphs. Raises TypesetError with every fault of the text, each naming
         `where`.
         """
         around = self._write_around_formulas(markdown)
         return self._lay_out(markdown, where) if around is None else around
 
-    def write_line(self, markdown: str, where: str) -> str:
+    def write_line(self, markdown: str, where: Location) -> str:
         """One line: a title, the meaning of a symbol. Raises TypesetError as `write_prose` does."""
         try:
             return self._lay_out_line_once(markdown, "")
@@ -63,10 +64,10 @@ class ProseWriter:
     def _reader(self) -> MarkdownIt:
         return self._make_reader()
 
-    def _lay_out(self, markdown: str, where: str) -> str:
+    def _lay_out(self, markdown: str, where: Location) -> str:
         return "".join(self._reader.render(markdown, {"where": where}))
 
-    def _lay_out_line(self, markdown: str, where: str) -> str:
+    def _lay_out_line(self, markdown: str, where: Location) -> str:
         return "".join(self._reader.renderInline(markdown, {"where": where}))
 
     def _lay_out_words(self, words: str) -> list[str]:

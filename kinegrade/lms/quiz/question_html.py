@@ -8,6 +8,7 @@ from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.html_text import write_unit_html
+from kinegrade.language.message import Message
 from kinegrade.language.prose.html import write_prose
 from kinegrade.lms.quiz.typing_words import Typing, write_rules
 from kinegrade.press.html.question import write_row
@@ -23,7 +24,8 @@ def write_asked_html(asked: QuizAsk, on_paper: QuizAsk, language: Language, fiel
     differs from the paper's, turns that may be added. Raises TypesetError.
     """
     words, unit, printed = open_catalogue(language), asked.row.unit, on_paper.row.unit
-    lines = [write_row(asked.row, f"ask {asked.identifier}", language, field)]
+    where = Message("typesetting.place-ask", ask=asked.identifier)
+    lines = [write_row(asked.row, where, language, field)]
     if unit != printed:
         here, paper = write_unit_html(unit), write_unit_html(printed)
         changed = words.text("quiz.changed-unit", here=here, paper=paper)

@@ -11,9 +11,10 @@ from kinegrade.language.html_text import (
     write_plain_html,
     write_unit_html,
 )
-from kinegrade.language.message import Message, Text
+from kinegrade.language.message import Location, Message, Text
 from kinegrade.language.prose.html import write_line, write_prose
 from kinegrade.press.paper_parts import write_points_in_words
+from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import AnswerRow, QuestionSheet
 
 _PIXELS = 5.0  # for a millimetre on paper: symbols are then as large as the text around the figure
@@ -23,7 +24,7 @@ def write_statement(sheet: QuestionSheet, picture: str, language: Language) -> s
     """The statement, and its figure at the address `picture`, never wider than the page, described
     for students who cannot see it. Raises TypesetError.
     """
-    statement = write_prose(sheet.statement, f"{sheet.identifier}, statement")
+    statement = write_prose(sheet.statement, locate_part(sheet.identifier, "statement"))
     if sheet.figure is None:
         return statement
     title = sheet.title.replace("$", "")
@@ -40,7 +41,7 @@ def draw_picture(figure: Scene) -> bytes:
     return to_svg(figure).encode()
 
 
-def write_row(row: AnswerRow, where: str, language: Language, field: str = "") -> str:
+def write_row(row: AnswerRow, where: Location, language: Language, field: str = "") -> str:
     r"""A paragraph that asks for one number: what it is, its sense, and where to write it, with the
     unit. Raises TypesetError.
 

@@ -20,6 +20,7 @@ from kinegrade.language.html_text import (
 )
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Environment, LineBreak, Mark, Row
+from kinegrade.language.message import Message
 from kinegrade.language.prose.html import write_line, write_prose
 from kinegrade.worked.document import (
     Block,
@@ -33,7 +34,7 @@ from kinegrade.worked.document import (
     TermTable,
 )
 
-_WHERE = "worked solution"
+_WHERE = Message("typesetting.place-worked-solution")
 
 
 def write_blocks(blocks: Sequence[Block], language: Language) -> str:

@@ -73,15 +73,6 @@ def write_environment(name: str, lines: Iterable[str], *arguments: str) -> str:
     return str(block.dumps())
 
 
-def write_named(where: str, identifier: str, template: str) -> str:
-    """How faults and comments name a question.
-
-    >>> write_named("paper A-1", "q2", "slider-crank")
-    'paper A-1, q2 (slider-crank)'
-    """
-    return f"{where}, {identifier}" + (f" ({template})" if template else "")
-
-
 def write_value(decimal: str, unit: str) -> str:
     """A number with its unit, if it has one."""
     shown = "" if unit == "1" else write_unit(unit)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from kinegrade.language.lines import shorten
-from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.language.message import Fault, Location, Message, Quoted
 from kinegrade.press.latex.xetex import Outcome
 from kinegrade.press.protocol import unprintable_character
 
 _PLACE = "%% "  # begins the comment lines of a source that say what follows
 
 
-def find_faults(outcome: Outcome, source: str, where: str) -> tuple[Fault, ...]:
+def find_faults(outcome: Outcome, source: str, where: Location) -> tuple[Fault, ...]:
     """A line for the fault of a run, or for each character that no font printed; `where` if nothing
     nearer is known.
     """
@@ -34,7 +34,7 @@ def find_faults(outcome: Outcome, source: str, where: str) -> tuple[Fault, ...]:
     )
 
 
-def _describe_unprinted(character: str, lines: list[str], where: str) -> Fault:
+def _describe_unprinted(character: str, lines: list[str], where: Location) -> Fault:
     numbers = (
         number
         for number, line in enumerate(lines, start=1)
@@ -44,7 +44,7 @@ def _describe_unprinted(character: str, lines: list[str], where: str) -> Fault:
     return unprintable_character(place, character)
 
 
-def _find_place(lines: list[str], number: int, where: str) -> str:
+def _find_place(lines: list[str], number: int, where: Location) -> Location:
     """What the last comment before a line says."""
     before = (line for line in reversed(lines[:number]) if line.startswith(_PLACE))
     return next((line.removeprefix(_PLACE).removesuffix("%") for line in before), where)

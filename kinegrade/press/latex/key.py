@@ -2,32 +2,37 @@
 
 from __future__ import annotations
 
+from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.latex_text import write_comment, write_plain, write_signed, write_unit
 from kinegrade.language.math.latex import write_latex_math
+from kinegrade.language.message import Location
 from kinegrade.language.prose.latex import write_line
 from kinegrade.press.latex.document import write_command, write_environment, write_value
+from kinegrade.press.places import locate_paper, locate_question
 from kinegrade.press.sheet import KeyAnswer, KeyBook, KeyEntry, KeyPaper, KeyParameter
 from kinegrade.question_numbers import find_bank_number
 
 
 def write_key_body(book: KeyBook) -> str:
     """The whole key; raises TypesetError with all faults of its texts."""
+    words = open_catalogue(book.language)
     head = write_command("keyhead", *map(write_plain, (book.course, book.title, book.warning)))
-    papers = convert_each(_write_paper, book.papers)
+    papers = convert_each(lambda paper: _write_paper(paper, words), book.papers)
     return "\n".join((head, *papers)) + "\n"
 
 
-def _write_paper(paper: KeyPaper) -> str:
-    where = f"paper {paper.code}"
+def _write_paper(paper: KeyPaper, words: Catalogue) -> str:
+    where = locate_paper(paper.code)
     entries = convert_each(
-        lambda entry: _write_entry(entry, f"{where}, {entry.identifier}"), paper.entries
+        lambda entry: _write_entry(entry, locate_question(where, entry.identifier), words),
+        paper.entries,
     )
     head = write_command("keypaper", *map(write_plain, (paper.name, paper.student, paper.code)))
-    return "\n".join((write_comment(where), head, *entries))
+    return "\n".join((write_comment(words.write(where)), head, *entries))
 
 
-def _write_entry(entry: KeyEntry, where: str) -> str:
+def _write_entry(entry: KeyEntry, where: Location, words: Catalogue) -> str:
     parts = gather(
         title=lambda: write_line(entry.title, where),
         parameters=lambda: convert_each(
@@ -41,10 +46,10 @@ def _write_entry(entry: KeyEntry, where: str) -> str:
     )
     table = write_environment("keyanswers", parts["answers"])
     together = write_environment("together", [head, table])
-    return f"{write_comment(where)}\n{together}"
+    return f"{write_comment(words.write(where))}\n{together}"
 
 
-def _write_parameter(parameter: KeyParameter, where: str) -> str:
+def _write_parameter(parameter: KeyParameter, where: Location) -> str:
     """`r = 1/5 = 0.2 m`; the decimal is not repeated where the exact value is written the same
     way.
     """
@@ -54,7 +59,7 @@ def _write_parameter(parameter: KeyParameter, where: str) -> str:
     return rf"\mbox{{${equation} = {{}}${write_value(parameter.decimal, parameter.unit)}}}"
 
 
-def _write_answer(answer: KeyAnswer, where: str) -> str:
+def _write_answer(answer: KeyAnswer, where: Location) -> str:
     exact = "–" if answer.exact is None else f"${write_latex_math(answer.exact, where)}$"
     return write_command(
         "keyanswer",

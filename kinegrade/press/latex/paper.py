@@ -11,9 +11,10 @@ from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.latex_text import write_comment, write_plain, write_unit
 from kinegrade.language.math.latex import write_latex_math
+from kinegrade.language.message import Location
 from kinegrade.language.prose.latex import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark
-from kinegrade.press.latex.document import write_command, write_environment, write_named
+from kinegrade.press.latex.document import write_command, write_environment
 from kinegrade.press.paper_parts import (
     arrange_marks,
     fits_beside,
@@ -21,6 +22,7 @@ from kinegrade.press.paper_parts import (
     write_points_in_words,
     write_points_text,
 )
+from kinegrade.press.places import RULES, locate_paper, locate_part, locate_question
 from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
 
 # Columns of the marker's table that leave room for the student's name beside them
@@ -29,9 +31,9 @@ _BESIDE_STUDENT = 8
 
 def write_paper_body(paper: Paper) -> str:
     """One student's paper; raises TypesetError with all faults of its texts."""
-    words, where = open_catalogue(paper.language), f"paper {paper.code}"
+    words, where = open_catalogue(paper.language), locate_paper(paper.code)
     parts = gather(
-        rules=lambda: convert_each(lambda rule: write_prose(rule, "rules"), paper.rules),
+        rules=lambda: convert_each(lambda rule: write_prose(rule, RULES), paper.rules),
         questions=lambda: convert_each(
             lambda question: _write_question(question, words, where), paper.questions
         ),
@@ -39,7 +41,13 @@ def write_paper_body(paper: Paper) -> str:
     texts = (paper.title, paper.course, paper.date, paper.student, paper.name, paper.code)
     masthead = write_command("masthead", *map(write_plain, texts), _mark(paper.code))
     rules = [write_command("rules", *_write_rule_columns(parts["rules"]))] if paper.rules else []
-    lines = (write_comment(where), masthead, _write_marks(paper), *rules, *parts["questions"])
+    lines = (
+        write_comment(words.write(where)),
+        masthead,
+        _write_marks(paper),
+        *rules,
+        *parts["questions"],
+    )
     return write_environment("sheet", lines) + "\n"
 
 
@@ -85,11 +93,11 @@ def _write_rule_columns(rules: Sequence[str]) -> list[str]:
     return ["\n".join(column) for column in columns]
 
 
-def _write_question(question: QuestionSheet, words: Catalogue, paper: str) -> str:
-    where = write_named(paper, question.identifier, question.template)
+def _write_question(question: QuestionSheet, words: Catalogue, paper: Location) -> str:
+    where = locate_question(paper, question.identifier, question.template)
     parts = gather(
-        title=lambda: write_line(question.title, f"{where}, title"),
-        statement=lambda: write_prose(question.statement, f"{where}, statement"),
+        title=lambda: write_line(question.title, locate_part(where, "title")),
+        statement=lambda: write_prose(question.statement, locate_part(where, "statement")),
         rows=lambda: convert_each(lambda row: _write_ask(row, words, where), question.rows),
         figure=lambda: write_tikz(question.figure) if question.figure else "",
     )
@@ -106,7 +114,7 @@ def _write_question(question: QuestionSheet, words: Catalogue, paper: str) -> st
         source and write_command("source", write_plain(source)),
     )
     block = write_environment("question", filter(None, lines), *head)
-    return f"{write_comment(where)}\n{block}"
+    return f"{write_comment(words.write(where))}\n{block}"
 
 
 def _write_statement(text: str, figure: Scene | None, drawn: str) -> str:
@@ -117,11 +125,11 @@ def _write_statement(text: str, figure: Scene | None, drawn: str) -> str:
     return write_command("statement", text) + "\n" + write_command("below", drawn)
 
 
-def _write_ask(row: AnswerRow, words: Catalogue, where: str) -> str:
+def _write_ask(row: AnswerRow, words: Catalogue, where: Location) -> str:
     parts = gather(
-        symbol=lambda: write_latex_math(row.symbol, f"{where}, symbol"),
-        meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
-        sign=lambda: write_line(row.sign, f"{where}, sign"),
+        symbol=lambda: write_latex_math(row.symbol, locate_part(where, "symbol")),
+        meaning=lambda: write_line(row.meaning, locate_part(where, "meaning")),
+        sign=lambda: write_line(row.sign, locate_part(where, "sign")),
     )
     printed = write_plain(words.text("paper.unitless")) if row.unit == "1" else write_unit(row.unit)
     return write_command(

@@ -17,6 +17,7 @@ from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each
 from kinegrade.language.latex_text import is_surely_printed, write_plain
+from kinegrade.language.message import Location
 from kinegrade.press.latex.document import write_document
 from kinegrade.press.latex.faults import find_faults
 from kinegrade.press.latex.key import write_key_body
@@ -32,6 +33,7 @@ from kinegrade.press.latex.xetex import (
     write_style,
 )
 from kinegrade.press.legible import make_owner_legible, make_owners_legible
+from kinegrade.press.places import ALL_PAPERS, ALL_SOLUTIONS, KEY
 from kinegrade.press.protocol import Printout
 from kinegrade.press.sheet import KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.temporary import temporary_folder
@@ -49,7 +51,7 @@ _Sheet = TypeVar("_Sheet", Paper, SolutionSheet)
 class _Kind(Generic[_Sheet]):
     """One of the two kinds of sheets: what it is called, and how its sources are written."""
 
-    name: str
+    name: Location
     body: Callable[[_Sheet], str]
     words: Callable[[Language], Mapping[str, str]]
 
@@ -62,8 +64,8 @@ def _read_solution_words(language: Language) -> Mapping[str, str]:
     return open_catalogue(language).raw("solution", "layout.")
 
 
-_PAPERS: _Kind[Paper] = _Kind("papers", write_paper_body, _read_paper_words)
-_SOLUTIONS: _Kind[SolutionSheet] = _Kind("solutions", write_solution_body, _read_solution_words)
+_PAPERS: _Kind[Paper] = _Kind(ALL_PAPERS, write_paper_body, _read_paper_words)
+_SOLUTIONS: _Kind[SolutionSheet] = _Kind(ALL_SOLUTIONS, write_solution_body, _read_solution_words)
 
 
 class LatexPress:
@@ -90,10 +92,10 @@ class LatexPress:
         """The instructor's key; names are printed and errors raised as by `papers`."""
         named = make_owners_legible(book, self)
         body, words = write_key_body(named), _read_paper_words(book.language)
-        with self._typeset([body], book.language, words, "key") as (folder, _):
+        with self._typeset([body], book.language, words, KEY) as (folder, _):
             pdf = make_pdf(folder)
         source = write_document([body], book.language, self._size, words, str(find_font_folder()))
-        return _make_printout("key", pdf, source)
+        return _make_printout("key", pdf, source, book.language)
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print; raises TypesetError where
@@ -136,14 +138,17 @@ class LatexPress:
             pdfs = [make_pdf(folder, part) for part in pages]
         return {
             name: _make_printout(
-                name, pdf, write_document([body], language, self._size, words, fonts)
+                name,
+                pdf,
+                write_document([body], language, self._size, words, fonts),
+                language,
             )
             for name, body, pdf in zip(sheets, bodies, pdfs, strict=True)
         }
 
     @contextmanager
     def _typeset(
-        self, bodies: list[str], language: Language, words: Mapping[str, str], where: str
+        self, bodies: list[str], language: Language, words: Mapping[str, str], where: Location
     ) -> Iterator[tuple[Path, Outcome]]:
         """The folder where the pages of the bodies lie, as long as the context lasts. Raises
         TypesetError.
@@ -157,9 +162,9 @@ class LatexPress:
             yield folder, outcome
 
 
-def _make_printout(name: str, pdf: bytes, source: str) -> Printout:
+def _make_printout(name: str, pdf: bytes, source: str, language: Language) -> Printout:
     """The pages, and their source with the style that it asks for."""
-    text = _write_introduction(name) + source
+    text = _write_introduction(name, language) + source
     return Printout(pdf, {f"{name}.tex": text.encode(), STYLE: write_style().encode()})
 
 
@@ -171,5 +176,6 @@ def _find_missing(characters: Iterable[str]) -> frozenset[str]:
         return run(source, folder, _START_SECONDS).missing
 
 
-def _write_introduction(name: str) -> str:
-    return f"% Change it as you like. To typeset it, here in its folder:  xelatex {name}.tex\n"
+def _write_introduction(name: str, language: Language) -> str:
+    words = open_catalogue(language)
+    return f"% {words.text('typesetting.source', file=f'{name}.tex')}\n"

@@ -14,14 +14,15 @@ from kinegrade.language.latex_text import write_comment, write_plain
 from kinegrade.language.math.latex import TEX, write_latex_math, write_latex_row
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
+from kinegrade.language.message import Location
 from kinegrade.language.prose.latex import write_line, write_prose
 from kinegrade.press.equation_line import begins_with_sign, split_equation_line
 from kinegrade.press.latex.document import (
     write_command,
     write_environment,
-    write_named,
     write_value,
 )
+from kinegrade.press.places import locate_part, locate_question, locate_solutions
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.press.solution_blocks import (
     FORMULA_ALONE,
@@ -51,20 +52,20 @@ _BANDS = (
 
 def write_solution_body(sheet: SolutionSheet) -> str:
     """One student's worked solutions; raises TypesetError with all faults of its texts."""
-    words, where = open_catalogue(sheet.language), f"solutions of paper {sheet.code}"
+    words, where = open_catalogue(sheet.language), locate_solutions(sheet.code)
     texts = (sheet.title, sheet.course, sheet.date, sheet.student, sheet.name, sheet.code)
     head = write_command("solutionhead", *map(write_plain, texts))
     questions = convert_each(
         lambda question: _write_question(question, words, where), sheet.questions
     )
-    return write_environment("sheet", [write_comment(where), head, *questions]) + "\n"
+    return write_environment("sheet", [write_comment(words.write(where)), head, *questions]) + "\n"
 
 
-def _write_question(question: WorkedQuestion, words: Catalogue, sheet: str) -> str:
-    where = write_named(sheet, question.identifier, question.template)
+def _write_question(question: WorkedQuestion, words: Catalogue, sheet: Location) -> str:
+    where = locate_question(sheet, question.identifier, question.template)
     parts = gather(
-        title=lambda: write_line(question.title, f"{where}, title"),
-        statement=lambda: write_prose(question.statement, f"{where}, statement"),
+        title=lambda: write_line(question.title, locate_part(where, "title")),
+        statement=lambda: write_prose(question.statement, locate_part(where, "statement")),
         blocks=lambda: convert_each(
             lambda place: _write_block(question.blocks, place, where), range(len(question.blocks))
         ),
@@ -72,21 +73,21 @@ def _write_question(question: WorkedQuestion, words: Catalogue, sheet: str) -> s
     heading = write_plain(words.write(name_question(question)))
     return "\n".join(
         (
-            write_comment(where),
+            write_comment(words.write(where)),
             write_command("worked", heading, parts["title"], parts["statement"]),
             *parts["blocks"],
         )
     )
 
 
-def _write_block(blocks: Sequence[Block], place: int, where: str) -> str:
+def _write_block(blocks: Sequence[Block], place: int, where: Location) -> str:
     """One block, and whether it stays on the page of the next one."""
     return _write_content(blocks[place], where) + (
         r"\stays" if stays(*blocks[place : place + 3]) else ""
     )
 
 
-def _write_content(block: Block, where: str) -> str:
+def _write_content(block: Block, where: Location) -> str:
     match block:
         case Heading():
             return write_command(
@@ -115,7 +116,7 @@ def _write_content(block: Block, where: str) -> str:
             )
 
 
-def _write_line(latex: str, where: str) -> str:
+def _write_line(latex: str, where: Location) -> str:
     r"""`\equationline{left}{\relation{= a}\summand{+ b}}`: a line may be broken before each
     piece.
     """
@@ -129,7 +130,7 @@ def _write_piece(piece: Row) -> str:
     return write_command(kind, write_latex_row(piece, TEX))
 
 
-def _write_bands(terms: Sequence[Term], where: str) -> list[str]:
+def _write_bands(terms: Sequence[Term], where: Location) -> list[str]:
     """The table of a vector equation; a very long one goes on in a second band of columns."""
     widest = _BANDS[-1][0]
     count = -(-len(terms) // widest)
@@ -137,14 +138,14 @@ def _write_bands(terms: Sequence[Term], where: str) -> list[str]:
     return [_write_band(terms[start : start + size], where) for start in range(0, len(terms), size)]
 
 
-def _write_band(terms: Sequence[Term], where: str) -> str:
+def _write_band(terms: Sequence[Term], where: Location) -> str:
     width = next(width for most, width in _BANDS if len(terms) <= most)
     cells = convert_each(lambda term: _write_term(term, width, where), terms)
     rows = ("".join(parts) for parts in zip(*cells, strict=True))
     return write_command("terms", str(len(terms)), *rows)
 
 
-def _write_term(term: Term, width: str, where: str) -> tuple[str, str, str]:
+def _write_term(term: Term, width: str, where: Location) -> tuple[str, str, str]:
     """The entries of a term in the rows of the equation, the magnitudes and the directions."""
     parts = gather(
         symbol=lambda: write_latex_math(term.symbol, where),
@@ -158,7 +159,7 @@ def _write_term(term: Term, width: str, where: str) -> tuple[str, str, str]:
     )
 
 
-def _write_cell(text: str, width: str, where: str) -> str:
+def _write_cell(text: str, width: str, where: Location) -> str:
     """A formula alone stays on its line, words are broken into lines."""
     written = write_line(text, where)
     if text == UNKNOWN:
@@ -166,7 +167,7 @@ def _write_cell(text: str, width: str, where: str) -> str:
     return written if fullmatch(FORMULA_ALONE, text) else write_command("cell", width, written)
 
 
-def _write_picture(picture: Picture, where: str) -> str:
+def _write_picture(picture: Picture, where: Location) -> str:
     parts = gather(
         caption=lambda: write_line(picture.caption, where), figure=lambda: write_tikz(picture.scene)
     )
@@ -175,7 +176,7 @@ def _write_picture(picture: Picture, where: str) -> str:
     )
 
 
-def _write_result(result: Result, where: str) -> str:
+def _write_result(result: Result, where: Location) -> str:
     parts = gather(
         symbol=lambda: write_latex_math(result.symbol, where),
         exact=lambda: f"= {write_latex_math(result.exact, where)}" if result.exact else "",

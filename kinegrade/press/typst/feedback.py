@@ -13,9 +13,11 @@ from typing import Protocol
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.message import Location, Message
 from kinegrade.language.prose.typst import write_line
 from kinegrade.press.join import join_pages
 from kinegrade.press.legible import make_legible
+from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import PaperSize
 from kinegrade.press.typst.layout_call import Sheet, write_formula, write_layout_call
 from kinegrade.press.typst.press import TypstPress
@@ -108,7 +110,7 @@ class FeedbackPress(TypstPress):
         plain = [text for text in _write_plain_texts(sheet) if not text.isascii()]
         pdf = self._explaining(
             _write_feedback_source(sheet, self.unprintable(plain), self._size),
-            f"feedback {sheet.code}",
+            Message("typesetting.place-feedback", code=sheet.code),
         )
         return pdf if solution is None else join_pages([pdf, solution])
 
@@ -137,7 +139,7 @@ def _write_feedback_source(
 
 def _write_question(question: _Question, missing: frozenset[str]) -> Sheet:
     parts = gather(
-        title=lambda: write_line(question.title, f"{question.heading}, title"),
+        title=lambda: write_line(question.title, locate_part(question.heading, "title")),
         rows=lambda: convert_each(
             lambda row: _write_row(row, question.heading, missing), question.rows
         ),
@@ -145,11 +147,11 @@ def _write_question(question: _Question, missing: frozenset[str]) -> Sheet:
     return parts | {"heading": question.heading, "points": question.points}
 
 
-def _write_row(row: _Row, where: str, missing: frozenset[str]) -> Sheet:
+def _write_row(row: _Row, where: Location, missing: frozenset[str]) -> Sheet:
     parts = gather(
-        symbol=lambda: write_formula(row.symbol, f"{where}, symbol"),
-        meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
-        remark=lambda: write_line(row.remark, f"{where}, remark") if row.remark else None,
+        symbol=lambda: write_formula(row.symbol, locate_part(where, "symbol")),
+        meaning=lambda: write_line(row.meaning, locate_part(where, "meaning")),
+        remark=lambda: write_line(row.remark, locate_part(where, "remark")) if row.remark else None,
     )
     return parts | _texts(row, _ROW_TEXTS, missing)
 

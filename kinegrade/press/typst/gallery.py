@@ -8,7 +8,9 @@ from itertools import groupby
 from kinegrade.figure.typst import write_typst
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line
+from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure, PaperSize
 from kinegrade.press.typst.layout_call import (
     Sheet,
@@ -39,7 +41,7 @@ def write_gallery_source(gallery: Gallery, size: PaperSize = "a4") -> str:
 
 def _write_entry(entry: GalleryEntry, words: Catalogue) -> Sheet:
     sheet = gather(
-        title=lambda: write_line(entry.title, f"{entry.name}, title") if entry.title else None,
+        title=lambda: _write_title(entry),
         asks=lambda: _write_symbols(entry.asks, entry.name),
         on_request=lambda: _write_symbols(entry.on_request, entry.name),
         figures=lambda: convert_each(lambda draw: _write_figure(draw, entry.name), entry.figures),
@@ -53,12 +55,16 @@ def _write_entry(entry: GalleryEntry, words: Catalogue) -> Sheet:
     }
 
 
-def _write_figure(draw: GalleryFigure, where: str) -> Sheet:
+def _write_title(entry: GalleryEntry) -> str | None:
+    return write_line(entry.title, locate_part(entry.name, "title")) if entry.title else None
+
+
+def _write_figure(draw: GalleryFigure, where: Location) -> Sheet:
     return {
         "figure": f"[{write_typst(draw.figure)}]",
-        "givens": write_line(draw.givens, f"{where}, values drawn"),
+        "givens": write_line(draw.givens, locate_part(where, "givens")),
     }
 
 
-def _write_symbols(symbols: Iterable[str], where: str) -> list[str]:
-    return convert_each(lambda symbol: write_formula(symbol, f"{where}, symbol"), symbols)
+def _write_symbols(symbols: Iterable[str], where: Location) -> list[str]:
+    return convert_each(lambda symbol: write_formula(symbol, locate_part(where, "symbol")), symbols)

@@ -5,8 +5,10 @@ from __future__ import annotations
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.units import write_unit
+from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line
 from kinegrade.language.typst_text import write_literal
+from kinegrade.press.places import locate_paper, locate_question
 from kinegrade.press.sheet import (
     KeyAnswer,
     KeyBook,
@@ -44,13 +46,14 @@ def write_key_source(book: KeyBook, first_page: int = 1, size: PaperSize = "a4")
 
 
 def _write_paper(paper: KeyPaper) -> Sheet:
+    where = locate_paper(paper.code)
     entries = convert_each(
-        lambda entry: _write_entry(entry, f"{paper.code}, {entry.identifier}"), paper.entries
+        lambda entry: _write_entry(entry, locate_question(where, entry.identifier)), paper.entries
     )
     return {"student": paper.student, "name": paper.name, "code": paper.code, "entries": entries}
 
 
-def _write_entry(entry: KeyEntry, where: str) -> Sheet:
+def _write_entry(entry: KeyEntry, where: Location) -> Sheet:
     sheet = gather(
         title=lambda: write_line(entry.title, where),
         parameters=lambda: convert_each(
@@ -61,7 +64,7 @@ def _write_entry(entry: KeyEntry, where: str) -> Sheet:
     return sheet | {"number": find_bank_number(entry.identifier)}
 
 
-def _write_parameter(parameter: KeyParameter, where: str) -> str:
+def _write_parameter(parameter: KeyParameter, where: Location) -> str:
     """`r = 1/5 = 0.2 m`; the decimal is not repeated where the exact value is written the same
     way.
     """
@@ -72,7 +75,7 @@ def _write_parameter(parameter: KeyParameter, where: str) -> str:
     return f"{{{equation}{value}}}"
 
 
-def _write_answer(answer: KeyAnswer, where: str) -> Sheet:
+def _write_answer(answer: KeyAnswer, where: Location) -> Sheet:
     return {
         "symbol": write_formula(answer.symbol, where),
         "exact": None if answer.exact is None else write_formula(answer.exact, where),

@@ -11,6 +11,7 @@ from typing import Any
 
 from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.math.units import write_unit
+from kinegrade.language.message import Location
 from kinegrade.language.typst_text import write_literal
 
 Sheet = dict[str, Any]  # what a layout reads: text, numbers, lists and dictionaries of them
@@ -27,7 +28,7 @@ def write_layout_call(layout: str, sheet: Sheet) -> str:
     return f'#import "/{layout}.typ": {layout}\n#{layout}(json(bytes({data})))\n'
 
 
-def write_formula(latex: str, where: str) -> str:
+def write_formula(latex: str, where: Location) -> str:
     """A formula as Typst code. Raises TypesetError.
 
     >>> write_formula("v_B", "q1")

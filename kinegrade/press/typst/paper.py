@@ -14,6 +14,7 @@ from kinegrade.figure.typst import write_typst_picture
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.units import write_unit
+from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark
 from kinegrade.press.paper_parts import (
@@ -23,6 +24,7 @@ from kinegrade.press.paper_parts import (
     write_points_in_words,
     write_points_text,
 )
+from kinegrade.press.places import RULES, locate_part
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, QuestionSheet
 from kinegrade.press.typst.layout_call import Sheet, write_formula, write_layout_call
 from kinegrade.press.typst.room import fits_page, is_wide_symbol
@@ -33,7 +35,7 @@ def write_paper_source(paper: Paper, size: PaperSize = "a4") -> str:
     words = open_catalogue(paper.language)
     sheet = gather(
         rules=lambda: _halve(
-            convert_each(lambda rule: write_prose(rule, "rules"), paper.rules), paper.rules
+            convert_each(lambda rule: write_prose(rule, RULES), paper.rules), paper.rules
         ),
         questions=lambda: convert_each(
             lambda question: _write_question(question, words), paper.questions
@@ -77,8 +79,8 @@ def _write_question(question: QuestionSheet, words: Catalogue) -> Sheet:
     where = question.identifier
     figure = question.figure
     sheet = gather(
-        title=lambda: write_line(question.title, f"{where}, title"),
-        statement=lambda: write_prose(question.statement, f"{where}, statement"),
+        title=lambda: write_line(question.title, locate_part(where, "title")),
+        statement=lambda: write_prose(question.statement, locate_part(where, "statement")),
         rows=lambda: convert_each(lambda row: _write_answer_row(row, where, words), question.rows),
     )
     return sheet | {
@@ -94,12 +96,12 @@ def _write_question(question: QuestionSheet, words: Catalogue) -> Sheet:
 
 
 @lru_cache(maxsize=1024)
-def _write_answer_row(row: AnswerRow, where: str, words: Catalogue) -> Sheet:
+def _write_answer_row(row: AnswerRow, where: Location, words: Catalogue) -> Sheet:
     """The same for a whole class."""
     sheet = gather(
-        symbol=lambda: write_formula(row.symbol, f"{where}, symbol"),
-        meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
-        sign=lambda: write_line(row.sign, f"{where}, sign") if row.sign else None,
+        symbol=lambda: write_formula(row.symbol, locate_part(where, "symbol")),
+        meaning=lambda: write_line(row.meaning, locate_part(where, "meaning")),
+        sign=lambda: write_line(row.sign, locate_part(where, "sign")) if row.sign else None,
     )
     return sheet | {
         "wide": is_wide_symbol(row.symbol),

@@ -19,10 +19,11 @@ import typst
 
 from kinegrade.errors import Problem, TypesetError
 from kinegrade.language.gathering import convert_each
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Location, Message
 from kinegrade.language.typst_text import write_literal
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.legible import make_owner_legible, make_owners_legible
+from kinegrade.press.places import GALLERY, KEY, locate_paper, locate_question, locate_solutions
 from kinegrade.press.protocol import Printout, unprintable_character
 from kinegrade.press.sheet import Gallery, KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.press.typst.compiler import make_compiler
@@ -73,7 +74,7 @@ class TypstPress:
         try:
             return self._compile(write_paper_source(named, self._size))
         except typst.TypstError as error:
-            problems = self._faults(named) or _explain(error, f"paper {paper.code}")
+            problems = self._faults(named) or _explain(error, locate_paper(paper.code))
             raise TypesetError(*problems) from error
 
     def page_images(self, paper: Paper, ppi: int = 100) -> list[bytes]:
@@ -94,19 +95,21 @@ class TypstPress:
         from kinegrade.press.typst.solution import write_solution_source  # noqa: PLC0415  # few exams need it
 
         named = self._legible(sheet)
-        return self._explaining(write_solution_source(named, self._size), f"solutions {sheet.code}")
+        return self._explaining(
+            write_solution_source(named, self._size), locate_solutions(sheet.code)
+        )
 
     def key(self, book: KeyBook) -> Printout:
         """The instructor's key; names are printed and errors raised as by `paper`."""
         return Printout(join_pages(self._key_parts(book)))
 
-    def gallery(self, gallery: Gallery, where: str = "gallery") -> bytes:
+    def gallery(self, gallery: Gallery, where: Location = GALLERY) -> bytes:
         """A contact sheet of templates as PDF. Raises TypesetError; a character that no font has is
         reported at `where`.
         """
         return self._explaining(write_gallery_source(gallery, self._size), where)
 
-    def require_printable(self, source: str, where: str) -> None:
+    def require_printable(self, source: str, where: Location) -> None:
         """Raises TypesetError, naming `where`, for Typst code that cannot be typeset."""
         self._explaining(source, where)
 
@@ -128,7 +131,7 @@ class TypstPress:
         first_page = 1
         for part in book.chunks(KEY_CHUNK):
             pdf = self._explaining(
-                write_key_source(make_owners_legible(part, self), first_page, self._size), "key"
+                write_key_source(make_owners_legible(part, self), first_page, self._size), KEY
             )
             first_page += count_pages(pdf)
             yield pdf
@@ -156,7 +159,7 @@ class TypstPress:
         """What the compiler says of the frame around the questions, or else of each question
         alone.
         """
-        where = f"paper {paper.code}"
+        where = locate_paper(paper.code)
         frame = self._fault(replace(paper, questions=()), where)
         if frame:
             return frame
@@ -164,17 +167,17 @@ class TypstPress:
         return tuple(
             problem
             for part in alone
-            for problem in self._fault(part, f"{where}, {part.questions[0].identifier}")
+            for problem in self._fault(part, locate_question(where, part.questions[0].identifier))
         )
 
-    def _fault(self, paper: Paper, where: str) -> tuple[Problem, ...]:
+    def _fault(self, paper: Paper, where: Location) -> tuple[Problem, ...]:
         try:
             self._compile(write_paper_source(paper, self._size))
         except typst.TypstError as error:
             return _explain(error, where)
         return ()
 
-    def _explaining(self, source: str, where: str) -> bytes:
+    def _explaining(self, source: str, where: Location) -> bytes:
         try:
             return self._compile(source)
         except typst.TypstError as error:
@@ -210,7 +213,7 @@ def _find_boxed(error: typst.TypstError) -> list[str]:
     return [_ESCAPE.sub(lambda match: chr(int(match[1], 16)), text) for text in quoted]
 
 
-def _explain(error: typst.TypstError, where: str) -> tuple[Problem, ...]:
+def _explain(error: typst.TypstError, where: Location) -> tuple[Problem, ...]:
     boxed = dict.fromkeys("".join(_find_boxed(error)))
     if not boxed:
         return (

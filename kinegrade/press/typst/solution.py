@@ -15,8 +15,10 @@ from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
 from kinegrade.language.math.typst import write_typst_row
+from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.equation_line import begins_with_sign, split_equation_line
+from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
 from kinegrade.press.solution_blocks import (
     FORMULA_ALONE,
@@ -68,10 +70,11 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
 
 
 def _write_question(question: WorkedQuestion, words: Catalogue, size: PaperSize) -> Sheet:
-    where = f"{question.identifier}, solution"
+    name = question.identifier
+    where = locate_part(name, "solution")
     sheet = gather(
-        title=lambda: write_line(question.title, f"{question.identifier}, title"),
-        statement=lambda: write_prose(question.statement, f"{question.identifier}, statement"),
+        title=lambda: write_line(question.title, locate_part(name, "title")),
+        statement=lambda: write_prose(question.statement, locate_part(name, "statement")),
         blocks=lambda: convert_each(
             lambda place: _write_block(question.blocks, place, where, size),
             range(len(question.blocks)),
@@ -80,12 +83,12 @@ def _write_question(question: WorkedQuestion, words: Catalogue, size: PaperSize)
     return sheet | {"heading": words.write(name_question(question))}
 
 
-def _write_block(blocks: Sequence[Block], place: int, where: str, size: PaperSize) -> Sheet:
+def _write_block(blocks: Sequence[Block], place: int, where: Location, size: PaperSize) -> Sheet:
     """One block, and whether it stays on the page of the next one."""
     return _write_content(blocks[place], where, size) | {"stays": stays(*blocks[place : place + 3])}
 
 
-def _write_content(block: Block, where: str, size: PaperSize) -> Sheet:
+def _write_content(block: Block, where: Location, size: PaperSize) -> Sheet:
     match block:
         case Heading():
             return {"kind": "heading", "level": block.level, "text": write_line(block.text, where)}
@@ -114,7 +117,7 @@ def _write_content(block: Block, where: str, size: PaperSize) -> Sheet:
             }
 
 
-def _write_line(latex: str, where: str) -> Sheet:
+def _write_line(latex: str, where: Location) -> Sheet:
     parts = split_equation_line(read_math(latex, where))
     return {
         "left": f"${write_typst_row(parts.left)}$",
@@ -126,7 +129,7 @@ def _write_piece(piece: Row) -> Sheet:
     return {"code": f"${write_typst_row(piece)}$", "relation": not begins_with_sign(piece)}
 
 
-def _write_term(term: Term, where: str) -> Sheet:
+def _write_term(term: Term, where: Location) -> Sheet:
     sheet = gather(
         symbol=lambda: write_formula(term.symbol, where),
         magnitude=lambda: _write_cell(term.magnitude, where),
@@ -135,7 +138,7 @@ def _write_term(term: Term, where: str) -> Sheet:
     return sheet | {"sign": write_signed(term.sign)}
 
 
-def _write_cell(text: str, where: str) -> Sheet:
+def _write_cell(text: str, where: Location) -> Sheet:
     """A formula alone is made smaller where its column is narrow, other text is broken into
     lines.
     """
@@ -158,11 +161,11 @@ def _arrange_rows(pictures: Iterable[Picture], width: float) -> list[list[Pictur
     return rows
 
 
-def _write_picture_row(row: Sequence[Picture], where: str) -> list[Sheet]:
+def _write_picture_row(row: Sequence[Picture], where: Location) -> list[Sheet]:
     return convert_each(lambda picture: _write_picture(picture, where), row)
 
 
-def _write_picture(picture: Picture, where: str) -> Sheet:
+def _write_picture(picture: Picture, where: Location) -> Sheet:
     sheet = gather(
         figure=lambda: f"[{write_typst(picture.scene)}]",
         caption=lambda: write_line(picture.caption, where),
@@ -170,7 +173,7 @@ def _write_picture(picture: Picture, where: str) -> Sheet:
     return sheet | {"width": picture.scene.width, "height": picture.scene.height}
 
 
-def _write_result(result: Result, where: str) -> Sheet:
+def _write_result(result: Result, where: Location) -> Sheet:
     sheet = gather(
         symbol=lambda: write_formula(result.symbol, where),
         exact=lambda: write_formula(result.exact, where) if result.exact else None,

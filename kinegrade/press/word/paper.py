@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.units import write_unit
+from kinegrade.language.message import Location
 from kinegrade.language.prose.pandoc import make_formula, write_line, write_prose
 from kinegrade.language.prose.pandoc_tree import (
     Node,
@@ -28,6 +29,7 @@ from kinegrade.press.paper_parts import (
     write_points_in_words,
     write_points_text,
 )
+from kinegrade.press.places import RULES, locate_part
 from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
 from kinegrade.press.word.tree import (
     Alignment,
@@ -57,9 +59,7 @@ def write_paper_tree(paper: Paper, figures: Mapping[int, str]) -> bytes:
     """
     words = open_catalogue(paper.language)
     parts = gather(
-        rules=lambda: convert_each(
-            lambda rule: [make_plain(write_line(rule, "rules"))], paper.rules
-        ),
+        rules=lambda: convert_each(lambda rule: [make_plain(write_line(rule, RULES))], paper.rules),
         questions=lambda: convert_each(
             lambda question: _write_question(question, figures, words), paper.questions
         ),
@@ -133,8 +133,8 @@ def _write_question(
 ) -> list[Node]:
     where = question.identifier
     parts = gather(
-        title=lambda: write_line(question.title, f"{where}, title"),
-        statement=lambda: write_prose(question.statement, f"{where}, statement"),
+        title=lambda: write_line(question.title, locate_part(where, "title")),
+        statement=lambda: write_prose(question.statement, locate_part(where, "statement")),
         rows=lambda: convert_each(lambda row: _write_row(row, where, words), question.rows),
     )
     blocks = [make_heading(1, _write_head(question, parts["title"], words)), *parts["statement"]]
@@ -172,12 +172,12 @@ def _write_head(question: QuestionSheet, title: Sequence[Node], words: Catalogue
     ]
 
 
-def _write_row(row: AnswerRow, where: str, words: Catalogue) -> list[Node]:
+def _write_row(row: AnswerRow, where: Location, words: Catalogue) -> list[Node]:
     parts = gather(
-        meaning=lambda: write_line(row.meaning, f"{where}, meaning"),
-        sign=lambda: write_line(row.sign, f"{where}, sign"),
+        meaning=lambda: write_line(row.meaning, locate_part(where, "meaning")),
+        sign=lambda: write_line(row.sign, locate_part(where, "sign")),
         symbol=lambda: [
-            make_formula(row.symbol, f"{where}, symbol"),
+            make_formula(row.symbol, locate_part(where, "symbol")),
             make_text(f"{_NO_BREAK}="),
         ],
     )
