@@ -20,7 +20,7 @@ import pytest
 import kinegrade as api
 from kinegrade.cli import main
 from kinegrade.errors import MechanismError, TemplateError
-from kinegrade.problem.library import find_template_names
+from kinegrade.problem.library import find_template_names, load_template
 from tests.small_class import generate, kinegrade, write_class
 
 ROOT = Path(__file__).parent.parent
@@ -185,6 +185,19 @@ def test_an_enclosure_has_no_exact_text() -> None:
     speed = sine(40) / 5 + sine(80) / (10 * (3 - sine(40) ** 2) ** 0.5)
     assert record["answers"]["v_B"]["value"] == pytest.approx(speed, rel=1e-15)
     assert "(certified enclosure)" in kinegrade("solve", "slider-crank", "--set", "phi=40").stdout
+
+
+def test_a_pole_at_infinity_is_shown_in_the_language_of_the_terminal(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ask = 'x_P = { quantity = "x(pole(AB))", unit = "m", sign = "+x", means = "where the pole is" }'
+    text = load_template("slider-crank").file.text.replace("[asks]", f"[asks]\n{ask}")
+    (tmp_path / "pole.toml").write_text(text, encoding="utf-8")
+    monkeypatch.setenv("LC_ALL", "zh_CN.UTF-8")
+    solved = kinegrade("solve", str(tmp_path / "pole.toml"), "--set", "phi=90")
+    assert [line.split() for line in solved.stdout.splitlines() if line.startswith("x_P")] == [
+        ["x_P", "无穷大", "m", "无穷大"]
+    ]
 
 
 def test_solve_prints_a_table() -> None:

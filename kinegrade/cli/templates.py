@@ -26,6 +26,8 @@ from kinegrade.language.message import Message, Quoted
 
 if TYPE_CHECKING:
     from kinegrade.language import Language
+    from kinegrade.language.catalogue import Catalogue
+    from kinegrade.problem.quantity import Quantity
     from kinegrade.problem.solving import Solution
     from kinegrade.problem.template import About, Method
 
@@ -164,16 +166,20 @@ def _write_json(solution: Solution) -> str:
 
 def _write_table(solution: Solution) -> str:
     """The solution as a table: name, decimal, unit, exact."""
-    enclosed = terminal_words().text("terminal.enclosure")
-    lines = []
+    words, lines = terminal_words(), []
     for group in (solution.parameters, solution.answers):
-        lines += [
-            f"{name:<14} {quantity.decimal(10):>18} {quantity.measure.printed:<6}  "
-            f"{quantity.exact or enclosed}"
-            for name, quantity in group.items()
-        ]
+        lines += [_write_row(name, quantity, words) for name, quantity in group.items()]
         lines.append("")
     return "\n".join(lines[:-1])
+
+
+def _write_row(name: str, quantity: Quantity, words: Catalogue) -> str:
+    if quantity.at_infinity:
+        decimal = exact = words.text("terminal.infinity")
+    else:
+        decimal = quantity.decimal(10)
+        exact = quantity.exact or words.text("terminal.enclosure")
+    return f"{name:<14} {decimal:>18} {quantity.measure.printed:<6}  {exact}"
 
 
 @command()
