@@ -35,7 +35,7 @@ from kinegrade.problem.translated import Translated
 
 PACKAGE = Path(kinegrade.__file__).parent
 FRENCH = (
-    'exam.json:1: language: "fr" - expected one of en, zh, which this version of kinegrade knows - '
+    'exam.json:1: language: "fr" - expected one of de, en, zh, which this version of kinegrade knows - '
     "restore the exam folder as it was generated"
 )
 
@@ -101,7 +101,7 @@ def test_an_exam_that_says_no_language_is_refused_as_well(marked: Path, tmp_path
     folder = with_language(marked, None)
     result = run("quiz", folder / "EXAM", "--to", "qti12", "-o", tmp_path / "out")
     assert result.exit_code == 2
-    assert "exam.json: language: missing - expected one of en, zh" in result.output
+    assert "exam.json: language: missing - expected one of de, en, zh" in result.output
 
 
 def test_no_text_of_another_language_stands_in_for_a_missing_one() -> None:

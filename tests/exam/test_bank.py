@@ -4,6 +4,7 @@ place.
 
 from __future__ import annotations
 
+import shutil
 from fractions import Fraction
 from pathlib import Path
 
@@ -192,6 +193,7 @@ def test_two_templates_of_one_name_cannot_be_kept_in_one_exam(tmp_path: Path) ->
     text = (find_shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
     mine = HEAD + QUESTION + '[[questions]]\ntemplate = "slider-crank.toml"'
     (tmp_path / "slider-crank.toml").write_text(text, encoding="utf-8")
+    shutil.copy(find_shipped("templates") / "slider-crank.de.toml", tmp_path)
     assert len(bank(tmp_path, mine).questions) == 2
     (tmp_path / "slider-crank.toml").write_text(text + "# mine", encoding="utf-8")
     assert faults(tmp_path, mine) == [
@@ -241,7 +243,7 @@ number = 2
         "bank.toml:4: versions: 27 - expected a whole number from 1 to 26",
         'bank.toml:5: engine: "word" - expected typst or latex',
         'bank.toml:6: course: unknown: "ef" - expected a language with a catalogue - '
-        "known here: en, zh",
+        "known here: de, en, zh",
         'bank.toml:7: date: 3 - expected a text or a date, like "spring 2026" or 2026-05-01',
         "bank.toml:8: tolerance.size: unknown key - known here: absolute, figures, relative",
         'bank.toml:10: questions[1].tempalte: unknown key - did you mean "template"?',

@@ -83,8 +83,10 @@ def test_the_folder_holds_what_it_promises_and_nothing_else(exam: Path) -> None:
     assert sorted(entry.name for entry in exam.iterdir()) == TOP
     assert sorted(entry.name for entry in (exam / "papers").iterdir()) == sorted(FILES)
     assert sorted(entry.name for entry in (exam / "templates").iterdir()) == [
+        "bar-through-swivelling-sleeve.de.toml",
         "bar-through-swivelling-sleeve.toml",
         "crank.toml",
+        "slider-crank.de.toml",
         "slider-crank.toml",
     ]
     assert "instructor only" in (exam / "INSTRUCTOR-ONLY.txt").read_text(encoding="utf-8")

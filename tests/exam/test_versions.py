@@ -15,7 +15,7 @@ from pypdf import PdfReader
 
 from kinegrade.exam.versions import choose_version, list_version_letters
 from kinegrade.language import ENGLISH, Language
-from kinegrade.problem.library import load_template
+from kinegrade.problem.library import list_names, load_template
 from tests.small_class import contents, generate, key_lines, kinegrade, table
 
 BANK = """title = { en = "Midterm", zh = "期中测验" }
@@ -122,7 +122,7 @@ def test_the_same_seed_gives_the_same_bytes(versions: Path, shuffled: Path, tmp_
 
 def test_every_template_used_is_kept_and_the_class_shares_one_sheet(versions: Path) -> None:
     questions = record(versions)["questions"]
-    assert sorted(path.stem for path in (versions / "templates").iterdir()) == sorted(
+    assert sorted(list_names(versions / "templates")) == sorted(
         question["template"] for question in questions
     )
     assert sum(ask["points"] for ask in questions[1]["asks"]) == questions[1]["points"] == 10

@@ -48,12 +48,12 @@ def test_an_exam_gives_title_and_addresses(tmp_path: Path) -> None:
         ),
         (
             '{"format": 1, "language": "fr", "students": []}',
-            'exam.json:1: language: "fr" - expected one of en, zh, which this version of kinegrade '
+            'exam.json:1: language: "fr" - expected one of de, en, zh, which this version of kinegrade '
             "knows - restore the exam folder",
         ),
         (
             '{"format": 1, "title": "x", "students": []}',
-            "exam.json: language: missing - expected one of en, zh, which this version",
+            "exam.json: language: missing - expected one of de, en, zh, which this version",
         ),
         (
             '{"format": 1, "language": "en", "questions": [{"question": "q1", "asks": [{"ask": "v",'

@@ -128,7 +128,7 @@ def test_a_translation_into_an_unknown_language_and_one_that_is_no_toml_are_refu
     (tmp_path / "crank.zh.toml").rename(tmp_path / "crank.xx.toml")
     assert faults(file) == [
         f'{tmp_path}/crank.xx.toml: unknown: "xx" - expected a language with a catalogue - '
-        "known here: en, zh"
+        "known here: de, en, zh"
     ]
 
 

@@ -207,7 +207,7 @@ def test_all_faults_of_a_head_are_reported_at_once(tmp_path: Path) -> None:
         'students[2]: "student" is empty - expected an id',
         "students[3]: is broken (Expected `object`, got `int`) - expected it as kinegrade generate "
         "wrote it",
-        'language: "fr" - expected one of en, zh, which this version of kinegrade knows',
+        'language: "fr" - expected one of de, en, zh, which this version of kinegrade knows',
     ]
 
 
