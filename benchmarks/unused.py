@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 from vulture import Vulture
@@ -20,11 +19,15 @@ SEEN_BY_OTHERS = {
     "pageSetUpPr": "openpyxl reads it",
     "content_separator": "pylatex reads it",
     "filters": "jinja2 reads it",
+    "get_metavar": "click calls it",
+    "help": "click reads it",
+    "latex_name": "pylatex reads it",
+    "parser": "markdown-it gives it to its renderers",
 }
 USED_BY_TESTS = {
-    "REASONS": "all reasons for a refusal, each of which a test meets",
+    "choose_way": "the way of one mistake, for a student who makes it in a benchmark",
+    "list_help_keys": "the entries of help, which no other code names",
     "SOURCES": "all systems that responses come from, each of which a test reads",
-    "mistake_sentence": "one sentence by its identifier",
     "page_images": "what a page looks like, for characters that no font has",
     "parse_roster": "a roster that stands in the test",
     "read_bank": "a bank in one step, for tests and benchmarks",
@@ -32,12 +35,11 @@ USED_BY_TESTS = {
     "work_out": "one mistake in any arithmetic, which the run of all of them is held against",
 }
 TO_GO = {"answer_table": "the responses' former door, which nothing goes through any more"}
-_WORD = re.compile(r"words\.(\w+)")
 
 
 def unused_names(package: Path) -> list[str]:
-    """A line for every name that nothing uses: no code, no layout, nothing listed above."""
-    listed = [*SEEN_BY_OTHERS, *USED_BY_TESTS, *TO_GO, *_words_of_layouts(package)]
+    """A line for every name that nothing uses: no code, nothing listed above."""
+    listed = [*SEEN_BY_OTHERS, *USED_BY_TESTS, *TO_GO]
     search = Vulture(ignore_names=listed)
     search.scavenge([str(package)])
     return [
@@ -45,10 +47,3 @@ def unused_names(package: Path) -> list[str]:
         f"{item.name}: used nowhere"
         for item in search.get_unused_code()
     ]
-
-
-def _words_of_layouts(package: Path) -> set[str]:
-    """The words that layouts print."""
-    files = [file for file in package.rglob("layouts/*") if file.suffix != ".pyc"]
-    texts = [file.read_text(encoding="utf-8") for file in files if file.is_file()]
-    return {name for text in texts for name in _WORD.findall(text)}
