@@ -13,9 +13,9 @@ from fractions import Fraction
 
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import Read, amount, share
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, list_choices
 
-_TOLERANCE = '{ relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }'
+_TOLERANCE = list_choices(('{ relative = "1 %" }', "{ absolute = 0.01 }", "{ figures = 3 }"))
 _CREDIT = '{ follow-through = "1/2" }'
 _MISTAKES = '{ coriolis-halved = "1/2" }'
 

@@ -37,9 +37,10 @@ from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.press.protocol import Press
 from kinegrade.press.sheet import KeyPaper
-from kinegrade.problem.beside import Translations, name_beside
+from kinegrade.problem.beside import Translations
 from kinegrade.problem.sections.opening import FOLDER
 from kinegrade.problem.template import MechanismFile
+from kinegrade.problem.translation_names import name_beside
 
 
 def write_papers(

@@ -20,7 +20,7 @@ from kinegrade.errors import FieldError, KinegradeError, find_misspelt, suggest
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.place import Place
 from kinegrade.fields.values import Read, found
-from kinegrade.language.message import Message, Text
+from kinegrade.language.message import Message, Part, Text
 
 _Value = TypeVar("_Value")
 _NOTHING: Mapping[str, object] = {}
@@ -102,7 +102,7 @@ class Table:
         }
         return {number: value for number, value in values.items() if value is not None}
 
-    def table(self, key: str, like: str = "") -> Table:
+    def table(self, key: str, like: Part = "") -> Table:
         """The table under a key, empty where there is none; `like` is an example for messages."""
         return self._table_at((*self.place, key), self.content.get(key, _NOTHING), like)
 
@@ -157,7 +157,7 @@ class Table:
         self.fault(key, found(value), expected)
         return []
 
-    def _table_at(self, place: Place, value: object, like: str) -> Table:
+    def _table_at(self, place: Place, value: object, like: Part) -> Table:
         if isinstance(value, Mapping):
             return Table(self.faults, place, value)
         expected = Message("fields.a-table-like", like=like) if like else Message("fields.a-table")

@@ -11,8 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from gettext import c2py
-from importlib.resources import files
-from importlib.resources.abc import Traversable
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinegrade.language import ENGLISH, Language
@@ -40,9 +39,9 @@ class Entries:
     plural: Callable[[int], int]
 
 
-def catalogue_folder(language: Language) -> Traversable:
+def catalogue_folder(language: Language) -> Path:
     """Where the files of a language are."""
-    return files("kinegrade.language").joinpath("catalogues", language)
+    return Path(__file__).parent / "catalogues" / language
 
 
 @cache

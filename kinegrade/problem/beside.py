@@ -35,6 +35,7 @@ from kinegrade.fields.values import text as read_words
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages, read_language
 from kinegrade.language.message import Fault, Message
+from kinegrade.problem.translation_names import name_beside
 
 Translations = Mapping[Language, str]  # the texts of the files, by their languages
 Content = Mapping[str, object]
@@ -84,15 +85,6 @@ class _TranslatedSource:
             return self.base.where(place)
         document, inside = self.laid[place]
         return document.where(inside)
-
-
-def name_beside(file: str, language: Language) -> str:
-    """The file that translates another one.
-
-    >>> name_beside("mechanisms/arm.toml", Language("de"))
-    'mechanisms/arm.de.toml'
-    """
-    return f"{file.removesuffix('.toml')}.{language}.toml"
 
 
 def is_translation(path: Path) -> bool:

@@ -48,7 +48,9 @@ def write_document(
         indent=True,
         microtype=False,
     )
-    chosen = [open_catalogue(language).text("language.page.script"), *_SIZE_OPTIONS[size]]
+    names = open_catalogue(language)
+    script, hyphenation = names.text("language.page.script"), names.text("language.hyphenation")
+    chosen = [script, hyphenation, *_SIZE_OPTIONS[size]]
     whole.packages.append(Package("kinegrade", options=chosen))
     whole.preamble.extend(_write_word(name, text) for name, text in words.items())
     whole.preamble.append(Command("chinesefonts", NoEscape(fonts)))
