@@ -5,7 +5,7 @@
 For every template N papers are drawn as for an exam (1,000 unless said otherwise). Promised is
 
 1. full marks in every ask for an honest student who carries three significant figures, in the three
-   ways of `kinegrade.problem.honest_rounding`, whether three figures are typed in, four, or the
+   ways of `kinegrade.students.honest_rounding`, whether three figures are typed in, four, or the
    calculator's whole display;
 2. full marks in no ask for a student who makes a known mistake, except where the template reports
    it as inseparable;
@@ -30,7 +30,7 @@ from dataclasses import dataclass, field
 from benchmarks.simulated_class import Answer, SimulatedClass, answered, classes
 from benchmarks.students import honest_students, mistaken_students, unpromised_students
 from kinegrade.grading.marks import Mark
-from kinegrade.problem.library import find_template_names, load_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
 
 DRAWS = 1000
 DIAGNOSED = 0.99

@@ -23,13 +23,13 @@ from tempfile import TemporaryDirectory
 from benchmarks.figure_of_merit import Figure, seconds
 from benchmarks.memory import peak_of_tree
 from benchmarks.ordinary_latex import ordinary_paper
-from kinegrade.exam.bank import find_bank, read_bank
-from kinegrade.exam.blueprint import Bank
-from kinegrade.exam.dealing import deal_exam
-from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.pages import lay_out_paper
-from kinegrade.exam.roster import read_roster
-from kinegrade.exam.setting import SetPaper
+from kinegrade.exam.bank.bank import find_bank, read_bank
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.folder.exam_secret import FromWords
+from kinegrade.exam.printing.pages import lay_out_paper
+from kinegrade.exam.roster.roster import read_roster
+from kinegrade.exam.setting.dealing import deal_exam
+from kinegrade.exam.setting.setting import SetPaper
 
 STUDENTS, HALF, SAMPLE = 300, 150, 10
 BANK, SEED = "demo", "bench"

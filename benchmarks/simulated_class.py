@@ -13,27 +13,27 @@ from math import floor, log10
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from kinegrade.csv_writing import write_csv_text
-from kinegrade.exam.dealing import ClassDeal, deal_exam
-from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.folder.contents import HEAD, KEY
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.folder.keys import Exam
 from kinegrade.exam.folder.writing import encode_head, encode_line
-from kinegrade.exam.head_record import candidate, make_exam_head
-from kinegrade.exam.key_mistakes import find_mistaken_answers
-from kinegrade.exam.key_record import make_key_line
-from kinegrade.exam.printing import Extras, PressOrder, PrintRun
-from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.sample import make_sample_bank
-from kinegrade.exam.setting import SetPaper
-from kinegrade.grading.class_sheet import read_sheet
+from kinegrade.exam.printing.head_record import candidate, make_exam_head
+from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
+from kinegrade.exam.printing.sample import make_sample_bank
+from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
+from kinegrade.exam.setting.key_mistakes import find_mistaken_answers
+from kinegrade.exam.setting.key_record import make_key_line
+from kinegrade.exam.setting.setting import SetPaper
+from kinegrade.files.csv_writing import write_csv_text
+from kinegrade.files.tables import parse_table
 from kinegrade.grading.marks import Mark, mark
+from kinegrade.grading.sheets.class_sheet import read_sheet
 from kinegrade.press.sheet import KeyPaper
-from kinegrade.problem.honest_rounding import find_full_turn, find_nearest_turn
-from kinegrade.problem.separation import Separation
-from kinegrade.problem.template import Template
-from kinegrade.tables import parse_table
+from kinegrade.problem.template.template import Template
+from kinegrade.students.honest_rounding import find_full_turn, find_nearest_turn
+from kinegrade.students.separation import Separation
 
 CLASS = 50  # students of one exam: no template is short of instances for so few
 FIGURES = 4  # that mistaken students type in

@@ -10,8 +10,8 @@ from itertools import cycle
 import sympy as sp
 
 from benchmarks.figure_of_merit import Figure, seconds
-from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
 
 PROMISE = 100
 

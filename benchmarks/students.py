@@ -2,7 +2,7 @@
 mistake.
 
 Each gives for every paper of a class what is typed in, by ask. Working by hand is that of
-`kinegrade.problem.honest_rounding`; the unpromised ways round in another manner, so that they are
+`kinegrade.students.honest_rounding`; the unpromised ways round in another manner, so that they are
 no copy of what draws are accepted by.
 """
 
@@ -15,20 +15,20 @@ from typing import Any
 
 from benchmarks.simulated_class import FIGURES, Answer, SimulatedClass
 from kinegrade.errors import KinegradeError
-from kinegrade.exact.elimination import Singular
-from kinegrade.exact.rounding import Rounded, Sparing
 from kinegrade.mechanics.doubles import convert_to_doubles
-from kinegrade.problem.honest_rounding import (
+from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.rounding import Rounded, Sparing
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.template.template import Ask
+from kinegrade.students.honest_rounding import (
     LOST,
     calls,
     convert_number,
     work_by_arms,
     work_by_coordinates,
 )
-from kinegrade.problem.mistake_kinds import Mistake, find_candidates
-from kinegrade.problem.mistakes import choose_way, work_out
-from kinegrade.problem.solving import Solution
-from kinegrade.problem.template import Ask
+from kinegrade.students.mistake_kinds import Mistake, find_candidates
+from kinegrade.students.mistakes import choose_way, work_out
 
 CARRIED = 3
 DISPLAY = 10  # digits of a calculator

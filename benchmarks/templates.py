@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from statistics import median
 from time import process_time
 
-from kinegrade.problem.checking import choose_drawable
-from kinegrade.problem.examining import Refused, examine
-from kinegrade.problem.library import find_template_names, load_template
+from kinegrade.draws.examining import Refused, examine
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template import Template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.template import Template
+from kinegrade.proof.checking import choose_drawable
 
 INSTANCES = 20
 

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from kinegrade.fields.table import Table
-from kinegrade.fields.values import Read, amount, share
+from kinegrade.files.fields.table import Table
+from kinegrade.files.fields.values import Read, amount, share
 from kinegrade.language.message import Message, list_choices
 
 _TOLERANCE = list_choices(('{ relative = "1 %" }', "{ absolute = 0.01 }", "{ figures = 3 }"))

@@ -24,7 +24,7 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "part of what an order is computed from": {
-        "exam/dealing.py": [
+        "exam/setting/dealing.py": [
             "version {}",
         ],
     },
@@ -41,17 +41,17 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "what Python's reader of TOML says": {
-        "fields/toml_text.py": [
+        "files/fields/toml_text.py": [
             "Cannot overwrite a value",
         ],
     },
     "names of fonts": {
-        "figure/svg.py": [
+        "figure/back_ends/svg.py": [
             "Libertinus Serif, STIX Two Text, Times New Roman, Times, Liberation Serif, serif",
         ],
     },
     "Typst code": {
-        "figure/typst.py": [
+        "figure/back_ends/typst.py": [
             '(thickness: {}, cap: "round", join: "round"{})',
             "stroke: {}, fill: {}",
             "width: {}, height: {}",
@@ -66,12 +66,12 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "signs for a product": {
-        "grading/number_text.py": [
+        "grading/typed/number_text.py": [
             "×·⋅•∙・✕✖",
         ],
     },
     "a unit in symbols": {
-        "grading/unit_spelling.py": [
+        "grading/typed/unit_spelling.py": [
             "m^{} s^{} rad^{}",
         ],
     },
@@ -87,25 +87,25 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "what another system calls its columns": {
-        "lms/blackboard.py": [
+        "lms/grades/blackboard.py": [
             "Feedback Format",
             "Feedback to Learner",
             "Student ID",
         ],
-        "lms/brightspace.py": [
+        "lms/grades/brightspace.py": [
             "End-of-Line Indicator",
             "{title} Points Grade <Numeric MaxPoints:{maximum}>",
         ],
-        "lms/canvas.py": [
+        "lms/grades/canvas.py": [
             "SIS Login ID",
             "SIS User ID",
         ],
-        "lms/edx.py": [
+        "lms/grades/edx.py": [
             "New Points",
             "Open edX",
             "Previous Points",
         ],
-        "lms/moodle.py": [
+        "lms/grades/moodle.py": [
             "Email address",
             "Email地址",
             "Feedback comments",
@@ -148,27 +148,27 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         "lms/responses/wjx.py": [
             "序号",
         ],
-        "lms/sakai.py": [
+        "lms/grades/sakai.py": [
             "Student ID",
             "Student Name",
         ],
     },
     "an option of the command line": {
-        "lms/from_scratch.py": [
+        "lms/grades/from_scratch.py": [
             "--column HEADER",
             "--column {}=HEADER",
         ],
-        "lms/item_columns.py": [
+        "lms/grades/item_columns.py": [
             "--column HEADER",
             "--column {}=HEADER",
         ],
     },
     "addresses of XML schemas": {
-        "lms/quiz/qti12_manifest.py": [
+        "lms/quiz/qti12/manifest.py": [
             '<?xml version="1.0" encoding="UTF-8"?>\n<manifest identifier="kinegrade" xmlns="http://www.imsglobal.org/xsd/imsccv1p1/imscp_v1p1">\n<metadata><schema>IMS Content</schema><schemaversion>1.1.3</schemaversion></metadata>\n<organizations/>\n<resources>\n',
             "{} https://canvas.instructure.com/xsd/cccv1p0.xsd",
         ],
-        "lms/quiz/qti21_item.py": [
+        "lms/quiz/qti21/item.py": [
             "{} http://www.imsglobal.org/xsd/qti/qtiv2p1/imsqti_v2p1.xsd",
         ],
     },
@@ -179,7 +179,7 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "free {} {} y",
             "slide {} {}/{}",
         ],
-        "mechanics/own_terms.py": [
+        "students/followed_terms.py": [
             "added {} {} x",
             "added {} {} y",
             "coriolis {}/{}",
@@ -188,17 +188,17 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         "mechanics/relations.py": [
             "omega {}",
         ],
-        "worked/asked_vectors.py": [
+        "worked/answers/asked_vectors.py": [
             "circle {} {}/",
             "slide {} {}/",
         ],
-        "worked/centrodes.py": [
+        "worked/answers/centrodes.py": [
             "circle {}",
         ],
-        "worked/methods.py": [
+        "worked/steps/methods.py": [
             "omega {}",
         ],
-        "worked/pictures.py": [
+        "worked/steps/pictures.py": [
             "omega {}",
         ],
     },
@@ -214,17 +214,17 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "part of what a draw is computed from": {
-        "problem/keyed_order.py": [
+        "draws/keyed_order.py": [
             "order of draws",
         ],
     },
     "an example in the language of templates": {
-        "problem/sections/scheme.py": [
+        "problem/template/sections/scheme.py": [
             '{ motion = "OA turns", velocity = "omega" }',
         ],
     },
     "examples in the language of templates": {
-        "problem/sentences.py": [
+        "problem/template/sentences.py": [
             "... meshes with ... on ...",
             "... rolls on ...",
             "... slides through ... along ...",
@@ -244,7 +244,7 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "a mark that no cell can hold": {
-        "tables.py": [
+        "files/tables.py": [
             "\x00end of table",
         ],
     },

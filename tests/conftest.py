@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from kinegrade.exam.bank import Bank, read_bank
+from kinegrade.exam.bank.bank import Bank, read_bank
 from tests.golden_files import BANK, GOLDEN, Hold
 from tests.problem.crank import crank_text
 from tests.small_class import VANISHING, generate, write_class

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from kinegrade.exam.bank import Bank
-from kinegrade.exam.dealing import deal_exam
-from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.setting import SetPaper
+from kinegrade.exam.bank.bank import Bank
+from kinegrade.exam.folder.exam_secret import FromWords
+from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.setting.dealing import deal_exam
+from kinegrade.exam.setting.setting import SetPaper
 
 GOLDEN = Path(__file__).parent / "golden"
 BANK = """title = { en = "Golden exam", zh = "样卷" }

@@ -20,7 +20,7 @@ import pytest
 import kinegrade as api
 from kinegrade.cli import main
 from kinegrade.errors import MechanismError, TemplateError
-from kinegrade.problem.library import find_template_names, load_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
 from tests.small_class import generate, kinegrade, write_class
 
 ROOT = Path(__file__).parent.parent

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade import template
-from kinegrade.problem.library import find_template_names
+from kinegrade.problem.template.library.library import find_template_names
 from tests.small_class import kinegrade
 
 TEXT = (Path(__file__).parent.parent / "CONTRIBUTING.md").read_text(encoding="utf-8")

@@ -253,7 +253,7 @@ def test_a_crash_without_room_for_a_report_is_still_one_line(room: Path) -> None
 def test_the_report_of_a_crash_in_a_worker_says_where_in_the_worker(room: Path) -> None:
     program = (
         "import click\nfrom functools import partial\n"
-        "from kinegrade.cli.program import Program\nfrom kinegrade.processes import open_executor\n"
+        "from kinegrade.cli.program import Program\nfrom kinegrade.processes.executor import open_executor\n"
         "@click.group(cls=Program)\ndef main(): pass\n"
         "@main.command()\ndef fall():\n"
         "    with open_executor(2, 'fall', 'fork') as others:\n"
@@ -272,7 +272,7 @@ def test_the_report_of_a_crash_in_a_worker_says_where_in_the_worker(room: Path) 
 
 def test_the_next_run_clears_the_temporary_folders_of_killed_ones(room: Path) -> None:
     making = (
-        "import time; from kinegrade.temporary import temporary_folder\n"
+        "import time; from kinegrade.files.temporary import temporary_folder\n"
         "with temporary_folder() as folder:\n"
         "    (folder / 'figures').mkdir()\n"
         "    print(folder, flush=True)\n"

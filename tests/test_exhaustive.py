@@ -24,22 +24,22 @@ EXCEPTIONS = {
     "'xlsx'": "the rest goes on to `_dialect`, which names every system",
     "press/solution_blocks.py: match (block, following, third): _": "what stays together is named; "
     "a new block may be parted from its neighbours, which costs looks and nothing else",
-    "lms/from_scratch.py: options.columns.get(item, '')": "what the instructor named no column for",
-    "grading/decision.py: if verdict.kind == 'right'": "whatever is not right goes on to be looked "
+    "lms/grades/from_scratch.py: options.columns.get(item, '')": "what the instructor named no column for",
+    "grading/judging/decision.py: if verdict.kind == 'right'": "whatever is not right goes on to be looked "
     "at for credit, by what was read, which is a choice of its own",
-    "problem/meaning.py: if tree.sign == "
+    "problem/template/meaning/meaning.py: if tree.sign == "
     "'**'": "the exponent is no operand; the other signs are matched below",
-    "problem/meaning.py: if isinstance(kind, "
+    "problem/template/meaning/meaning.py: if isinstance(kind, "
     "Unknown)": "what is not known fits anywhere; the slots are matched below",
-    "grading/typed_value.py: Operation('-', Number(read_rational('0')), tree) if sign == '-' else "
+    "grading/typed/value.py: Operation('-', Number(read_rational('0')), tree) if sign == '-' else "
     "tree": "a character that was typed before a bracket: a minus, a plus, or none",
-    "worked/instance_formulas.py: () if isinstance(tree, Number) else "
+    "worked/formulas/instance.py: () if isinstance(tree, Number) else "
     "worked": "a literal has no working; anything else is told as it was worked out",
-    "lms/item_groups.py: 'feedback' if known == 'feedback' else "
+    "lms/grades/item_groups.py: 'feedback' if known == 'feedback' else "
     "'percentage'": "the cells decide; a known word may only say that they are feedback",
-    "grading/feedback_remarks.py: _VERDICTS.get(verdict, verdict)": "a file of marks may hold "
+    "reports/feedback/remarks.py: _VERDICTS.get(verdict, verdict)": "a file of marks may hold "
     "a verdict of a later version, which is shown as it stands",
-    "grading/report_words.py: _VERDICTS.get(verdict, verdict)": "the same in the class report",
+    "reports/classes/words.py: _VERDICTS.get(verdict, verdict)": "the same in the class report",
     "problem/assemble.py: if isinstance(value, (Vector, Line, Round, str))": "numbers of any "
     "arithmetic are taken, what is known to be no number is refused",
 }

@@ -14,14 +14,9 @@ from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinegrade.angular import find_angular_degree, is_angle
 from kinegrade.errors import ExpressionError
-from kinegrade.exact.angle import Angle, Inexact
-from kinegrade.exact.balls import Balls
-from kinegrade.exact.field import Field
-from kinegrade.exact.floats import Floats
-from kinegrade.exact.text import write_angle, write_exact
-from kinegrade.expression import (
+from kinegrade.expressions.angular import find_angular_degree, is_angle
+from kinegrade.expressions.expression import (
     MAX_DEPTH,
     MAX_LENGTH,
     Call,
@@ -35,6 +30,11 @@ from kinegrade.expression import (
     read_rational,
 )
 from kinegrade.mechanics.geometry import make_constructions
+from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.balls import Balls
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.floats import Floats
+from kinegrade.numbers.text import write_angle, write_exact
 
 KNOWN = {"r": fmpq(3, 2), "k": fmpq(2)}
 

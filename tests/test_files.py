@@ -13,10 +13,10 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade import files
 from kinegrade.errors import OutputError
-from kinegrade.files import output_folder, write_file
-from kinegrade.leftovers import make_process_name
+from kinegrade.files import output as files
+from kinegrade.files.leftovers import make_process_name
+from kinegrade.files.output import output_folder, write_file
 
 FILES = 25
 WRITE_VERSIONS = f"""

@@ -8,7 +8,7 @@ import gc
 
 import pytest
 
-from kinegrade.garbage_collection import NEW_OBJECTS, bulk_work
+from kinegrade.processes.garbage_collection import NEW_OBJECTS, bulk_work
 
 
 def test_garbage_is_collected_rarely_and_afterwards_as_often_as_before() -> None:

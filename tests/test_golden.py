@@ -10,20 +10,20 @@ from typing import Any
 
 import pytest
 
-from kinegrade.exam.bank import Bank
+from kinegrade.exam.bank.bank import Bank
 from kinegrade.exam.folder.writing import encode_line
-from kinegrade.exam.key_record import make_key_line
-from kinegrade.exam.pages import lay_out_paper
+from kinegrade.exam.printing.pages import lay_out_paper
+from kinegrade.exam.setting.key_record import make_key_line
+from kinegrade.figure.back_ends.typst import write_typst
 from kinegrade.figure.sketch import sketch
-from kinegrade.figure.typst import write_typst
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.html.solution import write_blocks
 from kinegrade.press.sheet import SolutionSheet
 from kinegrade.press.typst.paper import write_paper_source
 from kinegrade.press.typst.solution import write_solution_source
 from kinegrade.press.word.paper import write_paper_tree
-from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
 from tests.golden_files import Hold, papers
 from tests.press.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION
 

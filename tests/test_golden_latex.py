@@ -8,10 +8,10 @@ from dataclasses import replace
 
 import pytest
 
-from kinegrade.exam.bank import Bank
-from kinegrade.exam.pages import lay_out_paper
+from kinegrade.exam.bank.bank import Bank
+from kinegrade.exam.printing.pages import lay_out_paper
+from kinegrade.figure.back_ends.tikz import write_tikz
 from kinegrade.figure.sketch import sketch
-from kinegrade.figure.tikz import write_tikz
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.numeric import convert_to_floats
@@ -20,8 +20,8 @@ from kinegrade.press.latex.key import write_key_body
 from kinegrade.press.latex.paper import write_paper_body
 from kinegrade.press.latex.solution import write_solution_body
 from kinegrade.press.sheet import SolutionSheet
-from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
 from tests.golden_files import Hold, papers
 from tests.press.papers import key_book
 from tests.press.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION

@@ -24,14 +24,14 @@ from kinegrade.cli.marks import feedback, grade
 from kinegrade.cli.quiz import quiz
 from kinegrade.cli.templates import show
 from kinegrade.errors import TemplateError, TypesetError
-from kinegrade.exam.printing import PressOrder
+from kinegrade.exam.printing.printing import PressOrder
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages
 from kinegrade.lms.quiz.writers import WRITERS
 from kinegrade.lms.responses.detection import DIALECTS
 from kinegrade.press import protocol
 from kinegrade.press.word.press import PandocPress
-from kinegrade.problem.translated import Translated
+from kinegrade.problem.template.translated import Translated
 
 PACKAGE = Path(kinegrade.__file__).parent
 FRENCH = (

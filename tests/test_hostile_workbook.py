@@ -14,7 +14,7 @@ import pytest
 from openpyxl import Workbook
 
 from kinegrade.errors import TableError
-from kinegrade.spreadsheet import read_workbook
+from kinegrade.files.spreadsheet import read_workbook
 
 MEMORY = 1 << 30  # bytes
 SECONDS = 10  # the answer takes one; the machine may be busy

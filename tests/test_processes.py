@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TemplateError, WorkerError
-from kinegrade.processes import Shared, Start, map_in_order, open_executor
+from kinegrade.processes.executor import Shared, Start, map_in_order, open_executor
 
 WAYS: list[tuple[int, Start | None]] = [(1, None), (2, None), (2, "fork"), (2, "spawn")]
 every_way = pytest.mark.parametrize(("jobs", "start"), WAYS)
@@ -236,7 +236,7 @@ def test_processes_are_copies_of_one_that_surely_has_no_other_thread(
 @linux
 def test_what_generate_loads_and_a_press_at_rest_start_no_thread() -> None:
     program = (
-        "import os, kinegrade.exam.generate; from kinegrade.press.typst.press import TypstPress; press = "
+        "import os, kinegrade.exam.generating.generate; from kinegrade.press.typst.press import TypstPress; press = "
         "TypstPress(); print(len(os.listdir('/proc/self/task')))"
     )
     environment = {

@@ -12,10 +12,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from openpyxl import Workbook, load_workbook
 
-from kinegrade import spreadsheet
 from kinegrade.errors import TableError
-from kinegrade.spreadsheet import is_workbook, read_workbook
-from kinegrade.tables import Table
+from kinegrade.files import spreadsheet
+from kinegrade.files.spreadsheet import is_workbook, read_workbook
+from kinegrade.files.tables import Table
 from tests.said import said
 
 

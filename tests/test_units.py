@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import ExpressionError
-from kinegrade.units import FACTORS, HALF_TURNS, read_unit
+from kinegrade.numbers.units import FACTORS, HALF_TURNS, read_unit
 
 Q = fmpq
 

@@ -26,12 +26,12 @@ from kinegrade.cli.terminal import refuse_usage, say, say_of
 from kinegrade.language.message import Message, list_plainly
 
 if TYPE_CHECKING:
-    from kinegrade.exam.exam_secret import SecretWish
-    from kinegrade.exam.generate import Generated
+    from kinegrade.exam.folder.exam_secret import SecretWish
+    from kinegrade.exam.generating.generate import Generated
     from kinegrade.language import Language
     from kinegrade.press.protocol import Engine
     from kinegrade.press.sheet import PaperSize
-    from kinegrade.problem.template import Method
+    from kinegrade.problem.template.template import Method
 
 _WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "strict", "force")
 
@@ -128,11 +128,11 @@ def generate(
     papers copies what students may have. With --add, late students get papers of an EXAM that
     exists: no other paper, solution or key changes, and answers typed into EXAM stay.
     """
-    from kinegrade.exam.bank import find_bank, read_blueprint
-    from kinegrade.exam.generate import PRIVATE, SHARED_WITH_GROUP, Place, Printing
-    from kinegrade.exam.generate import generate as write_exam
-    from kinegrade.exam.printing import Extras
-    from kinegrade.exam.roster import read_roster
+    from kinegrade.exam.bank.bank import find_bank, read_blueprint
+    from kinegrade.exam.generating.generate import PRIVATE, SHARED_WITH_GROUP, Place, Printing
+    from kinegrade.exam.generating.generate import generate as write_exam
+    from kinegrade.exam.printing.printing import Extras
+    from kinegrade.exam.roster.roster import read_roster
 
     if late is not None:
         _add(output, bank, roster, late, odd_ids=allow_odd_ids, strict=strict, jobs=jobs)
@@ -161,9 +161,9 @@ def _add(
     """Add the students of LATE to an exam. Raises UsageError where something is wanted otherwise
     than the exam has it.
     """
-    from kinegrade.exam.adding import add_students
-    from kinegrade.exam.bank import find_bank, read_blueprint
-    from kinegrade.exam.roster import read_roster
+    from kinegrade.exam.bank.bank import find_bank, read_blueprint
+    from kinegrade.exam.generating.adding import add_students
+    from kinegrade.exam.roster.roster import read_roster
 
     _expect_no_other_wishes()
     expect_folders((exam, "EXAM"))
@@ -198,7 +198,7 @@ def _read_wish(label: str | None, words: str | None, *, new: bool) -> SecretWish
 
     Raises UsageError where two things are wanted that exclude each other.
     """
-    from kinegrade.exam.exam_secret import SecretWish
+    from kinegrade.exam.folder.exam_secret import SecretWish
 
     if label is not None and words is not None:
         raise refuse_usage(Message("terminal.seed-or-words"))
@@ -206,7 +206,7 @@ def _read_wish(label: str | None, words: str | None, *, new: bool) -> SecretWish
 
 
 def _say(written: Generated, output: Path) -> None:
-    from kinegrade.problem.deal import count_reasons
+    from kinegrade.draws.deal import count_reasons
 
     for question, template in written.drawn.items():
         say(Message("terminal.drawn", question=question, template=template))
@@ -243,7 +243,7 @@ def papers(exam: Path, output: Path, *, force: bool) -> None:
     where it exists.
     """
     from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.exam.handout import hand_out
+    from kinegrade.exam.printing.handout import hand_out
 
     expect_folders((exam, "EXAM"))
     count = hand_out(open_exam(exam), output, force=force)
@@ -270,8 +270,8 @@ def paper(exam: Path, student: str, output: Path | None, *, solution: bool, forc
     this version of kinegrade generated.
     """
     from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.exam.reprint import reprint
-    from kinegrade.files import write_file
+    from kinegrade.exam.printing.reprint import reprint
+    from kinegrade.files.output import write_file
 
     if output is None and sys.stdout.isatty():
         raise refuse_usage(Message("terminal.pdf"))

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
     from kinegrade.errors import Problem
     from kinegrade.language import Language
-    from kinegrade.lms.dialect import Dialect, ExportOptions, Field
-    from kinegrade.lms.grades import ClassGrades
+    from kinegrade.lms.grades.dialect import Dialect, ExportOptions, Field
+    from kinegrade.lms.grades.grades import ClassGrades
     from kinegrade.marks_folder.folder import MarksFolder
 
 GradeSystem = Literal["moodle", "canvas", "blackboard", "brightspace", "sakai", "edx", "generic"]
@@ -128,8 +128,8 @@ def export(
         _write_workbook(folder, output, force=force)
         return
     from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.lms.dialect import ExportOptions
-    from kinegrade.lms.grades import read_grades
+    from kinegrade.lms.grades.dialect import ExportOptions
+    from kinegrade.lms.grades.grades import read_grades
 
     grades = read_grades(folder, None if exam is None else open_exam(exam))
     named = _read_columns(columns, grades, per_question=per_question)
@@ -145,7 +145,7 @@ def export(
 
 
 def _write_workbook(marks: MarksFolder, output: Path, *, force: bool) -> None:
-    from kinegrade.files import write_file
+    from kinegrade.files.output import write_file
     from kinegrade.lms.workbook import workbook
 
     write_file(output, workbook(marks), force=force)
@@ -160,9 +160,9 @@ def _write(
     *,
     force: bool,
 ) -> None:
-    from kinegrade.files import write_file
-    from kinegrade.lms.fill_in import fill_in
-    from kinegrade.lms.from_scratch import new_file
+    from kinegrade.files.output import write_file
+    from kinegrade.lms.grades.fill_in import fill_in
+    from kinegrade.lms.grades.from_scratch import new_file
 
     if into is None:
         fresh = new_file(dialect, grades, options)
@@ -184,19 +184,19 @@ def _write(
 def _choose_dialect(system: GradeSystem, language: Language) -> Dialect:
     match system:
         case "moodle":
-            from kinegrade.lms.moodle import MOODLE as dialect
+            from kinegrade.lms.grades.moodle import MOODLE as dialect
         case "canvas":
-            from kinegrade.lms.canvas import CANVAS as dialect
+            from kinegrade.lms.grades.canvas import CANVAS as dialect
         case "blackboard":
-            from kinegrade.lms.blackboard import BLACKBOARD as dialect
+            from kinegrade.lms.grades.blackboard import BLACKBOARD as dialect
         case "brightspace":
-            from kinegrade.lms.brightspace import BRIGHTSPACE as dialect
+            from kinegrade.lms.grades.brightspace import BRIGHTSPACE as dialect
         case "sakai":
-            from kinegrade.lms.sakai import SAKAI as dialect
+            from kinegrade.lms.grades.sakai import SAKAI as dialect
         case "edx":
-            from kinegrade.lms.edx import EDX as dialect
+            from kinegrade.lms.grades.edx import EDX as dialect
         case "generic":
-            from kinegrade.lms.generic import generic
+            from kinegrade.lms.grades.generic import generic
 
             dialect = generic(language)
         case _:
@@ -226,7 +226,7 @@ def _read_columns(
 
 def _read_maximum(text: str | None) -> Fraction | None:
     """A number above zero. Raises BadParameter."""
-    from kinegrade.lms.item_columns import number
+    from kinegrade.lms.grades.item_columns import number
 
     value = None if text is None else number(text)
     if text is not None and not value:

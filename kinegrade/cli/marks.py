@@ -19,11 +19,11 @@ from kinegrade.marks_folder.layout import COMPLAINTS, KEPT
 
 if TYPE_CHECKING:
     from kinegrade.exam.folder.exam_folder import ExamFolder
-    from kinegrade.grading.decimal_style import Mark as DecimalMark
-    from kinegrade.grading.feedback_folder import Press, Text
-    from kinegrade.grading.follow import Follows
+    from kinegrade.grading.judging.follow import Follows
     from kinegrade.grading.marks import ClassGrades
+    from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
     from kinegrade.language import Language
+    from kinegrade.reports.feedback.folder import Press, Text
 
     FeedbackForm = Literal["pdf", "html", "md"]
 
@@ -99,7 +99,7 @@ def grade(
     from kinegrade.cli.shortlist import shorten_list
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.grading.grade import grade as mark_class
-    from kinegrade.lms import moodle
+    from kinegrade.lms.grades import moodle
     from kinegrade.lms.responses.class_files import ReadingWishes, read_class
     from kinegrade.marks_folder.folder import open_marks
 
@@ -127,7 +127,7 @@ def grade(
 
 def _choose_following(exam: ExamFolder) -> Follows:
     from kinegrade.exam.follow_through import FollowThrough
-    from kinegrade.grading.follow import Follows
+    from kinegrade.grading.judging.follow import Follows
 
     follow_through = FollowThrough(exam)
     return Follows(follow_through, follow_through.in_plan_order)
@@ -165,13 +165,13 @@ def diff(
     before: Path, after: Path, output: Path | None, language: Language, *, force: bool
 ) -> None:
     """Show how the marks in MARKS2 differ from those in MARKS1."""
-    from kinegrade.grading.comparison import compare, write_comparison_csv, write_comparison_text
     from kinegrade.marks_folder.folder import open_marks
+    from kinegrade.reports.comparison import compare, write_comparison_csv, write_comparison_text
 
     expect_folders((before, "MARKS"), (after, "MARKS"))
     comparison = compare(open_marks(before), open_marks(after))
     if output is not None:
-        from kinegrade.files import write_file
+        from kinegrade.files.output import write_file
 
         content = write_comparison_csv(comparison, open_catalogue(language))
         write_file(output, content, force=force)
@@ -199,9 +199,9 @@ def class_report(
     """
     from kinegrade.exam.exam_wording import read_exam_wording
     from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.files import write_file
-    from kinegrade.grading.class_report import class_report as report_on
+    from kinegrade.files.output import write_file
     from kinegrade.marks_folder.folder import open_marks
+    from kinegrade.reports.classes.page import class_report as report_on
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
     marked, folder = open_marks(marks), open_exam(exam)
@@ -249,15 +249,15 @@ def feedback(
     """Write each student a sheet: answers, right answers, what probably went wrong."""
     from kinegrade.exam.exam_wording import read_exam_wording
     from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.grading.feedback_folder import FeedbackWishes, write_feedback
     from kinegrade.marks_folder.folder import open_marks
-    from kinegrade.processes import open_executor
+    from kinegrade.processes.executor import open_executor
+    from kinegrade.reports.feedback.folder import FeedbackWishes, write_feedback
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
     marked, folder = open_marks(marks), open_exam(exam)
     wanted = folder.head.solutions if solutions is None else solutions
     if wanted:
-        from kinegrade.exam.kept_exam import KeptExam
+        from kinegrade.exam.setting.kept_exam import KeptExam
 
         KeptExam(folder).require_no_contradiction()
     chosen = language or folder.language

@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from kinegrade.language import Language
-    from kinegrade.lms.quiz.moodle_xml_questions import Form
+    from kinegrade.lms.quiz.moodle.questions import Form
     from kinegrade.lms.quiz.writers import Writer
-    from kinegrade.problem.template import Method
+    from kinegrade.problem.template.template import Method
 
 QuizSystem = Literal["moodle-xml", "qti12", "qti21", "blackboard"]
 SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
@@ -112,10 +112,10 @@ def quiz(
     from fractions import Fraction
 
     from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.exam.quiz import read_quiz
-    from kinegrade.exam.quiz_paper import QuizWishes
-    from kinegrade.exam.variants import variants_stored
-    from kinegrade.processes import open_executor
+    from kinegrade.exam.quiz.paper import QuizWishes
+    from kinegrade.exam.quiz.quiz import read_quiz
+    from kinegrade.exam.quiz.variants import variants_stored
+    from kinegrade.processes.executor import open_executor
 
     expect_folders((exam, "EXAM"))
     limit = None if megabytes is None else Fraction(str(megabytes))
@@ -147,7 +147,7 @@ def _writer_of(system: QuizSystem, form: Form, megabytes: Fraction | None) -> Wr
     from functools import partial
 
     from kinegrade.errors import ExportError
-    from kinegrade.lms.quiz import moodle_xml
+    from kinegrade.lms.quiz.moodle import file as moodle_xml
     from kinegrade.lms.quiz.writers import WRITERS
 
     match system:

@@ -36,10 +36,10 @@ def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool)
     hint, no verdict.
     """
     from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.files import write_file
-    from kinegrade.grading.sharing import find_sharing
-    from kinegrade.grading.sharing_report import describe_sharing, write_sharing_csv
+    from kinegrade.files.output import write_file
     from kinegrade.marks_folder.folder import open_marks
+    from kinegrade.reports.sharing.report import describe_sharing, write_sharing_csv
+    from kinegrade.reports.sharing.sharing import find_sharing
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
     folder = open_exam(exam)

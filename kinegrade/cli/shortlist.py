@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import assert_never
 
 from kinegrade.errors import Problem
+from kinegrade.files.tables import Complaint
 from kinegrade.language.message import Message, Text
-from kinegrade.tables import Complaint
 
 _SHOWN = 10  # of a kind
 _PARTICULARS = re.compile(r'"[^"]*"|[-+0-9.,/^*√π()]*[0-9][-+0-9.,/^*√π()]*')

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from kinegrade.language.catalogue import Catalogue
     from kinegrade.problem.quantity import Quantity
     from kinegrade.problem.solving import Solution
-    from kinegrade.problem.template import About, Method
+    from kinegrade.problem.template.template import About, Method
 
 
 @command("list")
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 @refusing
 def list_templates(language: Language) -> None:
     """List the problem templates."""
-    from kinegrade.problem.library import find_template_names, load_template
+    from kinegrade.problem.template.library.library import find_template_names, load_template
 
     for name in find_template_names():
         about = load_template(name).about
@@ -72,15 +72,15 @@ def show(
 ) -> None:
     """Show a template: statement, parameters, what can be asked, how many instances."""
     from kinegrade.problem.describing import describe_template
-    from kinegrade.problem.library import load_template
-    from kinegrade.problem.template_texts import require_language
+    from kinegrade.problem.template.library.library import load_template
+    from kinegrade.problem.template.texts import require_language
 
     template = load_template(template_name)
     require_language([template], language)
     click.echo(describe_template(template, language))
     if output is not None:
-        from kinegrade.exam.sample import print_sample
-        from kinegrade.files import write_file
+        from kinegrade.exam.printing.sample import print_sample
+        from kinegrade.files.output import write_file
 
         write_file(output, print_sample(template, seed, language), force=force)
 
@@ -121,14 +121,14 @@ def solve(
     """Solve a template exactly at given values; the rest take their published value, or the first
     drawable one.
     """
-    from kinegrade.problem.library import load_template
     from kinegrade.problem.solving import solve_template
+    from kinegrade.problem.template.library.library import load_template
 
     solution = solve_template(load_template(template_name), _read_settings(settings))
     click.echo(_write_json(solution) if as_json else _write_table(solution))
     if output is not None:
-        from kinegrade.exam.sample import print_worked_solution
-        from kinegrade.files import write_file
+        from kinegrade.exam.printing.sample import print_worked_solution
+        from kinegrade.files.output import write_file
 
         write_file(output, print_worked_solution(solution, language, method), force=force)
 
@@ -196,9 +196,9 @@ def check(template_names: tuple[str, ...], sample: int, jobs: int) -> None:
     """Prove templates: published results exactly, drawn instances solvable and sensible (default:
     all shipped).
     """
-    from kinegrade.exam.template_proof import prove_templates
-    from kinegrade.problem.library import find_template_names as shipped_names
-    from kinegrade.processes import open_executor
+    from kinegrade.exam.printing.template_proof import prove_templates
+    from kinegrade.problem.template.library.library import find_template_names as shipped_names
+    from kinegrade.processes.executor import open_executor
 
     sound, words = True, terminal_words()
     with open_executor(jobs, "check") as workers:
@@ -223,7 +223,7 @@ def check(template_names: tuple[str, ...], sample: int, jobs: int) -> None:
 @refusing
 def new(name: str, output: Path | None, force: bool) -> None:
     """Write a starter template, complete and sound, to put another mechanism into."""
-    from kinegrade.problem.starter import write_starter
+    from kinegrade.problem.template.library.starter import write_starter
 
     path = write_starter(name, output, force=force)
     say(Message("terminal.starter", path=str(path)))
@@ -253,9 +253,9 @@ def gallery(
     """Typeset a contact sheet to choose templates from: what each asks, and its figure (default:
     all shipped).
     """
-    from kinegrade.exam.gallery import make_contact_sheet
-    from kinegrade.files import write_file
-    from kinegrade.problem.library import find_template_names as shipped_names
+    from kinegrade.exam.printing.gallery import make_contact_sheet
+    from kinegrade.files.output import write_file
+    from kinegrade.problem.template.library.library import find_template_names as shipped_names
 
     sheet = make_contact_sheet(template_names or shipped_names(), language, draws)
     write_file(output, sheet.pdf, force=force)

@@ -1,9 +1,10 @@
 """What follows from students' answers, worked out from an exam folder: its templates and the
 numbers drawn.
 
-`FollowThrough` is what `kinegrade.grading.follow` asks for. Only the key lines of the papers asked
-about are read. Nothing follows from a template that this version can no longer read, or from a key
-without the numbers drawn; if template and key contradict each other, nothing is marked.
+`FollowThrough` is what `kinegrade.grading.judging.follow` asks for. Only the key lines of the
+papers asked about are read. Nothing follows from a template that this version can no longer read,
+or from a key without the numbers drawn; if template and key contradict each other, nothing is
+marked.
 """
 
 from __future__ import annotations
@@ -23,14 +24,14 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
-from kinegrade.problem.follow_through import (
+from kinegrade.problem.template.template import Template
+from kinegrade.students.follow_through import (
     Follower,
     find_connections,
     find_generic_plan,
     order_by_plan,
 )
-from kinegrade.problem.mistakes import convert_parameter
-from kinegrade.problem.template import Template
+from kinegrade.students.mistakes import convert_parameter
 
 KEPT = 256  # instances kept in memory, so that the student's next answers find theirs
 _AGREEMENT = (

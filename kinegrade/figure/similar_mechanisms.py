@@ -11,14 +11,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field, is_dataclass, replace
 from typing import Any, assert_never
 
-from kinegrade.figure.paper import scale_to_paper
+from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.plane import unit
 from kinegrade.mechanics.configuration import list_circles
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import FigureHints, Moving, Turning
+from kinegrade.problem.template.hints import FigureHints, Moving, Turning
 
 _DECIMALS = (
     10  # of a mechanism of unit size: far above rounding of floats, far below what a printer shows

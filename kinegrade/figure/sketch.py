@@ -8,24 +8,24 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 
-from kinegrade.figure.angles import draw_least_legs, mark_angles
-from kinegrade.figure.dimensions import mark_lengths
-from kinegrade.figure.fitting import HEIGHT, WIDTH, fit_scene, measure_span
-from kinegrade.figure.layers import Drawing, draw
-from kinegrade.figure.layout import Layout
-from kinegrade.figure.motions import find_pivot, mark_motions, mark_rotations
-from kinegrade.figure.names import label_bodies, label_points
-from kinegrade.figure.paper import scale_to_paper
-from kinegrade.figure.place import Wish, list_spots_around
+from kinegrade.figure.marks.angles import draw_least_legs, mark_angles
+from kinegrade.figure.marks.dimensions import mark_lengths
+from kinegrade.figure.marks.motions import find_pivot, mark_motions, mark_rotations
+from kinegrade.figure.marks.names import label_bodies, label_points
+from kinegrade.figure.marks.radii import mark_radii
+from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, fit_scene, measure_span
+from kinegrade.figure.mechanism.layers import Drawing, draw
+from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.mechanism.view import crop_to_view
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.plane import length
-from kinegrade.figure.radii import mark_radii
 from kinegrade.figure.scene import THIN, Primitive, Scene, Strokes, find_common_box
 from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
 from kinegrade.figure.symbols import draw_arrowhead
-from kinegrade.figure.view import crop_to_view
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import FigureHints, Moving, Turning
+from kinegrade.problem.template.hints import FigureHints, Moving, Turning
 
 _SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a first estimate
 _WRITING = (

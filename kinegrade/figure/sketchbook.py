@@ -17,7 +17,7 @@ from kinegrade.figure.similar_mechanisms import Subject
 from kinegrade.figure.sketch import PLAIN, draw_unit_figure, size_figure
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import FigureHints
+from kinegrade.problem.template.hints import FigureHints
 
 _KINDS = {kind.__name__: kind for kind in (Bow, Disc, Label, Outline, Pen, Scene, Strokes, Vector)}
 

@@ -8,18 +8,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain
 
-from kinegrade.amounts import write_amount
-from kinegrade.csv_writing import neutralise, write_csv_cell
-from kinegrade.grading.answers import Reading
-from kinegrade.grading.judged_block import JudgedBlock
+from kinegrade.files.csv_writing import neutralise, write_csv_cell
+from kinegrade.files.tables import shorten
+from kinegrade.grading.fast.judged_block import JudgedBlock
+from kinegrade.grading.fast.typed_cells import TypedCells
 from kinegrade.grading.marks import MarkedBlock
-from kinegrade.grading.pool import list_put_rows
-from kinegrade.grading.typed_cells import TypedCells
+from kinegrade.grading.sheets.pool import list_put_rows
+from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.message import Text
 from kinegrade.marks_folder.layout import BY_POLICY, NAMES_BETWEEN, AnswerCells
 from kinegrade.marks_folder.writing import MarksWriter
-from kinegrade.tables import shorten
+from kinegrade.numbers.amounts import write_amount
 
 
 def write_marks(folder: MarksWriter, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:

@@ -9,25 +9,25 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import assert_never
 
-from kinegrade.answer_file import AnswerFile
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.files import output_folder
-from kinegrade.garbage_collection import bulk_work
-from kinegrade.grading.accepted import alternatives
+from kinegrade.files.answer_file import AnswerFile
+from kinegrade.files.output import output_folder
+from kinegrade.files.tables import Table, read_table
 from kinegrade.grading.answer_lines import write_marks
-from kinegrade.grading.class_sheet import class_sheet
-from kinegrade.grading.decimal_style import Mark as DecimalMark
-from kinegrade.grading.follow import Follows
+from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.kept_totals import never_lower as with_kept_totals
 from kinegrade.grading.marks import ClassGrades, collect_grades, mark_blocks
 from kinegrade.grading.other_papers import OtherPapers
-from kinegrade.grading.policy import Policy
-from kinegrade.grading.policy_reading import read_policy, stated_policy
-from kinegrade.grading.pool import read_pool
+from kinegrade.grading.policy.accepted import alternatives
+from kinegrade.grading.policy.policy import Policy
+from kinegrade.grading.policy.reading import read_policy, stated_policy
+from kinegrade.grading.sheets.class_sheet import class_sheet
+from kinegrade.grading.sheets.pool import read_pool
+from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import FILES, MARKER
 from kinegrade.marks_folder.writing import MarksWriter
-from kinegrade.tables import Table, read_table
+from kinegrade.processes.garbage_collection import bulk_work
 
 Export = Callable[[MarksFolder], str]  # a marks folder -> the text of another file in it
 _NO_EXPORTS: Mapping[str, Export] = MappingProxyType({})
@@ -50,12 +50,12 @@ def grade(
 
     `answers` is an answer sheet, as a file or a table, or the files of one class as
     `kinegrade.lms.responses` reads them. `exports` names the files for other systems that also go
-    into the folder, such as `{"moodle.csv": kinegrade.lms.moodle.export}`. `decimal` declares the
-    decimal mark of the sheet. `policy` is a file, copied into the folder; `never_lower` is an
-    earlier marking whose totals are kept where they are higher; `follows` works out what follows
-    from wrong answers. A marking in which most answers fit other papers is refused, unless
-    `own_papers` confirms that they belong to the students' own. Raises ExamError, PolicyError,
-    TableError, OutputError.
+    into the folder, such as `{"moodle.csv": kinegrade.lms.grades.moodle.export}`. `decimal`
+    declares the decimal mark of the sheet. `policy` is a file, copied into the folder;
+    `never_lower` is an earlier marking whose totals are kept where they are higher; `follows` works
+    out what follows from wrong answers. A marking in which most answers fit other papers is
+    refused, unless `own_papers` confirms that they belong to the students' own. Raises ExamError,
+    PolicyError, TableError, OutputError.
     """
     written = output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force)
     with bulk_work(), written as path:

@@ -13,12 +13,12 @@ from fractions import Fraction
 from math import ceil
 from typing import TypeVar
 
-from kinegrade.amounts import PLACES, write_amount
+from kinegrade.files.tables import Complaint
 from kinegrade.grading.marks import ClassGrades
 from kinegrade.language.message import Message, Quoted
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import Grade, KeptTotal, StudentTotal
-from kinegrade.tables import Complaint
+from kinegrade.numbers.amounts import PLACES, write_amount
 
 _Grades = TypeVar("_Grades", bound=ClassGrades)
 

@@ -14,23 +14,23 @@ from itertools import chain, islice
 from types import MappingProxyType
 from typing import assert_never
 
-from kinegrade.amounts import add_amounts
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting, list_questions
-from kinegrade.grading.accepted import Alternatives
-from kinegrade.grading.answers import Reading
-from kinegrade.grading.block_judge import BlockJudge
-from kinegrade.grading.class_sheet import is_answered
-from kinegrade.grading.decimal_style import Mark as DecimalMark
-from kinegrade.grading.decimal_style import find_file_style
-from kinegrade.grading.follow import Follows
-from kinegrade.grading.judge import Verdict
-from kinegrade.grading.judged_block import USUAL_CREDITS, JudgedBlock, Row
-from kinegrade.grading.policy import AS_PRINTED, Policy
-from kinegrade.grading.pool import Pool
-from kinegrade.grading.sheet import Entry, Sheet, find_repeated
+from kinegrade.files.tables import Complaint, shorten, trim
+from kinegrade.grading.fast.block_judge import BlockJudge
+from kinegrade.grading.fast.judged_block import USUAL_CREDITS, JudgedBlock, Row
+from kinegrade.grading.judging.follow import Follows
+from kinegrade.grading.judging.judge import Verdict
+from kinegrade.grading.policy.accepted import Alternatives
+from kinegrade.grading.policy.policy import AS_PRINTED, Policy
+from kinegrade.grading.sheets.class_sheet import is_answered
+from kinegrade.grading.sheets.pool import Pool
+from kinegrade.grading.sheets.sheet import Entry, Sheet, find_repeated
+from kinegrade.grading.typed.answers import Reading
+from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
+from kinegrade.grading.typed.decimal_style import find_file_style
 from kinegrade.language.message import Message, Text
 from kinegrade.marks_folder.rows import Grade
-from kinegrade.tables import Complaint, shorten, trim
+from kinegrade.numbers.amounts import add_amounts
 
 _BLOCK = 250  # papers marked together
 _NO_ALTERNATIVES: Alternatives = MappingProxyType({})

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask, Paper
-from kinegrade.grading.judge import Kind
+from kinegrade.grading.judging.judge import Kind
 from kinegrade.grading.marks import MarkedBlock
 from kinegrade.language.message import Fault, Message
 

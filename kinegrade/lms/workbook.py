@@ -17,10 +17,10 @@ from openpyxl.utils import get_column_letter
 from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 
-from kinegrade.csv_writing import restore
+from kinegrade.files.csv_writing import restore
+from kinegrade.files.tables import Row, Table
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import TEXT_COLUMNS, Status
-from kinegrade.tables import Row, Table
 
 _NUMBER = re.compile(r"[0-9]{1,15}(?:\.[0-9]{1,15})?")
 _UNPRINTABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")

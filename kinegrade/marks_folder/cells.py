@@ -14,9 +14,9 @@ from operator import itemgetter
 from pathlib import Path
 
 from kinegrade.errors import TableError
+from kinegrade.files.tables import Table, parse_table
 from kinegrade.language.message import Fault, Message, Quoted, Text, list_plainly
 from kinegrade.marks_folder.layout import TableFile
-from kinegrade.tables import Table, parse_table
 
 AS_WRITTEN = Message("marks.as-written")
 _GRADE_AGAIN = Message("marks.grade-again")

@@ -11,12 +11,12 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from pathlib import Path
 
-from kinegrade.amounts import PLACES, write_amount
 from kinegrade.errors import TableError
 from kinegrade.language.message import Fault, Message, Part, Quoted, list_statements
 from kinegrade.marks_folder.cells import AS_WRITTEN
 from kinegrade.marks_folder.layout import ANSWERS, GRADES, KEPT, STATUSES
 from kinegrade.marks_folder.rows import ClassTotals, StudentSums, StudentTotal
+from kinegrade.numbers.amounts import PLACES, write_amount
 
 _HALF_A_PLACE = Fraction(1, 2 * 10**PLACES)
 _MOST_NAMED = 20

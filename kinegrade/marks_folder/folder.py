@@ -14,9 +14,9 @@ from itertools import groupby
 from operator import attrgetter
 from pathlib import Path
 
-from kinegrade.csv_writing import restore
 from kinegrade.errors import TableError
-from kinegrade.exact.written import NumberError, read_number
+from kinegrade.files.csv_writing import restore
+from kinegrade.files.tables import Complaint, Table
 from kinegrade.language.message import Message
 from kinegrade.marks_folder.cells import (
     Record,
@@ -51,7 +51,7 @@ from kinegrade.marks_folder.rows import (
 )
 from kinegrade.marks_folder.sums import read_sums
 from kinegrade.marks_folder.totals import read_totals
-from kinegrade.tables import Complaint, Table
+from kinegrade.numbers.written import NumberError, read_number
 
 _PLAIN = re.compile(r"-?[0-9]{1,40}(?:\.[0-9]{1,40})?")
 

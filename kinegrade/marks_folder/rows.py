@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from kinegrade.amounts import add_amounts
 from kinegrade.language.message import Text
+from kinegrade.numbers.amounts import add_amounts
 
 Put = Mapping[str, Mapping[str, str]]  # whose line of the key, by student and answer column
 Orders = Mapping[str, tuple[str, ...]]  # the questions as printed, by student

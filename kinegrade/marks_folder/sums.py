@@ -8,14 +8,14 @@ from fractions import Fraction
 from itertools import groupby
 from pathlib import Path
 
-from kinegrade.amounts import add_amounts
-from kinegrade.csv_writing import restore
 from kinegrade.errors import TableError
+from kinegrade.files.csv_writing import restore
+from kinegrade.files.tables import trim
 from kinegrade.language.message import Message, Quoted
 from kinegrade.marks_folder.cells import Record, explain_edited, read_amount, read_records
 from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import StudentSums
-from kinegrade.tables import trim
+from kinegrade.numbers.amounts import add_amounts
 
 _DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d"
 _Line = tuple[int, Record]

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
 
-from kinegrade.csv_writing import restore
 from kinegrade.errors import TableError
+from kinegrade.files.csv_writing import restore
+from kinegrade.files.tables import Row, Table
 from kinegrade.language.message import Fault
 from kinegrade.marks_folder.cells import explain_amount, find_amount, read_whole
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import ClassTotals, KeptTotal, StudentTotal
-from kinegrade.tables import Row, Table
 
 
 def read_totals(folder: Path, kept: Mapping[str, KeptTotal]) -> ClassTotals:

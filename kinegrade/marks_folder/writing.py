@@ -13,8 +13,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
-from kinegrade.amounts import write_amount
-from kinegrade.csv_writing import encode, neutralise, write_csv, write_csv_text, write_for_people
+from kinegrade.files.csv_writing import (
+    encode,
+    neutralise,
+    write_csv,
+    write_csv_text,
+    write_for_people,
+)
+from kinegrade.files.tables import Complaint
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.marks_folder.layout import (
@@ -31,7 +37,7 @@ from kinegrade.marks_folder.layout import (
     make_grades_header,
 )
 from kinegrade.marks_folder.rows import Grade, KeptTotal, Orders
-from kinegrade.tables import Complaint
+from kinegrade.numbers.amounts import write_amount
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,12 +12,12 @@ from dataclasses import replace
 from itertools import combinations
 from typing import Any
 
-from kinegrade.exact.elimination import find_null_vectors
 from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.frames import Frames, build_frames
 from kinegrade.mechanics.joints import Pin, Slide
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.elimination import find_null_vectors
 
 _PARTS = 9973  # points are moved by whole multiples of 1/PARTS metre, each by different ones
 

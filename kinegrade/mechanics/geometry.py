@@ -14,10 +14,10 @@ from decimal import Decimal
 from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError, MechanismError
-from kinegrade.exact.text import write_decimal
 from kinegrade.language.message import Fault, Message, Text, list_plainly
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.text import write_decimal
 
 Branch = str
 _SIDES: Mapping[Branch, Callable[[Vector], Any]] = {

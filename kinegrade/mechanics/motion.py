@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from kinegrade.errors import AtInfinity, MechanismError
-from kinegrade.exact.elimination import Contradiction, Singular
 from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.configuration import require_assembled
@@ -23,6 +22,7 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.refusal import describe_looseness, explain_refusal, find_unrelated
 from kinegrade.mechanics.relations import add_vectors, name_omega
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.elimination import Contradiction, Singular
 
 
 @dataclass(frozen=True)

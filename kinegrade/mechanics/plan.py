@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
-from kinegrade.exact.elimination import Singular
 from kinegrade.mechanics.relations import Relation
+from kinegrade.numbers.elimination import Singular
 
 Row = Mapping[str, Any]
 Equations = Sequence[Sequence[Row]]

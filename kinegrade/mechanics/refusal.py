@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from kinegrade.errors import MechanismError
-from kinegrade.exact.elimination import find_null_vectors, is_consistent
 from kinegrade.language.message import Message, list_all, list_plainly
 from kinegrade.mechanics.dead_point import describe_dead_point, make_numeral
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.plan import Equations
 from kinegrade.mechanics.relations import name_omega
+from kinegrade.numbers.elimination import find_null_vectors, is_consistent
 
 
 def explain_refusal(

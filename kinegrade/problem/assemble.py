@@ -12,11 +12,15 @@ from typing import Any, assert_never
 
 from flint import fmpq
 
-from kinegrade.angular import is_angle
 from kinegrade.errors import ExpressionError, KinegradeError, MechanismError
-from kinegrade.exact.angle import Angle, Inexact
-from kinegrade.exact.surd import MAX_HEIGHT, Surd, height
-from kinegrade.expression import Call, Expression, Name, evaluate, make_elementary_functions
+from kinegrade.expressions.angular import is_angle
+from kinegrade.expressions.expression import (
+    Call,
+    Expression,
+    Name,
+    evaluate,
+    make_elementary_functions,
+)
 from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.geometry import BRANCHES, Constructions, Round, make_constructions
@@ -35,8 +39,10 @@ from kinegrade.mechanics.joints import (
 )
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.sentences import DriverSentence, JointSentence
-from kinegrade.problem.template import Parameter, Template
+from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.surd import MAX_HEIGHT, Surd, height
+from kinegrade.problem.template.sentences import DriverSentence, JointSentence
+from kinegrade.problem.template.template import Parameter, Template
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.assemble import assemble
 from kinegrade.problem.quantities import BodyName
-from kinegrade.problem.template import Template
+from kinegrade.problem.template.template import Template
 
 _STEPS = (
     0,

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
-from kinegrade.problem.signs import write_sign
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import check_statements, write_statement
-from kinegrade.problem.template import Ask, Parameter, Template
+from kinegrade.problem.template.signs import write_sign
+from kinegrade.problem.template.template import Ask, Parameter, Template
 
 
 def describe_template(template: Template, language: Language) -> str:

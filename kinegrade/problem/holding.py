@@ -8,10 +8,10 @@ from collections.abc import Mapping
 from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError
-from kinegrade.exact.angle import Angle, Inexact
-from kinegrade.expression import Operation, evaluate, make_elementary_functions
+from kinegrade.expressions.expression import Operation, evaluate, make_elementary_functions
+from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.problem.solving import find_parameter_values, read_values, solve_certified
-from kinegrade.problem.template import Condition, Relation, Template, Wording
+from kinegrade.problem.template.template import Condition, Relation, Template, Wording
 
 
 def choose_wording(template: Template, name: str, given: Mapping[str, str]) -> Wording | None:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import Solution, solve_template
-from kinegrade.problem.template import Template
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.template import Template
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from kinegrade.exact.angle import Angle
-from kinegrade.exact.text import LATEX, write_angle, write_decimal, write_exact
-from kinegrade.units import Unit
+from kinegrade.numbers.angle import Angle
+from kinegrade.numbers.text import LATEX, write_angle, write_decimal, write_exact
+from kinegrade.numbers.units import Unit
 
 CERTIFIED_DIGITS = 40
 LONGEST_CLOSED_FORM = (

@@ -12,7 +12,7 @@ from typing import Any
 
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.vector import Vector
-from kinegrade.units import Unit
+from kinegrade.numbers.units import Unit
 
 
 def find_scale(motion: Motion, unit: Unit) -> float:

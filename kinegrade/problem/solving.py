@@ -21,24 +21,24 @@ from kinegrade.errors import (
     TemplateError,
     suggest,
 )
-from kinegrade.exact.angle import Angle, Inexact
-from kinegrade.exact.balls import PRECISIONS, Balls, Undecided
-from kinegrade.exact.field import Field
-from kinegrade.exact.surd import Surd
-from kinegrade.expression import Expression, evaluate, read_expression
+from kinegrade.expressions.expression import Expression, evaluate, read_expression
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.doubles import MotionInDoubles, convert_to_doubles
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.plan import Plan
+from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.balls import PRECISIONS, Balls, Undecided
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.surd import Surd
 from kinegrade.problem.assemble import Assembly, assemble, read_parameter
 from kinegrade.problem.centrode import Centrodes
 from kinegrade.problem.quantities import find_body_names, make_quantities
 from kinegrade.problem.quantity import Quantity, express_in_unit
-from kinegrade.problem.template import Ask, Template
+from kinegrade.problem.template.template import Ask, Template
 
 if TYPE_CHECKING:
-    from kinegrade.problem.mistakes import Mistakes
+    from kinegrade.students.mistakes import Mistakes
 
 _Result = TypeVar("_Result")
 _CERTIFIED = (
@@ -83,7 +83,7 @@ class _Consequences:
     @cached_property
     def mistakes(self) -> Mistakes:
         """The mistakes of this instance."""
-        from kinegrade.problem.mistakes import Mistakes  # noqa: PLC0415  # arrays take long to load
+        from kinegrade.students.mistakes import Mistakes  # noqa: PLC0415  # arrays take long to load
 
         return Mistakes(self.template, self.asks, self.values, self.plan)
 

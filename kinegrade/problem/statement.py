@@ -12,18 +12,18 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from kinegrade.errors import TemplateError
-from kinegrade.exact.angle import Angle
-from kinegrade.exact.text import LATEX, write_angle
-from kinegrade.fields.place import Place, key_path
+from kinegrade.files.fields.place import Place, key_path
 from kinegrade.language import Language
 from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.language.message import Fault, Message
+from kinegrade.numbers.angle import Angle
+from kinegrade.numbers.text import LATEX, write_angle
 from kinegrade.problem.holding import choose_wording
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.slots import Slot, find_slots_in_formulas, split_slots
-from kinegrade.problem.template import Template
-from kinegrade.problem.template_texts import list_prose
-from kinegrade.problem.translated import Translated, find_common_languages
+from kinegrade.problem.template.slots import Slot, find_slots_in_formulas, split_slots
+from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.texts import list_prose
+from kinegrade.problem.template.translated import Translated, find_common_languages
 
 _LONGEST = 20_000  # characters of a statement as it is printed: a page has 3,000
 

@@ -9,10 +9,10 @@ from fractions import Fraction
 from functools import lru_cache
 from math import floor, log10
 
-from kinegrade.exact.figures import figures_interval
 from kinegrade.mechanics.doubles import MotionInDoubles
+from kinegrade.numbers.figures import figures_interval
+from kinegrade.numbers.units import Unit
 from kinegrade.problem.scale import find_scale
-from kinegrade.units import Unit
 
 _CARRIED = 3  # significant figures that every student carries through a calculation
 

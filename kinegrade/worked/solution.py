@@ -18,27 +18,22 @@ from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities import Quantities
 from kinegrade.problem.solving import Solution
-from kinegrade.problem.template import Ask, Method
-from kinegrade.worked.answers import explain_answer, state_result
+from kinegrade.problem.template.template import Ask, Method
+from kinegrade.worked.answers.answers import explain_answer, state_result
+from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.decimal_marks import mark_decimals
-from kinegrade.worked.deductions import Stage
 from kinegrade.worked.document import Block, Heading, Pictures, Results, WorkedSolution
-from kinegrade.worked.findings import Findings
-from kinegrade.worked.kinds import describe_motions
-from kinegrade.worked.methods import explain_by_method, name_method
-from kinegrade.worked.needed_rates import NOTHING, Needs, find_needs, select_steps
-from kinegrade.worked.pictures import (
-    draw_answer,
-    draw_given,
-    draw_mechanism,
-    draw_stage,
-)
-from kinegrade.worked.pose_answers import explain_pose_answers, is_positional
-from kinegrade.worked.positions import explain_positions
-from kinegrade.worked.scalars import imposes_single_rate
-from kinegrade.worked.solution_case import Case
-from kinegrade.worked.steps import explain_step, find_stage
-from kinegrade.worked.wording import name_step
+from kinegrade.worked.positions.positions import explain_positions
+from kinegrade.worked.steps.deductions import Stage
+from kinegrade.worked.steps.findings import Findings
+from kinegrade.worked.steps.kinds import describe_motions
+from kinegrade.worked.steps.methods import explain_by_method, name_method
+from kinegrade.worked.steps.needed_rates import NOTHING, Needs, find_needs, select_steps
+from kinegrade.worked.steps.pictures import draw_answer, draw_given, draw_mechanism, draw_stage
+from kinegrade.worked.steps.scalars import imposes_single_rate
+from kinegrade.worked.steps.steps import explain_step, find_stage
+from kinegrade.worked.steps.titles import name_step
+from kinegrade.worked.words.solution_case import Case
 
 
 def write_worked_solution(

@@ -8,7 +8,7 @@ from flint import arb, fmpq
 from hypothesis import strategies as st
 from mpmath import mp, mpf, sqrt
 
-from kinegrade.exact.surd import Surd, enclose
+from kinegrade.numbers.surd import Surd, enclose
 
 rationals = st.builds(fmpq, st.integers(-20, 20), st.integers(1, 9))
 Recipe = Any

@@ -10,12 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import atan2, cos, mp, mpf, pi, sin
 
-from kinegrade.exact.angle import Angle, Inexact
-from kinegrade.exact.balls import Balls
-from kinegrade.exact.field import Field
-from kinegrade.exact.refusals import NoDirection
-from kinegrade.exact.text import LATEX, write_angle
-from kinegrade.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.balls import Balls
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.refusals import NoDirection
+from kinegrade.numbers.text import LATEX, write_angle
 from tests.exact.numbers import digits
 
 Q = fmpq

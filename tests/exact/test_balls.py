@@ -10,12 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import atan2, cos, mp, mpf, pi, sin, sqrt
 
-from kinegrade.exact.balls import Balls, Undecided
-from kinegrade.exact.elimination import Contradiction, Singular
-from kinegrade.exact.field import Field
-from kinegrade.exact.refusals import NegativeRoot, NoDirection
-from kinegrade.problem.library import find_template_names
+from kinegrade.numbers.balls import Balls, Undecided
+from kinegrade.numbers.elimination import Contradiction, Singular
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.refusals import NegativeRoot, NoDirection
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_template_names
 from tests.exact.numbers import build, digits, rationals, towers
 from tests.laws.cases import arbitrary_values, drawn_values, shipped
 

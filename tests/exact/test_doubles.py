@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from kinegrade.exact.doubles import Doubles
-from kinegrade.exact.elimination import Singular
-from kinegrade.exact.floats import Floats
+from kinegrade.numbers.doubles import Doubles
+from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.floats import Floats
 
 NUMBERS = (-2.5, -1e-13, 0.0, 1e-13, 0.3, 4.0)
 

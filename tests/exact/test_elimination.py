@@ -9,15 +9,15 @@ from flint import fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exact.elimination import (
+from kinegrade.numbers.elimination import (
     Contradiction,
     Singular,
     eliminate,
     find_null_vectors,
     is_consistent,
 )
-from kinegrade.exact.field import Field
-from kinegrade.exact.floats import Floats
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.floats import Floats
 from tests.exact.numbers import rationals
 
 Q = fmpq

@@ -13,13 +13,13 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from mpmath import mp, mpf
 
-from kinegrade.exact.angle import Inexact
-from kinegrade.exact.elimination import Contradiction
-from kinegrade.exact.field import MAX_LEVEL, Field, split_radicand, split_square
-from kinegrade.exact.refusals import NegativeRoot
-from kinegrade.exact.surd import Surd, height
-from kinegrade.exact.surd import sign as surd_sign
-from kinegrade.exact.text import write_exact
+from kinegrade.numbers.angle import Inexact
+from kinegrade.numbers.elimination import Contradiction
+from kinegrade.numbers.field import MAX_LEVEL, Field, split_radicand, split_square
+from kinegrade.numbers.refusals import NegativeRoot
+from kinegrade.numbers.surd import Surd, height
+from kinegrade.numbers.surd import sign as surd_sign
+from kinegrade.numbers.text import write_exact
 from tests.exact.numbers import build, digits, rationals, towers
 
 Q = fmpq

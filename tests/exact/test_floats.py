@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from flint import fmpq
 
-from kinegrade.exact.elimination import Singular
-from kinegrade.exact.field import Field
-from kinegrade.exact.floats import Floats
+from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.floats import Floats
 
 FLOATS = Floats()
 

@@ -13,9 +13,9 @@ from flint import fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exact.elimination import Singular
-from kinegrade.exact.rounded_arrays import RoundedArrays
-from kinegrade.exact.rounding import Rounded, Sparing
+from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.rounded_arrays import RoundedArrays
+from kinegrade.numbers.rounding import Rounded, Sparing
 
 NUMBERS = st.lists(st.floats(-1e25, 1e25), min_size=1, max_size=30)
 FIGURES = st.integers(1, 10)

@@ -11,9 +11,9 @@ from flint import fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exact.elimination import Singular
-from kinegrade.exact.field import Field
-from kinegrade.exact.rounding import Rounded, Sparing
+from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.rounding import Rounded, Sparing
 
 THREE = Rounded(3)
 NUMBERS = st.floats(1e-6, 1e6) | st.floats(-1e6, -1e-6)

@@ -14,10 +14,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from mpmath import mp, mpf, nstr
 
-from kinegrade.exact.angle import Angle
-from kinegrade.exact.field import Field
-from kinegrade.exact.text import LATEX, write_decimal, write_exact, write_multiple_of_pi
-from kinegrade.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.numbers.angle import Angle
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.text import LATEX, write_decimal, write_exact, write_multiple_of_pi
 from tests.exact.numbers import build, digits, rationals, towers
 
 Q = fmpq

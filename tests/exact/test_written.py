@@ -8,9 +8,9 @@ from time import perf_counter
 
 import pytest
 
-from kinegrade.exact.written import NumberError, read_number
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.numbers.written import NumberError, read_number
 
 
 @pytest.mark.parametrize(

@@ -11,12 +11,12 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import BankError, ExamError
-from kinegrade.exam.bank import MAX_BYTES, find_bank, read_bank, read_blueprint
-from kinegrade.exam.blueprint import Bank
-from kinegrade.fields.document import FileKind, parsed_table
-from kinegrade.problem.library import find_shipped, list_names
+from kinegrade.exam.bank.bank import MAX_BYTES, find_bank, read_bank, read_blueprint
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.files.fields.document import FileKind, parsed_table
+from kinegrade.problem.template.library.library import find_shipped, list_names
+from kinegrade.problem.template.translated import Translated
 from kinegrade.problem.tolerance import Tolerance
-from kinegrade.problem.translated import Translated
 from kinegrade.stated_marking import read_credit
 from tests.problem.crank import crank_text
 

@@ -13,8 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import BankError
-from kinegrade.exam.bank import read_blueprint
-from kinegrade.exam.blueprint import Bank, Blueprint, match_slots
+from kinegrade.exam.bank.bank import read_blueprint
+from kinegrade.exam.bank.blueprint import Bank, Blueprint, match_slots
 from tests.exam.folder_of_cranks import write_shelf
 from tests.problem.crank import crank_text
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.exam.class_printing import CHUNK, MOST, split_class
+from kinegrade.exam.printing.class_printing import CHUNK, MOST, split_class
 from tests.problem.crank import crank_text
 from tests.small_class import contents, generate, key_lines
 

@@ -14,7 +14,7 @@ import pytest
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.exam.kept_exam import KeptExam
+from kinegrade.exam.setting.kept_exam import KeptExam
 from tests.small_class import asks_of, key_lines, kinegrade
 
 EARLIER = Path(__file__).parent.parent / "data" / "exam-of-0.1"

@@ -11,16 +11,16 @@ from pathlib import Path
 import pytest
 from click.testing import Result
 
-from kinegrade.exam.bank import read_bank
-from kinegrade.exam.blueprint import Bank
-from kinegrade.exam.dealing import deal_exam
-from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.key_record import make_key_line
-from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.setting import set_paper
-from kinegrade.problem.library import load_template
+from kinegrade.exam.bank.bank import read_bank
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.folder.exam_secret import FromWords
+from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.setting.dealing import deal_exam
+from kinegrade.exam.setting.key_record import make_key_line
+from kinegrade.exam.setting.setting import set_paper
 from kinegrade.problem.solving import solve_template
-from kinegrade.processes import Start, open_executor
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.processes.executor import Start, open_executor
 from tests.problem.crank import crank_text
 from tests.small_class import contents, key_lines, kinegrade, write_class
 

@@ -13,15 +13,15 @@ import msgspec
 import pytest
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.bank import read_bank
-from kinegrade.exam.blueprint import Bank
-from kinegrade.exam.dealing import deal_exam
-from kinegrade.exam.derivation import derive_question
-from kinegrade.exam.exam_secret import FromWords
+from kinegrade.exam.bank.bank import read_bank
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.folder.records import KeyQuestion, StatedTolerance
-from kinegrade.exam.key_record import make_key_question
-from kinegrade.exam.roster import read_roster
-from kinegrade.expression import read_expression
+from kinegrade.exam.roster.roster import read_roster
+from kinegrade.exam.setting.dealing import deal_exam
+from kinegrade.exam.setting.derivation import derive_question
+from kinegrade.exam.setting.key_record import make_key_question
+from kinegrade.expressions.expression import read_expression
 from tests.small_class import write_class
 
 REMEDY = (

@@ -16,9 +16,9 @@ from typing import Any
 
 import pytest
 
-from kinegrade.exam.exam_secret import ExamSecret, FromWords, RandomSecret, draw_secret
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.exam.paper_codes import make_paper_code, make_paper_codes
+from kinegrade.exam.folder.exam_secret import ExamSecret, FromWords, RandomSecret, draw_secret
+from kinegrade.exam.setting.paper_codes import make_paper_code, make_paper_codes
 from tests.small_class import contents, generate, key_lines, kinegrade, table, write_class
 
 EARLIER = Path(__file__).parent.parent / "data" / "exam-of-0.1"
@@ -119,7 +119,7 @@ def test_another_label_gives_other_numbers_under_the_same_secret() -> None:
 
 def test_no_two_papers_of_a_class_have_one_code(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
-        "kinegrade.exam.paper_codes.LETTERS", "AB" * 16
+        "kinegrade.exam.setting.paper_codes.LETTERS", "AB" * 16
     )  # 256 codes instead of 2^40
     students = [str(number) for number in range(200)]
     dealt = make_paper_codes("secret", students)
@@ -192,7 +192,7 @@ def test_an_exam_that_all_could_read_is_closed_when_it_is_replaced(folder: Path)
 def test_what_is_being_written_is_closed_to_others_already(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from kinegrade.exam import generate as module
+    from kinegrade.exam.generating import generate as module
 
     seen: list[int] = []
     write_head = module.write_head

@@ -13,7 +13,7 @@ import pytest
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.follow_through import KEPT, FollowThrough
-from kinegrade.problem.library import find_shipped
+from kinegrade.problem.template.library.library import find_shipped
 from tests.small_class import STUDENTS, key_lines
 
 REMEDY = (

@@ -12,8 +12,8 @@ import pytest
 from pypdf import PdfReader
 
 from kinegrade.language import Language
-from kinegrade.problem.library import load_template
-from kinegrade.problem.starter import write_starter_text
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.library.starter import write_starter_text
 from tests.small_class import kinegrade
 
 NAMES = ("slider-crank", "bar-through-swivelling-sleeve")

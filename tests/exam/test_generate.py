@@ -17,11 +17,11 @@ import pytest
 from openpyxl import load_workbook
 from pypdf import PdfReader
 
-from kinegrade.exact.balls import Balls
-from kinegrade.exact.text import write_decimal
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.expression import evaluate, make_elementary_functions, read_expression
-from kinegrade.problem.library import find_shipped, load_template
+from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.numbers.balls import Balls
+from kinegrade.numbers.text import write_decimal
+from kinegrade.problem.template.library.library import find_shipped, load_template
 from tests.problem.crank import crank_text
 from tests.small_class import (
     BANK,
@@ -502,7 +502,7 @@ def test_a_missing_pandoc_is_reported_before_anything_is_drawn(
     def draw(*arguments: object) -> None:
         raise AssertionError("work was done in vain")
 
-    monkeypatch.setattr("kinegrade.exam.generate.deal_exam", draw)
+    monkeypatch.setattr("kinegrade.exam.generating.generate.deal_exam", draw)
     for module in (None, SimpleNamespace(get_pandoc_path=lambda: "/nowhere/pandoc")):
         monkeypatch.setitem(sys.modules, "pypandoc", module)
         (line,) = refused(folder, "--also", "html", "--also", "docx")

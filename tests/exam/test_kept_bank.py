@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import BankError
-from kinegrade.exam.bank import read_bank, read_blueprint, read_kept_bank
-from kinegrade.exam.blueprint import Bank, BankQuestion
+from kinegrade.exam.bank.bank import read_bank, read_blueprint, read_kept_bank
+from kinegrade.exam.bank.blueprint import Bank, BankQuestion
 from tests.exam.folder_of_cranks import write_shelf
 from tests.problem.crank import crank_text
 

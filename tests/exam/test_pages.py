@@ -8,18 +8,18 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.exam.bank import read_bank
-from kinegrade.exam.blueprint import Bank
-from kinegrade.exam.dealing import deal_exam
-from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.pages import (
+from kinegrade.exam.bank.bank import read_bank
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.folder.exam_secret import FromWords
+from kinegrade.exam.printing.pages import (
     lay_out_paper,
     make_key_book,
     make_key_paper,
     write_interval,
 )
-from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.setting import SetPaper
+from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.setting.dealing import deal_exam
+from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language import ENGLISH
 from kinegrade.press.typst.key import write_key_source
 from kinegrade.press.typst.paper import write_paper_source

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exam.places import assign_places
+from kinegrade.exam.setting.places import assign_places
 
 IDS = st.lists(
     st.text("0123456789ab", min_size=1, max_size=6), min_size=1, max_size=12, unique=True

@@ -8,10 +8,10 @@ import pytest
 from click.testing import CliRunner
 
 from kinegrade.cli import main
-from kinegrade.exam.printable import find_printing_faults
+from kinegrade.exam.printing.printable import find_printing_faults
 from kinegrade.language import ENGLISH as ENGLISH_LANGUAGE
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.problem.library import find_template_names, load_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
 from tests.problem.crank import crank, crank_text
 
 ENGLISH = "above $O$."

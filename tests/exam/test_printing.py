@@ -8,12 +8,12 @@ from dataclasses import replace
 
 import pytest
 
-from kinegrade.exam.bank import Bank
-from kinegrade.exam.dealing import deal_exam
-from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, print_papers
-from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.setting import SetPaper
+from kinegrade.exam.bank.bank import Bank
+from kinegrade.exam.folder.exam_secret import FromWords
+from kinegrade.exam.printing.printing import Extras, PressOrder, Printed, PrintRun, print_papers
+from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.setting.dealing import deal_exam
+from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language import Language
 from kinegrade.press.protocol import Engine
 

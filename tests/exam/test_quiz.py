@@ -15,26 +15,26 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import ExamError, KinegradeError
-from kinegrade.exam import quiz
-from kinegrade.exam.bank import read_bank
-from kinegrade.exam.dealing import deal_exam
-from kinegrade.exam.exam_secret import FromWords
+from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.folder.records import KeyLine
-from kinegrade.exam.pages import lay_out_paper
-from kinegrade.exam.quiz import PLAIN, read_quiz
-from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
-from kinegrade.exam.quiz_paper import QuizWishes, make_quiz_paper, show_instance
-from kinegrade.exam.quiz_source import read_quiz_source
-from kinegrade.exam.roster import read_roster
+from kinegrade.exam.printing.pages import lay_out_paper
+from kinegrade.exam.quiz import quiz
+from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizPaper
+from kinegrade.exam.quiz.paper import QuizWishes, make_quiz_paper, show_instance
+from kinegrade.exam.quiz.quiz import PLAIN, read_quiz
+from kinegrade.exam.quiz.source import read_quiz_source
+from kinegrade.exam.roster.roster import read_roster
+from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.language import Language
 from kinegrade.mechanics.numeric import convert_to_floats
-from kinegrade.problem.library import find_template_names, load_template
-from kinegrade.problem.mistake_names import describe_mistakes
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import write_statement
-from kinegrade.processes import Start, open_executor
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.processes.executor import Start, open_executor
+from kinegrade.students.mistake_names import describe_mistakes
 from tests.small_class import STUDENTS, generate, write_class
 
 

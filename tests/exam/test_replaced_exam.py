@@ -160,7 +160,7 @@ def test_typed_answers_are_seen_before_anything_is_drawn(
     def draw(*arguments: object) -> None:
         raise AssertionError("work was done in vain")
 
-    monkeypatch.setattr("kinegrade.exam.generate.deal_exam", draw)
+    monkeypatch.setattr("kinegrade.exam.generating.generate.deal_exam", draw)
     sheet = folder / "EXAM" / "answers.csv"
     sheet.write_text("student,name,q1.v_B,q1.a_B\na,x,1,\n", encoding="utf-8")
     assert "holds answers.csv" in refused(folder)

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TableError
-from kinegrade.exam.roster import Roster, Student, make_file_names, parse_roster, read_roster
+from kinegrade.exam.roster.roster import Roster, Student, make_file_names, parse_roster, read_roster
 
 
 def roster(text: str) -> Roster:

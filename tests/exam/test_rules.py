@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exam.bank import read_bank
-from kinegrade.exam.rules import (
+from kinegrade.exam.bank.bank import read_bank
+from kinegrade.exam.printing.rules import (
     make_decimals_rule,
     make_marking_rule,
     make_percent,

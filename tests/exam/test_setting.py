@@ -10,13 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.exam.bank import read_bank
-from kinegrade.exam.blueprint import Bank
-from kinegrade.exam.dealing import deal_exam
-from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.paper_codes import make_paper_code
-from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.setting import SetPaper
+from kinegrade.exam.bank.bank import read_bank
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.folder.exam_secret import FromWords
+from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.setting.dealing import deal_exam
+from kinegrade.exam.setting.paper_codes import make_paper_code
+from kinegrade.exam.setting.setting import SetPaper
 from tests.small_class import BANK, write_class
 
 

@@ -13,9 +13,9 @@ from typing import Any
 import pytest
 from pypdf import PdfReader
 
-from kinegrade.exam.versions import choose_version, list_version_letters
+from kinegrade.exam.bank.versions import choose_version, list_version_letters
 from kinegrade.language import ENGLISH, Language
-from kinegrade.problem.library import list_names, load_template
+from kinegrade.problem.template.library.library import list_names, load_template
 from tests.small_class import contents, generate, key_lines, kinegrade, table
 
 BANK = """title = { en = "Midterm", zh = "期中测验" }
@@ -225,7 +225,7 @@ def test_a_shipped_bank_is_generated_by_its_name(tmp_path: Path) -> None:
 
 
 def test_help_names_the_shipped_banks() -> None:
-    from kinegrade.problem.library import find_shipped, list_names
+    from kinegrade.problem.template.library.library import find_shipped, list_names
 
     names = ", ".join(list_names(find_shipped("banks")))
     assert names in " ".join(kinegrade("generate", "--help").stdout.split())

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinegrade.fields.lines import lines_of_json, lines_of_toml
-from kinegrade.fields.place import Place
+from kinegrade.files.fields.lines import lines_of_json, lines_of_toml
+from kinegrade.files.fields.place import Place
 
 PLAIN = ["1", "0.5", "true", '"x"', "'x'", '"#"', '"[a]\\n\\""', "2026-05-01 10:00:00", "nan"]
 SPREAD = [

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import BankError, JsonError
-from kinegrade.fields.document import Document, FileKind, json_table, read_text, toml_table
-from kinegrade.fields.faults import Faults
-from kinegrade.fields.json_text import read_json
-from kinegrade.fields.place import Place
-from kinegrade.fields.table import Table
-from kinegrade.fields.values import amount, choice, date_text, flag, share, text, whole
+from kinegrade.files.fields.document import Document, FileKind, json_table, read_text, toml_table
+from kinegrade.files.fields.faults import Faults
+from kinegrade.files.fields.json_text import read_json
+from kinegrade.files.fields.place import Place
+from kinegrade.files.fields.table import Table
+from kinegrade.files.fields.values import amount, choice, date_text, flag, share, text, whole
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 

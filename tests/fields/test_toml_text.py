@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from kinegrade.cli import main
 from kinegrade.errors import TomlError
-from kinegrade.fields.toml_text import read_toml
+from kinegrade.files.fields.toml_text import read_toml
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 from tests.problem.crank import crank_text
 

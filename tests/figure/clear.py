@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from kinegrade.figure.obstacles import Obstacles
+from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.scene import BOLD, Box, Disc, Label, Outline, Pen, Scene, Strokes, find_box
 from kinegrade.mechanics.vector import Vector
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from math import cos, radians, sin, sqrt, tan
 from typing import Any
 
-from kinegrade.fields.document import parsed_table
+from kinegrade.files.fields.document import parsed_table
 from kinegrade.mechanics.drivers import Component, Rotation
 from kinegrade.mechanics.joints import (
     GROUND,
@@ -23,9 +23,9 @@ from kinegrade.mechanics.joints import (
 )
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import FigureHints
-from kinegrade.problem.sections.figure import Names, read_figure
-from kinegrade.problem.sections.opening import TEMPLATE
+from kinegrade.problem.template.hints import FigureHints
+from kinegrade.problem.template.sections.figure import Names, read_figure
+from kinegrade.problem.template.sections.opening import TEMPLATE
 
 RIGHT, UP = Vector(1.0, 0.0), Vector(0.0, 1.0)
 Case = tuple[Mechanism, FigureHints]

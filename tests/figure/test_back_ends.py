@@ -12,11 +12,11 @@ import pytest
 import typst
 
 from kinegrade.errors import TypesetError
-from kinegrade.figure.extent import measure_symbol
+from kinegrade.figure.back_ends.tikz import write_tikz
+from kinegrade.figure.back_ends.typst import write_typst
+from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.scene import Label, Scene
 from kinegrade.figure.sketch import sketch
-from kinegrade.figure.tikz import write_tikz
-from kinegrade.figure.typst import write_typst
 from kinegrade.mechanics.vector import Vector
 from kinegrade.press.latex.xetex import run
 from tests.figure.mechanisms import EIGHT

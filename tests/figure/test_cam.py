@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.figure.cam import trace_cam_profile
+from kinegrade.figure.mechanism.cam import trace_cam_profile
 from kinegrade.figure.plane import length, polar
 from kinegrade.mechanics.vector import Vector
 

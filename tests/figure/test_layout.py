@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinegrade.figure.layout import Layout
-from kinegrade.figure.obstacles import Segment
-from kinegrade.figure.place import Wish, list_spots_around
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.scene import BOLD, THIN, Label, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.figure.obstacles import (
+from kinegrade.figure.placing.obstacles import (
     COST_BOLD,
     COST_FIRM,
     COST_LABEL,

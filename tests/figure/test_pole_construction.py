@@ -8,21 +8,21 @@ from math import hypot, tan
 
 import pytest
 
-from kinegrade.figure.fitting import HEIGHT, WIDTH
-from kinegrade.figure.pole_construction import (
+from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH
+from kinegrade.figure.scene import THIN, Bow, Disc, Outline, Scene
+from kinegrade.figure.vectors.mechanism import PointArrow
+from kinegrade.figure.vectors.pole_construction import (
     NORMAL,
     TALL,
     Pole,
     _shorten_normal,
     draw_pole_construction,
 )
-from kinegrade.figure.scene import THIN, Bow, Disc, Outline, Scene
-from kinegrade.figure.vectors import PointArrow
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import Turning
-from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.hints import Turning
+from kinegrade.problem.template.library.library import load_template
 from tests.figure.clear import dots, faults, heads, lines, symbols
 from tests.figure.mechanisms import slider_crank
 

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinegrade.figure.fitting import HEIGHT, WIDTH
-from kinegrade.figure.polygon import ROUND, Arrow, draw_polygon
+from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH
 from kinegrade.figure.scene import FIRM, THIN, Scene
-from kinegrade.figure.vector_arrows import DASHED
+from kinegrade.figure.vectors.arrows import DASHED
+from kinegrade.figure.vectors.polygon import ROUND, Arrow, draw_polygon
 from kinegrade.mechanics.vector import Vector
 from tests.figure.clear import dots, faults, heads, lines, symbols
 

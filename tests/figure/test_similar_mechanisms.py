@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kinegrade.figure.paper import scale_to_paper
+from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.problem.hints import FigureHints
+from kinegrade.problem.template.hints import FigureHints
 from tests.figure.mechanisms import slider_crank
 
 

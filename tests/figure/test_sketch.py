@@ -13,8 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinegrade.errors import TemplateError
-from kinegrade.figure.layers import draw
-from kinegrade.figure.paper import scale_to_paper
+from kinegrade.figure.mechanism.layers import draw
+from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.scene import (
     BOLD,
     FIRM,

@@ -12,8 +12,8 @@ from kinegrade.figure.similar_mechanisms import Subject
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.sketchbook import sketch_once
 from kinegrade.mechanics.numeric import convert_to_floats
-from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
 
 
 @pytest.mark.parametrize(

@@ -10,14 +10,14 @@ from xml.etree import ElementTree
 import pytest
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.quiz_paper import show_instance
-from kinegrade.figure.extent import EM, measure_symbol
+from kinegrade.exam.quiz.paper import show_instance
+from kinegrade.figure.back_ends.svg import to_svg
+from kinegrade.figure.placing.extent import EM, measure_symbol
 from kinegrade.figure.scene import FIRM, Bow, Disc, Label, Outline, Primitive, Scene
 from kinegrade.figure.sketch import sketch
-from kinegrade.figure.svg import to_svg
 from kinegrade.language.math.runs import split_symbol
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.library import find_template_names, load_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
 from tests.figure.mechanisms import EIGHT
 
 SVG = "{http://www.w3.org/2000/svg}"

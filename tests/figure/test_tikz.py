@@ -7,8 +7,8 @@ from __future__ import annotations
 import re
 from math import hypot, pi
 
+from kinegrade.figure.back_ends.tikz import write_tikz
 from kinegrade.figure.scene import BOLD, PITCH, THIN, Bow, Disc, Label, Outline, Scene, Strokes
-from kinegrade.figure.tikz import write_tikz
 from kinegrade.mechanics.vector import Vector
 
 ORIGIN = Vector(0.0, 0.0)

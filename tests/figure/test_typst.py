@@ -12,8 +12,9 @@ import typst
 from numpy.typing import NDArray
 
 from kinegrade.errors import TypesetError
-from kinegrade.figure.extent import measure_symbol
-from kinegrade.figure.names import write_point_symbol
+from kinegrade.figure.back_ends.typst import translate_symbol, write_typst, write_typst_picture
+from kinegrade.figure.marks.names import write_point_symbol
+from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.scene import (
     BOLD,
     FIRM,
@@ -26,7 +27,6 @@ from kinegrade.figure.scene import (
     Scene,
     Strokes,
 )
-from kinegrade.figure.typst import translate_symbol, write_typst, write_typst_picture
 from kinegrade.mechanics.vector import Vector
 
 SYMBOLS = [

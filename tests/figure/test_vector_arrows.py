@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 import typst
 
-from kinegrade.figure.extent import measure_symbol
-from kinegrade.figure.place import CLEARANCE
+from kinegrade.figure.back_ends.typst import translate_symbol
+from kinegrade.figure.placing.extent import measure_symbol
+from kinegrade.figure.placing.place import CLEARANCE
 from kinegrade.figure.scene import FIRM, Outline, Strokes
-from kinegrade.figure.typst import translate_symbol
-from kinegrade.figure.vector_arrows import (
+from kinegrade.figure.vectors.arrows import (
     DASHED,
     VectorArrow,
     look_like_one,

@@ -8,16 +8,22 @@ from math import hypot
 
 import pytest
 
-from kinegrade.figure.fitting import HEIGHT, WIDTH
-from kinegrade.figure.layers import draw
-from kinegrade.figure.paper import scale_to_paper
+from kinegrade.figure.back_ends.typst import write_typst
+from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH
+from kinegrade.figure.mechanism.layers import draw
+from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Strokes
-from kinegrade.figure.typst import write_typst
-from kinegrade.figure.vectors import CROWDED, LONGEST, PointArrow, draw_with_vectors, place_arrows
+from kinegrade.figure.vectors.mechanism import (
+    CROWDED,
+    LONGEST,
+    PointArrow,
+    draw_with_vectors,
+    place_arrows,
+)
 from kinegrade.mechanics.numeric import convert_to_floats, convert_value
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import Turning
-from kinegrade.problem.library import find_template_names, load_template
+from kinegrade.problem.template.hints import Turning
+from kinegrade.problem.template.library.library import find_template_names, load_template
 from tests.figure.clear import faults, heads, symbols
 from tests.figure.mechanisms import slider_crank
 from tests.problem.draws import draw_filter, drawn

@@ -9,14 +9,14 @@ from functools import partial
 from itertools import groupby
 
 from kinegrade.exam.folder.keys import Exam, Examinee
-from kinegrade.grading.accepted import Alternatives
-from kinegrade.grading.answers import read
-from kinegrade.grading.decimal_style import FileStyle, find_file_style
-from kinegrade.grading.decision import decide, void
-from kinegrade.grading.follow import Decided, Follows, follow_answers
+from kinegrade.grading.judging.decision import decide, void
+from kinegrade.grading.judging.follow import Decided, Follows, follow_answers
 from kinegrade.grading.marks import Mark
-from kinegrade.grading.policy import Policy
-from kinegrade.grading.sheet import Entry, Sheet
+from kinegrade.grading.policy.accepted import Alternatives
+from kinegrade.grading.policy.policy import Policy
+from kinegrade.grading.sheets.sheet import Entry, Sheet
+from kinegrade.grading.typed.answers import read
+from kinegrade.grading.typed.decimal_style import FileStyle, find_file_style
 
 
 def marks_one_by_one(

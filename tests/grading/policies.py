@@ -12,14 +12,14 @@ from pathlib import Path
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, make_rule
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
-from kinegrade.grading.accepted import alternatives
-from kinegrade.grading.class_sheet import read_sheet
+from kinegrade.files.tables import parse_table
 from kinegrade.grading.grade import grade
 from kinegrade.grading.marks import Mark, Marks, mark
-from kinegrade.grading.policy import AS_PRINTED, Policy
-from kinegrade.grading.policy_reading import read_policy
+from kinegrade.grading.policy.accepted import alternatives
+from kinegrade.grading.policy.policy import AS_PRINTED, Policy
+from kinegrade.grading.policy.reading import read_policy
+from kinegrade.grading.sheets.class_sheet import read_sheet
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.tables import parse_table
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 from tests.said import said
 

@@ -14,9 +14,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.grading.answers import Reading, decimal_text, read
-from kinegrade.grading.decimal_style import find_file_style
-from kinegrade.grading.number_text import DecimalStyle
+from kinegrade.grading.typed.answers import Reading, decimal_text, read
+from kinegrade.grading.typed.decimal_style import find_file_style
+from kinegrade.grading.typed.number_text import DecimalStyle
 from kinegrade.sign_conventions import Convention
 from tests.said import said
 

@@ -17,14 +17,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.files.tables import parse_table
 from kinegrade.grading import marks as marking
-from kinegrade.grading.accepted import alternatives
-from kinegrade.grading.class_sheet import read_sheet
-from kinegrade.grading.follow import Follows, Own
 from kinegrade.grading.grade import grade
+from kinegrade.grading.judging.follow import Follows, Own
 from kinegrade.grading.marks import Mark, mark
-from kinegrade.grading.policy_reading import read_policy
-from kinegrade.tables import parse_table
+from kinegrade.grading.policy.accepted import alternatives
+from kinegrade.grading.policy.reading import read_policy
+from kinegrade.grading.sheets.class_sheet import read_sheet
 from tests.grading.one_by_one import marks_one_by_one
 from tests.said import said
 

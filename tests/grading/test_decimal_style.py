@@ -6,8 +6,8 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.grading.answers import PAPERS_RULE, Reading, read
-from kinegrade.grading.decimal_style import Mark, find_file_style, gather_evidence
+from kinegrade.grading.typed.answers import PAPERS_RULE, Reading, read
+from kinegrade.grading.typed.decimal_style import Mark, find_file_style, gather_evidence
 from kinegrade.sign_conventions import Convention
 from tests.said import said
 

@@ -13,18 +13,18 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from kinegrade.errors import TableError
-from kinegrade.grading.comparison import (
+from kinegrade.grading.kept_totals import never_lower
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.lms.grades import moodle
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.rows import StudentTotal
+from kinegrade.reports.comparison import (
     HEADER,
     compare,
     write_comparison_csv,
     write_comparison_text,
 )
-from kinegrade.grading.kept_totals import never_lower
-from kinegrade.language import ENGLISH
-from kinegrade.language.catalogue import open_catalogue
-from kinegrade.lms import moodle
-from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.marks_folder.rows import StudentTotal
 from tests.grading.policies import marked, policy_of, regraded
 from tests.small_class import kinegrade
 

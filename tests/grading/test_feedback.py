@@ -16,15 +16,20 @@ from markdown_it import MarkdownIt
 from kinegrade.errors import ExamError, OutputError, TableError
 from kinegrade.exam.exam_wording import ExamWording
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.grading.class_tally import tally
-from kinegrade.grading.feedback import FeedbackRow, FeedbackSheet, make_feedback_sheets, write_right
-from kinegrade.grading.feedback_folder import FeedbackWishes, Text, write_feedback
-from kinegrade.grading.feedback_html import write_feedback_html
-from kinegrade.grading.feedback_markdown import write_feedback_markdown
-from kinegrade.grading.hints import Hint, find_hint
-from kinegrade.grading.paper_record import PaperRecords, RightAnswer
+from kinegrade.grading.judging.hints import Hint, find_hint
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.reports.classes.tally import tally
+from kinegrade.reports.feedback.feedback import (
+    FeedbackRow,
+    FeedbackSheet,
+    make_feedback_sheets,
+    write_right,
+)
+from kinegrade.reports.feedback.folder import FeedbackWishes, Text, write_feedback
+from kinegrade.reports.feedback.html import write_feedback_html
+from kinegrade.reports.feedback.markdown import write_feedback_markdown
+from kinegrade.reports.paper_record import PaperRecords, RightAnswer
 from tests.grading.marked_folder import RIGHT, Page, mark_class
 
 HOSTILE = ("<script>alert(1)</script>", "|_[x](javascript:alert(1))_$a$", "=cmd|' /C calc'!A0")

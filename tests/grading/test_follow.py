@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 
 from kinegrade.exam.folder.keys import Ask, make_rule
-from kinegrade.grading.answers import read
-from kinegrade.grading.decision import Decision, decide
-from kinegrade.grading.follow import Decided, Follows, follow_answers
-from kinegrade.grading.judge import Verdict
-from kinegrade.grading.policy import Ruling
+from kinegrade.grading.judging.decision import Decision, decide
+from kinegrade.grading.judging.follow import Decided, Follows, follow_answers
+from kinegrade.grading.judging.judge import Verdict
+from kinegrade.grading.policy.policy import Ruling
+from kinegrade.grading.typed.answers import read
 from kinegrade.stated_marking import StatedTolerance
 from tests.grading.policies import policy_of
 from tests.said import said

@@ -10,12 +10,12 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.amounts import write_amount
 from kinegrade.errors import ExamError, OutputError, TableError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.grade import grade
 from kinegrade.grading.marks import ClassGrades, Grade
-from kinegrade.lms import moodle
+from kinegrade.lms.grades import moodle
+from kinegrade.numbers.amounts import write_amount
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 from tests.said import said
 

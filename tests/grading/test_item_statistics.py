@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.grading.equal_hardness import (
+from kinegrade.reports.classes.equal_hardness import (
     adjust_p_values,
     compare_groups,
     correlate_ranks,
@@ -17,7 +17,7 @@ from kinegrade.grading.equal_hardness import (
     rank_values,
     split_in_thirds,
 )
-from kinegrade.grading.item_statistics import (
+from kinegrade.reports.classes.item_statistics import (
     correlate,
     find_discriminations,
     find_facilities,

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.exam.folder.keys import Key
-from kinegrade.grading.answers import read
-from kinegrade.grading.judge import judge
+from kinegrade.grading.judging.judge import judge
+from kinegrade.grading.typed.answers import read
 from tests.said import said
 
 # Floats put 1.212 outside: 1.212 - 1.2 > 0.01 * 1.2

@@ -11,12 +11,12 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TableError
+from kinegrade.files.tables import Complaint
 from kinegrade.language import ENGLISH
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.layout import ANSWERS, COMPLAINTS, FILES, KEPT, AnswerCells
 from kinegrade.marks_folder.rows import Grade, KeptTotal
 from kinegrade.marks_folder.writing import MarksWriter
-from kinegrade.tables import Complaint
 from tests.grading.marked_folder import RIGHT, mark_class
 from tests.small_class import kinegrade
 

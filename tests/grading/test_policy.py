@@ -12,13 +12,13 @@ from hypothesis import strategies as st
 from kinegrade.errors import PolicyError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.keys import make_rule
-from kinegrade.grading.answers import Reading
-from kinegrade.grading.decision import decide
 from kinegrade.grading.grade import grade as mark_class
-from kinegrade.grading.judge import judge
+from kinegrade.grading.judging.decision import decide
+from kinegrade.grading.judging.judge import judge
 from kinegrade.grading.marks import Marks
-from kinegrade.grading.policy import Ruling
-from kinegrade.grading.policy_reading import read_policy, stated_policy
+from kinegrade.grading.policy.policy import Ruling
+from kinegrade.grading.policy.reading import read_policy, stated_policy
+from kinegrade.grading.typed.answers import Reading
 from tests.grading.policies import (
     drawn_exam,
     folder_of,

@@ -7,9 +7,9 @@ from typing import get_args
 import pytest
 
 from kinegrade.exam.folder.earlier_signs import recognise_convention
-from kinegrade.grading.answers import read
-from kinegrade.grading.number_text import Unreadable, fold
-from kinegrade.grading.sense import Sense, find_direction, split_sense
+from kinegrade.grading.typed.answers import read
+from kinegrade.grading.typed.number_text import Unreadable, fold
+from kinegrade.grading.typed.sense import Sense, find_direction, split_sense
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.sign_conventions import Convention

@@ -20,11 +20,11 @@ from click.testing import CliRunner, Result
 from kinegrade.cli.sharing import sharing as command
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.keys import make_rule
-from kinegrade.grading.sharing import MOST, Pair, Sharing, find_pairs, find_tail
-from kinegrade.grading.sharing_fits import find_windows
-from kinegrade.grading.sharing_report import HEADER, describe_sharing, write_sharing_csv
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.reports.sharing.fits import find_windows
+from kinegrade.reports.sharing.report import HEADER, describe_sharing, write_sharing_csv
+from kinegrade.reports.sharing.sharing import MOST, Pair, Sharing, find_pairs, find_tail
 from tests.grading.marked_folder import mark_class
 from tests.grading.sitting_class import ONE_PER_CENT, SittingClass, honest_slips, sitting_class
 
@@ -140,7 +140,7 @@ def test_the_level_is_that_of_the_whole_class() -> None:
 
 
 def test_no_more_pairs_are_told_than_a_person_can_look_at(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kinegrade.grading.sharing.MOST", 5)
+    monkeypatch.setattr("kinegrade.reports.sharing.sharing.MOST", 5)
     sitting = sitting_class(60, 6)
     found = find_pairs(
         sitting.exam, sitting.answers(lambda place: sitting.copied(0, *HALF) if place else {})

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pytest
 
-from kinegrade.grading.trivial_answers import Later, is_trivial
+from kinegrade.grading.judging.trivial_answers import Later, is_trivial
 
 
 def normal_and_tangential(own: Mapping[str, Fraction]) -> Fraction:

@@ -13,11 +13,11 @@ from pathlib import Path
 import pytest
 import sympy
 
-from kinegrade.grading.answers import Reading, read
-from kinegrade.grading.decimal_style import find_file_style
-from kinegrade.grading.number_text import DecimalStyle
+from kinegrade.grading.typed.answers import Reading, read
+from kinegrade.grading.typed.decimal_style import find_file_style
+from kinegrade.grading.typed.number_text import DecimalStyle
 from kinegrade.language import ENGLISH
-from kinegrade.problem.signs import write_sign
+from kinegrade.problem.template.signs import write_sign
 from kinegrade.sign_conventions import CONVENTIONS
 from tests.said import said
 

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.grading.number_text import Unreadable
-from kinegrade.grading.unit_spelling import Conversion, WrongUnit, find_conversion, read_unit
+from kinegrade.grading.typed.number_text import Unreadable
+from kinegrade.grading.typed.unit_spelling import Conversion, WrongUnit, find_conversion, read_unit
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 

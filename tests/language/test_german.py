@@ -7,15 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.grading.unit_spelling import read_unit
+from kinegrade.grading.typed.unit_spelling import read_unit
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimals_of_math, write_decimals_of_prose
 from kinegrade.language.message import Message, list_all
 from kinegrade.press.paper_parts import write_points_text
-from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import write_statement
+from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.document import Display, Results
 from kinegrade.worked.solution import write_worked_solution
 from tests.small_class import kinegrade

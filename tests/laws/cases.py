@@ -15,17 +15,17 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 from kinegrade.errors import MechanismError
-from kinegrade.exact.balls import Undecided
-from kinegrade.exact.field import Field
-from kinegrade.exact.floats import Floats
-from kinegrade.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.balls import Undecided
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.floats import Floats
 from kinegrade.problem.assemble import read_parameter
-from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template import Parameter, Template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.template import Parameter, Template
 from tests.laws.growing import mechanisms
 from tests.laws.position import regularity
 

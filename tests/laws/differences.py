@@ -6,7 +6,7 @@ from typing import Any
 
 from flint import arb
 
-from kinegrade.exact.surd import Surd
+from kinegrade.numbers.surd import Surd
 from tests.laws.cases import Case
 from tests.laws.position import moving
 

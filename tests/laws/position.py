@@ -19,7 +19,6 @@ import numpy as np
 from flint import arb
 from mpmath import atan2, cos, mp, mpf, sin
 
-from kinegrade.exact.surd import Surd, enclose
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import (
     GROUND,
@@ -36,6 +35,7 @@ from kinegrade.mechanics.joints import (
     Slide,
 )
 from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.numbers.surd import Surd, enclose
 
 DIGITS = 64
 STEP = "1e-13"  # s: the fourth derivative leaves 1e-26 of itself, rounding leaves 1e-58/1e-26

@@ -12,15 +12,15 @@ from flint import arb, fmpq
 from hypothesis import assume, given, settings
 
 from kinegrade.errors import MechanismError
-from kinegrade.exact.balls import Balls
-from kinegrade.exact.field import Field
-from kinegrade.exact.floats import Floats
-from kinegrade.exact.surd import Surd, enclose
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.joints import Circle, Line, Pin
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.balls import Balls
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.floats import Floats
+from kinegrade.numbers.surd import Surd, enclose
 from tests.laws.cases import (
     Case,
     cases,

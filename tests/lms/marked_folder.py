@@ -8,13 +8,13 @@ import json
 from collections.abc import Mapping
 from pathlib import Path
 
-from kinegrade.csv_writing import write_csv_text
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.lms.cells import Cell, read_cells
-from kinegrade.lms.dialect import Dialect, ExportOptions
-from kinegrade.lms.fill_in import Filled, fill_in
-from kinegrade.lms.from_scratch import Fresh, new_file
-from kinegrade.lms.grades import ClassGrades, read_grades
+from kinegrade.files.csv_writing import write_csv_text
+from kinegrade.lms.grades.cells import Cell, read_cells
+from kinegrade.lms.grades.dialect import Dialect, ExportOptions
+from kinegrade.lms.grades.fill_in import Filled, fill_in
+from kinegrade.lms.grades.from_scratch import Fresh, new_file
+from kinegrade.lms.grades.grades import ClassGrades, read_grades
 from kinegrade.marks_folder.folder import MarksFolder
 
 STUDENTS = {

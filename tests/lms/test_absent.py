@@ -11,7 +11,7 @@ import pytest
 from openpyxl import load_workbook
 
 from kinegrade.cli.export import SYSTEMS
-from kinegrade.csv_writing import write_csv
+from kinegrade.files.csv_writing import write_csv
 from kinegrade.marks_folder.layout import KEPT
 from tests.lms.marked_folder import STUDENTS, write_exam, write_marks
 from tests.small_class import kinegrade

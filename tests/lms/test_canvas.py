@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TableError
-from kinegrade.lms.canvas import CANVAS
-from kinegrade.lms.dialect import ExportOptions
+from kinegrade.lms.grades.canvas import CANVAS
+from kinegrade.lms.grades.dialect import ExportOptions
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh, write_exam, write_marks
@@ -251,8 +251,8 @@ def test_canvas_takes_no_comments_in_this_file(tmp_path: Path) -> None:
 
 
 def test_a_new_assignment_needs_a_title(tmp_path: Path) -> None:
-    from kinegrade.lms.from_scratch import new_file
-    from kinegrade.lms.grades import read_grades
+    from kinegrade.lms.grades.from_scratch import new_file
+    from kinegrade.lms.grades.grades import read_grades
 
     with pytest.raises(
         TableError,

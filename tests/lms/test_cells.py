@@ -17,7 +17,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TableError
-from kinegrade.lms.cells import Cell, CellTable, read_cells
+from kinegrade.lms.grades.cells import Cell, CellTable, read_cells
 
 TEXT = st.text(st.sampled_from('ab7,;\t" \n王é=+-'), max_size=6)
 

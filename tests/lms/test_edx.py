@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TableError
-from kinegrade.lms.dialect import ExportOptions
-from kinegrade.lms.edx import EDX
+from kinegrade.lms.grades.dialect import ExportOptions
+from kinegrade.lms.grades.edx import EDX
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh
 

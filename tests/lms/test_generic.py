@@ -10,8 +10,8 @@ import pytest
 
 from kinegrade.errors import TableError
 from kinegrade.language import Language
-from kinegrade.lms.dialect import ExportOptions
-from kinegrade.lms.generic import generic
+from kinegrade.lms.grades.dialect import ExportOptions
+from kinegrade.lms.grades.generic import generic
 from tests.golden_files import Hold
 from tests.lms.marked_folder import filled, fresh, write_exam, write_marks
 from tests.small_class import kinegrade

@@ -8,7 +8,7 @@ import pytest
 
 from kinegrade.errors import ExamError, TableError
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.lms.grades import read_grades
+from kinegrade.lms.grades.grades import read_grades
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.lms.marked_folder import write_exam, write_marks
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from kinegrade.lms.implied_maximum import implied_maximum
+from kinegrade.lms.grades.implied_maximum import implied_maximum
 
 
 @pytest.mark.parametrize(

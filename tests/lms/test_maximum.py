@@ -9,10 +9,10 @@ import pytest
 
 from kinegrade.errors import TableError
 from kinegrade.language import Language
-from kinegrade.lms.brightspace import BRIGHTSPACE
-from kinegrade.lms.dialect import ExportOptions
-from kinegrade.lms.generic import generic
-from kinegrade.lms.sakai import SAKAI
+from kinegrade.lms.grades.brightspace import BRIGHTSPACE
+from kinegrade.lms.grades.dialect import ExportOptions
+from kinegrade.lms.grades.generic import generic
+from kinegrade.lms.grades.sakai import SAKAI
 from tests.lms.marked_folder import changed, filled, fresh, grades_of
 
 ITEMS = "Student ID,Name,Midterm [20],Midterm q1 [7],Midterm q2 [3]\n0012345,x,,,\n"
@@ -84,7 +84,7 @@ def test_all_faults_of_columns_are_told_at_once(tmp_path: Path) -> None:
 def test_a_header_can_state_one_maximum_only(tmp_path: Path) -> None:
     from dataclasses import replace
 
-    from kinegrade.lms.from_scratch import new_file
+    from kinegrade.lms.grades.from_scratch import new_file
 
     grades = grades_of(tmp_path)
     first, *others = grades.students

@@ -10,12 +10,12 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TableError
-from kinegrade.lms.dialect import ExportOptions
-from kinegrade.lms.fill_in import fill_in
-from kinegrade.lms.grades import read_grades
-from kinegrade.lms.moodle import MOODLE, export
+from kinegrade.files.tables import parse_table
+from kinegrade.lms.grades.dialect import ExportOptions
+from kinegrade.lms.grades.fill_in import fill_in
+from kinegrade.lms.grades.grades import read_grades
+from kinegrade.lms.grades.moodle import MOODLE, export
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.tables import parse_table
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh, write_marks
 

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.grading.paper_record import PaperRecords
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.reports.paper_record import PaperRecords
 from tests.lms.test_canvas_pool import analysis, groups, pooled
 from tests.lms.test_pool_texts import STUDENTS, set_exam
 from tests.problem.crank import crank_text

@@ -14,7 +14,7 @@ import pytest
 
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.follow_through import FollowThrough
-from kinegrade.exam.quiz import read_quiz
+from kinegrade.exam.quiz.quiz import read_quiz
 from tests.lms.pooled_quiz import Drawn, attempt, download, perfect, pool
 from tests.lms.response_files import csv_text
 from tests.small_class import (

@@ -10,13 +10,13 @@ import pytest
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.grading.accepted import alternatives
-from kinegrade.grading.class_sheet import read_sheet
+from kinegrade.files.tables import Table, read_table
 from kinegrade.grading.marks import Marks, mark
-from kinegrade.grading.policy import AS_PRINTED
+from kinegrade.grading.policy.accepted import alternatives
+from kinegrade.grading.policy.policy import AS_PRINTED
+from kinegrade.grading.sheets.class_sheet import read_sheet
 from kinegrade.lms.responses.answer_table import read_responses
 from kinegrade.lms.responses.other_paper import right_answers
-from kinegrade.tables import Table, read_table
 from tests.lms.response_files import csv_text, workbook, write_asks
 from tests.said import said
 from tests.small_class import STUDENTS, asks_of

@@ -5,15 +5,15 @@ from __future__ import annotations
 import pytest
 from flint import fmpq
 
-from kinegrade.exact.field import Field
-from kinegrade.exact.rounding import Rounded
-from kinegrade.mechanics.by_hand import WrittenTerm, solve_by_hand
 from kinegrade.mechanics.doubles import convert_to_doubles
 from kinegrade.mechanics.drivers import Rotation
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.rounding import Rounded
+from kinegrade.students.by_hand import WrittenTerm, solve_by_hand
 
 
 def slotted_rocker() -> Motion:

@@ -8,15 +8,15 @@ from math import sqrt
 import pytest
 
 from kinegrade.errors import MechanismError
-from kinegrade.exact.floats import Floats
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.drivers import Rotation
-from kinegrade.mechanics.followed import FollowedMotion, OwnValue, follow_values
 from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
-from kinegrade.mechanics.own_terms import name_coriolis_share, name_normal_share
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.floats import Floats
+from kinegrade.students.followed import FollowedMotion, OwnValue, follow_values
+from kinegrade.students.followed_terms import name_coriolis_share, name_normal_share
 
 ROOT = sqrt(3)
 LEVEL = Line(Vector(0.0, 0.0), Vector(1.0, 0.0))

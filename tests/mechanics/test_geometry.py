@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exact.field import Field
-from kinegrade.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
 from kinegrade.mechanics.geometry import BRANCHES, make_constructions
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.field import Field
 from tests.exact.numbers import rationals
 from tests.laws.growing import DIRECTIONS, RADII
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from kinegrade.mechanics.motion_arrays import describe_structure, stack_motions, stack_numbers
-from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
 
 
 def test_a_stack_holds_the_numbers_of_each() -> None:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.exact.elimination import Singular
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics import plan
 from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.joints import GROUND, Pin, Roll, Slide
 from kinegrade.mechanics.motion import Motion, solve_motion
+from kinegrade.numbers.elimination import Singular
 from tests.mechanics.writing import Paper
 
 X = (1, 0)

@@ -10,8 +10,6 @@ import pytest
 from flint import arb
 
 from kinegrade.errors import ExpressionError, MechanismError
-from kinegrade.exact.balls import Balls, Undecided
-from kinegrade.exact.floats import Floats
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.geometry import Constructions, Round
@@ -29,6 +27,8 @@ from kinegrade.mechanics.joints import (
 )
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import solve_motion
+from kinegrade.numbers.balls import Balls, Undecided
+from kinegrade.numbers.floats import Floats
 from tests.laws.cases import with_numbers
 from tests.mechanics.writing import Paper
 from tests.small_class import kinegrade

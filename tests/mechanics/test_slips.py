@@ -10,15 +10,15 @@ import numpy as np
 import pytest
 from flint import fmpq
 
-from kinegrade.exact.elimination import Singular
-from kinegrade.exact.field import Field
-from kinegrade.exact.floats import Floats
 from kinegrade.mechanics.joints import GROUND, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.mistaken import MistakenMotion, Unsuspecting, make_mistaken_motion
 from kinegrade.mechanics.motion import solve_motion
 from kinegrade.mechanics.numeric import convert_to_floats
-from kinegrade.mechanics.slips import Slips
+from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.floats import Floats
+from kinegrade.students.mistaken import MistakenMotion, Unsuspecting, make_mistaken_motion
+from kinegrade.students.slips import Slips
 from tests.mechanics.writing import Paper
 
 X, Y = (1, 0), (0, 1)

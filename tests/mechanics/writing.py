@@ -6,13 +6,13 @@ from typing import Any
 
 from flint import fmpq
 
-from kinegrade.exact.field import Field
-from kinegrade.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import Circle, Joint, Line
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.field import Field
 
 
 class Paper:

@@ -9,8 +9,8 @@ from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.mechanics.vector import Vector
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
-from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.document import (
     Block,
     Display,

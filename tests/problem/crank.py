@@ -4,8 +4,8 @@ sqrt(r^2 - h^2).
 
 from __future__ import annotations
 
-from kinegrade.problem.reading import read_template
-from kinegrade.problem.template import Template
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.template import Template
 
 TEXT = r"""
 family = "crank"

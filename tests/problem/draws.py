@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import partial
 
-from kinegrade.exam.setting import Drawn
-from kinegrade.problem.deal import Deal, deal, look_here
-from kinegrade.problem.deck import make_deck
-from kinegrade.problem.draw_filter import DrawFilter
-from kinegrade.problem.template import Template
+from kinegrade.draws.deal import Deal, deal, look_here
+from kinegrade.draws.deck import make_deck
+from kinegrade.draws.draw_filter import DrawFilter
+from kinegrade.exam.setting.setting import Drawn
+from kinegrade.problem.template.template import Template
 from kinegrade.problem.tolerance import Tolerance
 
 

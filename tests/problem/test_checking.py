@@ -11,11 +11,11 @@ import pytest
 from click.testing import CliRunner
 
 from kinegrade.cli import main
-from kinegrade.problem.checking import Report, check, choose_drawable
-from kinegrade.problem.library import find_template_names, load_template
-from kinegrade.problem.neighbours import list_probed
-from kinegrade.problem.reading import read_template
-from kinegrade.problem.reporting import write_findings, write_verdict
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.proof.checking import Report, check, choose_drawable
+from kinegrade.proof.neighbours import list_probed
+from kinegrade.proof.reporting import write_findings, write_verdict
 from tests.problem.crank import crank, crank_text
 from tests.said import all_said, said
 

@@ -10,12 +10,14 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.exact.field import Field
-from kinegrade.expression import make_elementary_functions, read_expression
+from kinegrade.expressions.expression import make_elementary_functions, read_expression
 from kinegrade.mechanics.geometry import make_constructions
+from kinegrade.numbers.field import Field
 from kinegrade.problem.centrode import Centrodes
-from kinegrade.problem.dimension import LENGTH, SPEED
-from kinegrade.problem.kinds import (
+from kinegrade.problem.quantities import make_quantities
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.meaning.dimension import LENGTH, SPEED
+from kinegrade.problem.template.meaning.kinds import (
     Arrow,
     BodyKind,
     Kind,
@@ -25,11 +27,9 @@ from kinegrade.problem.kinds import (
     Straight,
     describe_kind,
 )
-from kinegrade.problem.meaning import Scope
-from kinegrade.problem.quantities import make_quantities
-from kinegrade.problem.radians import require_no_radians
-from kinegrade.problem.reading import read_template
-from kinegrade.problem.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES
+from kinegrade.problem.template.meaning.meaning import Scope
+from kinegrade.problem.template.meaning.radians import require_no_radians
+from kinegrade.problem.template.meaning.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES
 from tests.problem.crank import crank, crank_text
 from tests.said import said
 from tests.small_class import kinegrade

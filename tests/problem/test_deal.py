@@ -12,10 +12,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kinegrade.draws.deal import LOOKS, PART, Deal, deal, look_here
+from kinegrade.draws.draw_filter import DrawFilter, Verdict
 from kinegrade.errors import DrawError
-from kinegrade.problem.deal import LOOKS, PART, Deal, deal, look_here
-from kinegrade.problem.draw_filter import DrawFilter, Verdict
-from kinegrade.problem.library import load_template
+from kinegrade.problem.template.library.library import load_template
 from tests.problem.crank import crank
 from tests.problem.draws import dealt, draw_filter, drawn
 from tests.said import said

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinegrade.problem.deck import Deck, make_deck
+from kinegrade.draws.deck import Deck, make_deck
 from tests.problem.crank import crank
 
 DOMAINS = {"r": ("1", "2", "3"), "h": ("0", "1/2"), "omega": ("2", "sqrt(2)", "3", "4")}

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import KinegradeError
-from kinegrade.problem.domain import read_choices
+from kinegrade.problem.template.domain import read_choices
 
 
 @pytest.mark.parametrize(

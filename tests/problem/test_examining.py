@@ -4,14 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.problem.examining import (
-    LARGEST,
-    SMALLEST,
-    Refused,
-    examine,
-)
+from kinegrade.draws.examining import LARGEST, SMALLEST, Refused, examine
 from kinegrade.problem.holding import condition_holds
-from kinegrade.problem.template import Template
+from kinegrade.problem.template.template import Template
 from tests.problem.crank import crank
 
 

@@ -9,7 +9,7 @@ import pytest
 from benchmarks.fairness import Fairness, fairness, main, row, summary
 from benchmarks.simulated_class import Answer, classes
 from benchmarks.students import honest_students, mistaken_students
-from kinegrade.problem.library import load_template
+from kinegrade.problem.template.library.library import load_template
 
 
 def test_the_simulation_notices_unfair_marks(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -12,13 +12,13 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import MechanismError
-from kinegrade.exact.elimination import Singular
-from kinegrade.exact.floats import Floats
 from kinegrade.mechanics.joints import GROUND
-from kinegrade.mechanics.mistaken import make_mistaken_motion
 from kinegrade.mechanics.relations import name_omega
-from kinegrade.mechanics.slips import Slips
-from kinegrade.problem.follow_through import (
+from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.floats import Floats
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.students.follow_through import (
     Follower,
     choose_generic_values,
     find_connections,
@@ -26,11 +26,11 @@ from kinegrade.problem.follow_through import (
     follow_through,
     order_by_plan,
 )
-from kinegrade.problem.library import find_template_names, load_template
-from kinegrade.problem.mistake_kinds import MISTAKES, Mistake
-from kinegrade.problem.mistakes import Mistakes, convert_number
-from kinegrade.problem.own_quantities import LEVELS, find_motion_calls, find_name, name_share
-from kinegrade.problem.solving import solve_template
+from kinegrade.students.followed_quantities import LEVELS, find_motion_calls, find_name, name_share
+from kinegrade.students.mistake_kinds import MISTAKES, Mistake
+from kinegrade.students.mistaken import make_mistaken_motion
+from kinegrade.students.mistakes import Mistakes, convert_number
+from kinegrade.students.slips import Slips
 
 MOVING = [name for name in find_template_names() if load_template(name).scheme.drivers]
 POLES = {"wrong-pole", "centre-for-pole", "transport-for-absolute"}  # slips in the velocities alone

@@ -12,17 +12,17 @@ import pytest
 from click.testing import CliRunner
 
 from kinegrade.cli import main
-from kinegrade.exact.floats import Floats
-from kinegrade.figure.paper import scale_to_paper
-from kinegrade.figure.rims import find_rims
+from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.mechanism.rims import find_rims
 from kinegrade.figure.similar_mechanisms import normalise_subject
 from kinegrade.mechanics.configuration import require_assembled
 from kinegrade.mechanics.frames import build_frames, find_guided, name_element
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem import sentences
-from kinegrade.problem.hints import FigureHints
+from kinegrade.numbers.floats import Floats
+from kinegrade.problem.template import sentences
+from kinegrade.problem.template.hints import FigureHints
 from tests.problem.crank import crank_text
 
 BELT = (

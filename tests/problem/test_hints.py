@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.fields.document import toml_table
-from kinegrade.problem.hints import (
+from kinegrade.files.fields.document import toml_table
+from kinegrade.problem.template.hints import (
     Angle,
     FigureHints,
     Length,
@@ -15,8 +15,8 @@ from kinegrade.problem.hints import (
     Rimmed,
     Turning,
 )
-from kinegrade.problem.sections.figure import Names, read_figure
-from kinegrade.problem.sections.opening import TEMPLATE
+from kinegrade.problem.template.sections.figure import Names, read_figure
+from kinegrade.problem.template.sections.opening import TEMPLATE
 
 POINTS, BODIES = {"O", "A", "B"}, {"OA", "AB"}
 

@@ -10,11 +10,15 @@ from math import isclose, radians
 
 import pytest
 
-from kinegrade.exact.rounding import Rounded, Sparing
+from kinegrade.draws.examining import Refused, examine
 from kinegrade.mechanics.doubles import convert_to_doubles
-from kinegrade.problem.checking import check, choose_drawable
-from kinegrade.problem.examining import Refused, examine
-from kinegrade.problem.honest_rounding import (
+from kinegrade.numbers.rounding import Rounded, Sparing
+from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.template import Template
+from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
+from kinegrade.proof.checking import check, choose_drawable
+from kinegrade.students.honest_rounding import (
     Stray,
     Target,
     find_nearest_turn,
@@ -24,10 +28,6 @@ from kinegrade.problem.honest_rounding import (
     work_by_coordinates,
     work_honestly,
 )
-from kinegrade.problem.library import find_template_names, load_template
-from kinegrade.problem.solving import Solution, solve_template
-from kinegrade.problem.template import Template
-from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
 from tests.problem.crank import crank
 from tests.problem.draws import dealt, draw_filter, drawn
 from tests.said import all_said, said

@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TemplateError
-from kinegrade.problem.reading import read_template
-from kinegrade.problem.sections.keys import MAX_CHARACTERS
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.sections.keys import MAX_CHARACTERS
 from tests.problem.turning_crank import CRANK, faults, one_line_each, refused
 
 

@@ -17,7 +17,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.problem.keyed_order import KeyedOrder, address
+from kinegrade.draws.keyed_order import KeyedOrder, address
 
 # The promise for ten years. These lines are never edited.
 PROMISED = {

@@ -9,7 +9,7 @@ import pytest
 
 from kinegrade.errors import TemplateError
 from kinegrade.language import ENGLISH, Language
-from kinegrade.problem.template_texts import (
+from kinegrade.problem.template.texts import (
     find_languages,
     find_missing_texts,
     find_unfinished_translations,

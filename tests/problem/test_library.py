@@ -9,8 +9,12 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.problem.library import find_shipped, find_template_names, load_template
-from kinegrade.problem.sections.keys import MAX_CHARACTERS
+from kinegrade.problem.template.library.library import (
+    find_shipped,
+    find_template_names,
+    load_template,
+)
+from kinegrade.problem.template.sections.keys import MAX_CHARACTERS
 from tests.problem.crank import crank_text
 
 

@@ -14,15 +14,25 @@ import numpy as np
 import pytest
 
 import kinegrade
-from kinegrade.exact.angle import Angle, Inexact
+from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.language import Language
 from kinegrade.mechanics.doubles import convert_to_doubles
-from kinegrade.problem.checking import check
-from kinegrade.problem.draw_filter import DrawFilter
-from kinegrade.problem.library import load_template
-from kinegrade.problem.mistake_kinds import MISTAKES, find_candidates, take_degrees_as_radians
-from kinegrade.problem.mistake_names import MISTAKE_NAMES, describe_mistakes
-from kinegrade.problem.mistakes import (
+from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.problem.solving import (
+    find_parameter_values,
+    read_values,
+    solve_certified,
+    solve_template,
+)
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.template import Template
+from kinegrade.problem.tolerance import ONE_PER_CENT, find_effective_tolerance
+from kinegrade.proof.checking import check
+from kinegrade.proof.reporting import write_findings
+from kinegrade.students.mistake_kinds import MISTAKES, find_candidates, take_degrees_as_radians
+from kinegrade.students.mistake_names import MISTAKE_NAMES, describe_mistakes
+from kinegrade.students.mistakes import (
     RIGHT,
     choose_way,
     convert_number,
@@ -31,17 +41,7 @@ from kinegrade.problem.mistakes import (
     find_outcomes,
     work_out,
 )
-from kinegrade.problem.reading import read_template
-from kinegrade.problem.reporting import write_findings
-from kinegrade.problem.separation import collect_columns, measure_distance
-from kinegrade.problem.solving import (
-    find_parameter_values,
-    read_values,
-    solve_certified,
-    solve_template,
-)
-from kinegrade.problem.template import Template
-from kinegrade.problem.tolerance import ONE_PER_CENT, find_effective_tolerance
+from kinegrade.students.separation import collect_columns, measure_distance
 from tests.problem.crank import crank, crank_text
 from tests.problem.draws import dealt, draw_filter, drawn
 from tests.said import said

@@ -7,11 +7,11 @@ import json
 import pytest
 from flint import fmpq
 
+from kinegrade.draws.examining import Refused, examine
 from kinegrade.errors import MechanismError
-from kinegrade.problem.examining import Refused, examine
-from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template import Template
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.template import Template
 
 TEXTS = '{ en = "a length", zh = "长度" }'
 HEAD = f"""

@@ -13,11 +13,11 @@ import pytest
 from mpmath import mpf
 
 from kinegrade.errors import MechanismError
-from kinegrade.exact.angle import Angle
-from kinegrade.expression import evaluate, make_elementary_functions, read_expression
-from kinegrade.problem.library import find_template_names, load_template
+from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.numbers.angle import Angle
 from kinegrade.problem.solving import Solution, solve_template
-from kinegrade.problem.template import Published, Template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.template import Published, Template
 
 INSTANCES = 6
 REFERENCE = json.loads(

@@ -7,10 +7,10 @@ import json
 import pytest
 from flint import arb, ctx, fmpq
 
-from kinegrade.exact.angle import Angle
-from kinegrade.exact.field import Field
+from kinegrade.numbers.angle import Angle
+from kinegrade.numbers.field import Field
+from kinegrade.numbers.units import read_unit
 from kinegrade.problem.quantity import Quantity, express_in_unit
-from kinegrade.units import read_unit
 
 ROOT_3 = "1.732050807568877293527446341505872366943"
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.reading import read_template
 from tests.problem.turning_crank import CRANK, faults
 
 

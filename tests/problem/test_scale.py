@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from kinegrade.numbers.units import read_unit
 from kinegrade.problem.scale import find_scale
 from kinegrade.problem.solving import solve_template
-from kinegrade.units import read_unit
 from tests.problem.crank import crank
 
 ACCELERATED = ('velocity = "omega"', 'velocity = "omega", acceleration = "-7*omega**2"')

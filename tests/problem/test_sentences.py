@@ -7,10 +7,10 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import FieldError
-from kinegrade.expression import Number
-from kinegrade.problem.sections.asks import read_sign
-from kinegrade.problem.sentences import read_driver, read_joint
-from kinegrade.problem.translated import Translated
+from kinegrade.expressions.expression import Number
+from kinegrade.problem.template.sections.asks import read_sign
+from kinegrade.problem.template.sentences import read_driver, read_joint
+from kinegrade.problem.template.translated import Translated
 
 
 @pytest.mark.parametrize(

@@ -10,11 +10,16 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.problem.library import find_shipped, find_template_names, list_names, load_template
-from kinegrade.problem.reading import read_template
-from kinegrade.problem.sections.keys import MAX_CHARACTERS
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template import MechanismFile, Template
+from kinegrade.problem.template.library.library import (
+    find_shipped,
+    find_template_names,
+    list_names,
+    load_template,
+)
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.sections.keys import MAX_CHARACTERS
+from kinegrade.problem.template.template import MechanismFile, Template
 from tests.problem.crank import crank
 
 MECHANISM = """

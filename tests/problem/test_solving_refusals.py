@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.errors import MechanismError, TemplateError
-from kinegrade.problem.library import load_template
-from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.library.reading import read_template
 from tests.problem.turning_crank import CRANK, solving
 
 

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.problem.sections.keys import NEEDED, OPTIONAL
-from kinegrade.problem.starter import write_starter_text
+from kinegrade.problem.template.library.starter import write_starter_text
+from kinegrade.problem.template.sections.keys import NEEDED, OPTIONAL
 from tests.small_class import kinegrade
 
 KEYS = (*NEEDED, *OPTIONAL)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import check_statements, write_statement
+from kinegrade.problem.template.library.library import find_template_names, load_template
 from tests.problem.crank import crank
 
 ENGLISH = "en = '''The crank {{ r }} turns with {{ omega }}; $A$ is {{ h.value }} above $O$.'''"

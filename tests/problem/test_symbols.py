@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.errors import TypesetError
-from kinegrade.figure.required_symbol import require_symbol
-from kinegrade.problem.symbols import find_symbol_fault
+from kinegrade.figure.back_ends.required_symbol import require_symbol
+from kinegrade.problem.template.symbols import find_symbol_fault
 
 
 @pytest.mark.parametrize(

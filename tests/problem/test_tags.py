@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.problem.library import load_template
-from kinegrade.problem.tags import list_tags, select_asks
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.tags import list_tags, select_asks
 from tests.problem.crank import crank
 
 UNASKED = ("points = 2, ", "")

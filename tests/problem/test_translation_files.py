@@ -8,8 +8,8 @@ import pytest
 
 from kinegrade.errors import TemplateError
 from kinegrade.language import ENGLISH, Language
-from kinegrade.problem.library import list_names, load_template
-from kinegrade.problem.template_texts import find_languages
+from kinegrade.problem.template.library.library import list_names, load_template
+from kinegrade.problem.template.texts import find_languages
 from tests.problem.crank import crank_text
 from tests.problem.test_languages import ONLY_ENGLISH
 from tests.problem.test_shared_mechanism import MECHANISM, OWN

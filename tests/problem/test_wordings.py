@@ -6,13 +6,13 @@ from __future__ import annotations
 
 import pytest
 
+from kinegrade.draws.examining import Refused, examine
 from kinegrade.errors import TemplateError
 from kinegrade.language import Language
-from kinegrade.problem.checking import check
-from kinegrade.problem.examining import Refused, examine
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import check_statements, write_statement
-from kinegrade.problem.template import Template
+from kinegrade.problem.template.template import Template
+from kinegrade.proof.checking import check
 from tests.problem.crank import crank
 from tests.said import all_said
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.errors import KinegradeError, TemplateError
-from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.reading import read_template
 
 CRANK = """
 family = "crank"

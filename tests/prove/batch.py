@@ -17,7 +17,7 @@ from dataclasses import asdict
 from pathlib import Path
 from pkgutil import resolve_name
 
-from kinegrade.temporary import temporary_folder
+from kinegrade.files.temporary import temporary_folder
 from tests.prove.outcome import Outcome
 
 MEMORY = 1 << 30  # bytes

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.solving import Solution
-from kinegrade.problem.template import Template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.template import Template
 from tests.problem.draws import draw_filter, drawn
 
 STRIDE = 37  # so that a few seeds that follow each other fall on templates of all kinds

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kinegrade.problem.checking import check
+from kinegrade.proof.checking import check
 from tests.prove.draws import seeded_template
 
 INSTANCES = 200

@@ -11,8 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import ExpressionError
-from kinegrade.exact.floats import Floats
-from kinegrade.expression import (
+from kinegrade.expressions.expression import (
     Call,
     Expression,
     Name,
@@ -24,10 +23,11 @@ from kinegrade.expression import (
     read_expression,
 )
 from kinegrade.language.math.typst import write_typst_math
-from kinegrade.problem.library import find_template_names, load_template
-from kinegrade.problem.template import Template
-from kinegrade.worked.coordinates import choose_axes, list_steps
-from kinegrade.worked.formula_text import collect_symbols, write_latex
+from kinegrade.numbers.floats import Floats
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.template import Template
+from kinegrade.worked.formulas.coordinates import choose_axes, list_steps
+from kinegrade.worked.formulas.expression import collect_symbols, write_latex
 from tests.worked.latex_value import value_of
 
 POINTS = {"A": "A", "B": "B", "O1": "O_{1}"}

@@ -7,9 +7,9 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.language import Language
-from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template import Method
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.template import Method
 from kinegrade.worked.solution import write_worked_solution
 from tests.golden_files import Hold
 from tests.worked.telling import lines

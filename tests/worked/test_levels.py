@@ -6,8 +6,8 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.expression import read_expression
-from kinegrade.worked.asked_vectors import find_level
+from kinegrade.expressions.expression import read_expression
+from kinegrade.worked.answers.asked_vectors import find_level
 
 
 @pytest.mark.parametrize(

@@ -8,9 +8,9 @@ import pytest
 
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.problem.library import load_template
-from kinegrade.worked.body_words import name_by_number, name_kind
-from kinegrade.worked.naming import Naming
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.worked.words.bodies import name_by_number, name_kind
+from kinegrade.worked.words.naming import Naming
 
 
 @pytest.mark.parametrize(

@@ -13,13 +13,13 @@ from kinegrade.language import Language
 from kinegrade.language.known import known_languages
 from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.prose.typst import write_prose
-from kinegrade.problem.library import find_template_names, load_template
-from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.formula_width import WIDEST, measure_width
-from kinegrade.worked.pose_answers import explain_pose_answers, is_positional
-from kinegrade.worked.positions import explain_positions
+from kinegrade.worked.formulas.width import WIDEST, measure_width
+from kinegrade.worked.positions.positions import explain_positions
 from tests.problem.draws import draw_filter
 from tests.problem.draws import drawn as draws_of
 from tests.worked.chains import chains, disagreements, part_value

@@ -20,19 +20,19 @@ from kinegrade.language.prose.typst import write_prose
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.relations import Relation, add_vectors
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.library import find_template_names, load_template
-from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import Solution, solve_template
-from kinegrade.problem.template import METHODS, Method
-from kinegrade.worked.deductions import Stage, measure_along_direction
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.template import METHODS, Method
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Results
-from kinegrade.worked.methods import find_coupler
-from kinegrade.worked.needed_rates import select_steps
-from kinegrade.worked.projection import Projection, Share, find_deductions
 from kinegrade.worked.solution import collect_needs, write_worked_solution
-from kinegrade.worked.solution_case import Case
-from kinegrade.worked.steps import find_stage
-from kinegrade.worked.wording import select_scalars
+from kinegrade.worked.steps.deductions import Stage, measure_along_direction
+from kinegrade.worked.steps.methods import find_coupler
+from kinegrade.worked.steps.needed_rates import select_steps
+from kinegrade.worked.steps.projection import Projection, Share, find_deductions
+from kinegrade.worked.steps.steps import find_stage
+from kinegrade.worked.steps.titles import select_scalars
+from kinegrade.worked.words.solution_case import Case
 from tests.laws.cases import moving_templates
 from tests.problem.draws import draw_filter
 from tests.problem.draws import drawn as draws_of

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinegrade.language.known import known_languages
-from kinegrade.problem.translation_names import name_beside
+from kinegrade.problem.template.translation_names import name_beside
 
 HEAD = "exam.json"
 KEY = "key.jsonl"

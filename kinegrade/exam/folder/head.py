@@ -20,10 +20,10 @@ from kinegrade.exam.folder.earlier_signs import recognise_convention
 from kinegrade.exam.folder.faults import EXAM_FOLDER, REMEDY, describe_damage
 from kinegrade.exam.folder.numbers import require_not_negative
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
-from kinegrade.exam.roster import make_student_key
-from kinegrade.fields.document import FileKind, json_table, read_text
-from kinegrade.fields.table import Table
-from kinegrade.fields.values import Read, found
+from kinegrade.exam.roster.roster import make_student_key
+from kinegrade.files.fields.document import FileKind, json_table, read_text
+from kinegrade.files.fields.table import Table
+from kinegrade.files.fields.values import Read, found
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message, Quoted, list_choices, list_plainly

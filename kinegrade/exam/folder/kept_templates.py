@@ -13,8 +13,8 @@ from pathlib import Path
 from kinegrade.errors import ExamError, Problem, TemplateError
 from kinegrade.exam.folder.records import ExamQuestion
 from kinegrade.language.message import Fault
-from kinegrade.problem.library import load_kept_template
-from kinegrade.problem.template import Template
+from kinegrade.problem.template.library.library import load_kept_template
+from kinegrade.problem.template.template import Template
 
 
 @dataclass(frozen=True)

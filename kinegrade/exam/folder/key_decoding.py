@@ -22,13 +22,13 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec.structs import astuple
 
-from kinegrade.csv_writing import encode
 from kinegrade.errors import FieldError
 from kinegrade.exam.folder.exact_keys import read_exact_keys, read_key_line, read_rule
 from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.exam.folder.numbers import MOST_DIGITS, require_not_negative
 from kinegrade.exam.folder.records import Candidate, StatedTolerance
 from kinegrade.exam.folder.stated_keys import Entry, Place, StatedKeys, Terms
+from kinegrade.files.csv_writing import encode
 
 _REMOTE = re.compile("[eE][+-]?[0-9]{3}")  # powers of ten that no number may have
 _MOST_TERMS = 1000  # papers whose tolerances are kept, in case they differ on each

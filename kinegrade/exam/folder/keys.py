@@ -11,8 +11,8 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import NamedTuple, Protocol, assert_never
 
-from kinegrade.exact.figures import figures_interval
 from kinegrade.language import ENGLISH, Language
+from kinegrade.numbers.figures import figures_interval
 from kinegrade.sign_conventions import Convention
 
 

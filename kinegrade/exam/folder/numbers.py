@@ -10,8 +10,8 @@ from fractions import Fraction
 from functools import lru_cache
 
 from kinegrade.errors import FieldError
-from kinegrade.exact.written import NumberError, read_number
 from kinegrade.language.message import Message, Quoted
+from kinegrade.numbers.written import NumberError, read_number
 
 MOST_DIGITS = 100
 RATIONAL = re.compile(r"-?[0-9]{1,300}(?:/[0-9]{0,299}[1-9][0-9]{0,299})?")

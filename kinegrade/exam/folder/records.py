@@ -14,9 +14,9 @@ from functools import cached_property
 
 import msgspec
 
-from kinegrade.exam.exam_secret import ExamSecret, find_secret
+from kinegrade.exam.folder.exam_secret import ExamSecret, find_secret
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.exam.roster import make_file_names
+from kinegrade.exam.roster.roster import make_file_names
 from kinegrade.language import Language
 
 

@@ -1,6 +1,6 @@
 """How an exam folder is written: its head and the lines of its key as bytes.
 
-`kinegrade.exam.generate` writes them; `head` and `exact_keys` read them again.
+`kinegrade.exam.generating.generate` writes them; `head` and `exact_keys` read them again.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kinegrade.exam.quiz_document import QuizAsk
+from kinegrade.exam.quiz.document import QuizAsk
 from kinegrade.lms.quiz.decimals import write_decimal
 
 _TURNS = 2  # a quiz accepts angles within this many turns of zero, and says so

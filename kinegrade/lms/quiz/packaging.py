@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import IO
 
 from kinegrade.errors import ExportError
-from kinegrade.files import output_file
+from kinegrade.files.output import output_file
 from kinegrade.language.message import Message, Quoted
 
 _FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # the earliest that a zip can have

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
+from kinegrade.exam.quiz.document import QuizAsk, QuizQuestion
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.html_text import write_unit_html

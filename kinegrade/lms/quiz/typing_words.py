@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from typing import Literal, assert_never
 
-from kinegrade.exam.quiz_document import QuizQuestion
-from kinegrade.exam.quiz_words import write_sentences
-from kinegrade.exam.rules import spell_out
+from kinegrade.exam.printing.rules import spell_out
+from kinegrade.exam.quiz.document import QuizQuestion
+from kinegrade.exam.quiz.words import write_sentences
 from kinegrade.language import Language
 from kinegrade.language.message import Message
 

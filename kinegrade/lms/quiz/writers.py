@@ -13,8 +13,11 @@ from pathlib import Path
 from typing import Protocol
 
 from kinegrade.errors import Problem
-from kinegrade.exam.quiz_document import Quiz
-from kinegrade.lms.quiz import blackboard, moodle_xml, qti12, qti21
+from kinegrade.exam.quiz.document import Quiz
+from kinegrade.lms.quiz.blackboard import file as blackboard
+from kinegrade.lms.quiz.moodle import file as moodle_xml
+from kinegrade.lms.quiz.qti12 import package as qti12
+from kinegrade.lms.quiz.qti21 import package as qti21
 
 
 class Writer(Protocol):

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 
-from kinegrade.exam.quiz_document import QuizAsk, QuizMistake
+from kinegrade.exam.quiz.document import QuizAsk, QuizMistake
 from kinegrade.lms.quiz.intervals import RightInterval, turn
 
 

@@ -12,11 +12,21 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
-from kinegrade.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
-from kinegrade.exam.student_ids import describe_restoration
+from kinegrade.exam.roster.student_ids import describe_restoration
+from kinegrade.files.answer_file import AnswerFile, LeftOut, Sources
+from kinegrade.files.spreadsheet import is_workbook, read_workbook
+from kinegrade.files.tables import (
+    Complaint,
+    Row,
+    Table,
+    drop_headers,
+    name_encoding,
+    read_table,
+    trim,
+)
 from kinegrade.language.message import (
     Fault,
     Message,
@@ -31,19 +41,9 @@ from kinegrade.lms.responses.detection import DIALECTS, detected
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
-from kinegrade.spreadsheet import is_workbook, read_workbook
-from kinegrade.tables import (
-    Complaint,
-    Row,
-    Table,
-    drop_headers,
-    name_encoding,
-    read_table,
-    trim,
-)
 
 if TYPE_CHECKING:
-    from kinegrade.exam.variants import Variants
+    from kinegrade.exam.quiz.variants import Variants
 
 SOURCES = tuple(DIALECTS)
 Assumption: TypeAlias = Fault | Message

@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.files.tables import Table, make_header_key
 from kinegrade.language.message import Fault, Listing, Message, Quoted, list_plainly
-from kinegrade.tables import Table, make_header_key
 
 _NAME_ASKS = Message("responses.name-asks")
 _DERIVED = re.compile(r"\S.{0,60} [-–] ", re.DOTALL)

@@ -15,12 +15,12 @@ from dataclasses import dataclass
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.files.tables import Row, Table, make_header_key, trim
 from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks
 from kinegrade.lms.responses.asked_units import asked_unit, in_unit
 from kinegrade.lms.responses.people import Kind, People
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
-from kinegrade.tables import Row, Table, make_header_key, trim
 
 TITLE = Message("responses.canvas")
 _TEST_STUDENTS = ("Student, Test", "Test Student")

@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from kinegrade.answer_file import AnswerFile
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.files.answer_file import AnswerFile
 from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses.answer_table import Assumption, read_responses
 from kinegrade.lms.responses.typed_rows import Attempts

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.files.tables import Table
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.lms.responses import canvas, google_forms, moodle, ms_forms, sheet, wjx
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
-from kinegrade.tables import Table
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,13 +9,13 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.roster import Column, list_column_names
+from kinegrade.exam.roster.roster import Column, list_column_names
+from kinegrade.files.tables import Table, make_header_key
 from kinegrade.language.message import Message, Quoted
 from kinegrade.language.spellings import match_spellings
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks, without_derived
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
-from kinegrade.tables import Table, make_header_key
 
 _LONGEST_TITLE = 80  # of a question for id, address or name
 _TITLES: Mapping[str, Message] = {

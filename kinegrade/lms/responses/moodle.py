@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.files.tables import Complaint, Row, Table, shorten, trim
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.lms.responses.ask_headers import expect_exam
 from kinegrade.lms.responses.cloze import Wording, part_count, parts, wording
@@ -23,7 +24,6 @@ from kinegrade.lms.responses.moodle_columns import (
     moodle_columns,
 )
 from kinegrade.lms.responses.typed_rows import Attempts, NotTaken, TypedRow, TypedRows, whole
-from kinegrade.tables import Complaint, Row, Table, shorten, trim
 
 TITLE = Message("responses.moodle")
 _NOT_GRADED = Message("marking.not-graded")

@@ -13,9 +13,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from kinegrade.errors import TableError
+from kinegrade.files.tables import Table, make_header_key, trim
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, list_all, list_plainly
-from kinegrade.tables import Table, make_header_key, trim
 
 NOTHING = "-"  # what Moodle writes in an empty cell
 _GRADE = re.compile(r".*/\s*\d+(?:[.,]\d+)?", re.DOTALL)

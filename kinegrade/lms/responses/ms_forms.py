@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.files.tables import Table, make_header_key
 from kinegrade.language.message import Message
 from kinegrade.lms.responses.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
-from kinegrade.tables import Table, make_header_key
 
 TITLE = Message("responses.ms-forms")
 _FIRST = ("id", "start time", "completion time", "email", "name")

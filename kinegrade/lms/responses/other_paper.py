@@ -11,8 +11,8 @@ import re
 from collections.abc import Mapping, Sequence
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.files.tables import trim
 from kinegrade.language.message import Message
-from kinegrade.tables import trim
 
 _NUMBER = re.compile(r"[-+]?\d{1,30}(?:[.,]\d{1,60})?(?:[eE][-+]?\d{1,3})?")
 _SHARE = 0.02  # a quiz may state the middle of the interval that is right, to three figures

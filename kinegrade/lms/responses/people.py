@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from kinegrade.exam.folder.records import Candidate
-from kinegrade.exam.roster import make_student_key
-from kinegrade.exam.student_ids import StudentIds
+from kinegrade.exam.roster.roster import make_student_key
+from kinegrade.exam.roster.student_ids import StudentIds
+from kinegrade.files.tables import Row, make_header_key, shorten, trim
 from kinegrade.language.message import Message, Quoted, Text, list_all
-from kinegrade.tables import Row, make_header_key, shorten, trim
 
 Kind = Literal["id", "email"]
 

@@ -12,17 +12,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from kinegrade.answer_file import Sources
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.files.answer_file import Sources
+from kinegrade.files.tables import trim
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.lms.responses.other_paper import agree, difference, right_answers, value_of
 from kinegrade.lms.responses.people import Found
 from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
-from kinegrade.tables import trim
 
 if TYPE_CHECKING:
-    from kinegrade.exam.variants import Variant, Variants
+    from kinegrade.exam.quiz.variants import Variant, Variants
 
 Pairs = Sequence[tuple[TypedRow, Found]]
 _SAME = 1e-6  # relative: right answers are written with all their digits
@@ -34,7 +34,7 @@ def pool_of(exam: ExamFolder) -> Variants | None:
     """The pool that was made from an exam, None where none was made. Raises ExamError."""
     if not exam.has_pool:
         return None
-    from kinegrade.exam.variants import read_variants  # noqa: PLC0415  # takes seconds to load
+    from kinegrade.exam.quiz.variants import read_variants  # noqa: PLC0415  # takes seconds to load
 
     return read_variants(exam)
 
@@ -168,7 +168,7 @@ class _Finder:
         """The variants whose statement a text contains; none where it is empty or that of no
         variant.
         """
-        from kinegrade.exam.variants import of_text  # noqa: PLC0415  # takes seconds to load
+        from kinegrade.exam.quiz.variants import of_text  # noqa: PLC0415  # takes seconds to load
 
         return of_text(variants, text) if trim(text) else []
 

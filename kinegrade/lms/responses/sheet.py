@@ -8,11 +8,11 @@ from collections.abc import Sequence
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.roster import Column, list_column_names
+from kinegrade.exam.roster.roster import Column, list_column_names
+from kinegrade.files.tables import Table, make_header_key
 from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
-from kinegrade.tables import Table, make_header_key
 
 TITLE = Message("responses.sheet")
 

@@ -8,10 +8,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from kinegrade.csv_writing import write_csv_text
+from kinegrade.files.csv_writing import write_csv_text
+from kinegrade.files.tables import Complaint, Row, shorten
 from kinegrade.language.message import Message
 from kinegrade.lms.responses.people import Kind
-from kinegrade.tables import Complaint, Row, shorten
 
 Attempts = Literal["finished", "all"]
 

@@ -9,10 +9,10 @@ from collections.abc import Sequence
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.files.tables import Table, trim
 from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
-from kinegrade.tables import Table, trim
 
 TITLE = Message("responses.wjx")
 _NUMBER = "序号"

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.figure.scene import Scene
-from kinegrade.figure.svg import to_svg
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.html_text import (

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import groupby
 
+from kinegrade.figure.back_ends.tikz import write_tikz
 from kinegrade.figure.scene import Scene
-from kinegrade.figure.tikz import write_tikz
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.latex_text import write_comment, write_plain, write_unit

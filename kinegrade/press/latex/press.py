@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from kinegrade.errors import TypesetError
+from kinegrade.files.temporary import temporary_folder
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each
@@ -36,7 +37,6 @@ from kinegrade.press.legible import make_owner_legible, make_owners_legible
 from kinegrade.press.places import ALL_PAPERS, ALL_SOLUTIONS, KEY
 from kinegrade.press.protocol import Printout
 from kinegrade.press.sheet import KeyBook, Paper, PaperSize, SolutionSheet
-from kinegrade.temporary import temporary_folder
 
 # TeX writes some things only on the first page of a run (its initial colour): this page, which is
 # left out

@@ -1,7 +1,7 @@
 """Feedback sheets as PDF, by the embedded Typst, each followed by the worked solution if wanted.
 
-`kinegrade.grading.feedback` makes the sheets; the protocols here say which parts of them are
-printed.
+`kinegrade.reports.feedback.feedback` makes the sheets; the protocols here say which parts of them
+are printed.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ from kinegrade.press.typst.layout_call import (
 )
 from kinegrade.press.typst.room import is_wide_symbol
 from kinegrade.question_numbers import find_bank_number
-from kinegrade.worked.formula_width import measure_width
+from kinegrade.worked.formulas.width import measure_width
 
 _PLAIN_EXACT = 26  # letters' widths of an exact value that surely fits its column
 

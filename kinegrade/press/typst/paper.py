@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
-from kinegrade.figure.typst import write_typst_picture
+from kinegrade.figure.back_ends.typst import write_typst_picture
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.units import write_unit

@@ -9,7 +9,7 @@ from unicodedata import east_asian_width
 
 from kinegrade.press.paper_parts import fits_beside
 from kinegrade.press.sheet import AnswerRow, QuestionSheet
-from kinegrade.worked.formula_width import measure_width
+from kinegrade.worked.formulas.width import measure_width
 
 _PAGE = 225.0  # millimetres: a little less than any page holds between its margins
 _MEASURE = 123.0  # millimetres: the width of a line of text, without a figure beside it

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from re import fullmatch
 
-from kinegrade.figure.typst import write_typst
+from kinegrade.figure.back_ends.typst import write_typst
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.reading import read_math

@@ -13,8 +13,9 @@ from functools import cached_property
 from typing import Literal, get_args
 
 from kinegrade.errors import TypesetError, suggest
+from kinegrade.figure.back_ends.typst import write_typst
 from kinegrade.figure.scene import Scene
-from kinegrade.figure.typst import write_typst
+from kinegrade.files.temporary import temporary_folder
 from kinegrade.language.message import Fault, Message
 from kinegrade.press.html.page import write_page
 from kinegrade.press.sheet import Paper, PaperSize
@@ -22,7 +23,6 @@ from kinegrade.press.typst.compiler import make_compiler
 from kinegrade.press.word.pandoc import Kind, run_bare_pandoc, run_pandoc
 from kinegrade.press.word.paper import write_paper_tree
 from kinegrade.press.word.reference import make_word_reference
-from kinegrade.temporary import temporary_folder
 
 _KINDS: tuple[Kind, ...] = get_args(Kind)
 _Picture = Literal["png", "svg"]

@@ -13,8 +13,8 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.exam_secret import FromWords, RandomSecret
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.exam_secret import FromWords, RandomSecret
 from kinegrade.exam.folder.records import Candidate
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from hypothesis import strategies as st
 
-from kinegrade.exam.quiz_paper import show_instance
+from kinegrade.exam.quiz.paper import show_instance
 from kinegrade.language import Language
 from kinegrade.language.math.latex import LatexDialect
 from kinegrade.language.math.letters import FUNCTIONS, GREEK, SIGNS
@@ -43,8 +43,8 @@ from kinegrade.language.math.tree import (
     Text,
     Unit,
 )
-from kinegrade.problem.library import find_template_names, load_template
 from kinegrade.problem.statement import write_statement
+from kinegrade.problem.template.library.library import find_template_names, load_template
 
 ONE_OF_EACH = (
     "ab",

@@ -10,13 +10,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Literal
 
-from kinegrade.exam.quiz_document import (
-    Quiz,
-    QuizAsk,
-    QuizMistake,
-    QuizPaper,
-    QuizQuestion,
-)
+from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.figure.scene import FIRM, Scene, Strokes
 from kinegrade.mechanics.vector import Vector
 from kinegrade.press.sheet import AnswerRow, QuestionSheet

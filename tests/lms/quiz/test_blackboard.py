@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import ExportError
-from kinegrade.exam.quiz_document import Quiz, QuizPaper
-from kinegrade.lms.quiz.blackboard import write
+from kinegrade.exam.quiz.document import Quiz, QuizPaper
+from kinegrade.lms.quiz.blackboard.file import write
 from tests.golden_files import Hold
 from tests.lms.quiz import a_quiz
 from tests.lms.quiz.packages import files_of, listing

@@ -15,9 +15,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizMistake, QuizPaper, QuizQuestion
-from kinegrade.lms.quiz.moodle_xml import write
-from kinegrade.lms.quiz.moodle_xml_questions import Form
+from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizMistake, QuizPaper, QuizQuestion
+from kinegrade.lms.quiz.moodle.file import write
+from kinegrade.lms.quiz.moodle.questions import Form
 from tests.lms.quiz.a_quiz import ANGLE, SPEED, alter, make_sheet, pooled, quiz
 from tests.lms.quiz.moodle_rules import Answer, box_width, faults, first, read, right
 from tests.said import all_said

@@ -16,8 +16,7 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import ExportError, OutputError
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.exam.quiz import read_quiz
-from kinegrade.exam.quiz_document import (
+from kinegrade.exam.quiz.document import (
     Language,
     Quiz,
     QuizAsk,
@@ -25,10 +24,11 @@ from kinegrade.exam.quiz_document import (
     QuizPaper,
     QuizQuestion,
 )
-from kinegrade.exam.quiz_paper import QuizWishes
-from kinegrade.lms.quiz.moodle_xml import write
-from kinegrade.lms.quiz.moodle_xml_answers import SHARES
-from kinegrade.lms.quiz.moodle_xml_questions import Form
+from kinegrade.exam.quiz.paper import QuizWishes
+from kinegrade.exam.quiz.quiz import read_quiz
+from kinegrade.lms.quiz.moodle.answers import SHARES
+from kinegrade.lms.quiz.moodle.file import write
+from kinegrade.lms.quiz.moodle.questions import Form
 from tests.golden_files import Hold
 from tests.lms.quiz.a_quiz import (
     ACCELERATION,

@@ -14,8 +14,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import ExportError
-from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
-from kinegrade.lms.quiz.qti12 import write
+from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizPaper
+from kinegrade.lms.quiz.qti12.package import write
 from tests.golden_files import Hold
 from tests.lms.quiz import a_quiz
 from tests.lms.quiz.packages import bare, files_of, listing, misplaced

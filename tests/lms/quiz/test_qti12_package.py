@@ -12,9 +12,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import ExportError, OutputError
-from kinegrade.exam.quiz_document import Quiz, QuizPaper
-from kinegrade.lms.quiz import blackboard, qti12, qti21
+from kinegrade.exam.quiz.document import Quiz, QuizPaper
+from kinegrade.lms.quiz.blackboard import file as blackboard
 from kinegrade.lms.quiz.packaging import make_stable_name
+from kinegrade.lms.quiz.qti12 import package as qti12
+from kinegrade.lms.quiz.qti21 import package as qti21
 from kinegrade.lms.quiz.writers import Writer
 from tests.lms.quiz import a_quiz
 

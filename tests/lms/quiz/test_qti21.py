@@ -14,8 +14,8 @@ from xml.etree.ElementTree import Element
 import pytest
 
 from kinegrade.errors import ExportError
-from kinegrade.exam.quiz_document import Quiz, QuizPaper
-from kinegrade.lms.quiz.qti21 import write
+from kinegrade.exam.quiz.document import Quiz, QuizPaper
+from kinegrade.lms.quiz.qti21.package import write
 from tests.golden_files import Hold
 from tests.lms.quiz import a_quiz
 from tests.lms.quiz.packages import bare, files_of, listing, misplaced

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exam.quiz_document import Language
+from kinegrade.exam.quiz.document import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.lms.quiz.typing_words import Typing, make_typing_rule, write_rules
 from tests.lms.quiz.a_quiz import SPEED, question

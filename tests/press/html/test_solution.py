@@ -10,8 +10,8 @@ import pytest
 
 from kinegrade.language import Language
 from kinegrade.press.html.solution import write_blocks
-from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.document import Display, Heading, Prose, Result, Results, Term, TermTable
 from kinegrade.worked.solution import write_worked_solution
 

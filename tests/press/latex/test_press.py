@@ -14,18 +14,18 @@ import pytest
 from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.dealing import deal_exam
-from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.pages import lay_out_paper
-from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.sample import make_sample_bank
+from kinegrade.exam.folder.exam_secret import FromWords
+from kinegrade.exam.printing.pages import lay_out_paper
+from kinegrade.exam.printing.sample import make_sample_bank
+from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
 from kinegrade.press.latex.press import LatexPress
 from kinegrade.press.latex.xetex import make_pdf, run
 from kinegrade.press.protocol import Press
 from kinegrade.press.sheet import Paper
-from kinegrade.problem.library import find_template_names, load_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
 from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
 from tests.press.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION, long_equation
 

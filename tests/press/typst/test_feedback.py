@@ -17,10 +17,10 @@ from pypdf import PdfReader
 from kinegrade.errors import TypesetError
 from kinegrade.exam.exam_wording import ExamWording, read_exam_wording
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.grading.feedback import FeedbackSheet, make_feedback_sheets
-from kinegrade.grading.feedback_folder import FeedbackWishes, write_feedback
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.press.typst.feedback import FeedbackPress
+from kinegrade.reports.feedback.feedback import FeedbackSheet, make_feedback_sheets
+from kinegrade.reports.feedback.folder import FeedbackWishes, write_feedback
 from tests.grading.marked_folder import RIGHT, mark_class
 
 WORDING = ExamWording({"q1": "Crank $OA$"}, {"q1.v_B": "speed of $B$"}, {"q1.v_B": "v_{B}"})

@@ -1,0 +1,183 @@
+"""Dealing a question: place 0 of a class gets the first good combination of the deck, place 1 the
+second, and so on.
+
+What a place gets depends on the deck and on the place only: not on how many places there are, nor
+on what the others got.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import ceil
+from typing import Literal
+
+from kinegrade.draws.draw_filter import DrawFilter, Verdict
+from kinegrade.draws.examining import Reason, name_reason
+from kinegrade.errors import DrawError
+from kinegrade.language.message import Fault, Message, Part, list_plainly
+
+# Combinations that are looked at for each place. Shipped templates need 2 to 20; where one in 400
+# is not enough, an author has to widen the domains rather than an instructor to wait.
+LOOKS = 400
+
+
+# Combinations in one part at most: enough for arrays to pay, few enough to busy several processes
+PART = 50
+
+
+@dataclass(frozen=True)
+class DeckPart:
+    """Positions of a question's deck that are filtered together."""
+
+    question: str
+    positions: range
+
+
+Whose = Literal["students", "versions", "draws"]  # what the places of a deal are
+Verdicts = tuple[Verdict, ...]
+Look = Callable[
+    [Sequence[DeckPart]], Iterable[Verdicts]
+]  # the filters' verdicts on parts, in order
+
+
+@dataclass(frozen=True)
+class Deal:
+    """A question as far as its deck of `size` combinations was looked at for `places` places.
+
+    `verdicts` are those of the filter, position by position.
+    """
+
+    size: int
+    places: int
+    verdicts: Verdicts = ()
+
+    def position(self, place: int) -> int:
+        """The position in the deck of what a place gets.
+
+        Good combinations among the first LOOKS for this place and LOOKS for each before it are
+        dealt; if there are fewer of them than places, they are dealt again from the first.
+        """
+        return self._good[place % self._found(place)]
+
+    @property
+    def good(self) -> int:
+        """How many different combinations are dealt: one for each place while they last."""
+        return min(len(self._good), self.places)
+
+    @property
+    def refused(self) -> dict[Reason, int]:
+        """By reason how many combinations were refused until each place had one."""
+        looked = self._good[self.places - 1] + 1 if self.lasting else self.bound
+        reasons = (reason for reason in self.verdicts[:looked] if reason is not None)
+        return dict(sorted(Counter[Reason](reasons).items()))
+
+    @property
+    def lasting(self) -> bool:
+        """Whether there is a combination for each place."""
+        return len(self._good) >= self.places
+
+    def shortage(self, name: str, whose: Whose) -> Fault:
+        """The complaint that there are too few; `whose` says what the places are."""
+        places = Message(f"template.for-{whose}", count=self.places)
+        what = Message(
+            "template.too-few-fit", good=self.good, among=self.looked_at(), places=places
+        )
+        return Fault(name, what, Message("template.one-for-each"), Message("template.widen"))
+
+    def looked_at(self) -> Message:
+        """The combinations that were looked at, in words."""
+        looked = len(self.verdicts)
+        if looked < self.size:
+            return Message("template.first-combinations", looked=looked, size=self.size)
+        return Message("template.all-combinations", size=self.size)
+
+    @property
+    def hopeless(self) -> bool:
+        """Whether there is none for the first place, and therefore none for any."""
+        return len(self.verdicts) >= self._bound(0) and not self._found(0)
+
+    @property
+    def bound(self) -> int:
+        """How many combinations are looked at, at most."""
+        return self._bound(self.places - 1)
+
+    def further(self) -> range:
+        """The positions to look at next, none if no more are needed: as many as are likely to be
+        needed, but no more at a time than before, so that a hopeless deck is recognised early.
+        """
+        looked = len(self.verdicts)
+        missing = max(self.places - len(self._good), 0)
+        likely = ceil(missing * (looked + 1) / (len(self._good) + 1))
+        most = LOOKS - looked if looked < LOOKS else looked
+        return range(looked, min(looked + min(likely, most), self.bound))
+
+    def looked(self, verdicts: Verdicts) -> Deal:
+        """The same deal with the verdicts on the positions that follow."""
+        return replace(self, verdicts=self.verdicts + verdicts)
+
+    @cached_property
+    def _good(self) -> Sequence[int]:
+        """The positions of the good combinations."""
+        return [position for position, verdict in enumerate(self.verdicts) if verdict is None]
+
+    def _found(self, place: int) -> int:
+        """How many good combinations there are within the bound of a place."""
+        return bisect_left(self._good, self._bound(place))
+
+    def _bound(self, place: int) -> int:
+        """The position at which looking for a place ends."""
+        return min(self.size, LOOKS * (place + 1))
+
+
+def deal(filters: Mapping[str, DrawFilter], places: int, look: Look) -> dict[str, Deal]:
+    """The questions dealt to so many places, one or more; `look` asks the filters.
+
+    Raises DrawError with every question of which no combination is good.
+    """
+    deals = {name: Deal(each.deck.size, places) for name, each in filters.items()}
+    while parts := [part for name, each in deals.items() for part in _split(name, each.further())]:
+        for part, verdicts in zip(parts, look(parts), strict=True):
+            deals[part.question] = deals[part.question].looked(verdicts)
+        _require_hope(filters, deals)
+    return deals
+
+
+def look_here(filters: Mapping[str, DrawFilter], parts: Sequence[DeckPart]) -> Iterator[Verdicts]:
+    """The filters' verdicts on parts, found by this process."""
+    return (filters[part.question].verdicts(part.positions) for part in parts)
+
+
+def _split(question: str, positions: range) -> Iterator[DeckPart]:
+    """Positions in parts of much the same size."""
+    for first in range(positions.start, positions.stop, PART):
+        yield DeckPart(question, range(first, min(first + PART, positions.stop)))
+
+
+def _require_hope(filters: Mapping[str, DrawFilter], deals: Mapping[str, Deal]) -> None:
+    """Raises DrawError for questions of which nothing can be dealt."""
+    faults = [
+        _explain_hopeless(f"{name} ({filters[name].template.name})", each)
+        for name, each in deals.items()
+        if each.hopeless
+    ]
+    if faults:
+        raise DrawError(*faults)
+
+
+def _explain_hopeless(where: str, hopeless: Deal) -> Fault:
+    reasons = count_reasons(hopeless.refused)
+    what = Message("template.none-fit", among=hopeless.looked_at(), reasons=reasons)
+    return Fault(where, what, Message("template.one-for-each-student"), Message("template.widen"))
+
+
+def count_reasons(refused: Mapping[Reason, int]) -> Part:
+    """How often each reason refused a combination, in words: "degenerate 3, mistake 12"."""
+    counted = [
+        Message("template.reason-count", reason=name_reason(reason), number=count)
+        for reason, count in refused.items()
+    ]
+    return list_plainly(counted) if counted else Message("grammar.no-names")

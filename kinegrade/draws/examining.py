@@ -1,0 +1,170 @@
+"""Whether an instance is fit for students: its solution, or the reason why it is not.
+
+`kinegrade.draws.draw_filter` asks this of the combinations of a deck, `kinegrade check` of a
+sample.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from typing import Literal
+
+from kinegrade.errors import MechanismError, Problem
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message
+from kinegrade.mechanics.plan import Plan
+from kinegrade.problem.holding import choose_wording, condition_holds
+from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.template.template import Ask, Template
+from kinegrade.problem.tolerance import (
+    ONE_PER_CENT,
+    Tolerance,
+    find_effective_tolerance,
+    find_scale_of_mechanism,
+)
+from kinegrade.students.honest_rounding import find_stray
+from kinegrade.students.honest_rounding_arrays import surely_honest
+from kinegrade.students.kept_decimals import RightRange, find_fitting_factor
+
+SMALLEST, LARGEST = (
+    1e-3,
+    1e5,
+)  # sizes of answers, in the ask's unit, that a student can be asked to write
+Reason = Literal[
+    "condition",
+    "mechanism",
+    "degenerate",
+    "absurd",
+    "rounding",
+    "mistake",
+    "decimals",
+]
+
+
+class Refused(Exception):
+    """A drawn instance is not fit for students; `ask` names the answer to blame, `detail` says
+    more.
+    """
+
+    def __init__(self, reason: Reason, detail: Problem, ask: str = "") -> None:
+        self.reason, self.detail, self.ask = reason, detail, ask
+        super().__init__(detail)
+
+    def __str__(self) -> str:
+        return open_catalogue(ENGLISH).write(self.detail)
+
+
+def name_reason(reason: Reason) -> Message:
+    """A reason in a word."""
+    return Message(f"template.refused-{reason}")
+
+
+def examine(
+    template: Template,
+    values: Mapping[str, str],
+    asks: Iterable[str],
+    plan: Plan | None = None,
+    tolerances: Mapping[str, Tolerance] | None = None,
+) -> Solution:
+    """The solution of an instance fit for students; without a tolerance 1 % holds. Raises Refused
+    with the reason.
+    """
+    solution = solve_sensible(template, values, asks, plan)
+    if strayed := find_stray(solution, tolerances or {}):
+        raise Refused("rounding", strayed.said(), strayed.ask)
+    return solution
+
+
+def examine_together(
+    template: Template,
+    draws: Iterable[Mapping[str, str]],
+    asks: Iterable[str],
+    plan: Plan | None,
+    tolerances: Mapping[str, Tolerance],
+) -> list[Solution | Refused]:
+    """For each of many instances what `examine` gives or raises."""
+    wanted = tuple(asks)
+    found: list[Solution | Refused] = []
+    for values in draws:
+        try:
+            found.append(solve_sensible(template, values, wanted, plan))
+        except Refused as refusal:
+            found.append(refusal)
+    sure = iter(surely_honest([one for one in found if isinstance(one, Solution)], tolerances))
+    for place, one in enumerate(found):
+        if (
+            isinstance(one, Solution)
+            and not next(sure)
+            and (strayed := find_stray(one, tolerances))
+        ):
+            found[place] = Refused("rounding", strayed.said(), strayed.ask)
+    return found
+
+
+def solve_sensible(
+    template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None
+) -> Solution:
+    """The solution of an instance that meets the conditions and whose answers can be asked for.
+    Raises Refused.
+    """
+    try:
+        for condition in template.scheme.conditions:
+            if not condition_holds(template, condition, values):
+                raise Refused("condition", condition.text)
+        for name in template.words.texts:
+            if choose_wording(template, name, values) is None:
+                raise Refused("condition", Message("template.no-text-applies", text=name))
+        solution = solve_template(template, values, asks, plan)
+    except MechanismError as error:
+        raise Refused("mechanism", error.faults[0]) from error
+    for name, answer in solution.answers.items():
+        if refusal := find_unfit(template.asks[name], answer):
+            raise refusal
+    require_doubles(solution)
+    return solution
+
+
+def require_doubles(solution: Solution) -> None:
+    """Raises Refused for an instance with sizes beyond the doubles in which it is worked out again
+    by hand.
+    """
+    try:
+        for answer in solution.answers.values():
+            find_scale_of_mechanism(solution.doubles, answer.measure)
+    except OverflowError as error:
+        raise Refused("absurd", Message("template.size-beyond")) from error
+
+
+def find_too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:
+    """The first ask whose right answer is no longer right with four decimals, in any unit; "" where
+    there is none.
+    """
+    for name, answer in solution.answers.items():
+        stated = tolerances.get(name, ONE_PER_CENT)
+        tolerance = find_effective_tolerance(stated, answer.value, answer.measure, solution.doubles)
+        value = Fraction(answer.certified)
+        right = RightRange(value, *tolerance.interval(value))
+        if find_fitting_factor(answer.unit, right) is None:
+            return name
+    return ""
+
+
+def find_unfit(ask: Ask, answer: Quantity) -> Refused | None:
+    """Why an answer cannot be asked for: it is at infinity, zero although the ask does not allow
+    it, or of an absurd size; None if it can.
+    """
+    if answer.at_infinity:
+        return Refused("degenerate", Message("template.at-infinity", ask=ask.name))
+    if answer.is_zero:
+        return (
+            None
+            if ask.vanishes
+            else Refused("degenerate", Message("template.is-zero", ask=ask.name))
+        )
+    if not SMALLEST <= abs(answer.value) <= LARGEST:
+        size = f"{answer.decimal(3)} {answer.unit}"
+        return Refused("absurd", Message("template.is-of-size", ask=ask.name, size=size))
+    return None

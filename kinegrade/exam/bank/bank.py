@@ -1,0 +1,242 @@
+"""The bank's file, an exam's blueprint: which questions are asked, for how many points, within
+which tolerance.
+
+title  = { en = "Kinematics midterm", zh = "运动学期中测验" }  # or in NAME.zh.toml beside it
+course = { en = "Theoretical mechanics", zh = "理论力学" }
+tolerance = { relative = "1 %" }  # or { absolute = 0.01 }, { figures = 3 }: or several of them
+shuffle = true  # optional: every paper has its own order of the questions
+versions = 3  # optional: versions A, B, C instead of a paper for each student
+engine = "latex"  # optional: what typesets the exam (typst)
+credit = { follow-through = "1/2" }  # optional: shares of the points, see stated_marking
+solutions = true  # optional: feedback holds the worked solutions
+lms = "canvas"  # optional: refuse draws that Canvas cannot mark with four decimals
+
+[[questions]]
+template = "slider-crank"  # a shipped template, or a file beside the bank: "mine.toml"
+asks = { v_B = 3, omega_AB = 2 }  # optional: what is asked, with points
+draw = { k = ["sqrt(3)", "2"] }  # optional: other domains for some parameters
+tolerance = { relative = "2 %" }  # optional: for this question
+
+[[questions]]
+family = "rolling"  # or tag = "acceleration": shipped templates, drawn once for the class
+number = 2  # optional: how many different ones (1)
+without = ["rolling-wheel-rim-points"]  # optional: not these
+asks = "velocity"  # optional: only this (position, acceleration) of what the template asks
+points = 10  # optional: shared out as the template weighs what it asks
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import get_args
+
+from kinegrade.errors import BankError, suggest
+from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
+from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
+from kinegrade.exam.bank.terms import read_bank_tolerance
+from kinegrade.exam.bank.versions import LETTERS
+from kinegrade.exam.folder.contents import HEAD
+from kinegrade.exam.folder.faults import REMEDY
+from kinegrade.files.fields.document import Document, FileKind, read_text, toml_table
+from kinegrade.files.fields.faults import Faults
+from kinegrade.files.fields.lines import lines_of_toml
+from kinegrade.files.fields.place import Place
+from kinegrade.files.fields.table import Table
+from kinegrade.files.fields.values import choice, date_text, flag, whole
+from kinegrade.language.lines import shorten
+from kinegrade.language.message import Fault, Message, Quoted, list_plainly
+from kinegrade.press.protocol import ENGINES
+from kinegrade.problem.template.beside import Beside, Translations, lay_in, read_translations
+from kinegrade.problem.template.library.library import find_shipped, list_names
+from kinegrade.problem.template.template import TemplateFile
+from kinegrade.problem.template.translated import Translated
+from kinegrade.problem.template.translations import translated
+from kinegrade.problem.tolerance import ONE_PER_CENT
+from kinegrade.stated_marking import read_credit
+from kinegrade.students.mistake_names import MISTAKE_NAMES
+
+_KEYS = (
+    "title",
+    "course",
+    "date",
+    "tolerance",
+    "shuffle",
+    "versions",
+    "engine",
+    "credit",
+    "solutions",
+    "lms",
+    "questions",
+)
+MAX_BYTES = 200_000
+_BANK_FILE = FileKind(Message("bank.a-bank-file"), BankError, MAX_BYTES)
+_SYSTEMS: tuple[LMS, ...] = get_args(LMS)
+_TEXTS = ("title", "course")  # what a translation beside a bank may hold
+_NO_TEXT = Translated(plain="")
+
+
+def find_bank(path: Path) -> Path:
+    """A bank's file: the one at that path, or the shipped bank of that name. Raises BankError if
+    there is neither.
+    """
+    folder = find_shipped("banks")
+    banks = {name: folder / f"{name}.toml" for name in list_names(folder)}
+    if not path.is_file() and str(path) in banks:
+        return banks[str(path)]
+    if path.suffix != ".toml" and not path.exists():
+        name = Quoted(shorten(str(path)))
+        raise BankError(Message("bank.none", name=name, hint=suggest(str(path), banks)))
+    return path
+
+
+def read_bank(path: Path, secret: str = "") -> Bank:
+    """The exam that a secret makes of a bank's file; the secret matters where the bank draws by
+    family or tag.
+
+    Raises BankError with all faults at once.
+    """
+    return read_blueprint(path).bank(secret)
+
+
+def read_kept_bank(path: Path, folder: Path, chosen: Mapping[str, str]) -> Bank:
+    """The bank of an exam from the copy at `path` that is kept with it; `chosen` names the template
+    of each question, and `folder` holds copies of those.
+
+    Raises BankError with all faults at once.
+    """
+    kept = read_blueprint(path, folder, kept=True)
+    found = tuple(
+        candidate
+        for slot in kept.slots
+        for candidate in slot.candidates
+        if candidate.template.name == chosen.get(slot.identifier)
+    )
+    if [question.identifier for question in found] != list(chosen):
+        what = Message("bank.differing-questions", head=HEAD)
+        expected = Message("bank.questions-of-exam", questions=list_plainly(chosen))
+        raise BankError(Fault(str(path), what, expected, REMEDY))
+    return replace(kept.frame, questions=found)
+
+
+def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False) -> Blueprint:
+    """The blueprint in a file; `folder` holds the templates: by default the shipped ones, and for a
+    bank that is `kept` with an exam those of the exam.
+
+    Raises BankError with all faults at once.
+    """
+    text, translations = read_text(path, _BANK_FILE), read_translations(path, _BANK_FILE)
+    whole, faults = _open(path, text, translations)
+    table = whole.only(*_KEYS)
+    entries = Entries(table.faults, folder or find_shipped("templates"), path.parent, kept)
+    frame = _read_frame(table, text, translations)
+    slots = _read_slots(table, entries, frame)
+    _require_none((table.faults, *faults))
+    return Blueprint(frame, slots)
+
+
+def read_bank_texts(path: Path) -> tuple[Translated, Translated]:
+    """The title and the course of the bank in a file. Raises BankError."""
+    text, translations = read_text(path, _BANK_FILE), read_translations(path, _BANK_FILE)
+    table, faults = _open(path, text, translations)
+    title, course = _read_texts(table)
+    _require_none((table.faults, *faults))
+    return title, course
+
+
+def _read_texts(table: Table) -> tuple[Translated, Translated]:
+    title, course = (table.required(key, translated) for key in _TEXTS)
+    return title or _NO_TEXT, course or _NO_TEXT
+
+
+def _open(path: Path, text: str, translations: Translations) -> tuple[Table, tuple[Faults, ...]]:
+    """The bank's tables with the texts of the translations beside it, and the faults of these."""
+    plain = toml_table(str(path), text, _BANK_FILE)
+    document = Document(str(path), text, lines_of_toml)
+    places: dict[Place, Place] = {(key,): (key,) for key in _TEXTS if key in plain}
+    laid = lay_in(plain.content, document, Beside(str(path), _BANK_FILE, translations), places)
+    return Table(Faults(laid.source, BankError), (), laid.content), laid.faults
+
+
+def _require_none(files: Iterable[Faults]) -> None:
+    """Raises BankError with the faults of all these files."""
+    faults = [fault for file in files for fault in file.raised().faults]
+    if faults:
+        raise BankError(*faults)
+
+
+def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
+    """Everything but the questions; an entry at fault is left empty or at its default."""
+    title, course = _read_texts(table)
+    return Bank(
+        title=title,
+        course=course,
+        date=table.with_default("date", date_text, ""),
+        tolerance=read_bank_tolerance(table, ONE_PER_CENT),
+        questions=(),
+        text=text,
+        translations=translations,
+        shuffle=table.with_default("shuffle", flag, False),
+        versions=table.with_default("versions", whole(1, len(LETTERS)), 0),
+        engine=table.with_default("engine", choice(ENGINES), "typst"),
+        credit=read_credit(table, lambda: MISTAKE_NAMES),
+        solutions=table.with_default("solutions", flag, False),
+        lms=table.optional("lms", choice(_SYSTEMS)),
+    )
+
+
+def _read_slots(table: Table, entries: Entries, frame: Bank) -> tuple[Slot, ...]:
+    """The exam's questions q1, q2 ... in the bank's order; an entry may stand for several."""
+    tables = table.tables("questions")
+    if not 1 <= len(tables) <= MAX_QUESTIONS:
+        _miscounted(table, len(tables))
+        return ()
+    read: list[Entry] = []
+    for entry in tables:
+        first = sum(len(before.slots) for before in read) + 1
+        read.append(Entry(entry, entries.slots(entry, first, frame.tolerance)))
+    slots = tuple(slot for entry in read for slot in entry.slots)
+    if len(slots) > MAX_QUESTIONS:
+        what = Message("bank.questions", count=len(slots))
+        table.fault("questions", what, Message("bank.questions-at-most", most=MAX_QUESTIONS))
+    _require_different_names(read)
+    _require_enough(read, slots)
+    return slots
+
+
+def _miscounted(table: Table, count: int) -> None:
+    expected = Message("bank.tables-from-one", most=MAX_QUESTIONS)
+    if "questions" not in table:
+        table.missing("questions", expected)
+    elif isinstance(table.value("questions"), list):
+        table.fault("questions", Message("bank.tables", count=count), expected)
+
+
+def _require_different_names(entries: Sequence[Entry]) -> None:
+    """A fault where two different template files share a name: the exam folder keeps one file per
+    name.
+    """
+    files: dict[str, TemplateFile] = {}
+    for entry in entries:
+        for template in (slot.candidates[0].template for slot in entry.slots if not slot.drawn):
+            if files.setdefault(template.name, template.file) != template.file:
+                entry.table.fault(
+                    "template",
+                    Message("bank.name-taken", name=Quoted(template.name)),
+                    do=Message("bank.rename-file"),
+                )
+
+
+def _require_enough(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:
+    """A fault if there are not enough templates to give every question a different one."""
+    chosen = match_slots(list_wishes(slots, lambda slot, name: 0))
+    for entry in entries:
+        count = len(entry.slots)
+        left = sum(not slot.drawn or slot.identifier in chosen for slot in entry.slots)
+        if left < count:
+            entry.table.fault(
+                "number",
+                Message("bank.too-few-templates", count=count, left=left),
+                do=Message("bank.draw-fewer"),
+            )

@@ -1,0 +1,176 @@
+"""An exam's blueprint, and the exam that a secret makes of it.
+
+`bank` reads a blueprint from its file; `setting` draws numbers for the questions of the Bank that
+is chosen here. What is chosen is the same for the whole class, because the class shares one answer
+sheet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from functools import partial
+from typing import Literal, assert_never
+
+from kinegrade.draws.keyed_order import address
+from kinegrade.press.protocol import Engine
+from kinegrade.problem.template.beside import Translations
+from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.translated import Translated
+from kinegrade.problem.tolerance import Tolerance
+from kinegrade.stated_marking import StatedCredit
+
+LMS = Literal["canvas"]  # systems that do not take every answer
+
+
+@dataclass(frozen=True)
+class BankAsk:
+    """One quantity asked for."""
+
+    name: str
+    points: Fraction
+    tolerance: Tolerance
+
+
+@dataclass(frozen=True)
+class BankQuestion:
+    """One question: its template, what is asked, and domains that replace the template's."""
+
+    identifier: str
+    template: Template
+    asks: tuple[BankAsk, ...]
+    domains: Mapping[str, tuple[str, ...]]
+
+    @property
+    def points(self) -> Fraction:
+        """The sum of the asks' points."""
+        return sum((ask.points for ask in self.asks), Fraction(0))
+
+
+@dataclass(frozen=True)
+class Bank:
+    """An exam's questions with all that holds for the exam; `text` is the file as it was read, kept
+    with the exam, as are the texts of the `translations` beside it.
+
+    `shuffle` gives every paper its own order of the questions; `versions` is the number of
+    different papers, 0 for a different one for each student; `engine` is the typesetter unless an
+    instructor asks for another; `credit` is for answers that are not right; with `solutions`,
+    feedback includes the worked solutions unless requested otherwise; `lms` is the system that the
+    exam will be imported into, if its draws have to suit one.
+    """
+
+    title: Translated
+    course: Translated
+    date: str
+    tolerance: Tolerance
+    questions: tuple[BankQuestion, ...]
+    text: str
+    translations: Translations = field(default_factory=dict)
+    shuffle: bool = False
+    versions: int = 0
+    engine: Engine = "typst"
+    credit: StatedCredit = field(default_factory=StatedCredit)
+    solutions: bool = False
+    lms: LMS | None = None
+
+    @property
+    def four_decimals(self) -> bool:
+        """Whether the system keeps no more than four decimals of an answer."""
+        match self.lms:
+            case "canvas":
+                return True
+            case None:
+                return False
+            case _:
+                assert_never(self.lms)
+
+
+@dataclass(frozen=True)
+class Slot:
+    """One question of an exam: the questions it may become; one of them is `drawn`, or there is
+    only one.
+    """
+
+    identifier: str
+    candidates: tuple[BankQuestion, ...]
+    drawn: bool
+
+
+@dataclass(frozen=True)
+class Blueprint:
+    """A bank as it is read: `frame` holds everything but the questions, which are still to be
+    chosen.
+    """
+
+    frame: Bank
+    slots: tuple[Slot, ...]
+
+    def bank(self, secret: str) -> Bank:
+        """The exam that a secret makes; templates that are drawn differ from each other and from
+        all that are named.
+
+        A blueprint that was read has enough templates for every slot.
+        """
+        names = match_slots(
+            list_wishes(self.slots, lambda slot, name: address(secret, "template", slot, name))
+        )
+        questions = tuple(
+            candidate
+            for slot in self.slots
+            for candidate in slot.candidates
+            if names.get(slot.identifier, candidate.template.name) == candidate.template.name
+        )
+        return replace(self.frame, questions=questions)
+
+
+def list_wishes(
+    slots: Iterable[Slot], rank: Callable[[str, str], int]
+) -> dict[str, tuple[str, ...]]:
+    """For each slot that is drawn the templates it may take, those of lowest rank first."""
+    slots = tuple(slots)
+    named = {slot.candidates[0].template.name for slot in slots if not slot.drawn}
+    return {
+        slot.identifier: _rank_templates(slot, named, partial(rank, slot.identifier))
+        for slot in slots
+        if slot.drawn
+    }
+
+
+def _rank_templates(slot: Slot, named: set[str], rank: Callable[[str], int]) -> tuple[str, ...]:
+    """The templates that a slot may take, without those that the bank names, by rank and name."""
+    candidates = {question.template.name for question in slot.candidates} - named
+    return tuple(sorted(candidates, key=lambda name: (rank(name), name)))
+
+
+def match_slots(wanted: Mapping[str, Sequence[str]]) -> dict[str, str]:
+    """A name for as many slots as can have one, no name twice: the first that is free, or one that
+    is made free.
+
+    >>> match_slots({"q1": ["crank", "cam"], "q2": ["crank"], "q3": ["cam"]})
+    {'q2': 'crank', 'q1': 'cam'}
+    """
+    holders: dict[str, str] = {}
+    for slot, names in wanted.items():
+        free = next((name for name in names if name not in holders), None)
+        if free is not None:
+            holders[free] = slot
+        else:
+            _displace(slot, wanted, holders, set())
+    return {slot: name for name, slot in holders.items()}
+
+
+def _displace(
+    slot: str, wanted: Mapping[str, Sequence[str]], holders: dict[str, str], tried: set[str]
+) -> bool:
+    """Let a slot take a name whose holder can take another one, and return whether that was
+    possible (Kuhn's algorithm).
+    """
+    for name in wanted[slot]:
+        if name in tried:
+            continue
+        tried.add(name)
+        if name not in holders or _displace(holders[name], wanted, holders, tried):
+            holders[name] = slot
+            return True
+    return False

@@ -1,0 +1,197 @@
+"""The entries [[questions]] of a bank's file: a template by its name, or some that are drawn by
+family or tag.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property, partial
+from pathlib import Path
+from typing import Literal
+
+from kinegrade.errors import FieldError, KinegradeError, suggest
+from kinegrade.exam.bank.asks import read_asks, read_kind, weigh_asks
+from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Slot
+from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
+from kinegrade.exam.bank.terms import read_bank_tolerance
+from kinegrade.expressions.expression import read_expression
+from kinegrade.files.fields.faults import Faults
+from kinegrade.files.fields.table import Table
+from kinegrade.files.fields.values import found, text, whole
+from kinegrade.language.message import Message, Quoted, list_all
+from kinegrade.numbers.angle import Inexact
+from kinegrade.numbers.field import Field
+from kinegrade.problem.assemble import read_parameter
+from kinegrade.problem.statement import check_statements
+from kinegrade.problem.template.domain import read_choices
+from kinegrade.problem.template.library.library import load_kept_template, load_template
+from kinegrade.problem.template.template import Parameter, Template
+from kinegrade.problem.tolerance import Tolerance
+
+MAX_QUESTIONS = 50
+_TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
+_DRAWN_KEYS = ("number", "without", "asks", "points", "tolerance")
+_ENTRY_KEYS: Mapping[Literal["template"] | Grouping, tuple[str, ...]] = {
+    "template": ("template", "asks", "draw", "points", "tolerance"),
+    "family": ("family", *_DRAWN_KEYS),
+    "tag": ("tag", *_DRAWN_KEYS),
+}
+_ALL_KEYS = tuple(dict.fromkeys(key for keys in _ENTRY_KEYS.values() for key in keys))
+_ONE_KIND = Message("bank.one-of-three")
+
+
+@dataclass(frozen=True)
+class Entry:
+    """An entry of the bank and the questions it stands for."""
+
+    table: Table
+    slots: tuple[Slot, ...]
+
+
+@dataclass(frozen=True)
+class Entries:
+    """Reads entries; `folder` holds the shipped templates, others are in the folder `beside`.
+
+    For a bank that is `kept` with an exam, `folder` holds exactly the templates that were chosen,
+    including those that were beside the bank; rules introduced after the exam do not refuse them.
+    """
+
+    faults: Faults
+    folder: Path
+    beside: Path
+    kept: bool = False
+
+    def slots(self, entry: Table, first: int, wider: Tolerance) -> tuple[Slot, ...]:
+        """The questions of one entry, numbered from `first`; none if it cannot be read."""
+        by = _read_kind(entry)
+        word = entry.required(by, text) if by else None
+        if not by or not word:
+            return ()
+        known = entry.only(*_ENTRY_KEYS[by])
+        if by == "template":
+            return self._named(known, f"q{first}", wider)
+        return self._drawn(known, by, first, wider)
+
+    def _named(self, entry: Table, identifier: str, wider: Tolerance) -> tuple[Slot, ...]:
+        """The question of a template that the bank names."""
+        template = entry.required("template", self._template)
+        if template is None:
+            return ()
+        asks = read_asks(entry, template, read_bank_tolerance(entry, wider))
+        question = BankQuestion(identifier, template, asks, _read_domains(entry, template))
+        return (Slot(identifier, (question,), drawn=False),)
+
+    def _drawn(self, entry: Table, by: Grouping, first: int, wider: Tolerance) -> tuple[Slot, ...]:
+        """The questions whose templates are drawn by family or tag."""
+        number = entry.with_default("number", whole(1, MAX_QUESTIONS), 1)
+        entry_tolerance = read_bank_tolerance(entry, wider)
+        kind = read_kind(entry)
+        pool = self._pool(entry, by)
+        if kind is None:
+            return ()
+        asks = weigh_asks(entry, pool, kind, entry_tolerance)
+        candidates = [template for template in pool if template.name in asks]
+        if pool and not candidates:
+            name = Quoted(str(entry.value(by)))
+            entry.fault("asks", Message(f"bank.none-of-{by}-asked", name=name))
+        if not candidates:
+            return ()
+        return tuple(_read_slot(f"q{first + index}", candidates, asks) for index in range(number))
+
+    def _pool(self, entry: Table, by: Grouping) -> list[Template]:
+        """The templates of a family or with a tag, without those that the entry leaves out."""
+        pool = entry.required(by, partial(self._having, by)) if self._shelf.templates else None
+        if not pool:
+            return []
+        names = [template.name for template in pool]
+        named = text if self.kept else partial(_read_left_out, names)
+        without = entry.listing("without", named, '["slider-crank"]')
+        if set(names) <= set(without):
+            what = Message(f"bank.none-of-{by}-left", name=Quoted(str(entry.value(by))))
+            entry.fault("without", what, do=Message("bank.leave-out-fewer"))
+        return [template for template in pool if template.name not in without]
+
+    def _having(self, by: Grouping, word: object) -> tuple[Template, ...]:
+        """The shipped templates of a family or with a tag."""
+        having = self._shelf.having(by, str(word))
+        if not having:
+            what = Message(f"bank.unknown-{by}", name=found(word))
+            raise FieldError(what, do=suggest(str(word), self._shelf.known(by)))
+        return having
+
+    @cached_property
+    def _shelf(self) -> Shelf:
+        """All shipped templates, read when an entry first draws from them; none after a fault."""
+        try:
+            return read_shelf(self.folder, kept=self.kept)
+        except KinegradeError as error:
+            self.faults.note_error((), error)
+        return Shelf({}, {"family": {}, "tag": {}})
+
+    def _template(self, value: object) -> Template:
+        """A shipped template, or a file beside the bank; the exam's copy where the bank is kept."""
+        name = text(value)
+        beside = name.endswith(".toml")
+        if beside and not _TEMPLATE_FILE.fullmatch(name):
+            raise FieldError(found(name), Message("bank.file-beside"))
+        if self.kept:
+            return load_kept_template(name.removesuffix(".toml"), self.folder)
+        template = load_template(str(self.beside / name) if beside else name, self.folder)
+        check_statements(template)
+        return template
+
+
+def _read_kind(entry: Table) -> Literal["template"] | Grouping | None:
+    """The key by which an entry names its templates; None after a fault."""
+    kinds = [key for key in _ENTRY_KEYS if key in entry]
+    if len(kinds) == 1:
+        return kinds[0]
+    misspelt = entry.only(*_ALL_KEYS).excused
+    if entry.whole and misspelt.isdisjoint(_ENTRY_KEYS):
+        everything = Message("bank.all-these", keys=list_all(kinds))
+        what = everything if kinds else Message("bank.no-template")
+        entry.fault(None, what, _ONE_KIND)
+    return None
+
+
+def _read_slot(
+    identifier: str, candidates: Sequence[Template], asks: Mapping[str, tuple[BankAsk, ...]]
+) -> Slot:
+    """A question that becomes one of the candidates."""
+    questions = (
+        BankQuestion(identifier, template, asks[template.name], {}) for template in candidates
+    )
+    return Slot(identifier, tuple(questions), drawn=True)
+
+
+def _read_left_out(names: Sequence[str], value: object) -> str:
+    """The name of a template that is not to be drawn; it must be one of those that could be."""
+    name = text(value)
+    if name not in names:
+        what = Message("bank.not-drawn-anyway", name=found(name))
+        raise FieldError(what, do=suggest(name, names))
+    return name
+
+
+def _read_domains(entry: Table, template: Template) -> dict[str, tuple[str, ...]]:
+    """Domains that replace the template's."""
+    draw = entry.table("draw", "{ k = [2, 3] }").only(
+        *template.parameters, unknown=Message("fields.unknown-parameter")
+    )
+    domains = {
+        name: draw.optional(name, partial(_read_choices, template.parameters[name]))
+        for name in draw
+    }
+    return {name: choices for name, choices in domains.items() if choices is not None}
+
+
+def _read_choices(parameter: Parameter, value: object) -> tuple[str, ...]:
+    """The values that may be drawn for a parameter; each must be one that it can have."""
+    choices = read_choices(value)
+    for choice in choices:
+        with suppress(Inexact):  # then it is a number all the same
+            read_parameter(parameter, read_expression(choice), Field())
+    return choices

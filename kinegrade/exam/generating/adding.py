@@ -1,0 +1,182 @@
+"""`kinegrade generate --add`: late students get papers of an exam that exists, and no other
+paper changes.
+
+The folder is copied, what is new is added to the copy, and the copy takes the folder's place whole.
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import AbstractContextManager, closing
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from kinegrade.errors import OutputError, Problem
+from kinegrade.exam.bank.blueprint import Blueprint
+from kinegrade.exam.folder.contents import CONTENTS, HEAD, KEY, PAPERS, SOLUTIONS
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.records import ExamHead
+from kinegrade.exam.generating.added_answers import write_grown_answers
+from kinegrade.exam.generating.exam_files import write_blank_workbook, write_head, write_papers
+from kinegrade.exam.generating.generate import PRIVATE, SHARED_WITH_GROUP, Progress, require_none
+from kinegrade.exam.generating.grown_class import LateClass, late_class, require_same_sources
+from kinegrade.exam.generating.hand_work import digest_editable, find_edited, refuse_edited
+from kinegrade.exam.generating.replaced_exam import read_replaced, required_secret
+from kinegrade.exam.printing.class_printing import CHUNK, print_class
+from kinegrade.exam.printing.handout import KINDS
+from kinegrade.exam.printing.head_record import candidate, make_exam_head
+from kinegrade.exam.printing.pages import make_key_paper
+from kinegrade.exam.printing.printing import PrintRun, require_tools
+from kinegrade.exam.printing.reprint import kept_run
+from kinegrade.exam.roster.complaints import roster_complaints
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
+from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.files.output import Access, output_folder
+from kinegrade.language.message import Fault, Message
+from kinegrade.press.sheet import KeyPaper
+from kinegrade.processes.executor import open_executor
+from kinegrade.processes.garbage_collection import bulk_work
+
+_GROUP_READS = 0o040
+_MISSING = {
+    PAPERS: Message("exam.papers-missing"),
+    SOLUTIONS: Message("exam.solutions-missing"),
+}
+
+
+@dataclass(frozen=True)
+class Added:
+    """How many papers were added, how many stay, and what a person should look at."""
+
+    papers: int
+    before: int
+    complaints: tuple[Problem, ...]
+
+    @property
+    def summary(self) -> Message:
+        """What was done, in one line."""
+        stay = Message("exam.papers-stay", count=self.before)
+        return Message("exam.papers-added", count=self.papers, stay=stay)
+
+
+def add_students(
+    path: Path,
+    blueprint: Blueprint,
+    roster: Roster,
+    late: Roster,
+    *,
+    strict: bool = False,
+    jobs: int = 1,
+    progress: Progress = lambda papers, count: papers,
+) -> Added:
+    """Add the students of `late` to the exam folder at `path`, which was generated from that
+    blueprint for the students of that roster.
+
+    Papers are printed as those of the folder were. What would be a complaint is refused where
+    `strict`. Raises KinegradeError; then nothing is written.
+    """
+    exam = open_exam(path)
+    kept = KeptExam(exam)
+    require_same_sources(exam, blueprint)
+    students = late_class(exam, roster, late)
+    run = _run(exam, kept)
+    require_tools(run.extras)
+    old = read_replaced(exam)
+    jobs = max(min(jobs, len(students.together) // CHUNK), 1)
+    with bulk_work(), _folder(exam) as folder, open_executor(jobs, "generate") as workers:
+        press = run.press_order.press()
+        whole = Roster(students.together, (), late.file)
+        dealt = deal_exam(run.bank, whole, required_secret(exam), workers, old.kept)
+        said: tuple[Problem, ...] = (*roster_complaints(students.late, press), *dealt.shortages())
+        require_none(said if strict else ())
+        _copy(exam, folder)
+        with closing(
+            print_class(run, replace(dealt, roster=students.late), workers, jobs)
+        ) as papers:
+            results = progress(papers, len(students.late.students))
+            earlier = _keys(kept)
+            newcomers = students.late.students
+            keys = write_papers(folder, run, press, newcomers, results, earlier=earlier)
+        _write_rest(exam, folder, _grown_head(exam, dealt, run, students, keys))
+    return Added(len(newcomers), len(exam.students), said)
+
+
+def _run(exam: ExamFolder, kept: KeptExam) -> PrintRun:
+    """Late papers are printed as the others were, in every kind of file that the folder has.
+
+    Raises OutputError where one with all papers is missing, as nothing could be added to it.
+    """
+    solutions = (exam.path / SOLUTIONS).exists()
+    names = (PAPERS, SOLUTIONS) if solutions else (PAPERS,)
+    missing = [name for name in names if not (exam.path / f"{name}.pdf").is_file()]
+    if missing:
+        raise OutputError(
+            *(Fault(str(exam.path / f"{name}.pdf"), _MISSING[name]) for name in missing)
+        )
+    stems = [Path(each.file).stem for each in exam.head.students]
+    also = tuple(
+        kind.removeprefix(".")
+        for kind in KINDS[1:]
+        if any((exam.path / PAPERS / f"{stem}{kind}").is_file() for stem in stems)
+    )
+    return kept_run(exam, kept, solutions=solutions, also=also)
+
+
+def _folder(exam: ExamFolder) -> AbstractContextManager[Path]:
+    """A hidden folder that takes the place of the exam at the end; the same people may read it.
+
+    Raises OutputError.
+    """
+    shared = exam.path.stat().st_mode & _GROUP_READS
+    access: Access = SHARED_WITH_GROUP if shared else PRIVATE
+    return output_folder(exam.path, marker=HEAD, contents=CONTENTS, force=True, access=access)
+
+
+def _copy(exam: ExamFolder, folder: Path) -> None:
+    """All that stands in the exam folder; the last line of the key is ended, where it was not."""
+    shutil.copytree(exam.path, folder, symlinks=True, dirs_exist_ok=True)
+    key = folder / KEY
+    lines = key.read_bytes()
+    if not lines.endswith(b"\n"):
+        key.write_bytes(lines + b"\n")
+
+
+def _keys(kept: KeptExam) -> Iterator[KeyPaper]:
+    """The keys of the papers that stay, for the instructor's book. Raises ExamError."""
+    head = kept.exam.head
+    return (make_key_paper(kept.paper(each), head.language) for each in head.students)
+
+
+def _grown_head(
+    exam: ExamFolder, dealt: ClassDeal, run: PrintRun, students: LateClass, keys: list[KeyPaper]
+) -> ExamHead:
+    newcomers = map(candidate, students.late.students, keys)
+    return make_exam_head(dealt, (*exam.head.students, *newcomers), run)
+
+
+def _write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> None:
+    """The answer sheets, with what was typed into the one that people type into, and the head.
+
+    Raises OutputError where a file would be lost that was edited by hand, TableError.
+    """
+    write_grown_answers(exam.path, head, folder)
+    write_blank_workbook(head, folder)
+    lost = list(find_edited(exam.path, exam.head, folder))
+    if lost:
+        raise refuse_edited(exam.path, lost)
+    write_head(head, _as_generated(exam, folder), folder)
+
+
+def _as_generated(exam: ExamFolder, folder: Path) -> Mapping[str, str] | None:
+    """The digests of files as they were generated: of those that stay the old ones, so that it is
+    still known which were edited; None where the folder does not know it.
+    """
+    stated = exam.head.editable
+    if stated is None:
+        return None
+    before = digest_editable(exam.path)
+    fresh = digest_editable(folder)
+    written = {name: digest for name, digest in fresh.items() if before.get(name) != digest}
+    return dict(sorted({**stated, **written}.items()))

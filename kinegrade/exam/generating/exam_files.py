@@ -1,0 +1,157 @@
+"""The files of an exam folder, but for the papers themselves: written by `generate` into a new
+folder, and by `adding` into a copy of one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import chain
+from pathlib import Path
+from typing import BinaryIO
+
+from msgspec import structs
+
+from kinegrade.errors import BankError
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.folder.contents import (
+    ANSWER_WORKBOOK,
+    ANSWERS,
+    BANK,
+    HEAD,
+    KEY,
+    NOTICE,
+    TEMPLATES,
+)
+from kinegrade.exam.folder.records import ExamHead
+from kinegrade.exam.folder.writing import encode_head
+from kinegrade.exam.generating.answer_workbook import write_answer_workbook
+from kinegrade.exam.generating.hand_work import OWN_COLUMNS
+from kinegrade.exam.printing.head_record import write_warning
+from kinegrade.exam.printing.pages import make_key_book
+from kinegrade.exam.printing.printed_files import printed_files, write_key
+from kinegrade.exam.printing.printing import Printed, PrintRun
+from kinegrade.exam.roster.roster import Student
+from kinegrade.files.csv_writing import neutralise, write_for_people
+from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.press.protocol import Press
+from kinegrade.press.sheet import KeyPaper
+from kinegrade.problem.template.beside import Translations
+from kinegrade.problem.template.sections.opening import FOLDER
+from kinegrade.problem.template.template import MechanismFile
+from kinegrade.problem.template.translation_names import name_beside
+
+
+def write_papers(
+    folder: Path,
+    run: PrintRun,
+    press: Press,
+    students: Sequence[Student],
+    results: Iterator[Printed],
+    *,
+    earlier: Iterable[KeyPaper] = (),
+) -> list[KeyPaper]:
+    """The papers, and the solutions that are wanted, each alone and all in one file; and both keys.
+
+    What stands in the folder already stays, with the keys of these papers as `earlier`. The
+    instructor's book is typeset, and all in one file bound, while papers are printed. Gives the key
+    of each paper of `students` without its questions.
+    """
+    keys: list[KeyPaper] = []
+    with (
+        (folder / KEY).open("ab") as lines,
+        printed_files(folder, solutions=run.extras.solutions) as write,
+    ):
+        papers = _noted(_written(results, students, write), lines, keys)
+        book = make_key_book(run.bank, chain(earlier, papers), run.language)
+        write_key(folder, press.key(book))
+    return keys
+
+
+def _written(
+    results: Iterator[Printed], students: Sequence[Student], write: Callable[[str, Printed], None]
+) -> Iterator[Printed]:
+    """The same papers, each written under the file name of its student."""
+    for student, result in zip(students, results, strict=True):
+        write(student.file_name, result)
+        yield result
+
+
+def _noted(results: Iterator[Printed], lines: BinaryIO, keys: list[KeyPaper]) -> Iterator[KeyPaper]:
+    """The keys of papers as they come; a line of each goes to `lines`, its head to `keys`."""
+    for result in results:
+        lines.write(result.record)
+        keys.append(replace(result.key, entries=()))
+        yield result.key
+
+
+def source_files(bank: Bank) -> dict[str, str]:
+    """The bank, every template and every mechanism as they were, so that a newer kinegrade can mark
+    the exam again.
+
+    Raises BankError where two templates share different mechanisms of one name, as the folder keeps
+    one file of a name.
+    """
+    templates = [question.template for question in bank.questions]
+    shared = [template.file.mechanism for template in templates if template.file.mechanism]
+    mechanisms: dict[str, MechanismFile] = {}
+    faults = {
+        mechanism.name: Fault(
+            "bank", Message("bank.mechanism-name-taken", name=Quoted(mechanism.name))
+        )
+        for mechanism in shared
+        if mechanisms.setdefault(mechanism.name, mechanism) != mechanism
+    }
+    if faults:
+        raise BankError(*faults.values())
+    return {
+        BANK: bank.text,
+        **{f"{TEMPLATES}/{template.name}.toml": template.file.text for template in templates},
+        **{f"{TEMPLATES}/{FOLDER}/{name}.toml": each.text for name, each in mechanisms.items()},
+    }
+
+
+def translation_files(bank: Bank, languages: Collection[Language]) -> dict[str, str]:
+    """The files that translate what `source_files` gives into these languages, as they were."""
+    files: dict[str, Translations] = {BANK: bank.translations}
+    for template in (question.template for question in bank.questions):
+        files[f"{TEMPLATES}/{template.name}.toml"] = template.file.translations
+        if template.file.mechanism is not None:
+            shared = template.file.mechanism
+            files[f"{TEMPLATES}/{FOLDER}/{shared.name}.toml"] = shared.translations
+    return {
+        name_beside(file, language): text
+        for file, translations in files.items()
+        for language, text in translations.items()
+        if language in languages
+    }
+
+
+def write_sources(sources: Mapping[str, str], folder: Path) -> None:
+    """Texts by their path below the folder."""
+    for name, text in sources.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8", newline="")
+
+
+def write_blank_answers(head: ExamHead, folder: Path) -> None:
+    """The blank answer sheet as CSV: a row for each student, a column for each ask."""
+    rows = (
+        [each.student, neutralise(each.name), *[""] * len(head.columns)] for each in head.students
+    )
+    write_for_people(folder / ANSWERS, (*OWN_COLUMNS, *head.columns), rows)
+
+
+def write_blank_workbook(head: ExamHead, folder: Path) -> None:
+    """The same as a workbook."""
+    rows = ([each.student, each.name, *[""] * len(head.columns)] for each in head.students)
+    write_answer_workbook(folder / ANSWER_WORKBOOK, (*OWN_COLUMNS, *head.columns), rows)
+
+
+def write_head(head: ExamHead, editable: Mapping[str, str] | None, folder: Path) -> None:
+    """exam.json and the notice to instructors; `editable` are digests of files as generated."""
+    stated = None if editable is None else dict(editable)
+    (folder / HEAD).write_bytes(encode_head(structs.replace(head, editable=stated)))
+    (folder / NOTICE).write_text(f"{write_warning()}\n", encoding="utf-8")

@@ -1,0 +1,158 @@
+"""A class that grows: whether a bank and a roster are those of the exam folder to which late
+students are added, and who is late.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from kinegrade.errors import BankError, TableError
+from kinegrade.exam.bank.blueprint import Bank, Blueprint
+from kinegrade.exam.folder.contents import HEAD, TEMPLATES
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.generating.exam_files import source_files, translation_files
+from kinegrade.exam.roster.roster import Roster, Student, make_file_names, make_student_key
+from kinegrade.exam.setting.kept_exam import student_of
+from kinegrade.language.message import Fault, Message, Quoted
+
+_EXPECTED = Message("exam.same-sources")
+_RESTORING = Message("exam.give-same-sources")
+
+
+@dataclass(frozen=True)
+class LateClass:
+    """The late students of an exam, and the class `together`: who has a paper, then these."""
+
+    late: Roster
+    together: tuple[Student, ...]
+
+
+def require_same_sources(exam: ExamFolder, blueprint: Blueprint) -> None:
+    """Raises BankError with every text of a bank that is not the folder's copy of it."""
+    bank = _same_choice(exam, blueprint)
+    sources = source_files(bank) | translation_files(bank, (exam.language,))
+    found = {question.template.name for question in bank.questions}
+    faults = [
+        Fault(str(exam.path / name), Message("exam.differs-from-given"), _EXPECTED, _RESTORING)
+        for name, text in sources.items()
+        if not _holds(exam.path / name, text)
+    ]
+    faults += [
+        Fault(
+            str(exam.path / TEMPLATES),
+            Message("exam.not-in-bank", template=name),
+            _EXPECTED,
+            _RESTORING,
+        )
+        for name in dict.fromkeys(each.template for each in exam.head.questions)
+        if name not in found
+    ]
+    if faults:
+        raise BankError(*faults)
+
+
+def _same_choice(exam: ExamFolder, blueprint: Blueprint) -> Bank:
+    """The bank with the templates that the exam has, as far as they are there."""
+    chosen = {each.question: each.template for each in exam.head.questions}
+    questions = tuple(
+        candidate
+        for slot in blueprint.slots
+        for candidate in slot.candidates
+        if candidate.template.name == chosen.get(slot.identifier)
+    )
+    return replace(blueprint.frame, questions=questions)
+
+
+def _holds(file: Path, text: str) -> bool:
+    """Whether that is what stands in a file."""
+    return file.is_file() and file.read_bytes() == text.encode()
+
+
+def late_class(exam: ExamFolder, roster: Roster, late: Roster) -> LateClass:
+    """The late students, with file names beside those of the others.
+
+    Raises TableError where the roster is not that of the exam, where a late student has a paper
+    already, or would need the file name of somebody who has one.
+    """
+    earlier = tuple(map(student_of, exam.head.students))
+    known = {make_student_key(each.student): each for each in earlier}
+    faults = [*_roster_faults(exam, known, roster), *_known_faults(exam, known, late)]
+    if faults:
+        raise TableError(*faults)
+    _require_names_kept(earlier, late)
+    stems = make_file_names(each.student for each in (*earlier, *late.students))
+    newcomers = tuple(replace(each, file_name=stems[each.student]) for each in late.students)
+    return LateClass(replace(late, students=newcomers), (*earlier, *newcomers))
+
+
+def _roster_faults(
+    exam: ExamFolder, known: Mapping[str, Student], roster: Roster
+) -> Iterator[Fault]:
+    """How a roster differs from that of an exam, but for its order."""
+    given = {make_student_key(each.student): each for each in roster.students}
+    for student in (each for key, each in known.items() if key not in given):
+        yield Fault(
+            roster.file,
+            Message("exam.no-student", student=Quoted(student.student)),
+            Message("exam.everyone-with-paper", exam=str(exam.path)),
+            Message("exam.add-line"),
+        )
+    for key, student in given.items():
+        if key not in known:
+            whose = Quoted(student.student)
+            yield Fault(
+                _place(roster, student),
+                Message("exam.student-without-paper", student=whose, exam=str(exam.path)),
+                Message("exam.students-of-exam"),
+                Message("exam.list-late-alone"),
+            )
+        else:
+            yield from _changes(exam, known[key], roster, student)
+
+
+def _changes(exam: ExamFolder, known: Student, roster: Roster, given: Student) -> Iterator[Fault]:
+    """What of a student stands otherwise in the exam, on whose paper the name is printed."""
+    fields = (("name", given.name, known.name), ("email", given.email, known.email))
+    for field, here, there in fields:
+        if here != there:
+            whose, file = Quoted(given.student), str(exam.path / HEAD)
+            yield Fault(
+                _place(roster, given),
+                Message("exam.field-of-student", field=field, text=Quoted(here), student=whose),
+                Message("exam.as-in", text=Quoted(there), file=file),
+                Message("exam.correct-line"),
+            )
+
+
+def _known_faults(exam: ExamFolder, known: Mapping[str, Student], late: Roster) -> Iterator[Fault]:
+    for student in late.students:
+        if make_student_key(student.student) in known:
+            what = Message(
+                "exam.has-paper-already",
+                student=Quoted(student.student),
+                name=student.name,
+                exam=str(exam.path),
+            )
+            expected, do = Message("exam.students-without"), Message("exam.delete-line")
+            yield Fault(_place(late, student), what, expected, do)
+
+
+def _require_names_kept(earlier: Sequence[Student], late: Roster) -> None:
+    """Raises TableError where files of students who have a paper would be called otherwise: not
+    every file system tells capitals from small letters.
+    """
+    before = make_file_names(each.student for each in earlier)
+    after = make_file_names(each.student for each in (*earlier, *late.students))
+    faults = [
+        Fault(late.file, Message("exam.id-differs-in-capitals", student=Quoted(student)))
+        for student, stem in before.items()
+        if after[student] != stem
+    ]
+    if faults:
+        raise TableError(*faults)
+
+
+def _place(roster: Roster, student: Student) -> str:
+    return f"{roster.file}:{student.line}"

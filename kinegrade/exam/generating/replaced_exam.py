@@ -1,0 +1,225 @@
+"""What stands in an exam folder that `generate --force` replaces, so that nothing in it is lost in
+silence.
+
+Its papers may be printed already: they are compared with the new ones, student by student. Worked
+solutions, the key lines of a pool, answers typed into the sheet and edited sources are kept, or the
+replacement is refused.
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+
+from msgspec import json, structs
+
+from kinegrade.errors import ExamError, OutputError
+from kinegrade.exam.folder.contents import ANSWERS, HEAD, POOL, SOLUTIONS
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.exam_secret import ExamSecret
+from kinegrade.exam.folder.faults import AS_GENERATED
+from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedAnswer
+from kinegrade.exam.generating.hand_work import is_answered, refuse_edited, require_nothing_edited
+from kinegrade.language.message import Fault, Message, Quoted, list_plainly
+
+_UNKNOWN = Message("exam.unknown-before")
+_NAMED = 5  # students that a message names
+_MOST_PLACES = 100  # for each student; beyond the class are only those of students who left
+
+
+@dataclass(frozen=True)
+class PaperChanges:
+    """The students by what the replacement does to their papers."""
+
+    unchanged: tuple[str, ...]
+    changed: tuple[str, ...]
+    gone: tuple[str, ...]
+    added: tuple[str, ...]
+
+    @property
+    def harmless(self) -> bool:
+        """Whether every paper that exists stays as it is."""
+        return not self.changed and not self.gone
+
+    @property
+    def summary(self) -> Message:
+        """How many there are of each, in one line."""
+        return Message(
+            "exam.changes",
+            count=len(self.unchanged),
+            changed=len(self.changed),
+            gone=len(self.gone),
+            added=len(self.added),
+        )
+
+
+@dataclass(frozen=True)
+class ReplacedExam:
+    """An exam folder that is about to be replaced; `papers` holds a digest of each student's key,
+    `kept` the key itself.
+
+    `head` and `secret` are None where the folder is damaged, so that its papers are not known.
+    """
+
+    folder: Path
+    head: ExamHead | None
+    secret: ExamSecret | None
+    papers: Mapping[str, bytes]
+    kept: Mapping[str, KeyLine]
+
+    def changes(self, new: Path) -> PaperChanges:
+        """How the papers differ from those of the folder `new`. Raises ExamError."""
+        papers = _paper_digests(open_exam(new))
+        common = [student for student in self.papers if student in papers]
+        return PaperChanges(
+            tuple(student for student in common if self.papers[student] == papers[student]),
+            tuple(student for student in common if self.papers[student] != papers[student]),
+            tuple(student for student in self.papers if student not in papers),
+            tuple(student for student in papers if student not in self.papers),
+        )
+
+    def require_papers_kept(self, changes: PaperChanges) -> None:
+        """Raises OutputError where a paper would change, or that of a student who is not in the
+        roster be gone.
+        """
+        if changes.harmless:
+            return
+        whose = [*changes.changed, *changes.gone]
+        names = [*whose[:_NAMED], *(["..."] if len(whose) > _NAMED else [])]
+        what = Message(
+            "exam.papers-would-change",
+            changed=len(changes.changed),
+            papers=len(self.papers),
+            gone=len(changes.gone),
+            names=list_plainly(names),
+            added=len(changes.added),
+        )
+        keep = Message("exam.keep-all" if changes.gone else "exam.keep-sources")
+        raise OutputError(Fault(str(self.folder), what, Message("exam.papers-as-printed"), keep))
+
+
+def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
+    """The exam that a folder holds, None where there is none.
+
+    Raises ExamError where it is damaged, unless its papers are to be replaced by `new_numbers`;
+    OutputError where answers were typed into it, for that is seen before any work is done.
+    """
+    if not (folder / HEAD).exists():
+        return None
+    if is_answered(folder / ANSWERS):
+        raise refuse_edited(folder, [ANSWERS])
+    try:
+        return read_replaced(open_exam(folder))
+    except ExamError as error:
+        if new_numbers:
+            return ReplacedExam(folder, None, None, {}, {})
+        faults = (Message("exam.or-replace", problem=each) for each in error.faults)
+        raise ExamError(*faults) from error
+
+
+def read_replaced(exam: ExamFolder) -> ReplacedExam:
+    """The exam of which everything is known that a replacement may change. Raises ExamError."""
+    secret = required_secret(exam)
+    exam.require_sound_key()
+    papers = _paper_digests(exam)
+    kept = {line.student: line for line in exam.lines()}
+    _require_places(exam, kept)
+    return ReplacedExam(exam.path, exam.head, secret, papers, kept)
+
+
+def required_secret(exam: ExamFolder) -> ExamSecret:
+    """What the numbers of an exam are drawn from. Raises ExamError where its folder does not say
+    it.
+    """
+    secret = exam.head.drawn_from
+    if secret is None:
+        what, do = Message("exam.no-secret"), Message("exam.restore-folder")
+        raise ExamError(Fault(str(exam.path / HEAD), what, AS_GENERATED, do))
+    return secret
+
+
+def _require_places(exam: ExamFolder, kept: Mapping[str, KeyLine]) -> None:
+    """Raises ExamError where papers state places that were not dealt to this class, each once."""
+    whose: dict[int, str] = {}
+    for student, line in kept.items():
+        if line.place is None:
+            continue
+        first = whose.setdefault(line.place, student)
+        if first != student or not 0 <= line.place < _MOST_PLACES * len(kept):
+            what = Message("exam.strange-place", student=Quoted(student), place=line.place)
+            raise ExamError(Fault(str(exam.key), what))
+
+
+def settle(
+    old: ReplacedExam | None, folder: Path, *, new_numbers: bool, solutions: bool
+) -> tuple[PaperChanges | None, tuple[Message, ...]]:
+    """Keep in the new exam at `folder` what belongs to papers that stay; give the changes, and
+    remarks on the rest; no changes where the old exam cannot be read.
+
+    With `solutions` the new exam has its own. Raises OutputError where something would be lost,
+    papers too but for `new_numbers`; ExamError.
+    """
+    if old is None:
+        return None, ()
+    require_nothing_edited(old.folder, old.head, folder)
+    names = (POOL,) if solutions else (SOLUTIONS, f"{SOLUTIONS}.pdf", POOL)
+    if old.secret is None:
+        return None, (_UNKNOWN, *_dropped(names, old.folder))
+    changes = old.changes(folder)
+    if not new_numbers:
+        old.require_papers_kept(changes)
+    remarks = _keep(names, old.folder, folder) if changes.harmless else _dropped(names, old.folder)
+    return changes, tuple(remarks)
+
+
+def _paper_digests(exam: ExamFolder) -> dict[str, bytes]:
+    """For each student of the key a digest of what the paper asks and what is right on it. Raises
+    ExamError.
+    """
+    return {line.student: _paper_digest(line) for line in exam.lines()}
+
+
+def _paper_digest(line: KeyLine) -> bytes:
+    """A digest of a paper and of what its marks depend on: without the known mistakes, which are
+    not on the paper, and without what folders of format 1 do not keep.
+    """
+    questions = tuple(
+        structs.replace(
+            question, drawn={}, asks=dict(map(_without_mistakes, question.asks.items()))
+        )
+        for question in line.questions
+    )
+    paper = structs.replace(line, place=None, questions=questions)
+    return sha256(json.encode(paper, order="sorted")).digest()
+
+
+def _without_mistakes(named: tuple[str, StatedAnswer]) -> tuple[str, StatedAnswer]:
+    """An ask by its name, without what known mistakes lead to."""
+    name, answer = named
+    return name, structs.replace(answer, mistakes={})
+
+
+def _keep(names: Iterable[str], old: Path, new: Path) -> Iterator[Message]:
+    """Copy into the folder `new` what belongs to papers that stay, and say so."""
+    for name in names:
+        source = old / name
+        if source.is_dir():
+            shutil.copytree(source, new / name)
+        elif source.is_file():
+            shutil.copy2(source, new / name)
+        else:
+            continue
+        if name == POOL:
+            yield Message("exam.pool-stays", name=name)
+        else:
+            yield Message("exam.solutions-stay", name=name)
+
+
+def _dropped(names: Iterable[str], old: Path) -> Iterator[Message]:
+    """What belonged to papers that are replaced and goes with them, said."""
+    for name in names:
+        if (old / name).exists():
+            yield Message("exam.dropped", name=name)

@@ -1,0 +1,74 @@
+"""Printing a class: each part of it is set and printed separately, by this process or others, and
+the results come in the order of the roster.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterator
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from kinegrade.exam.printing.printing import PressOrder, Printed, PrintRun, print_papers
+from kinegrade.exam.setting.dealing import ClassDeal
+from kinegrade.exam.setting.setting import DealtPaper, Exam, set_paper
+from kinegrade.files.temporary import temporary_folder
+from kinegrade.press.protocol import Press
+from kinegrade.processes.executor import Shared, map_in_order
+
+# Papers in one task at least: fewer would make too many tasks
+CHUNK = 20
+# Papers in one task at most: enough for the work they share to cost little per paper
+MOST = 60
+_AHEAD = 2  # tasks for each process that are under way or wait for it
+
+
+@dataclass(frozen=True)
+class _PrintTask:
+    """A part of a class, and what holds for all parts."""
+
+    exam: Shared[Exam]
+    run: Shared[PrintRun]
+    papers: tuple[DealtPaper, ...]
+
+
+def print_class(
+    run: PrintRun, dealt: ClassDeal, workers: Executor, jobs: int
+) -> Generator[Printed, None, None]:
+    """Each paper as it was printed, in order, by `jobs` processes.
+
+    Raises TypesetError with the faults of the first part of the class that has any.
+    """
+    with temporary_folder() as figures:
+        shared = Shared(replace(run, sketchbook=figures) if jobs > 1 else run)
+        students = dealt.roster.students
+        tasks = (
+            _PrintTask(
+                dealt.shared, shared, tuple(map(dealt.dealt, students[part.start : part.stop]))
+            )
+            for part in split_class(len(students), jobs)
+        )
+        for part in map_in_order(workers, _print, tasks, _AHEAD * jobs):
+            yield from part
+
+
+def split_class(count: int, jobs: int) -> Iterator[range]:
+    """The class in parts, smaller ones at the end, so that all processes end together."""
+    first = 0
+    while first < count:
+        size = min(max((count - first) // (2 * jobs), CHUNK), MOST)
+        yield range(first, min(first + size, count))
+        first += size
+
+
+def _print(task: _PrintTask) -> list[Printed]:
+    """A part of the class set and printed."""
+    run = task.run.value
+    papers = [set_paper(task.exam.value, each) for each in task.papers]
+    return print_papers(run, _open_press(run.press_order), papers)
+
+
+@lru_cache(maxsize=1)
+def _open_press(order: PressOrder) -> Press:
+    """The press of this process, kept because a press is only fast after its first papers."""
+    return order.press()

@@ -1,0 +1,147 @@
+"""A contact sheet of templates, for an instructor to choose from: what each asks, and how it looks
+at several draws.
+
+A template that cannot be read, drawn or typeset does not spoil the sheet: it is listed with the
+reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from kinegrade.draws.deal import deal, look_here
+from kinegrade.draws.deck import make_deck
+from kinegrade.draws.draw_filter import DrawFilter
+from kinegrade.errors import KinegradeError, TemplateError, TypesetError
+from kinegrade.figure.sketch import sketch
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.decimal_mark import write_decimals_of_prose
+from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.press.legible import make_legible
+from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure
+from kinegrade.press.typst.press import TypstPress
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.statement import Given, write_with_unit
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.texts import require_language
+
+
+@dataclass(frozen=True)
+class ContactSheet:
+    """The gallery as PDF, and what could not be shown in it, a line each."""
+
+    pdf: bytes
+    complaints: tuple[str, ...]
+
+
+def make_contact_sheet(names: Iterable[str], language: Language, draws: int) -> ContactSheet:
+    """The gallery of the templates of these names (or paths that end in .toml), each at that many
+    draws.
+
+    Raises TemplateError when none of them can be read.
+    """
+    entries = [_make_entry(name, language, draws) for name in dict.fromkeys(names)]
+    if not any(entry.family for entry in entries):
+        raise TemplateError(*(fault for entry in entries for fault in entry.faults))
+    press = TypstPress()
+    try:
+        return _require_printed(press, Gallery(language, _order_entries(entries)))
+    except TypesetError:
+        legible = [_require_printable(press, entry, language) for entry in entries]
+        return _require_printed(press, Gallery(language, _order_entries(legible)))
+
+
+def _require_printed(press: TypstPress, gallery: Gallery) -> ContactSheet:
+    """The sheet of entries that are all printable. Raises TypesetError when one is not."""
+    complaints = tuple(fault for entry in gallery.entries for fault in entry.faults)
+    return ContactSheet(press.gallery(gallery), complaints)
+
+
+def _order_entries(entries: Iterable[GalleryEntry]) -> tuple[GalleryEntry, ...]:
+    """The entries by family and name; what cannot be read comes last."""
+    return tuple(sorted(entries, key=lambda entry: (not entry.family, entry.family, entry.name)))
+
+
+def _make_entry(name: str, language: Language, draws: int) -> GalleryEntry:
+    """The entry of one template; if it cannot be read, its faults alone."""
+    try:
+        template = load_template(name)
+        require_language([template], language)
+    except TemplateError as error:
+        return _make_unreadable_entry(Path(name).stem, _write_faults(error, language))
+    figures, faults = _draw_figures(template, draws, language)
+    asked = template.asked()
+    return GalleryEntry(
+        template.about.family,
+        template.name,
+        template.about.title.in_language(language),
+        template.combinations,
+        tuple(template.asks[ask].symbol for ask in asked),
+        tuple(ask.symbol for ask in template.asks.values() if ask.name not in asked),
+        figures,
+        faults,
+    )
+
+
+def _make_unreadable_entry(name: str, faults: tuple[str, ...]) -> GalleryEntry:
+    """The entry of a template that can only be named."""
+    return GalleryEntry("", name, "", 0, (), (), (), faults)
+
+
+def _require_printable(press: TypstPress, entry: GalleryEntry, language: Language) -> GalleryEntry:
+    """The entry itself where it can be typeset, otherwise its faults alone, in characters that
+    can.
+    """
+    try:
+        press.gallery(Gallery(language, (entry,)), entry.name)
+    except TypesetError as error:
+        faults = entry.faults + (_write_faults(error, language) if entry.family else ())
+        missing = press.unprintable((entry.name, *faults))
+        return _make_unreadable_entry(
+            make_legible(entry.name, missing),
+            tuple(make_legible(fault, missing) for fault in faults),
+        )
+    return entry
+
+
+def _draw_figures(
+    template: Template, draws: int, language: Language
+) -> tuple[tuple[GalleryFigure, ...], tuple[str, ...]]:
+    """The figures of the first good combinations, the same in every gallery, and why there are no
+    more.
+    """
+    deck = make_deck(template, template.name, "gallery")
+    filters = {"gallery": DrawFilter(template, template.asked(), deck, {})}
+    figures: list[GalleryFigure] = []
+    try:
+        dealt = deal(filters, draws, partial(look_here, filters))["gallery"]
+        for place in range(dealt.good):
+            values = deck.combination(dealt.position(place))
+            figures.append(_draw_figure(filters["gallery"].solved(values), language))
+    except KinegradeError as error:
+        return tuple(figures), _write_faults(error, language)
+    if dealt.lasting:
+        return tuple(figures), ()
+    shortage = open_catalogue(language).write(dealt.shortage(template.name, "draws"))
+    return tuple(figures), (shortage,)
+
+
+def _write_faults(error: KinegradeError, language: Language) -> tuple[str, ...]:
+    return tuple(map(open_catalogue(language).write, error.faults))
+
+
+def _draw_figure(solution: Solution, language: Language) -> GalleryFigure:
+    """The figure of an instance with the values drawn."""
+    template = solution.template
+    figure = sketch(convert_to_floats(solution.assembly.mechanism), template.figure)
+    givens = (
+        Given(template.parameters[name].symbol, write_with_unit(quantity))
+        for name, quantity in solution.parameters.items()
+    )
+    values = ", ".join(map(str, givens))
+    return GalleryFigure(figure, write_decimals_of_prose(values, language))

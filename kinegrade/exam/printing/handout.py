@@ -1,0 +1,75 @@
+"""`kinegrade papers`: what students may have of an exam folder, copied to a place they can read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from kinegrade.errors import ExamError, OutputError
+from kinegrade.exam.folder.contents import HEAD, PAPERS
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.faults import explain_broken
+from kinegrade.files.output import output_folder
+from kinegrade.language.message import Fault, Message, Quoted
+
+KINDS = (".pdf", ".docx", ".html")  # every student has the first
+
+
+def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
+    """Copy every student's paper, in each kind of file that there is, and nothing else; return the
+    number of papers.
+
+    With `force`, the contents of the folder `output` are replaced if they are papers of this exam
+    and nothing else. Raises ExamError, OutputError; then nothing is written.
+    """
+    _require_outside(exam.path, output)
+    stems = _list_paper_stems(exam)
+    files = list(_list_paper_files(exam.path, stems))
+    names = [f"{stem}{kind}" for stem in stems for kind in KINDS]
+    with output_folder(output, marker=None, contents=names, force=force) as folder:
+        for file in files:
+            (folder / file.name).write_bytes(_read_paper(file))
+    return len(stems)
+
+
+def _require_outside(exam: Path, output: Path) -> None:
+    """Raises OutputError where `output` is the exam folder, or lies in it or around it."""
+    inner, outer = output.resolve(), exam.resolve()
+    if outer == inner or outer in inner.parents or inner in outer.parents:
+        raise OutputError(Fault(str(output), Message("exam.output-in-exam", exam=str(exam))))
+
+
+def _list_paper_stems(exam: ExamFolder) -> list[str]:
+    """The file name of every paper, without its suffix. Raises ExamError if a paper is not where
+    the others are.
+    """
+    files = [Path(candidate.file) for candidate in exam.head.students]
+    for file in files:
+        if file.parent != Path(PAPERS) or file.suffix != KINDS[0]:
+            paper = Quoted(str(file))
+            what = Message("exam.strange-paper", paper=paper, kind=KINDS[0], folder=PAPERS)
+            raise explain_broken(exam.path / HEAD, [what])
+    return [file.stem for file in files]
+
+
+def _list_paper_files(exam: Path, stems: list[str]) -> Iterator[Path]:
+    """The files of these papers, of every kind that there is.
+
+    A PDF that is missing is noticed when it is read.
+    """
+    for stem in stems:
+        for kind in KINDS:
+            file = exam / PAPERS / f"{stem}{kind}"
+            if kind == KINDS[0] or file.is_file():
+                yield file
+
+
+def _read_paper(file: Path) -> bytes:
+    """The bytes of a paper. Raises ExamError."""
+    if file.is_symlink():
+        raise ExamError(Fault(str(file), Message("exam.paper-is-link")))
+    try:
+        return file.read_bytes()
+    except OSError as fault:
+        what = Message("exam.paper-unreadable", reason=str(fault.strerror))
+        raise ExamError(Fault(str(file), what)) from fault

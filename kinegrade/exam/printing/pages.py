@@ -1,0 +1,214 @@
+"""From a set paper to what stands on its pages and in the instructor's key."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.printing.rules import write_rules
+from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
+from kinegrade.figure.scene import Scene
+from kinegrade.figure.sketch import sketch
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.press.paper_parts import write_points_text
+from kinegrade.press.sheet import (
+    AnswerRow,
+    KeyAnswer,
+    KeyBook,
+    KeyEntry,
+    KeyPaper,
+    KeyParameter,
+    Paper,
+    QuestionSheet,
+)
+from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.statement import write_statement
+from kinegrade.problem.template.hints import FigureHints
+from kinegrade.problem.template.signs import write_sign
+from kinegrade.problem.template.template import Ask, Template
+
+Sketcher = Callable[[Mechanism, FigureHints], Scene]
+
+
+@dataclass(frozen=True)
+class QuestionPlace:
+    """Where a question stands: its number on the paper, and its name in the answer sheet."""
+
+    number: int
+    identifier: str
+
+
+@dataclass(frozen=True)
+class ShownInstance:
+    """What a question shows of an instance of its template; the mechanism is in doubles."""
+
+    template: Template
+    parameters: Mapping[str, Quantity]
+    mechanism: Mechanism
+
+
+def lay_out_paper(
+    bank: Bank, paper: SetPaper, language: Language, figure: Sketcher = sketch
+) -> Paper:
+    """The pages of one student; `figure` draws as `sketch` does."""
+    sheets = tuple(
+        _lay_out_set_question(number, question, language, figure)
+        for number, question in enumerate(paper.printed, start=1)
+    )
+    return Paper(
+        language,
+        bank.course.in_language(language),
+        write_title(bank, paper, language),
+        bank.date,
+        paper.student.student,
+        paper.student.name,
+        paper.code,
+        write_rules(bank, language, [each.question.identifier for each in paper.printed]),
+        sheets,
+    )
+
+
+def write_title(bank: Bank, paper: SetPaper, language: Language) -> str:
+    """The exam's title, with the version where there are versions."""
+    title = bank.title.in_language(language)
+    return f"{title} · {write_version_name(paper.version, language)}" if paper.version else title
+
+
+def write_version_name(letter: str, language: Language) -> str:
+    """A version as it is printed."""
+    return open_catalogue(language).text("paper.version", letter=letter)
+
+
+def _lay_out_set_question(
+    number: int, question: SetQuestion, language: Language, figure: Sketcher
+) -> QuestionSheet:
+    template, solution = question.question.template, question.drawn.solution
+    mechanism = convert_to_floats(solution.assembly.mechanism)
+    asked = ((template.asks[entry.ask.name], entry.ask.points) for entry in question.asks)
+    rows = tuple(
+        _mention_turns(make_answer_row(ask, points, language), ask, language)
+        for ask, points in asked
+    )
+    shown = ShownInstance(template, solution.parameters, mechanism)
+    place = QuestionPlace(number, question.question.identifier)
+    return lay_out_question(place, shown, rows, language, figure)
+
+
+def lay_out_question(
+    place: QuestionPlace,
+    shown: ShownInstance,
+    rows: tuple[AnswerRow, ...],
+    language: Language,
+    figure: Sketcher = sketch,
+) -> QuestionSheet:
+    """A question with its statement, figure to scale and answer table, for a paper or a quiz."""
+    template = shown.template
+    return QuestionSheet(
+        place.number,
+        place.identifier,
+        template.about.title.in_language(language),
+        sum((row.points for row in rows), Fraction(0)),
+        write_statement(template, shown.parameters, language),
+        figure(shown.mechanism, template.figure),
+        rows,
+        template=template.name,
+    )
+
+
+def make_answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
+    """The box of one answer."""
+    sign = write_sign(ask.sign, language)
+    return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, sign, points)
+
+
+def _mention_turns(row: AnswerRow, ask: Ask, language: Language) -> AnswerRow:
+    """The row as a paper has it, on which any number of turns may be written."""
+    if not ask.cyclic:
+        return row
+    return replace(
+        row, sign=open_catalogue(language).text("paper.sign-with-full-turns", sign=row.sign)
+    )
+
+
+def make_key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyBook:
+    """The instructor's book: a key for each paper, which may come one after another, or for each
+    version.
+    """
+    shown = _select_versions(tuple(papers), language) if bank.versions else papers
+    return KeyBook(
+        language,
+        bank.course.in_language(language),
+        bank.title.in_language(language),
+        open_catalogue(language).text("paper.key-warning"),
+        shown,
+    )
+
+
+def _select_versions(papers: Sequence[KeyPaper], language: Language) -> tuple[KeyPaper, ...]:
+    """One key for each version that a student got, by letter."""
+    first = {paper.version: paper for paper in reversed(papers)}
+    return tuple(
+        replace(first[letter], student="", name=write_version_name(letter, language), code=letter)
+        for letter in sorted(first)
+    )
+
+
+def make_key_paper(paper: SetPaper, language: Language) -> KeyPaper:
+    """The key of one paper."""
+    entries = tuple(_make_key_entry(question, language) for question in paper.questions)
+    return KeyPaper(paper.student.student, paper.student.name, paper.code, entries, paper.version)
+
+
+def _make_key_entry(question: SetQuestion, language: Language) -> KeyEntry:
+    """The key of one question."""
+    template, solution = question.question.template, question.drawn.solution
+    parameters = tuple(
+        KeyParameter(
+            template.parameters[name].symbol,
+            None if quantity.is_plain else _write_exact(quantity, language),
+            write_decimal_text(quantity.decimal(6), language),
+            quantity.unit,
+        )
+        for name, quantity in solution.parameters.items()
+    )
+    answers = tuple(
+        KeyAnswer(
+            template.asks[entry.ask.name].symbol,
+            _write_exact(entry.answer, language),
+            write_decimal_text(entry.answer.decimal(6), language),
+            entry.answer.unit,
+            write_interval(entry, language),
+            write_points_text(entry.ask.points, language),
+        )
+        for entry in question.asks
+    )
+    return KeyEntry(
+        question.question.identifier,
+        template.about.title.in_language(language),
+        parameters,
+        answers,
+    )
+
+
+def _write_exact(quantity: Quantity, language: Language) -> str | None:
+    """The exact number in LaTeX math where it fits a line."""
+    exact = quantity.closed_form
+    return exact and write_decimals_of_math(exact, language)
+
+
+def write_interval(entry: SetAsk, language: Language) -> str:
+    """The closed interval of what is marked right, rounded to six figures for the reader."""
+    ends = entry.tolerance.interval(_read_decimal(entry.answer))
+    low, high = (write_decimal_text(f"{float(end):.6g}", language) for end in ends)
+    return open_catalogue(language).text("paper.interval", low=low, high=high)
+
+
+def _read_decimal(quantity: Quantity) -> Fraction:
+    """The value to 40 digits as a fraction."""
+    return Fraction(quantity.certified)

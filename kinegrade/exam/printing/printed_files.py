@@ -1,0 +1,62 @@
+"""The files of an exam folder that come from a press: papers, worked solutions, keys, and LaTeX
+sources.
+
+`kinegrade.exam.generating.exam_files` writes them one student at a time, as printed papers come
+from processes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+
+from kinegrade.exam.folder.contents import KEY_BOOK, PAPERS, SOLUTIONS, SOURCES
+from kinegrade.exam.printing.printing import Printed
+from kinegrade.press.join import open_volume
+from kinegrade.press.protocol import Printout
+
+
+@contextmanager
+def printed_files(folder: Path, *, solutions: bool) -> Iterator[Callable[[str, Printed], None]]:
+    """A function that writes each paper under its file name, and its worked solutions if wanted; at
+    the end, all of them are in one file too, behind those that it holds already.
+    """
+    with ExitStack() as books:
+        volumes = {
+            name: books.enter_context(open_volume(folder / f"{name}.pdf", duplex=True))
+            for name in (PAPERS, *([SOLUTIONS] if solutions else []))
+        }
+        for name, append in volumes.items():
+            (folder / name).mkdir(exist_ok=True)
+            book = folder / f"{name}.pdf"
+            if book.exists():
+                append(book.read_bytes())
+
+        def write(file_name: str, printed: Printed) -> None:
+            for name, printout in _collect_printouts(printed).items():
+                _write(folder / name / f"{file_name}.pdf", printout, folder / SOURCES / name)
+                volumes[name](printout.pdf)
+            for kind, content in printed.also.items():
+                (folder / PAPERS / f"{file_name}.{kind}").write_bytes(content)
+
+        yield write
+
+
+def write_key(folder: Path, key: Printout) -> None:
+    """The instructor's key."""
+    _write(folder / KEY_BOOK, key, folder / SOURCES)
+
+
+def _collect_printouts(printed: Printed) -> Mapping[str, Printout]:
+    """The printouts by the folder where they lie."""
+    if printed.solution is None:
+        return {PAPERS: printed.paper}
+    return {PAPERS: printed.paper, SOLUTIONS: printed.solution}
+
+
+def _write(target: Path, printout: Printout, sources: Path) -> None:
+    target.write_bytes(printout.pdf)
+    for name, content in printout.sources.items():
+        sources.mkdir(parents=True, exist_ok=True)
+        (sources / name).write_bytes(content)

@@ -1,0 +1,149 @@
+"""Printing papers that have been set: a part of the class at a time, by the press that the exam
+asks for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import assert_never
+
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.folder.writing import encode_line
+from kinegrade.exam.printing.pages import lay_out_paper, make_key_paper
+from kinegrade.exam.setting.key_mistakes import find_mistaken_answers
+from kinegrade.exam.setting.key_record import make_key_line
+from kinegrade.exam.setting.setting import SetPaper
+from kinegrade.figure.sketch import sketch
+from kinegrade.figure.sketchbook import sketch_once
+from kinegrade.language import Language
+from kinegrade.press.protocol import Engine, Press, Printout
+from kinegrade.press.sheet import KeyPaper, Paper, PaperSize
+from kinegrade.press.typst.press import TypstPress
+from kinegrade.problem.template.template import Method
+
+
+@dataclass(frozen=True)
+class PressOrder:
+    """Which press is wanted."""
+
+    engine: Engine
+    paper_size: PaperSize
+
+    def press(self) -> Press:
+        """A new press. Raises TypesetError where its typesetter is not installed."""
+        match self.engine:
+            case "typst":
+                return TypstPress(self.paper_size)
+            case "latex":
+                from kinegrade.press.latex.press import (
+                    LatexPress,  # few exams need it, and it takes long
+                )
+
+                return LatexPress(self.paper_size)
+            case _:
+                assert_never(self.engine)
+
+
+@dataclass(frozen=True)
+class Extras:
+    """What is wanted beside papers and key: worked solutions, by `method` where several serve, and
+    papers in the other kinds of files named (docx, html).
+    """
+
+    solutions: bool = False
+    method: Method | None = None
+    also: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class PrintRun:
+    """All that holds for every paper of an exam; `sketchbook` is a private folder where processes
+    share figures.
+    """
+
+    bank: Bank
+    language: Language
+    press_order: PressOrder
+    extras: Extras
+    sketchbook: Path | None = None
+
+
+@dataclass(frozen=True)
+class Printed:
+    """A paper, its worked solutions where they are wanted, and the paper in other kinds of files;
+    its line of key.jsonl, and its part of the instructor's key.
+    """
+
+    paper: Printout
+    solution: Printout | None
+    also: Mapping[str, bytes]
+    record: bytes
+    key: KeyPaper
+
+
+def require_tools(extras: Extras) -> None:
+    """Raises TypesetError where a program is missing that the extras need, before any work is
+    done.
+    """
+    if extras.also:
+        from kinegrade.press.word.pandoc import require_pandoc  # few exams need it
+
+        require_pandoc(extras.also)
+
+
+def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> list[Printed]:
+    """Each of the papers, with its worked solutions where they are wanted.
+
+    Raises TypesetError with all faults of their texts.
+    """
+    figure = partial(sketch_once, run.sketchbook) if run.sketchbook else sketch
+    pages = {
+        paper.student.file_name: lay_out_paper(run.bank, paper, run.language, figure)
+        for paper in papers
+    }
+    printouts = press.papers(pages)
+    solutions = _print_solutions(run, press, papers) if run.extras.solutions else {}
+    also = _print_also(pages, run) if run.extras.also else {}
+    return [
+        Printed(
+            printouts[name],
+            solutions.get(name),
+            also.get(name, {}),
+            encode_line(make_key_line(paper, mistakes, shuffled=run.bank.shuffle)),
+            make_key_paper(paper, run.language),
+        )
+        for name, paper, mistakes in zip(pages, papers, find_mistaken_answers(papers), strict=True)
+    ]
+
+
+def _print_solutions(
+    run: PrintRun, press: Press, papers: Sequence[SetPaper]
+) -> dict[str, Printout]:
+    """The worked solutions of each paper, by its file name."""
+    # It loads everything for worked solutions
+    from kinegrade.exam.printing.solution_pages import write_solution_sheet
+
+    return press.solutions(
+        {
+            paper.student.file_name: write_solution_sheet(
+                run.bank, paper, run.language, run.extras.method
+            )
+            for paper in papers
+        }
+    )
+
+
+def _print_also(pages: Mapping[str, Paper], run: PrintRun) -> dict[str, dict[str, bytes]]:
+    """Each paper, by its file name, in the other kinds of files that are wanted. Raises
+    TypesetError as `kinegrade.press.word.press` does.
+    """
+    from kinegrade.press.word.press import PandocPress  # few exams need it
+
+    press = PandocPress(run.press_order.paper_size)
+    return {
+        name: {kind: press.also(paper, kind) for kind in run.extras.also}
+        for name, paper in pages.items()
+    }

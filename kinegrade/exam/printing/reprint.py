@@ -1,0 +1,118 @@
+"""`kinegrade paper`: a paper of an exam, or its worked solutions, printed again from what its
+folder keeps.
+
+As numbers come from the folder and are held against its key, nothing is drawn, and no other
+paper is printed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeVar
+
+import msgspec
+
+from kinegrade.errors import ExamError, Problem, suggest
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.faults import describe_damage, explain_broken
+from kinegrade.exam.folder.records import Candidate
+from kinegrade.exam.printing.pages import lay_out_paper
+from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
+from kinegrade.exam.roster.complaints import roster_complaints
+from kinegrade.exam.roster.roster import Roster, make_student_key
+from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.exam.setting.setting import SetPaper
+from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.press.protocol import Press, Printout
+
+_Kind = TypeVar("_Kind")
+
+
+@dataclass(frozen=True)
+class Reprint:
+    """One paper to be printed again."""
+
+    run: PrintRun
+    paper: SetPaper
+    file: str
+
+    def pages(self) -> bytes:
+        """The paper as PDF. Raises TypesetError."""
+        pages = lay_out_paper(self.run.bank, self.paper, self.run.language)
+        return self._only(self._press.papers({self._name: pages}))
+
+    def solution(self) -> bytes:
+        """Its worked solutions as PDF. Raises TypesetError."""
+        # Loads the whole of worked solutions
+        from kinegrade.exam.printing.solution_pages import write_solution_sheet  # noqa: PLC0415
+
+        method = self.run.extras.method
+        sheet = write_solution_sheet(self.run.bank, self.paper, self.run.language, method)
+        return self._only(self._press.solutions({self._name: sheet}))
+
+    def complaints(self) -> tuple[Problem, ...]:
+        """What a person should look at before it is handed out."""
+        return roster_complaints(Roster((self.paper.student,), (), self.file), self._press)
+
+    def _only(self, printouts: Mapping[str, Printout]) -> bytes:
+        return printouts[self._name].pdf
+
+    @property
+    def _name(self) -> str:
+        return self.paper.student.file_name
+
+    @cached_property
+    def _press(self) -> Press:
+        return self.run.press_order.press()
+
+
+def reprint(exam: ExamFolder, student: str) -> Reprint:
+    """The paper of a student by id, as it was generated.
+
+    Raises ExamError where there is no such student, or where something else follows from the
+    folder than its key says, BankError.
+    """
+    candidate = _candidate(exam, student)
+    kept = KeptExam(exam)
+    paper = kept.paper(candidate)
+    return Reprint(kept_run(exam, kept), paper, str(exam.head_file))
+
+
+def kept_run(exam: ExamFolder, kept: KeptExam, **extras: object) -> PrintRun:
+    """How the papers of an exam were printed; earlier versions knew A4 and the bank's engine.
+
+    Raises ExamError, BankError.
+    """
+    head = exam.head
+    order = {"engine": head.engine or kept.bank.engine, "paper_size": head.paper_size or "a4"}
+    method = {"method": head.method}
+    return PrintRun(
+        kept.bank,
+        exam.language,
+        _converted(exam, order, PressOrder),
+        _converted(exam, {**method, **extras}, Extras),
+    )
+
+
+def _candidate(exam: ExamFolder, student: str) -> Candidate:
+    known = {make_student_key(each.student): each for each in exam.head.students}
+    found = known.get(make_student_key(student))
+    if found is None:
+        raise ExamError(
+            Fault(
+                str(exam.head_file),
+                Message("exam.no-student", student=Quoted(student)),
+                Message("exam.id-with-paper"),
+                suggest(student, exam.students),
+            )
+        )
+    return found
+
+
+def _converted(exam: ExamFolder, stated: Mapping[str, object], kind: type[_Kind]) -> _Kind:
+    try:
+        return msgspec.convert(stated, kind)
+    except msgspec.ValidationError as fault:
+        raise explain_broken(exam.head_file, [describe_damage(fault)]) from fault

@@ -1,0 +1,189 @@
+"""The rules printed on a paper: how to write answers, and when an answer is right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
+from fractions import Fraction
+from math import sqrt
+
+from kinegrade.exam.bank.blueprint import Bank, BankQuestion
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Part, list_choices
+from kinegrade.numbers.figures import figures_interval
+from kinegrade.problem.tolerance import Tolerance
+
+FEWEST_DIGITS = 4
+_NUMERALS: Mapping[int, Message] = {
+    4: Message("paper.four"),
+    5: Message("paper.five"),
+    6: Message("paper.six"),
+    7: Message("paper.seven"),
+    8: Message("paper.eight"),
+    9: Message("paper.nine"),
+    10: Message("paper.ten"),
+}
+
+
+def write_rules(bank: Bank, language: Language, order: Sequence[str] = ()) -> tuple[str, ...]:
+    """The sentences of the rules box, with the tolerances of single questions and asks where they
+    differ.
+
+    `order` holds the identifiers of the questions in their order on the paper, which gives their
+    numbers there; by default it is the bank's.
+    """
+    places = order or [question.identifier for question in bank.questions]
+    numbers = {identifier: number for number, identifier in enumerate(places, start=1)}
+    rules = [
+        _make_writing_rule(bank),
+        Message("paper.rule-of-axes"),
+        Message("paper.rule", rule=make_marking_rule(bank.tolerance)),
+    ]
+    for question in sorted(bank.questions, key=lambda each: numbers[each.identifier]):
+        rules.extend(_list_exceptions(bank, question, numbers[question.identifier]))
+    return tuple(map(open_catalogue(language).write, rules))
+
+
+def _list_exceptions(bank: Bank, question: BankQuestion, number: int) -> Iterator[Message]:
+    """The rules of a question that are not the bank's: one for all of it, or for single asks."""
+    tolerances = {ask.tolerance for ask in question.asks}
+    if len(tolerances) == 1 and tolerances != {bank.tolerance}:
+        rule = make_marking_rule(tolerances.pop())
+        yield Message("paper.rule-of-question", number=number, rule=rule)
+        return
+    for ask in question.asks:
+        if ask.tolerance != bank.tolerance:
+            rule = make_marking_rule(ask.tolerance)
+            symbol = question.template.asks[ask.name].symbol
+            yield Message("paper.rule-of-ask", number=number, symbol=symbol, rule=rule)
+
+
+def _make_writing_rule(bank: Bank) -> Message:
+    """How to write answers: with four digits, or as many as it takes to judge an answer by the
+    strictest tolerance.
+    """
+    carried = [
+        ask.tolerance.carried(Fraction(0)) for question in bank.questions for ask in question.asks
+    ]
+    digits = max((FEWEST_DIGITS, *carried))
+    point = f"{sqrt(3) / 2:.{digits}f}"
+    comma = point.replace(".", ",")
+    return Message("paper.rule-of-writing", digits=spell_out(digits), point=point, comma=comma)
+
+
+def spell_out(number: int) -> Part:
+    """A small number as a word, a larger one as it is."""
+    return _NUMERALS.get(number, number)
+
+
+def make_marking_rule(tolerance: Tolerance, unit: str = "") -> Message:
+    """When an answer is right, in words a first-year reads.
+
+    An amount is in the unit of the paper's table, or in `unit`, which is named with it, where there
+    is no table. The sentence begins with a small letter, to follow a colon: `paper.rule` has it
+    alone.
+    """
+    if tolerance.figures:
+        return _make_figures_rule(tolerance, tolerance.figures, unit)
+    if tolerance.relative == 0:
+        return _make_amount_rule(tolerance.absolute, unit)
+    share, zero = make_percent(tolerance.relative), _make_rule_near_zero(tolerance)
+    if not tolerance.absolute:
+        return Message("paper.right-within-share", share=share, zero=zero)
+    if unit:
+        amount = _make_amount(tolerance.absolute, unit)
+        return Message("paper.right-within-share-or-amount", share=share, amount=amount, zero=zero)
+    return Message(
+        "paper.right-within-share-or-amount-in-table",
+        share=share,
+        number=tolerance.absolute,
+        zero=zero,
+    )
+
+
+def _make_rule_near_zero(tolerance: Tolerance) -> Message:
+    return Message("paper.near-zero", share=make_percent(tolerance.share))
+
+
+def _make_amount_rule(allowed: Fraction, unit: str) -> Message:
+    rule = Message("paper.right-within-amount", amount=_make_amount(allowed, unit))
+    decimals = make_decimals_rule(allowed)
+    return Message("paper.sentences", first=rule, second=decimals) if decimals else rule
+
+
+def make_decimals_rule(allowed: Fraction) -> Message | None:
+    """How many decimals to write where an amount is allowed, whatever the size of the answer: four
+    significant digits of 11.186 may leave an allowance of 0.002.
+
+    Rounding to them takes at most half of what is allowed. None where nothing is allowed, as in a
+    damaged key.
+
+    >>> make_decimals_rule(Fraction(1, 500)), make_decimals_rule(Fraction(2))
+    (Message('paper.write-decimals', count=3), Message('paper.write-whole'))
+    """
+    if allowed <= 0:
+        return None
+    count = 0
+    while Fraction(1, 10**count) > allowed:
+        count += 1
+    return Message("paper.write-decimals", count=count) if count else Message("paper.write-whole")
+
+
+def _make_figures_rule(tolerance: Tolerance, figures: int, unit: str) -> Message:
+    """The rule of significant figures, by an example: to 3 of them, 1.2304 allows 1.225 to
+    1.235.
+    """
+    example = f"{'1.23456'[: figures + 1]}04"
+    low, high = figures_interval(Fraction(example), figures)
+    parts: dict[str, Part] = {
+        "figures": figures,
+        "example": Decimal(example),
+        "low": low,
+        "high": high,
+        "zero": _make_rule_near_zero(tolerance),
+    }
+    amounts = []
+    if tolerance.relative:
+        amounts.append(Message("paper.share-of-value", share=make_percent(tolerance.relative)))
+    if tolerance.absolute:
+        amounts.append(_make_amount(tolerance.absolute, unit))
+    if not amounts:
+        return Message("paper.right-to-figures", **parts)
+    return Message("paper.right-to-figures-or-within", amounts=list_choices(amounts), **parts)
+
+
+def _make_amount(amount: Fraction, unit: str) -> Message:
+    r"""A tolerance as prose, with its unit where one is named: a pure number has none.
+
+    >>> _make_amount(Fraction(1, 4), "m/s")
+    Message('paper.amount', number='$0.25\\,\\unit{m/s}$')
+    """
+    match unit:
+        case "":
+            return Message("paper.amount-in-table", number=amount)
+        case "1":
+            return Message("paper.amount", number=amount)
+        case "deg":
+            return Message("paper.amount", number=rf"${write_plain(amount)}^\circ$")
+        case _:
+            number = rf"${write_plain(amount)}\,\unit{{{unit}}}$"
+            return Message("paper.amount", number=number)
+
+
+def make_percent(share: Fraction) -> Message:
+    """A share in per cent.
+
+    >>> open_catalogue(Language("en")).write(make_percent(Fraction(1, 100)))
+    '1 %'
+    """
+    return Message("grammar.percent", number=share * 100)
+
+
+def write_plain(number: Fraction) -> str:
+    """A decimal without trailing zeros or power of ten; tolerances have at most 13 digits.
+
+    >>> write_plain(Fraction(1, 8)), write_plain(Fraction(1, 100000))
+    ('0.125', '0.00001')
+    """
+    return f"{Decimal(f'{float(number):.15g}'):f}"

@@ -1,0 +1,92 @@
+"""Pages of a single template: a sample for the author (`kinegrade show -o`), a worked solution
+(`solve -o`).
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from kinegrade.draws.examining import Refused, require_doubles
+from kinegrade.errors import MechanismError
+from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
+from kinegrade.exam.folder.exam_secret import FromWords
+from kinegrade.exam.printing.pages import lay_out_paper
+from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.setting.dealing import deal_exam
+from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message
+from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
+from kinegrade.press.typst.press import TypstPress
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.statement import write_statement
+from kinegrade.problem.template.template import Method, Template
+from kinegrade.problem.template.texts import require_language
+from kinegrade.problem.template.translated import Translated
+from kinegrade.problem.tolerance import ONE_PER_CENT
+from kinegrade.worked.solution import write_worked_solution
+
+
+def _list_shown(template: Template) -> tuple[str, ...]:
+    """What a page for the author asks: what has points, or all of it where everything is on
+    request.
+    """
+    return template.asked() or tuple(template.asks)
+
+
+def make_sample_bank(template: Template) -> Bank:
+    """A bank that asks what the template asks; asks on request count one point."""
+    asks = tuple(
+        BankAsk(name, Fraction(template.asks[name].points or 1), ONE_PER_CENT)
+        for name in _list_shown(template)
+    )
+    question = BankQuestion("q1", template, asks, {})
+    return Bank(
+        template.about.title,
+        Translated(plain="kinegrade"),
+        "",
+        ONE_PER_CENT,
+        (question,),
+        "",
+    )
+
+
+def print_sample(template: Template, seed: str, language: Language) -> bytes:
+    """A paper with one instance of the template, as PDF. Raises DrawError, TypesetError."""
+    student = Student("sample", "Sample", "", "sample")
+    dealt = deal_exam(make_sample_bank(template), Roster((student,), ()), FromWords(seed))
+    return TypstPress().paper(lay_out_paper(dealt.bank, next(dealt.papers()), language))
+
+
+def print_worked_solution(
+    solution: Solution, language: Language, method: Method | None = None
+) -> bytes:
+    """The worked solution of an instance for what the template asks, as PDF; the method as in
+    `write_worked_solution`.
+    """
+    template = solution.template
+    require_language([template], language)
+    try:
+        require_doubles(solution)
+    except Refused as refusal:
+        what = Message("exam.too-large-to-work", reason=refusal.detail)
+        raise MechanismError(Fault(template.name, what)) from refusal
+    worked = write_worked_solution(solution, _list_shown(template), language, method)
+    question = WorkedQuestion(
+        1,
+        "q1",
+        template.about.title.in_language(language),
+        write_statement(template, solution.parameters, language),
+        worked.blocks,
+        template.name,
+    )
+    sheet = SolutionSheet(
+        language,
+        "kinegrade",
+        template.about.title.in_language(language),
+        "",
+        "",
+        "",
+        "",
+        (question,),
+    )
+    return TypstPress().solution(sheet)

@@ -1,0 +1,41 @@
+"""`kinegrade check`: templates proved in order, several at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from functools import partial
+
+from kinegrade.exam.printing.printable import find_printing_faults
+from kinegrade.language.message import Message
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.processes.executor import map_in_order
+from kinegrade.proof.checking import check
+from kinegrade.proof.reporting import write_findings, write_verdict
+
+
+@dataclass(frozen=True)
+class TemplateProof:
+    """What `kinegrade check` prints of a template, and whether it is sound."""
+
+    verdict: Message
+    findings: tuple[Message, ...]
+    sound: bool
+
+
+def prove_templates(
+    names: Iterable[str], sample: int, workers: Executor
+) -> Iterator[TemplateProof]:
+    """The proofs of the templates of these names (or paths that end in .toml), in order.
+
+    Raises TemplateError for one that cannot be read, when its turn comes.
+    """
+    return map_in_order(workers, partial(_prove, sample), names)
+
+
+def _prove(sample: int, name: str) -> TemplateProof:
+    report = check(load_template(name), sample)
+    report.faults += find_printing_faults(report.template)
+    findings = tuple(write_findings(report))
+    return TemplateProof(write_verdict(report), findings, not report.faults)

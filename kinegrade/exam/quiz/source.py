@@ -1,0 +1,139 @@
+"""What a quiz needs of an exam besides the papers' lines of the key: title, templates, tolerances,
+credits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from hashlib import sha256
+from hmac import digest
+from itertools import islice
+
+import msgspec
+
+from kinegrade.errors import FieldError
+from kinegrade.exam.bank.bank import read_bank_texts
+from kinegrade.exam.bank.texts import require_bank_texts
+from kinegrade.exam.folder.contents import BANK
+from kinegrade.exam.folder.exact_keys import read_rule
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line_of
+from kinegrade.exam.folder.records import KeyLine, StatedTolerance
+from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.language import Language
+from kinegrade.language.message import Fault
+from kinegrade.numbers.written import NumberError, read_number
+from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.texts import require_language
+from kinegrade.problem.tolerance import Tolerance
+
+_DIGITS = 8  # hexadecimal, of the identifier
+_LOOKED_AT = 64  # papers searched for the bank's tolerances, which answers of zero widen
+
+
+@dataclass(frozen=True)
+class QuizSource:
+    """An exam of which a quiz is made; `identifier` distinguishes it from other exams.
+
+    It is derived from the bank and from the secret behind the papers' codes, which reveals nothing
+    about the secret that draws the numbers: another exam of the same bank has another identifier,
+    and the roster and its order do not matter.
+
+    `templates` are by question, `tolerances` by question and ask; `credits` are the shares of the
+    points that the bank gives for known mistakes, by mistake.
+    """
+
+    exam: ExamFolder
+    identifier: str
+    language: Language
+    title: str
+    course: str
+    templates: Mapping[str, Template]
+    tolerances: Mapping[tuple[str, str], Tolerance]
+    credits: Mapping[str, Fraction]
+
+    @cached_property
+    def kept(self) -> KeptExam:
+        """The exam from which worked solutions are derived."""
+        return KeptExam(self.exam)
+
+
+def read_quiz_source(exam: ExamFolder, language: Language | None = None) -> QuizSource:
+    """What a quiz needs of an exam; in the papers' language unless another one is wanted.
+
+    Raises ExamError, with the faults of all templates; TemplateError or BankError where they lack
+    the language.
+    """
+    title, course = exam.head.title, exam.head.course
+    templates = exam.templates.all()
+    if language and language != exam.language:
+        require_language(templates.values(), language)
+        title, course = _translate(exam, language)
+    return QuizSource(
+        exam,
+        _make_identifier(exam),
+        language or exam.language,
+        title,
+        course,
+        templates,
+        _read_tolerances(exam),
+        _read_credits(exam),
+    )
+
+
+def tolerance_of(stated: StatedTolerance) -> Tolerance:
+    """The tolerance that an ask's key states. Raises FieldError."""
+    rule = read_rule(stated)
+    return Tolerance(rule.relative, rule.absolute, rule.figures)
+
+
+def _make_identifier(exam: ExamFolder) -> str:
+    """The exam's identifier; if the secret was taken out of the folder, derived from the first
+    paper's code.
+    """
+    secret = exam.head.drawn_from
+    if secret is None:
+        first = exam.head.students[0].paper
+        return sha256(f"{first}\n{exam.bank}".encode()).hexdigest()[:_DIGITS]
+    return digest(secret.coding.encode(), f"quiz\n{exam.bank}".encode(), "sha256").hex()[:_DIGITS]
+
+
+def _translate(exam: ExamFolder, language: Language) -> tuple[str, str]:
+    """Title and course in another language. Raises BankError where the bank lacks them."""
+    title, course = read_bank_texts(exam.path / BANK)
+    require_bank_texts(title, course, language)
+    return title.in_language(language), course.in_language(language)
+
+
+def _read_credits(exam: ExamFolder) -> dict[str, Fraction]:
+    """The shares of the points that the bank gives for known mistakes. Raises ExamError."""
+    stated = (exam.head.credit or {}).get("mistakes", {})
+    try:
+        shares = msgspec.convert(stated, dict[str, object])
+        return {name: read_number(share) for name, share in shares.items()}
+    except (msgspec.ValidationError, NumberError) as fault:
+        raise explain_broken(exam.path, [Fault("credit", describe_damage(fault))]) from fault
+
+
+def _read_tolerances(exam: ExamFolder) -> dict[tuple[str, str], Tolerance]:
+    """The smallest tolerance by question and ask: the bank's, where the answer is not zero."""
+    found: dict[tuple[str, str], Tolerance] = {}
+    for line in islice(exam.lines(), _LOOKED_AT):
+        try:
+            for place, tolerance in _list_stated_tolerances(line):
+                if place not in found or tolerance.absolute < found[place].absolute:
+                    found[place] = tolerance
+        except FieldError as fault:
+            where = name_line_of(line.student)
+            raise explain_broken(exam.key, [Fault(where, fault.faults[0])]) from fault
+    return found
+
+
+def _list_stated_tolerances(line: KeyLine) -> Iterator[tuple[tuple[str, str], Tolerance]]:
+    """The tolerances of one paper by question and ask. Raises FieldError."""
+    for question in line.questions:
+        for name, ask in question.asks.items():
+            yield (question.question, name), tolerance_of(ask.tolerance)

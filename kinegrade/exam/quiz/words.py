@@ -1,0 +1,53 @@
+"""What a quiz on screen says of its rules: how many digits to type, and when an answer is right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+
+from kinegrade.exam.printing.rules import FEWEST_DIGITS, make_marking_rule
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Text
+from kinegrade.problem.tolerance import Tolerance
+
+
+def count_digits_to_type(tolerances: Iterable[Tolerance]) -> int:
+    """The fewest significant digits with which every answer can be judged right or wrong."""
+    return max(FEWEST_DIGITS, *(tolerance.carried(Fraction(0)) for tolerance in tolerances))
+
+
+@dataclass(frozen=True)
+class AskRule:
+    """How far from right an ask's answer may be, and the unit in which that is stated: a quiz has
+    no table of units.
+    """
+
+    tolerance: Tolerance
+    unit: str
+
+
+def write_marking_rules(asks: Mapping[str, AskRule], language: Language) -> str:
+    """When the answers of a question are right; `asks` holds the rules by symbol (math)."""
+    rules = {symbol: make_marking_rule(ask.tolerance, ask.unit) for symbol, ask in asks.items()}
+    distinct = set(rules.values())
+    if len(distinct) == 1:
+        return open_catalogue(language).text("paper.rule", rule=distinct.pop())
+    exceptions = [
+        Message("paper.rule-of-quantity", symbol=symbol, rule=rule)
+        for symbol, rule in rules.items()
+    ]
+    return write_sentences(exceptions, language)
+
+
+def write_sentences(sentences: Iterable[Text], language: Language) -> str:
+    """Sentences one after another, with what the language puts between them; those that are empty
+    left out.
+    """
+    catalogue = open_catalogue(language)
+    written = filter(None, map(catalogue.write, sentences))
+    return reduce(
+        lambda first, second: catalogue.text("paper.sentences", first=first, second=second), written
+    )

@@ -1,0 +1,89 @@
+"""Student ids as files of answers hold them: what a spreadsheet or a form made of them, traced back
+to one student.
+
+Used wherever answers come in. Spreadsheets drop leading zeros, people change case, exports wrap ids
+as ="007". Such an id is restored if it can mean only one student; if it can mean two, there is no
+guessing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Mapping
+
+from kinegrade.exam.roster.roster import make_student_key
+from kinegrade.files.tables import shorten, trim
+from kinegrade.language.message import Message, Quoted
+
+# As programs write a column of numbers with gaps
+_WRITTEN_AS_FRACTION = re.compile(r"([0-9]+)\.0+")
+_WRAPPED = re.compile(r"""=\s*"(.*)"|['#](.*)""", re.DOTALL)
+
+
+def _unwrap(identifier: str) -> str:
+    r"""An id without what keeps spreadsheets from dropping its zeros: ="007", '007 and #007 are
+    007.
+
+    >>> _unwrap('="0012345"'), _unwrap("#0012345")
+    ('0012345', '0012345')
+    """
+    found = _WRAPPED.fullmatch(make_student_key(identifier))
+    return make_student_key(found[1] or found[2] or "") if found else make_student_key(identifier)
+
+
+class StudentIds:
+    """The ids of a class.
+
+    >>> ids = StudentIds(["0012345", "S9"])
+    >>> ids.exact('="0012345"'), ids.exact("12345"), ids.near("12345"), ids.near("s9")
+    ('0012345', None, ('0012345',), ('S9',))
+    """
+
+    def __init__(self, students: Iterable[str]) -> None:
+        self._exact: dict[str, str] = {}
+        near: dict[str, list[str]] = defaultdict(list)
+        for student in students:
+            self._exact.setdefault(make_student_key(student), student)
+            near[_strip(make_student_key(student))].append(student)
+        self._near = {stripped: tuple(found) for stripped, found in near.items()}
+
+    def exact(self, cell: str) -> str | None:
+        """The student with that id, wrapped or not, in full-width digits or not."""
+        known = self._exact
+        return known.get(cell) or known.get(make_student_key(cell)) or known.get(_unwrap(cell))
+
+    def near(self, cell: str) -> tuple[str, ...]:
+        """The students whose ids differ from a cell by leading zeros, case or a final .0 alone."""
+        stripped = _strip(_unwrap(cell))
+        return self._near.get(stripped, ()) if stripped else ()
+
+    def restored(self, cells: Iterable[str], taken: Collection[str]) -> Mapping[str, str]:
+        """The cells that are not ids but can mean only one student, with that student.
+
+        `taken` are the students whose exact ids are in the same file: no cell is restored to them,
+        nor are two different cells to the same student.
+        """
+        meant: dict[str, set[str]] = defaultdict(set)
+        for cell in cells:
+            near = self.near(cell)
+            if len(near) == 1 and near[0] not in taken:
+                meant[near[0]].add(cell)
+        found: dict[str, str] = {}
+        for student, spellings in meant.items():
+            if len({make_student_key(spelling) for spelling in spellings}) == 1:
+                found |= dict.fromkeys(sorted(spellings), student)
+        return found
+
+
+def describe_restoration(restored: Mapping[str, str]) -> tuple[Message, Message]:
+    """The one message about a file whose ids were restored: what was found, and what was done."""
+    cell, student = next(iter(restored.items()))
+    count, shown = len(restored), Quoted(shorten(trim(cell)))
+    found = Message("roster.ids-restored", count=count, cell=shown, student=Quoted(student))
+    return found, Message("roster.ids-restored-done", count=count)
+
+
+def _strip(key: str) -> str:
+    number = _WRITTEN_AS_FRACTION.fullmatch(key)
+    return (number[1] if number else key.casefold()).lstrip("0")

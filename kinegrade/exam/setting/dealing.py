@@ -1,0 +1,171 @@
+"""Dealing an exam to a class: who has which place, and what each place gets.
+
+`deal_exam` looks for as many good combinations of every question as there are places; after that
+`ClassDeal` says what anyone was dealt, and nothing is searched.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from functools import partial
+from itertools import count
+from types import MappingProxyType
+
+from kinegrade.draws.deal import Deal, DeckPart, Look, Verdicts, Whose, deal, look_here
+from kinegrade.draws.deck import Combination
+from kinegrade.draws.examining import Reason
+from kinegrade.draws.keyed_order import address
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.bank.versions import choose_version, list_version_letters
+from kinegrade.exam.folder.exam_secret import ExamSecret
+from kinegrade.exam.folder.records import KeyLine
+from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.setting.kept_deal import deal_values
+from kinegrade.exam.setting.paper_codes import make_paper_codes
+from kinegrade.exam.setting.places import assign_places
+from kinegrade.exam.setting.setting import DealtPaper, Exam, SetPaper, set_paper
+from kinegrade.language.message import Fault
+from kinegrade.processes.executor import Shared, map_in_order
+
+_AHEAD = 8  # parts of decks that are under way or wait
+_NOTHING: Mapping[str, KeyLine] = MappingProxyType({})
+
+
+@dataclass(frozen=True)
+class ClassDeal:
+    """A bank dealt to a class: `places`, `codes` and `versions` by student, `deals` by question.
+
+    `values` has for each question what everyone gets, by student, or by letter where there are
+    versions. What all papers are made from is `shared` by the processes that make them.
+    """
+
+    shared: Shared[Exam]
+    roster: Roster
+    secret: ExamSecret
+    places: Mapping[str, int]
+    codes: Mapping[str, str]
+    versions: Mapping[str, str]
+    deals: Mapping[str, Deal]
+    values: Mapping[str, Mapping[str, Combination]]
+
+    @property
+    def exam(self) -> Exam:
+        """What all papers are made from."""
+        return self.shared.value
+
+    @property
+    def bank(self) -> Bank:
+        """The questions, and what holds for all papers."""
+        return self.exam.bank
+
+    def papers(self) -> Iterator[SetPaper]:
+        """The papers in the order of the roster."""
+        return (set_paper(self.exam, self.dealt(student)) for student in self.roster.students)
+
+    def dealt(self, student: Student) -> DealtPaper:
+        """What a student of the roster was dealt."""
+        place, code = self.places[student.student], self.codes[student.student]
+        letter = self.versions.get(student.student, "")
+        return DealtPaper(
+            student,
+            place,
+            f"{letter}-{code}" if letter else code,
+            letter,
+            self._order(f"version {letter}" if letter else student.student),
+            tuple(each[letter or student.student] for each in self.values.values()),
+        )
+
+    def combinations(self) -> dict[str, int]:
+        """For each question how many combinations of values there are, good or not."""
+        return {name: each.size for name, each in self.deals.items()}
+
+    def refusals(self) -> dict[str, dict[Reason, int]]:
+        """For each question how many combinations were refused, by reason."""
+        return {name: each.refused for name, each in self.deals.items()}
+
+    def shortages(self) -> tuple[Fault, ...]:
+        """A line for each question of which several students, or versions, have the same numbers
+        because there are too few.
+        """
+        whose: Whose = "versions" if self.bank.versions else "students"
+        dealt = (
+            (f"{question.identifier} ({question.template.name})", self.deals[question.identifier])
+            for question in self.bank.questions
+        )
+        return tuple(each.shortage(name, whose) for name, each in dealt if not each.lasting)
+
+    def _order(self, whose: str) -> tuple[int, ...]:
+        """The order in which the questions of a student, or of a version, are printed."""
+        questions = self.bank.questions
+        if not self.bank.shuffle:
+            return tuple(range(len(questions)))
+        ranks = [
+            address(self.exam.secret, "order", whose, question.identifier) for question in questions
+        ]
+        return tuple(sorted(range(len(questions)), key=ranks.__getitem__))
+
+
+def deal_exam(
+    bank: Bank,
+    roster: Roster,
+    secret: ExamSecret,
+    workers: Executor | None = None,
+    kept: Mapping[str, KeyLine] = _NOTHING,
+) -> ClassDeal:
+    """A bank dealt to a class; `kept` are the papers of an exam that this one replaces, by student:
+    they stay as they are.
+
+    Raises DrawError for questions of which no combination is good.
+    """
+    shared = Shared(Exam(bank, secret.drawing))
+    exam = shared.value
+    places = _assign_places(roster, exam.secret, kept)
+    letters = list_version_letters(bank.versions)
+    versions = {
+        whose: choose_version(exam.secret, places[whose], letters) for whose in places if letters
+    }
+    versions |= {whose: paper.version for whose, paper in kept.items() if paper.version in letters}
+    units = {letter: place for place, letter in enumerate(letters)} or places
+    stated = {
+        versions.get(whose, whose): {each.question: each.values for each in paper.questions}
+        for whose, paper in kept.items()
+    }
+    look = _look_by(workers, shared) if workers else partial(look_here, exam.filters)
+    deals = deal(exam.filters, max(units.values()) + 1, look)
+    values = {
+        name: deal_values(
+            each.deck,
+            deals[name],
+            units,
+            {whose: drawn[name] for whose, drawn in stated.items() if name in drawn},
+        )
+        for name, each in exam.filters.items()
+    }
+    codes = make_paper_codes(secret.coding, places)
+    return ClassDeal(shared, roster, secret, places, codes, versions, deals, values)
+
+
+def _assign_places(roster: Roster, secret: str, kept: Mapping[str, KeyLine]) -> dict[str, int]:
+    """The place of each student.
+
+    Papers of earlier versions of kinegrade, which state none, have the free places in the order of
+    the key: that of the roster.
+    """
+    stated = {whose: paper.place for whose, paper in kept.items() if paper.place is not None}
+    taken = set(stated.values())
+    free = (place for place in count() if place not in taken)
+    earlier = {whose: next(free) for whose in kept if whose not in stated}
+    return assign_places((each.student for each in roster.students), secret, {**stated, **earlier})
+
+
+def _look_by(workers: Executor, shared: Shared[Exam]) -> Look:
+    """Looking at parts of decks by other processes."""
+    return lambda parts: map_in_order(workers, _look, [(shared, part) for part in parts], _AHEAD)
+
+
+def _look(task: tuple[Shared[Exam], DeckPart]) -> Verdicts:
+    """What is said of a part of a deck."""
+    shared, part = task
+    return shared.value.filters[part.question].verdicts(part.positions)

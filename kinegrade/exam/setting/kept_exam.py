@@ -1,0 +1,117 @@
+"""The papers of an exam derived again from what its folder keeps, each held against the key."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Literal, TypeAlias
+
+from kinegrade.exam.bank.bank import read_kept_bank
+from kinegrade.exam.bank.blueprint import Bank, BankQuestion
+from kinegrade.exam.folder.contents import BANK, HEAD, TEMPLATES
+from kinegrade.exam.folder.contradictions import explain_contradiction, list_names, name_place
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import Candidate, KeyLine, KeyQuestion
+from kinegrade.exam.roster.roster import Student
+from kinegrade.exam.setting.derivation import derive_question
+from kinegrade.exam.setting.setting import Exam, SetPaper, SetQuestion
+from kinegrade.language.message import Message
+from kinegrade.mechanics.plan import Plan
+from kinegrade.students.follow_through import find_generic_plan
+
+_Term: TypeAlias = Literal["code", "version", "questions", "printed"]
+
+
+@dataclass(frozen=True)
+class KeptExam:
+    """An exam as its folder keeps it: the bank and the templates by copies, and for each student
+    the values drawn.
+    """
+
+    exam: ExamFolder
+
+    @cached_property
+    def bank(self) -> Bank:
+        """The bank from its copy. Raises BankError."""
+        chosen = {each.question: each.template for each in self.exam.head.questions}
+        return read_kept_bank(self.exam.path / BANK, self.exam.path / TEMPLATES, chosen)
+
+    def derive(self, line: KeyLine, kept: KeyQuestion, plan: Plan | None = None) -> SetQuestion:
+        """A question of a paper solved again, faster by a plan that may serve.
+
+        Raises ExamError where something else follows than the key says, BankError.
+        """
+        where = name_place(self.exam.key, line.student, kept.question)
+        question = self._questions.get(kept.question)
+        if question is None:
+            raise explain_contradiction(where, [Message("exam.no-question-of-bank")])
+        return derive_question(question, kept, where, plan)
+
+    def paper(self, candidate: Candidate) -> SetPaper:
+        """The paper of a student of the exam, as it was set.
+
+        Raises ExamError where something else follows than the key says, BankError.
+        """
+        line = self.exam.line_of(candidate.student)
+        names = tuple(self._questions)
+        self._require_same_paper(candidate, line, names)
+        stated = {each.question: each for each in line.questions}
+        return SetPaper(
+            student_of(candidate),
+            line.paper,
+            tuple(self.derive(line, stated[name], self._plans[name]) for name in names),
+            tuple(map(names.index, line.order)),
+            line.version,
+            line.place,
+        )
+
+    def _require_same_paper(
+        self, candidate: Candidate, line: KeyLine, names: Sequence[str]
+    ) -> None:
+        """Raises ExamError where the key has another paper than the head, or other questions than
+        the bank.
+        """
+        stated = [each.question for each in line.questions]
+        terms: tuple[tuple[_Term, Sequence[str], Sequence[str], str], ...] = (
+            ("code", (line.paper,), (candidate.paper,), HEAD),
+            ("version", (line.version,), (candidate.version,), HEAD),
+            ("questions", sorted(stated), sorted(names), BANK),
+            ("printed", sorted(line.order), sorted(names), BANK),
+        )
+        differences = [
+            _describe(term, found, other, file)
+            for term, found, other, file in terms
+            if found != other
+        ]
+        if differences:
+            raise explain_contradiction(name_place(self.exam.key, line.student), differences)
+
+    def require_no_contradiction(self) -> None:
+        """Raises ExamError where something else follows for a paper than the key says."""
+        plans = {name: find_generic_plan(each.template) for name, each in self._questions.items()}
+        for line in self.exam.lines():
+            for kept in line.questions:
+                self.derive(line, kept, plans.get(kept.question))
+
+    @cached_property
+    def _questions(self) -> Mapping[str, BankQuestion]:
+        return {each.identifier: each for each in self.bank.questions}
+
+    @cached_property
+    def _plans(self) -> Mapping[str, Plan | None]:
+        """The plans by which `generate` solves, by question: they do not depend on the secret."""
+        return {name: each.plan for name, each in Exam(self.bank, "").filters.items()}
+
+
+def student_of(candidate: Candidate) -> Student:
+    """A student of an exam as a roster has them."""
+    stem = Path(candidate.file).stem
+    return Student(candidate.student, candidate.name, candidate.email, stem)
+
+
+def _describe(term: _Term, found: Sequence[str], other: Sequence[str], file: str) -> Message:
+    """The difference in a term between the key and another file."""
+    here, there = list_names(found), list_names(other)
+    return Message(f"exam.head-{term}-differs", found=here, other=there, file=file)

@@ -1,0 +1,49 @@
+"""Which expressions are angles: the power of "angle" in a tree, by the names that have it."""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, Operator
+
+ANGLES = frozenset({"asin", "acos", "atan", "atan2", "direction", "angle", "between"})
+
+
+def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
+    """Whether the expression has the dimension of an angle, given the names that have it; `pi` is
+    an angle.
+    """
+    return find_angular_degree(tree, angles) == 1
+
+
+def find_angular_degree(tree: Expression, angles: frozenset[str]) -> int:
+    """The power of "angle" in the expression: phi/2 has 1, 180*phi/pi has 0."""
+    match tree:
+        case Number():
+            return 0
+        case Name(name):
+            return int(name == "pi" or name in angles)
+        case Call("abs", (argument, *_)):
+            return find_angular_degree(argument, angles)
+        case Call(function):
+            return int(function in ANGLES)
+        case Operation(sign, left, right):
+            degrees = find_angular_degree(left, angles), find_angular_degree(right, angles)
+            return _combine_degrees(sign, *degrees)
+        case _:
+            assert_never(tree)
+
+
+def _combine_degrees(sign: Operator, left: int, right: int) -> int:
+    """The power of "angle" in a combination of two expressions, given the power in each."""
+    match sign:
+        case "+" | "-":
+            return max(left, right)
+        case "*":
+            return left + right
+        case "/":
+            return left - right
+        case "**":
+            return 0
+        case _:
+            assert_never(sign)

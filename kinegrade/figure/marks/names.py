@@ -1,0 +1,139 @@
+"""The labels of points, of free ends of bars and of bodies, and where they may stand."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from math import pi
+
+import numpy as np
+
+from kinegrade.errors import TemplateError
+from kinegrade.figure.mechanism.bars import Bar, Rod
+from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.rims import Rim
+from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
+from kinegrade.figure.plane import NEAR, length, on_line, polar, unit
+from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.mechanics.joints import Line
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import FigureHints
+
+# Cost of a letter that may be read as that of another point: between a thin and a firm line
+_MISTAKEN = 20.0
+_POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
+
+
+def write_point_symbol(name: str) -> str:
+    """A point's name as LaTeX math: digits as subscript, a trailing p as prime.
+
+    >>> write_point_symbol("O1"), write_point_symbol("Op")
+    ('O_{1}', "O'")
+    """
+    match = _POINT.fullmatch(name)
+    if match is None:
+        return "\\mathrm{" + re.sub(r"[^A-Za-z0-9]", "", name) + "}"
+    letter, digits, primes = match.groups()
+    return letter + (f"_{{{digits}}}" if digits else "") + "'" * len(primes)
+
+
+def label_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
+    """The labels of points, then of free ends: each has to stand close to its point."""
+    ends = list(_find_free_ends(mechanism, drawing))
+    places = [*mechanism.points.values(), *(end for _, end in ends)]
+    for name in _find_named_points(mechanism, hints, drawing):
+        symbol = hints.labels.get(name, write_point_symbol(name))
+        if symbol:
+            yield _label_point(symbol, mechanism.points[name], drawing, places)
+    for name, end in ends:
+        yield _label_point(write_point_symbol(name), end, drawing, places)
+
+
+def _label_point(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]) -> Wish:
+    """A letter at its point; covering a thin line is preferred to standing nearer to another
+    point.
+    """
+    spots = list_spots_around(symbol, at, away=_find_free_direction(at, drawing))
+    others = [place for place in places if length(place - at) > NEAR]
+    return Wish(symbol, spots, demerits=_MISTAKEN * rate_nearness(symbol, spots, at, others))
+
+
+def label_bodies(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
+    """The labels of bodies, which may stand anywhere in or next to them.
+
+    Raises TemplateError for the label of a body of which nothing is drawn.
+    """
+    for body, symbol in hints.labels.items():
+        if symbol and body not in mechanism.points:
+            yield _label_body(body, symbol, drawing)
+
+
+def _find_free_direction(at: Vector, drawing: Drawing) -> Vector | None:
+    """The direction away from a point's bars and its circle; None when no direction is better."""
+    toward = Vector(0.0, 0.0)
+    for part in drawing.parts:
+        if isinstance(part, Bar | Rod) and on_line(at, Line(part.start, part.end - part.start)):
+            for end in (part.start, part.end):
+                toward = toward + (unit(end - at) if length(end - at) > 1.0 else Vector(0.0, 0.0))
+    for rim in drawing.rims:
+        if abs(length(at - rim.at) - rim.radius) < 0.01:
+            toward = toward + unit(rim.at - at) * 1.2
+    return -toward if length(toward) > 0.2 else None
+
+
+def _find_named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> list[str]:
+    """Points that belong to a body, to a circle or to the ground, or are labelled; all others serve
+    only for construction.
+    """
+    used = {name for body in mechanism.bodies for name in body.points} | {
+        rim.centre for rim in drawing.rims
+    }
+    used |= {point for joint in mechanism.joints if (point := getattr(joint, "point", None))}
+    return [name for name in mechanism.points if name in used or hints.labels.get(name)]
+
+
+def _find_free_ends(mechanism: Mechanism, drawing: Drawing) -> Iterator[tuple[str, Vector]]:
+    """The letters of free ends: a bar called AB on which only A is marked ends in B; of two free
+    letters the rod takes the later.
+    """
+    for body in mechanism.bodies:
+        letters = [letter for letter in _split_letters(body.name) if letter not in mechanism.points]
+        straight = [
+            part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body.name
+        ]
+        ends = [
+            end
+            for part in sorted(straight, key=lambda part: isinstance(part, Bar))
+            for end in part.free
+        ]
+        yield from zip(reversed(letters), ends, strict=False)
+
+
+def _split_letters(name: str) -> list[str]:
+    """The point names that a body's name is made of; none when it is a word or a numeral."""
+    if not re.fullmatch(r"(?:[A-Z]\d*p?){2,}", name) or set(name) <= set("IVX"):
+        return []
+    return re.findall(r"[A-Z]\d*p?", name)
+
+
+def _label_body(body: str, symbol: str, drawing: Drawing) -> Wish:
+    circles: list[Rim] = [rim for rim in drawing.rims if rim.body == body]
+    if circles:
+        shares = (0.7, 0.55, 0.4)
+        inner = [
+            circles[0].at + polar(pi / 4 * turn, circles[0].radius * share)
+            for share in shares
+            for turn in range(8)
+        ]
+        return Wish(
+            symbol,
+            np.concatenate(
+                (np.array(inner), list_spots_around(symbol, circles[0].at, circles[0].radius))
+            ),
+        )
+    parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
+    if not parts:
+        what = Message("figure.nothing-to-label", body=Quoted(body))
+        raise TemplateError(Fault(f"figure.labels.{body}", what))
+    return Wish(symbol, list_spots_around(symbol, (parts[0].start + parts[0].end) / 2))

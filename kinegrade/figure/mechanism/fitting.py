@@ -1,0 +1,87 @@
+"""The scale of a figure: the largest at which a drawing, whose symbols do not scale, fits its
+frame.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import assert_never
+
+from kinegrade.figure.mechanism.layers import trace_cam_outline
+from kinegrade.figure.mechanism.rims import find_rims
+from kinegrade.figure.scene import Box, Primitive, Scene, find_common_box, move
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import FigureHints
+
+WIDTH, HEIGHT = 75.0, 55.0  # millimetres, the largest width of a figure
+_ATTEMPTS = 6
+# Millimetres below its limit at which a figure that was too large is aimed, as its marks move
+_MARGIN = 1.2
+
+
+def fit_scene(
+    compose: Callable[[float], tuple[Primitive, ...]],
+    scale: float,
+    span: tuple[float, float],
+    height: float = HEIGHT,
+) -> Scene:
+    """The scene that `compose` gives at the first scale, from `scale` downward, at which it is
+    within WIDTH x `height`.
+
+    `span` is the width and height of the scaled part, in the unit that the scale (millimetres per
+    unit) refers to.
+    """
+    for _ in range(_ATTEMPTS):
+        primitives = compose(scale)
+        box = find_common_box(primitives)
+        if box.width <= WIDTH and box.height <= height:
+            break
+        scale *= min(
+            _find_shrinkage(box.width, WIDTH, span[0] * scale),
+            _find_shrinkage(box.height, height, span[1] * scale),
+        )
+    return _move_to_corner(primitives, box, scale)
+
+
+def make_scene(primitives: Iterable[Primitive], scale: float) -> Scene:
+    """The primitives as a scene, translated so that nothing lies to the left of or below its
+    corner.
+    """
+    drawn = tuple(primitives)
+    return _move_to_corner(drawn, find_common_box(drawn), scale)
+
+
+def _move_to_corner(primitives: Iterable[Primitive], box: Box, scale: float) -> Scene:
+    """The primitives, whose bounding box is given, as a scene."""
+    home = Vector(-box.left, -box.bottom)
+    return Scene(
+        box.width, box.height, scale, tuple([move(primitive, home) for primitive in primitives])
+    )
+
+
+def measure_span(
+    mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()
+) -> tuple[float, float]:
+    """Width and height in metres of the scaled part: points, circles, profiles of cams, and points
+    `beside` them.
+    """
+    boxes = [(point, 0.0) for point in (*mechanism.points.values(), *beside)]
+    for rim in find_rims(mechanism, hints.shapes, hints.circles):
+        match rim.kind:
+            case "cam":
+                boxes += [(point, 0.0) for point in trace_cam_outline(mechanism, rim)]
+            case "wheel" | "gear" | "slot" | "edge":
+                boxes.append((rim.at, rim.radius))
+            case _:
+                assert_never(rim.kind)
+    across = [at.x + side * radius for at, radius in boxes for side in (-1, 1)]
+    upward = [at.y + side * radius for at, radius in boxes for side in (-1, 1)]
+    return max(across) - min(across), max(upward) - min(upward)
+
+
+def _find_shrinkage(size: float, limit: float, scaled: float) -> float:
+    """The factor that brings a size within its limit when only its scaled part shrinks."""
+    if size <= limit or scaled <= 0:
+        return 1.0
+    return min(0.98, max(0.5, (limit - _MARGIN - (size - scaled)) / scaled))

@@ -1,0 +1,106 @@
+"""A figure in progress: everything drawn and written so far, and how the next item finds its
+place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from heapq import heappop, heappush
+from itertools import chain, repeat
+from math import inf
+
+from kinegrade.figure.placing.mark import Mark
+from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.placing.place import Wish, measure_crowding, place_label
+from kinegrade.figure.scene import Label, Primitive
+
+_BATCHES = (
+    4,
+    12,
+    36,
+)  # alternatives of a mark that are judged together: usually one of the first is accepted
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Lines, labels, and both as obstacles; each step gives a new layout."""
+
+    lines: tuple[Primitive, ...]
+    labels: tuple[Label, ...]
+    obstacles: Obstacles
+
+    @staticmethod
+    def of(primitives: Iterable[Primitive]) -> Layout:
+        """The start: a mechanism without marks and labels."""
+        lines = tuple(primitives)
+        return Layout(lines, (), Obstacles.of(lines))
+
+    @property
+    def primitives(self) -> tuple[Primitive, ...]:
+        """Everything, labels on top."""
+        return (*self.lines, *self.labels)
+
+    def drawn(self, primitives: Sequence[Primitive]) -> Layout:
+        """The layout with more lines."""
+        return Layout(
+            (*self.lines, *primitives), self.labels, self.obstacles.with_drawn(primitives)
+        )
+
+    def written(self, wishes: Iterable[Wish]) -> Layout:
+        """The layout with a label for each wish, in order."""
+        layout = self
+        for wish in wishes:
+            layout = layout._labelled(place_label(wish, layout.obstacles))
+        return layout
+
+    def marked(self, alternatives: Sequence[Mark], sparing: Sequence[Primitive] = ()) -> Layout:
+        """The layout with the alternative that covers least, and its label; areas reserved for
+        later items may be kept clear.
+        """
+        crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
+        mark, wish = _choose_least_covering(alternatives, crowded)
+        layout = self.drawn(mark.primitives())
+        crowded = layout.obstacles.with_drawn(sparing) if sparing else layout.obstacles
+        return layout._labelled(place_label(wish, crowded))
+
+    def _labelled(self, placed: Label) -> Layout:
+        return Layout(self.lines, (*self.labels, placed), self.obstacles.with_drawn((placed,)))
+
+
+def _batch(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
+    """All of them in order, a few first and then more at a time."""
+    first = 0
+    for size in chain(_BATCHES, repeat(_BATCHES[-1])):
+        if first >= len(ranked):
+            return
+        yield ranked[first : first + size]
+        first += size
+
+
+def _choose_least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> tuple[Mark, Wish]:
+    """The cheapest alternative, and its wish: the cost is what its line covers, what its label
+    covers, and its demerit; among equals the preferred one.
+
+    Alternatives are judged in order of preference, several at once, and coverage is computed only
+    while it can still decide: first of the line, then of the label.
+    """
+    ranked = sorted(alternatives, key=lambda mark: round(mark.demerit, 6))
+    best: tuple[Mark, Wish] | None = None
+    least = inf
+    for marks in _batch(ranked):
+        if marks[0].demerit >= least:
+            break
+        waiting = [(round(mark.demerit, 6), number, False) for number, mark in enumerate(marks)]
+        while waiting and waiting[0][0] < least:
+            cost, number, crossed = heappop(waiting)
+            mark = marks[number]
+            if not crossed:
+                covered = obstacles.along(mark.path(), mark.shared)
+                heappush(waiting, (round(covered + mark.demerit, 6), number, True))
+                continue
+            wish = mark.wish()
+            total = round(cost + measure_crowding(wish, obstacles), 6)
+            if total < least:
+                best, least = (mark, wish), total
+    return best or (ranked[0], ranked[0].wish())

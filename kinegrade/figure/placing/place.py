@@ -1,0 +1,153 @@
+"""Where a symbol may stand, the best spots first, and which of them it takes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf, pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinegrade.figure.placing.extent import measure_symbol
+from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.plane import length, polar
+from kinegrade.figure.scene import Bow, Label
+from kinegrade.mechanics.vector import Vector
+
+Floats = NDArray[np.float64]
+
+CLEARANCE = 0.25  # millimetres kept free around a label
+_FARTHER = (
+    0.04  # cost of each later spot: a hundred of them weigh as much as covering one thin line
+)
+_LABEL_WEIGHT = 3.0  # a symbol on a line is worse than a line across a line
+_AMBIGUOUS = 0.4  # millimetres by which a letter has to be nearer to its point than to any other
+_AT_ONCE = 16  # spots checked together; nearly always one of the first is free
+_TURNS = np.array((2, 6, -2, -6, 4, -4, 0, 8, 1, 3, 5, 7, -1, -3, -5, -7)) * (pi / 8)
+_TOWARD = np.stack((np.cos(_TURNS), np.sin(_TURNS)), axis=1).round(9)
+_RINGS = np.array((1.2, 2.0, 3.2, 4.8, 6.8, 9.0))
+_BOW_STATIONS = np.array((0.5, 0.38, 0.62, 0.25, 0.75))
+_BOW_SIDES, _BOW_GAPS = np.array((1, -1, 1, -1, 1)), np.array((0.4, 0.5, 1.4, 1.4, 2.4))
+_STATIONS = (0.5, 0.38, 0.62, 0.26, 0.74, 0.12, 0.88)
+
+
+@dataclass(frozen=True)
+class Wish:
+    """A label to be placed: its symbol, the centres it may have (rows x, y), the best first, and
+    the point it belongs to.
+
+    When none of its spots is free, any other spot around that point is allowed. A spot may have a
+    demerit as well.
+    """
+
+    symbol: str
+    spots: Floats
+    at: Vector | None = None
+    demerits: Floats | None = None
+
+
+def place_label(wish: Wish, obstacles: Obstacles) -> Label:
+    """The label at the first free spot of its wish, or where it covers least."""
+    spots = wish.spots
+    spot, cost = _choose_best(wish.symbol, spots, obstacles, wish.demerits)
+    if cost >= _FARTHER * len(spots) and wish.at is not None:
+        spots = np.concatenate((spots, list_spots_around(wish.symbol, wish.at)))
+        spot, _ = _choose_best(wish.symbol, spots, obstacles)
+    return Label(wish.symbol, Vector(*spots[spot].tolist()), *measure_symbol(wish.symbol))
+
+
+def measure_crowding(wish: Wish, obstacles: Obstacles) -> float:
+    """The cost of the best of the first spots: how little room there is for the label."""
+    return _choose_best(wish.symbol, wish.spots[:_AT_ONCE], obstacles)[1]
+
+
+def _choose_best(
+    symbol: str, spots: Floats, obstacles: Obstacles, demerits: Floats | None = None
+) -> tuple[int, float]:
+    """Index and cost of the best spot; the farther ones are checked only while none is free."""
+    width, height = (size + 2 * CLEARANCE for size in measure_symbol(symbol))
+    worse = [0.0] * len(spots) if demerits is None else demerits.tolist()
+    best, least = 0, inf
+    for first in range(0, len(spots), _AT_ONCE):
+        if least <= _FARTHER * first:
+            break
+        some = spots[first : first + _AT_ONCE].tolist()
+        across, upward = zip(*some, strict=True)
+        near = obstacles.near(
+            (
+                min(across) - width / 2,
+                min(upward) - height / 2,
+                max(across) + width / 2,
+                max(upward) + height / 2,
+            )
+        )
+        for index, (x, y) in enumerate(some, first):
+            if _FARTHER * index + worse[index] < least:
+                cost = (
+                    _LABEL_WEIGHT * near.under_box(x, y, width, height)
+                    + _FARTHER * index
+                    + worse[index]
+                )
+                best, least = (index, cost) if cost < least else (best, least)
+    return best, least
+
+
+def list_spots_around(
+    symbol: str, anchor: Vector, gap: float = 0.0, away: Vector | None = None
+) -> Floats:
+    """Spots for a symbol around a point, in sixteen directions, nearest first, towards `away`
+    first.
+    """
+    half = np.array(measure_symbol(symbol)) / 2
+    toward = _TOWARD
+    if away is not None:
+        toward = _TOWARD[np.argsort(-(_TOWARD @ np.array(away)).round(6), kind="stable")]
+    reach = (half / np.maximum(np.abs(toward), 1e-9)).min(axis=1)
+    steps = toward * (gap + _RINGS[:, None] + reach)[:, :, None]
+    return np.asarray(np.array(anchor) + steps.reshape(-1, 2))
+
+
+def rate_nearness(symbol: str, spots: Floats, point: Vector, others: Sequence[Vector]) -> Floats:
+    """For each spot 1 where a letter would stand about as near to another point as to `point`,
+    else 0.
+    """
+    if not others:
+        return np.zeros(len(spots))
+    half = np.array(measure_symbol(symbol)) / 2
+    gaps = np.maximum(np.abs(spots[:, None] - np.array([point, *others])) - half, 0.0)
+    distances = np.hypot(gaps[..., 0], gaps[..., 1])
+    nearer = distances[:, 1:].min(axis=1) < distances[:, 0] + _AMBIGUOUS
+    return np.asarray(nearer, dtype=float)
+
+
+def list_spots_beside(
+    symbol: str,
+    start: Vector,
+    end: Vector,
+    *,
+    gaps: tuple[float, ...] = (0.5, 1.7, 3.1),
+    stations: int = len(_STATIONS),
+) -> Floats:
+    """Spots for a symbol beside a line, at each gap near its middle first, on either side."""
+    width, height = measure_symbol(symbol)
+    line = end - start
+    across = line.turned() / length(line) if length(line) > 1e-9 else Vector(0.0, 1.0)
+    reach = abs(across.x) * width / 2 + abs(across.y) * height / 2
+    along = np.array(start) + np.outer(_STATIONS[:stations], line)
+    offsets = np.array([[reach + gap, -reach - gap] for gap in gaps])
+    spots: Floats = np.add(along[None, :, None, :], offsets[:, None, :, None] * np.array(across))
+    return spots.reshape(-1, 2)
+
+
+def list_spots_along_arc(symbol: str, bow: Bow) -> Wish:
+    """Spots for a symbol outside an arc, then inside it, near its middle first; then around it."""
+    size = np.array(measure_symbol(symbol))
+    angles = bow.start + bow.sweep * _BOW_STATIONS
+    toward = np.stack((np.cos(angles), np.sin(angles)), axis=1)
+    half = np.abs(toward) @ size / 2
+    levels = bow.radius + _BOW_SIDES[:, None] * (half + _BOW_GAPS[:, None])
+    spots = np.array(bow.centre) + toward * levels[:, :, None]
+    return Wish(
+        symbol, spots.reshape(-1, 2), bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
+    )

@@ -1,0 +1,169 @@
+"""Vectors as arrows: known ones solid with a filled head, unknown ones dashed with an open head, to
+be distinguishable in black and white; arrows that would lie on one another, or on a bold line, are
+drawn side by side.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from kinegrade.figure.placing.extent import measure_symbol
+from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.place import Floats, Wish, list_spots_around, list_spots_beside
+from kinegrade.figure.plane import length, unit
+from kinegrade.figure.scene import FIRM, THIN, Outline, Pen, Primitive, Strokes
+from kinegrade.mechanics.vector import Vector
+
+_IN_PLACE = Vector(0.0, 0.0)
+_HEAD_LENGTH, _HEAD_WIDTH = 2.4, 1.4  # millimetres: larger than the heads of dimensions
+DASHED = Pen(0.3, "dashed")
+_HEAD_SHARE = 0.6  # of a short arrow that its head takes at most
+_CLOSE = 0.9  # millimetres: lines nearer than this over a stretch look like one
+_STRETCH = 0.8  # millimetres that two lines may run close together
+_NEARER = 0.3  # millimetres by which a symbol has to be nearer to its arrow than to any other
+# Cost of a symbol that may be read as that of another arrow: more than covering a firm line
+_MISTAKEN = 40.0
+
+
+@dataclass(frozen=True)
+class VectorArrow:
+    """An arrow on paper, in millimetres, displaced by `aside` from its true position when another
+    line lies there.
+    """
+
+    symbol: str
+    start: Vector
+    end: Vector
+    known: bool = True
+    aside: Vector = _IN_PLACE
+
+    @property
+    def line(self) -> Segment:
+        """The straight line that is drawn."""
+        return (self.start + self.aside, self.end + self.aside)
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """Shaft and head; the head is open where the vector is unknown."""
+        start, tip = self.line
+        toward, size = unit(tip - start), length(tip - start)
+        head = min(_HEAD_LENGTH, _HEAD_SHARE * size)
+        back, across = (
+            tip - toward * head,
+            toward.turned() * (head * _HEAD_WIDTH / _HEAD_LENGTH / 2),
+        )
+        corners = (tip, back + across, back - across)
+        if self.known:
+            return (
+                Strokes(((start, back + toward * (0.2 * head)),), FIRM),
+                Outline(corners, None, "black"),
+            )
+        return (Strokes(((start, back),), DASHED), Outline(corners, Pen(0.25), "white"))
+
+    def ties(self) -> tuple[Primitive, ...]:
+        """Thin lines from the true position of the arrow to the arrow; none where it stands
+        there.
+        """
+        if self.aside == _IN_PLACE:
+            return ()
+        return (Strokes(tuple((end, end + self.aside) for end in (self.start, self.end)), THIN),)
+
+    def wish_beside(self, others: Iterable[VectorArrow]) -> Wish:
+        """The symbol beside the middle of the arrow, nearer to it than to any other."""
+        start, end = self.line
+        return self._wish(
+            np.concatenate((list_spots_beside(self.symbol, start, end), self._about_tip())), others
+        )
+
+    def wish_at_tip(self, others: Iterable[VectorArrow]) -> Wish:
+        """The symbol around the tip of the arrow, or beside the half near its tip, nearer to it
+        than to any other.
+        """
+        start, end = self.line
+        half = list_spots_beside(self.symbol, (start + end) / 2, end, gaps=(0.5, 1.4))
+        return self._wish(
+            np.concatenate((self._about_tip()[:8], half, self._about_tip()[8:])), others
+        )
+
+    def _about_tip(self) -> Floats:
+        start, end = self.line
+        return list_spots_around(self.symbol, end, away=end - start)
+
+    def _wish(self, spots: Floats, others: Iterable[VectorArrow]) -> Wish:
+        lines = [other.line for other in others if other is not self]
+        return Wish(
+            self.symbol,
+            spots,
+            None,
+            _MISTAKEN * rate_nearness_to_lines(self.symbol, spots, self.line, lines),
+        )
+
+
+def rate_nearness_to_lines(
+    symbol: str, spots: Floats, line: Segment, others: Sequence[Segment]
+) -> Floats:
+    """For each spot 1 where a symbol would stand about as near to another line as to `line`, else
+    0.
+    """
+    if not others:
+        return np.zeros(len(spots))
+    half = np.array(measure_symbol(symbol)) / 2
+    mine, theirs = (_measure_distances(spots, half, lines) for lines in ([line], others))
+    return np.asarray(theirs < mine + _NEARER, dtype=float)
+
+
+def _measure_distances(spots: Floats, half: Floats, lines: Sequence[Segment]) -> Floats:
+    """The distances from boxes about the spots to the nearest of the lines, each line sampled as a
+    row of points.
+    """
+    shares = np.linspace(0.0, 1.0, 17)[:, None]
+    points = np.concatenate(
+        [np.array(start) + shares * np.array(end - start) for start, end in lines]
+    )
+    gaps = np.maximum(np.abs(spots[:, None] - points) - half, 0.0)
+    return np.asarray(np.hypot(gaps[..., 0], gaps[..., 1]).min(axis=1))
+
+
+def put_side_by_side(
+    arrows: Iterable[VectorArrow], drawn: Iterable[Segment], offsets: Sequence[float]
+) -> tuple[VectorArrow, ...]:
+    """The arrows in order, each displaced by the first of the offsets at which it lies on no line
+    and no other arrow.
+
+    Offsets are millimetres to the upper side of the arrow's line (to the right of a vertical one).
+    """
+    lines, placed = list(drawn), []
+    for arrow in arrows:
+        upper = _find_upper_side(unit(arrow.end - arrow.start))
+        ways = [replace(arrow, aside=upper * offset) for offset in (0.0, *offsets)]
+        chosen = next(
+            (way for way in ways if not any(look_like_one(way.line, line) for line in lines)), arrow
+        )
+        placed.append(chosen)
+        lines.append(chosen.line)
+    return tuple(placed)
+
+
+def _find_upper_side(along: Vector) -> Vector:
+    across = along.turned()
+    return -across if (round(across.y, 6), round(across.x, 6)) < (0.0, 0.0) else across
+
+
+def look_like_one(one: Segment, other: Segment) -> bool:
+    """Whether two lines run so close together over a stretch that they look like one."""
+    longer, shorter = sorted((one, other), key=lambda line: -length(line[1] - line[0]))
+    along = unit(longer[1] - longer[0])
+    (first, off), (last, rise) = (_project_on_line(longer[0], along, point) for point in shorter)
+    low, high = max(0.0, min(first, last)), min(length(longer[1] - longer[0]), max(first, last))
+    if high - low <= _STRETCH or abs(last - first) < 1e-9:
+        return False
+    slope = (rise - off) / (last - first)
+    return max(abs(off + slope * (at - first)) for at in (low, high)) < _CLOSE
+
+
+def _project_on_line(origin: Vector, along: Vector, point: Vector) -> tuple[float, float]:
+    """A point's coordinates along and across a line."""
+    step = point - origin
+    return step.dot(along), along.cross(step)

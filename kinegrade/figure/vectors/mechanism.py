@@ -1,0 +1,146 @@
+"""The mechanism to scale with velocities or accelerations as arrows at its points, and rotations as
+curved arrows.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from kinegrade.figure.marks.motions import find_pivot, mark_rotations
+from kinegrade.figure.marks.names import label_bodies, label_points
+from kinegrade.figure.mechanism.fitting import fit_scene
+from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.plane import length
+from kinegrade.figure.scene import Primitive, Scene
+from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
+from kinegrade.figure.vectors.plain_mechanism import BareMechanism, find_bold_lines, find_pins
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import FigureHints, Turning
+
+LONGEST, CROWDED = (
+    16.0,
+    21.0,
+)  # millimetres, of the longest arrow; of one that starts at a point with more than FEW
+_FEW = 3
+_SHORTEST = 1.2  # millimetres: a shorter arrow would not be visible and is left out
+_OFFSETS = (
+    1.5,
+    -1.5,
+    3.0,
+    -3.0,
+    4.5,
+)  # millimetres between arrows, or an arrow and a bar, on one line
+_LETTERED = (
+    8.0  # millimetres about a pivot within which the arrow of a rotation keeps clear of letters
+)
+
+
+@dataclass(frozen=True)
+class PointArrow:
+    """A velocity (m/s) or an acceleration (m/s^2) at a point (m), x right, y up; `known` before
+    solving.
+    """
+
+    symbol: str
+    at: Vector
+    value: Vector
+    known: bool = True
+
+
+def draw_with_vectors(
+    mechanism: Mechanism,
+    hints: FigureHints,
+    arrows: Sequence[PointArrow],
+    turnings: Sequence[Turning] = (),
+) -> Scene:
+    """The mechanism (floats, metres) with its letters but without its givens, and all arrows to one
+    scale.
+
+    The longest arrow is 16 mm long (21 mm where many start at one point); vectors that are zero or
+    too short to be visible are left out. `turnings` are the curved arrows of rotations, each with
+    its sense. The scale of the scene is that of the mechanism.
+
+    Raises TemplateError for a hint about something that the mechanism does not have.
+    """
+    plain = BareMechanism.of(mechanism, hints, (arrow.at for arrow in arrows))
+    return fit_scene(
+        lambda scale: _compose(plain, arrows, turnings, scale), plain.first_scale(), plain.span
+    )
+
+
+def place_arrows(
+    arrows: Sequence[PointArrow], scale: float, drawing: Drawing, shortest: float = _SHORTEST
+) -> tuple[VectorArrow, ...]:
+    """The arrows on paper to one common scale, next to bold lines and to each other, the longest
+    first.
+    """
+    longest = max((length(arrow.value) for arrow in arrows), default=0.0)
+    reach = (
+        CROWDED
+        if max(Counter(arrow.at for arrow in arrows).values(), default=0) > _FEW
+        else LONGEST
+    )
+    visible = [arrow for arrow in arrows if length(arrow.value) * reach > shortest * longest]
+    ordered = sorted(visible, key=lambda arrow: -round(length(arrow.value) / longest, 6))
+    on_paper = [
+        VectorArrow(
+            arrow.symbol,
+            arrow.at * scale,
+            arrow.at * scale + arrow.value * (reach / longest),
+            arrow.known,
+        )
+        for arrow in ordered
+    ]
+    return put_side_by_side(on_paper, find_bold_lines(drawing.primitives), _OFFSETS)
+
+
+def add_arrows(layout: Layout, arrows: Sequence[VectorArrow], drawing: Drawing) -> Layout:
+    """The arrows without their symbols, drawn below the pins at which they start."""
+    parts = tuple(part for arrow in arrows for part in arrow.primitives())
+    return layout.drawn((*parts, *find_pins(drawing.primitives)))
+
+
+def add_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
+    """The symbols of the arrows, starting with the shortest: it has the fewest places to choose
+    from.
+    """
+    for arrow in sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start)):
+        layout = layout.written((arrow.wish_at_tip(arrows),))
+    return layout
+
+
+def _add_rotations(
+    layout: Layout,
+    paper: Mechanism,
+    turnings: Sequence[Turning],
+    drawing: Drawing,
+    hints: FigureHints,
+) -> Layout:
+    """The curved arrows, which keep clear of the letters still to be written at their pivots."""
+    named = tuple(label_points(paper, hints, drawing))
+    for turning in turnings:
+        pivot = find_pivot(paper, turning.body, drawing.rims)
+        close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < _LETTERED]
+        layout = layout.marked(
+            mark_rotations(paper, turning, drawing), layout.written(close).labels
+        )
+    return layout
+
+
+def _compose(
+    plain: BareMechanism, arrows: Sequence[PointArrow], turnings: Sequence[Turning], scale: float
+) -> tuple[Primitive, ...]:
+    """The mechanism and its arrows, then the labels with the fewest possible places first: letters,
+    symbols, names of bodies.
+    """
+    paper, drawing = plain.at(scale)
+    placed = place_arrows(arrows, scale, drawing)
+    layout = add_arrows(Layout.of(drawing.primitives), placed, drawing)
+    layout = layout.written(label_points(paper, plain.hints, drawing))
+    layout = add_symbols(layout, placed)
+    layout = _add_rotations(layout, paper, turnings, drawing, plain.hints)
+    return layout.written(label_bodies(paper, plain.hints, drawing)).primitives

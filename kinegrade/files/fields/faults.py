@@ -1,0 +1,70 @@
+"""The faults of a file, collected while it is read and reported together in the file's order."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinegrade.errors import FieldError, KinegradeError, Problem
+from kinegrade.files.fields.place import Place, Source, Where
+from kinegrade.language.message import Fault, Text
+
+
+@dataclass(frozen=True)
+class _Fault:
+    where: Where
+    what: Problem
+    expected: Text
+    do: Text
+
+    def said(self) -> Fault:
+        """The fault as messages state it."""
+        return Fault(str(self.where), self.what, self.expected, self.do)
+
+
+class Faults:
+    """Collects the faults found while reading `source`; `error` is the type they are raised as.
+
+    `do` is the remedy for a fault that names none.
+    """
+
+    def __init__(self, source: Source, error: type[KinegradeError], do: Text = "") -> None:
+        self._source, self._error, self._do = source, error, do
+        self._noted: list[tuple[Place, Problem, Text, Text]] = []
+
+    def note(self, place: Place, what: Problem, expected: Text = "", do: Text = "") -> None:
+        """Notes a fault at a place: what stands there, what was expected, what to do."""
+        self._noted.append((place, what, expected, do or self._do))
+
+    def note_error(self, place: Place, error: KinegradeError) -> None:
+        """Notes every problem of an error raised for what stands at a place."""
+        if isinstance(error, FieldError):
+            self.note(place, error.what, error.expected, error.do)
+            return
+        for problem in error.faults:
+            self.note(place, problem)
+
+    def within(self, place: Place) -> bool:
+        """Whether a fault is noted at a place or inside it."""
+        return any(noted[: len(place)] == place for noted, *_ in self._noted)
+
+    def require_none(self) -> None:
+        """Raises the error with all faults noted so far, if there are any."""
+        if self._noted:
+            raise self.raised()
+
+    def raised(self) -> KinegradeError:
+        """The error with all faults noted so far."""
+        return self._error(*(fault.said() for fault in self._in_order()))
+
+    def _in_order(self) -> list[_Fault]:
+        """By file, in the order in which the files first occur, then by line; faults without a line
+        come first.
+        """
+        faults = [
+            _Fault(self._source.where(place), what, expected, do)
+            for place, what, expected, do in self._noted
+        ]
+        files = list(dict.fromkeys(fault.where.file for fault in faults))
+        return sorted(
+            faults, key=lambda fault: (files.index(fault.where.file), fault.where.line or 0)
+        )

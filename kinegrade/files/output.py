@@ -1,0 +1,267 @@
+"""Output that appears whole or not at all.
+
+A folder (or a file) is built beside its place under a hidden name, flushed to disk, and put in
+place in one atomic step. A process killed at any moment leaves the old output or the new one. Its
+unfinished output stays behind as `.NAME.partial-HOST-PID-TOKEN`; the next run for the same target
+on the same machine removes it.
+
+A folder is replaced atomically by `renameat2(RENAME_EXCHANGE)` on Linux, `renamex_np(RENAME_SWAP)`
+on macOS. Where the system or the file system has neither, two renames are made: a process killed
+between the two leaves the old output whole beside its place, as `.NAME.previous-TOKEN`, which is
+never deleted automatically.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import errno
+import os
+import secrets
+import sys
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from kinegrade.errors import OutputError
+from kinegrade.files.leftovers import clear_leftovers, make_process_name, remove
+from kinegrade.files.temporary import clear_temporary_folders
+from kinegrade.language.message import Fault, Message, list_plainly
+
+_CURRENT_FOLDER = -100  # AT_FDCWD
+_LINUX_NO_REPLACE, _LINUX_EXCHANGE = 1, 2
+_MACOS_SWAP, _MACOS_EXCLUSIVE = 2, 4
+_UNSUPPORTED = (errno.ENOSYS, errno.EINVAL, errno.ENOTSUP, errno.EOPNOTSUPP)
+DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
+
+
+@dataclass(frozen=True)
+class Access:
+    """Who may read a folder: the modes of its folders and files, regardless of the umask of the
+    process.
+
+    The names at its top in `ordinary` keep the mode with which they were created; users who may not
+    enter the folder cannot reach them.
+    """
+
+    folder: int
+    file: int
+    ordinary: Collection[str] = ()
+
+
+@contextmanager
+def output_folder(
+    path: Path,
+    *,
+    marker: str | None,
+    contents: Collection[str] | None = None,
+    force: bool = False,
+    access: Access | None = None,
+) -> Iterator[Path]:
+    """Gives a hidden folder to write into; it becomes `path` when the block ends without an error.
+
+    `marker` is the file by which kinegrade recognises its own folders, None where they have none;
+    `contents` are all the names that it writes at their top. With `force` an existing folder is
+    replaced only if it is empty, or contains the marker and no name beyond `contents`, so that no
+    file of the user's is lost. With `access` the folder is closed to all other users from the
+    start; without it, the mode of a replaced folder is kept. Raises OutputError.
+    """
+    target = _find_place(path)
+    with _open_partial(path, target) as partial:
+        _check_folder(path, target, marker, contents, force)
+        partial.mkdir(mode=0o777 if access is None else 0o700)
+        if target.exists() and access is None:
+            partial.chmod(target.stat().st_mode | 0o700)
+        yield partial
+        if access is not None:
+            _restrict(partial, access)
+        _bring_to_disk(partial)
+        # Another process may have written there in the meantime
+        _check_folder(path, target, marker, contents, force)
+        _publish(path, partial, target)
+
+
+def write_file(path: Path, content: bytes, *, force: bool = False) -> None:
+    """Writes a file whole or not at all; with `force` over an existing plain file. Raises
+    OutputError.
+    """
+    with output_file(path, force=force) as partial:
+        partial.write_bytes(content)
+
+
+@contextmanager
+def output_file(path: Path, *, force: bool = False) -> Iterator[Path]:
+    """Gives a hidden name for a file to write; it becomes `path` when the block ends without an
+    error.
+
+    With `force` an existing plain file is replaced. Raises OutputError, before the block where
+    `path` exists and must not be replaced.
+    """
+    target = _find_place(path)
+    with _open_partial(path, target) as partial:
+        _check_file(path, target, force)
+        yield partial
+        _flush(partial)
+        if force:
+            os.replace(partial, target)
+        else:
+            _move_to_free_place(path, partial, target)
+        _sync_folder(target.parent)
+
+
+def _find_place(path: Path) -> Path:
+    try:
+        target = path.resolve()
+    except (OSError, RuntimeError) as fault:
+        raise _explain_unwritable(path, fault) from fault
+    if not target.name:
+        raise OutputError(Fault(str(path), Message("files.root")))
+    return target
+
+
+def _check_folder(
+    path: Path, target: Path, marker: str | None, contents: Collection[str] | None, force: bool
+) -> None:
+    if not target.exists():
+        return
+    if not target.is_dir():
+        raise OutputError(Fault(str(path), Message("files.not-a-folder")))
+    if not force:
+        raise OutputError(Fault(str(path), Message("files.folder-exists")))
+    names = {entry.name for entry in target.iterdir()} - DESKTOP_DROPPINGS
+    if names and marker is not None and marker not in names:
+        raise OutputError(Fault(str(path), Message("files.not-ours", marker=marker)))
+    strangers = sorted(names - set(contents)) if contents is not None else []
+    if strangers:
+        lost = list_plainly(strangers[:5])
+        raise OutputError(
+            Fault(
+                str(path),
+                Message("files.would-be-lost", names=lost),
+                Message("files.only-what-is-written-again"),
+                Message("files.move-elsewhere"),
+            )
+        )
+
+
+def _check_file(path: Path, target: Path, force: bool) -> None:
+    if target.exists() and not target.is_file():
+        raise OutputError(Fault(str(path), Message("files.not-a-file")))
+    if target.exists() and not force:
+        raise OutputError(Fault(str(path), Message("files.file-exists")))
+
+
+def _explain_unwritable(path: Path, fault: Exception) -> OutputError:
+    reason = Message("files.cannot-be-written", reason=str(fault))
+    expected, do = Message("files.place-with-room"), Message("files.choose-another")
+    return OutputError(Fault(str(path), reason, expected, do))
+
+
+@contextmanager
+def _open_partial(path: Path, target: Path) -> Iterator[Path]:
+    """A hidden name beside `target`; whatever has this name at the end is removed.
+
+    The leftovers of killed runs are removed first, including their temporary folders, which may
+    contain the key.
+    """
+    partial = target.with_name(make_process_name(_make_beginning(target)))
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        clear_leftovers(target.parent, _make_beginning(target))
+        clear_temporary_folders()
+        yield partial
+    except OSError as fault:
+        raise _explain_unwritable(path, fault) from fault
+    finally:
+        remove(partial)
+
+
+def _make_beginning(target: Path) -> str:
+    return f".{target.name}.partial"
+
+
+def _restrict(folder: Path, access: Access) -> None:
+    """Give every folder and file its mode; ordinary ones keep theirs."""
+    for entry in folder.iterdir():
+        if entry.name in access.ordinary:
+            continue
+        if entry.is_dir():
+            _restrict(entry, replace(access, ordinary=()))
+        else:
+            entry.chmod(access.file)
+    folder.chmod(access.folder)
+
+
+def _bring_to_disk(folder: Path) -> None:
+    """Flushes every file and folder, so that they are whole even if the power fails after the
+    renaming.
+    """
+    for place, _, names in os.walk(folder):
+        for name in names:
+            _flush(Path(place, name))
+        _sync_folder(Path(place))
+
+
+def _flush(file: Path) -> None:
+    handle = os.open(file, os.O_RDWR)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _sync_folder(folder: Path) -> None:
+    if os.name == "nt":  # folders cannot be opened there
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _publish(path: Path, partial: Path, target: Path) -> None:
+    if not target.exists():
+        _move_to_free_place(path, partial, target)
+    elif not _rename_atomically(partial, target, exchange=True):
+        _replace_in_two_steps(partial, target)
+    _sync_folder(target.parent)
+
+
+def _move_to_free_place(path: Path, partial: Path, target: Path) -> None:
+    """Refuses if the place was taken while the output was being made."""
+    try:
+        if not _rename_atomically(partial, target, exchange=False):
+            if target.exists():
+                raise FileExistsError
+            os.rename(partial, target)
+    except FileExistsError:
+        raise OutputError(Fault(str(path), Message("files.name-taken"))) from None
+
+
+def _replace_in_two_steps(partial: Path, target: Path) -> None:
+    previous = target.with_name(f".{target.name}.previous-{secrets.token_hex(4)}")
+    os.rename(target, previous)
+    os.rename(partial, target)
+    remove(previous)
+
+
+def _rename_atomically(source: Path, target: Path, *, exchange: bool) -> bool:
+    """Swaps two entries, or moves one to a free name; False where the system cannot. Raises
+    OSError.
+    """
+    if os.name != "posix":
+        return False
+    library = ctypes.CDLL(None, use_errno=True)
+    old, new = os.fsencode(source), os.fsencode(target)
+    if sys.platform == "darwin" and hasattr(library, "renamex_np"):
+        status = library.renamex_np(old, new, _MACOS_SWAP if exchange else _MACOS_EXCLUSIVE)
+    elif sys.platform == "linux" and hasattr(library, "renameat2"):
+        flag = _LINUX_EXCHANGE if exchange else _LINUX_NO_REPLACE
+        status = library.renameat2(_CURRENT_FOLDER, old, _CURRENT_FOLDER, new, ctypes.c_uint(flag))
+    else:
+        return False
+    code = ctypes.get_errno()
+    if status != 0 and code not in _UNSUPPORTED:
+        raise OSError(code, os.strerror(code), str(target))
+    return bool(status == 0)

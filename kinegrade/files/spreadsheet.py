@@ -1,0 +1,340 @@
+"""Tables from spreadsheet programs: the first filled sheet of an .xlsx workbook, read as if it were
+a CSV file.
+
+`read_workbook` is called for answers that people send. Numbers come out as they were typed, texts
+unchanged; what a spreadsheet may have changed (an answer turned into a date, the last digits of a
+long number) becomes a complaint. A hostile file is refused before it takes memory or time.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from datetime import date, datetime, time, timedelta
+from lzma import LZMAError
+from pathlib import Path
+from typing import Any
+from zipfile import BadZipFile, ZipFile
+from zlib import error as DeflateError
+
+from openpyxl import load_workbook
+
+from kinegrade.errors import TableError
+from kinegrade.files.tables import Complaint, Row, Table, shorten, trim
+from kinegrade.language.message import Fault, Message, Quoted
+
+_LARGEST = (
+    64_000_000  # bytes of XML, unpacked: a class of 10,000 with 40 answers each has 25 million
+)
+_MOST_TAGS = 2_000_000  # of sheets and their texts, four for a number: read in some seconds
+_MOST_STYLE_TAGS = 100_000  # of all else: a parser makes a large thing of each
+_MOST_ROWS = 100_000
+_MOST_CELLS = 2_000_000  # with the blank ones between filled ones
+_LONGEST_TEXT = 32_767  # characters in a cell: no spreadsheet program keeps more
+_MOST_CHARACTERS = 30_000_000  # in all cells: one long text may be named by many
+_LONGEST_NUMBER = 10**15  # spreadsheets keep fifteen digits
+_MOST_PARTS = 5_000
+_CHUNK = 1 << 20
+_OVERLAP = 16
+_ZIP = b"PK\x03\x04"
+_COMPOUND = b"\xd0\xcf\x11\xe0"
+_ZEROS = re.compile(r"0{2,}")  # the number format of ids that keep their leading zeros
+_TEXT_FORMULA = re.compile(r'=\s*"([^"]*)"')  # keeps the zeros of an id
+_FORMULA = re.compile(rb"<(?:\w+:)?f[ />]")
+_DOCUMENT_TYPE = b"<!DOCTYPE"
+_ENCODING = re.compile(rb"""^(?:\xef\xbb\xbf)?\s*<\?xml[^>]*\bencoding\s*=\s*["']([^"']*)""")
+_UTF_8 = (b"utf-8", b"utf8", b"us-ascii")
+_CELL_PART = re.compile(r"sheet|sharedstrings", re.IGNORECASE)
+_XLSX = Message("files.xlsx")
+_SAVE = Message("files.save-as-xlsx")
+_SEND_ALONE = Message("files.send-sheet-alone")
+
+
+@dataclass(frozen=True, slots=True)
+class _Cell:
+    """A cell as text; `remark` is what a person should know about it."""
+
+    text: str
+    remark: Message | None = None
+
+
+_BLANK = _Cell("")
+# The number of a line in the sheet, and its cells up to the last filled one
+_Line = tuple[int, list[_Cell]]
+
+
+class _Room:
+    """How much may still be read of a workbook, all sheets together."""
+
+    def __init__(self) -> None:
+        self.rows = _MOST_ROWS
+        self.cells = _MOST_CELLS
+        self.characters = _MOST_CHARACTERS
+
+
+def is_workbook(path: Path) -> bool:
+    """Whether a file begins like a workbook, new or old, whatever its name."""
+    try:
+        with path.open("rb") as stream:
+            return stream.read(4) in (_ZIP, _COMPOUND)
+    except OSError:
+        return False
+
+
+def read_workbook(path: Path) -> Table:
+    """The first visible filled sheet of a workbook; `Row.line` is the row's number there.
+
+    Raises TableError if the file is missing, not an .xlsx workbook, empty, too large or hostile.
+    """
+    has_formulas = _inspect(path)
+    name, lines, others = _read_sheet(path)
+    if not lines:
+        raise TableError(
+            Fault(path.name, Message("files.no-filled-sheet"), Message("files.column-names"), _SAVE)
+        )
+    if has_formulas:
+        lines = _note_formulas(path, name, lines)
+    (_, header), *rows = lines
+    titles = tuple(cell.text for cell in header)
+    complaints = [
+        *_note_sheets(path.name, name, others),
+        *_find_oddities(path.name, titles, lines),
+        *_find_surplus(path.name, rows, len(titles)),
+    ]
+    filled = tuple(Row(line, _pad(cells, len(titles))) for line, cells in rows)
+    return Table(path.name, titles, filled, "XLSX", "", tuple(complaints))
+
+
+def _pad(cells: Sequence[_Cell], width: int) -> tuple[str, ...]:
+    return (*(cell.text for cell in cells), *[""] * (width - len(cells)))
+
+
+def _inspect(path: Path) -> bool:
+    """Whether the workbook has formulas. Raises TableError if the file is not a workbook, or
+    unpacks to too much.
+    """
+    try:
+        with path.open("rb") as stream:
+            beginning = stream.read(4)
+        if beginning == _COMPOUND:
+            raise TableError(Fault(path.name, Message("files.old-workbook"), _XLSX, _SAVE))
+        with ZipFile(path) as archive:
+            return _inspect_parts(path, archive)
+    except OSError as fault:
+        reason = Message("files.cannot-be-read", reason=str(fault.strerror))
+        expected, do = Message("files.a-workbook"), Message("files.check-the-name")
+        raise TableError(Fault(str(path), reason, expected, do)) from fault
+    except (BadZipFile, DeflateError, LZMAError) as fault:
+        raise TableError(Fault(path.name, Message("files.no-workbook"), _XLSX, _SAVE)) from fault
+    except (EOFError, NotImplementedError, RuntimeError, ValueError, ArithmeticError) as fault:
+        raise _explain_damaged(path, fault) from fault
+
+
+def _inspect_parts(path: Path, archive: ZipFile) -> bool:
+    parts = archive.infolist()
+    if not any(part.filename.endswith("workbook.xml") for part in parts):
+        raise TableError(Fault(path.name, Message("files.archive")))
+    size = sum(part.file_size for part in parts if _is_parsed(part.filename))
+    if size > _LARGEST or len(parts) > _MOST_PARTS:
+        what = Message("files.unpacks-to", size=size, parts=len(parts))
+        expected = Message("files.less-than", most=_LARGEST)
+        raise TableError(Fault(path.name, what, expected, _SEND_ALONE))
+    return _has_formulas(path, archive, [each.filename for each in parts])
+
+
+def _is_parsed(part: str) -> bool:
+    return part.endswith((".xml", ".rels"))
+
+
+def _has_formulas(path: Path, archive: ZipFile, parts: Sequence[str]) -> bool:
+    """Whether any part has formulas; counts what a parser would have to build before it does."""
+    has_formulas = False
+    room = {True: _MOST_TAGS, False: _MOST_STYLE_TAGS}
+    for part in filter(_is_parsed, parts):
+        cells = _CELL_PART.search(part) is not None
+        before = b""
+        for chunk in _read_chunks(archive, part):
+            piece = before + chunk
+            _refuse_foreign(path, part, piece, first=not before)
+            room[cells] -= chunk.count(b"<")
+            if room[cells] < 0:
+                raise _explain_too_many_tags(path, cells=cells)
+            has_formulas |= "sheet" in part and _FORMULA.search(piece) is not None
+            before = piece[-_OVERLAP:]
+    return has_formulas
+
+
+def _read_chunks(archive: ZipFile, part: str) -> Iterator[bytes]:
+    with archive.open(part) as stream:
+        while chunk := stream.read(_CHUNK):
+            yield chunk
+
+
+def _refuse_foreign(path: Path, part: str, piece: bytes, *, first: bool) -> None:
+    """Raises TableError for what no spreadsheet program writes and what could exhaust a parser."""
+    if _DOCUMENT_TYPE in piece:
+        what, expected = Message("files.document-type", part=part), Message("files.none-as-usual")
+        raise TableError(Fault(path.name, what, expected, _SAVE))
+    declared = _ENCODING.match(piece) if first else None
+    if b"\0" in piece or (declared and declared[1].lower() not in _UTF_8):
+        what = Message("files.part-not-utf-8", part=part)
+        raise TableError(Fault(path.name, what, Message("files.utf-8-as-usual"), _SAVE))
+
+
+def _explain_too_many_tags(path: Path, *, cells: bool) -> TableError:
+    if cells:
+        what = Message("files.too-many-tags", most=_MOST_TAGS)
+        return TableError(Fault(path.name, what, Message("files.a-class"), _SEND_ALONE))
+    return TableError(Fault(path.name, Message("files.too-many-styles", most=_MOST_STYLE_TAGS)))
+
+
+@contextmanager
+def _workbook(path: Path, *, values: bool) -> Iterator[Any]:
+    """An open workbook; every error of its parser becomes one TableError."""
+    workbook = None
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of styles and extensions, which are not read
+            workbook = load_workbook(path, read_only=True, data_only=values, keep_links=False)
+            yield workbook
+    except TableError:
+        raise
+    except Exception as fault:  # the parser may raise any exception for a damaged file
+        raise _explain_damaged(path, fault) from fault
+    finally:
+        if workbook is not None:
+            workbook.close()
+
+
+def _explain_damaged(path: Path, fault: Exception) -> TableError:
+    reason = " ".join(str(fault).split())[:200] or type(fault).__name__
+    return TableError(Fault(path.name, Message("files.damaged", reason=reason), _XLSX, _SAVE))
+
+
+def _read_sheet(path: Path) -> tuple[str, list[_Line], list[str]]:
+    """The name and the filled lines of the first filled sheet, and the names of other filled
+    ones.
+    """
+    name, lines, others = "", list[_Line](), list[str]()
+    room = _Room()
+    with _workbook(path, values=True) as workbook:
+        for sheet in workbook.worksheets:
+            if sheet.sheet_state != "visible":
+                continue
+            if not lines:
+                name, lines = sheet.title, list(_read_filled_lines(path, sheet, room))
+            elif next(_read_filled_lines(path, sheet, room), None):
+                others.append(sheet.title)
+    return name, lines, others
+
+
+def _read_filled_lines(path: Path, sheet: Any, room: _Room) -> Iterator[_Line]:
+    for line, row in _read_rows(path, sheet, room):
+        cells = [_BLANK if cell.value is None else _read(cell) for cell in row]
+        room.characters -= sum(len(cell.text) for cell in cells)
+        longest = max((len(cell.text) for cell in cells), default=0)
+        if longest > _LONGEST_TEXT or room.characters < 0:
+            where = Message("files.sheet-row", file=path.name, sheet=sheet.title, row=line)
+            what = Message("files.too-much-text", count=longest)
+            raise TableError(Fault(where, what, Message("files.answers"), _SAVE))
+        while cells and not trim(cells[-1].text) and not cells[-1].remark:
+            cells.pop()
+        if any(trim(cell.text) for cell in cells):
+            yield line, cells
+
+
+def _read_rows(path: Path, sheet: Any, room: _Room) -> Iterator[tuple[int, Sequence[Any]]]:
+    """The rows of a sheet, whatever size it declares. Raises TableError for too many of them."""
+    sheet.reset_dimensions()
+    for line, row in enumerate(sheet.iter_rows(), 1):
+        room.rows -= 1
+        room.cells -= len(row)
+        if room.rows < 0 or room.cells < 0:
+            what = Message(
+                "files.sheet-too-large", sheet=sheet.title, rows=_MOST_ROWS, cells=_MOST_CELLS
+            )
+            do = Message("files.delete-around")
+            raise TableError(Fault(path.name, what, Message("files.a-class"), do))
+        yield line, row
+
+
+def _read(cell: Any) -> _Cell:
+    value = cell.value
+    if isinstance(value, bool):
+        return _Cell(str(value).upper())
+    if isinstance(value, int | float):
+        return _write_number(value, cell.number_format)
+    if isinstance(value, datetime | date | time | timedelta):
+        return _Cell(str(value), Message("files.cell-date"))
+    return _Cell(str(value))
+
+
+def _write_number(value: int | float, number_format: str) -> _Cell:
+    """The shortest digits of the number: what was typed, except for trailing zeros."""
+    whole = (
+        int(value)
+        if isinstance(value, int) or (value.is_integer() and abs(value) < _LONGEST_NUMBER)
+        else None
+    )
+    text = repr(value) if whole is None else str(whole)
+    if whole is not None and whole >= 0 and _ZEROS.fullmatch(number_format):
+        text = text.zfill(len(number_format))
+    eaten = abs(value) >= _LONGEST_NUMBER
+    return _Cell(text, Message("files.cell-digits") if eaten else None)
+
+
+def _note_formulas(path: Path, name: str, lines: list[_Line]) -> list[_Line]:
+    """The lines, with a remark for each cell that a formula computes."""
+    with _workbook(path, values=False) as workbook:
+        computed = {
+            (line, place): str(getattr(cell.value, "text", cell.value))
+            for line, row in _read_rows(path, workbook[name], _Room())
+            for place, cell in enumerate(row)
+            if cell.data_type == "f"
+        }
+    return [
+        (
+            line,
+            [_note_formula(cell, computed.get((line, place))) for place, cell in enumerate(cells)],
+        )
+        for line, cells in lines
+    ]
+
+
+def _note_formula(cell: _Cell, formula: str | None) -> _Cell:
+    if formula is None:
+        return cell
+    text = _TEXT_FORMULA.fullmatch(formula)
+    if text and cell.text in ("", text[1]):
+        return _Cell(text[1])
+    shown = shorten(formula)
+    if cell.text:
+        return _Cell(cell.text, Message("files.cell-formula", formula=shown))
+    return _Cell(cell.text, Message("files.cell-never-computed", formula=shown))
+
+
+def _find_oddities(file: str, titles: Sequence[str], lines: Sequence[_Line]) -> Iterator[Complaint]:
+    for line, cells in lines:
+        for place, cell in enumerate(cells):
+            if cell.remark:
+                column = titles[place] if place < len(titles) else ""
+                done = Message("files.taken-as-it-stands")
+                yield Complaint(file, line, column, shorten(cell.text), cell.remark, done)
+
+
+def _find_surplus(file: str, rows: Sequence[_Line], width: int) -> Iterator[Complaint]:
+    for line, cells in rows:
+        surplus = "; ".join(cell.text for cell in cells[width:] if trim(cell.text))
+        if surplus:
+            problem, done = Message("files.beside-table"), Message("files.surplus-kept")
+            yield Complaint(file, line, "", shorten(surplus), problem, done)
+
+
+def _note_sheets(file: str, name: str, others: Sequence[str]) -> Iterator[Complaint]:
+    if others:
+        problem = Message("files.several-sheets")
+        done = Message("files.first-sheet", sheet=Quoted(name))
+        yield Complaint(file, None, "", ", ".join(others), problem, done)

@@ -1,0 +1,131 @@
+"""All cells of many rows read at once: plain numbers in bulk, all other cells by `answers.read`.
+
+`block_judge` uses it. A cell is plain if `answers.read` would take its digits as they stand,
+whatever else is in the file.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import chain
+from math import nan
+
+import msgspec
+import numpy as np
+
+from kinegrade.exam.folder.keys import Ask
+from kinegrade.grading.fast.comparison import Numbers
+from kinegrade.grading.typed.answers import PLAIN, Reading, read
+from kinegrade.grading.typed.decimal_style import FileStyle
+from kinegrade.grading.typed.number_text import DecimalStyle
+
+_PLAIN = re.compile(PLAIN)
+_PLAIN_LINES = re.compile(f"(?:(?:{PLAIN})?\n)*+")
+
+
+@dataclass(frozen=True, slots=True)
+class TypedCells:
+    """Cells row after row: `values` are NaN where no number is typed, or none that is known
+    exactly.
+
+    `readings` are those of the cells that are neither plain nor empty, by place; `styles` are those
+    of the rows with such cells, by row.
+    """
+
+    reader: CellReader
+    typed: Sequence[str]
+    values: Numbers
+    read_as: Sequence[str]
+    readings: Mapping[int, Reading]
+    styles: Mapping[int, DecimalStyle]
+
+    def reading(self, place: int) -> Reading:
+        """The reading of a cell."""
+        return self.readings.get(place) or self.reread(place, self.typed[place])
+
+    def reread(self, place: int, typed: str) -> Reading:
+        """The reading of another text, as if it stood in the cell."""
+        row, number = divmod(place, len(self.reader.asks))
+        ask, style = self.reader.asks[number], self.styles.get(row, self.reader.styles.style)
+        return read(typed, ask.unit, style, ask.convention, ask.sign)
+
+
+@dataclass(frozen=True, slots=True)
+class CellReader:
+    """Reads the cells of rows that answer these asks, in a file of that style."""
+
+    asks: tuple[Ask, ...]
+    styles: FileStyle
+
+    def cells(self, rows: Sequence[Sequence[str]]) -> TypedCells:
+        """All cells of these rows."""
+        typed = [*chain.from_iterable(rows)]
+        if _takes_plain_numbers(self.styles.style) and _are_plain(typed):
+            return TypedCells(self, typed, np.array(_read_plain(typed)), _drop_signs(typed), {}, {})
+        return self._row_by_row(rows, typed)
+
+    def _row_by_row(self, rows: Sequence[Sequence[str]], typed: Sequence[str]) -> TypedCells:
+        usual = _takes_plain_numbers(self.styles.style)
+        values: list[float] = []
+        read_as: list[str] = []
+        readings: dict[int, Reading] = {}
+        styles: dict[int, DecimalStyle] = {}
+        for number, row in enumerate(rows):
+            if usual and _are_plain(row):
+                values += _read_plain(row)
+                read_as += _drop_signs(row)
+                continue
+            styles[number] = self.styles.of_row(row)
+            for place, (value, digits, reading) in enumerate(
+                self._cell_by_cell(row, styles[number]), len(values)
+            ):
+                values.append(value)
+                read_as.append(digits)
+                if reading is not None:
+                    readings[place] = reading
+        return TypedCells(self, typed, np.array(values), read_as, readings, styles)
+
+    def _cell_by_cell(
+        self, row: Sequence[str], style: DecimalStyle
+    ) -> list[tuple[float, str, Reading | None]]:
+        plain = _takes_plain_numbers(style)
+        found: list[tuple[float, str, Reading | None]] = []
+        for cell, ask in zip(row, self.asks, strict=True):
+            if not cell:
+                found.append((nan, "", None))
+            elif plain and _PLAIN.fullmatch(cell):
+                found.append((float(cell), cell.removeprefix("+"), None))
+            else:
+                reading = read(cell, ask.unit, style, ask.convention, ask.sign)
+                known = reading.value is not None and not reading.error
+                found.append(
+                    (float(reading.value or 0) if known else nan, reading.read_as, reading)
+                )
+        return found
+
+
+def _are_plain(cells: Sequence[str]) -> bool:
+    """Whether all cells are plain or empty."""
+    lines = "\n".join([*cells, ""])
+    return lines.count("\n") == len(cells) and _PLAIN_LINES.fullmatch(lines) is not None
+
+
+def _drop_signs(cells: Sequence[str]) -> Sequence[str]:
+    return [cell.removeprefix("+") for cell in cells] if "+" in "".join(cells) else cells
+
+
+def _read_plain(cells: Sequence[str]) -> list[float]:
+    """The values of plain or empty cells; written as in JSON, as most are, they are read several
+    times faster.
+    """
+    try:
+        return msgspec.convert(cells, list[float], strict=False)
+    except msgspec.ValidationError:
+        return [float(cell) if cell else nan for cell in cells]
+
+
+def _takes_plain_numbers(style: DecimalStyle) -> bool:
+    """Whether 1.234 is a plain number that needs no remark."""
+    return style.point == "decimal" and not style.point_reason

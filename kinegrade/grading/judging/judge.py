@@ -1,0 +1,109 @@
+"""Right or wrong: one reading compared with one key.
+
+`judge` is pure; `bulk_comparison` gives the same verdicts for thousands of answers wherever double
+precision suffices. The rule is the one printed on the paper: an answer is right if it differs from
+the key by at most the tolerance, exactly the tolerance included, and agrees with it to the
+significant figures that are asked for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Context, Decimal
+from fractions import Fraction
+from typing import Literal, assert_never
+
+from kinegrade.exam.folder.keys import Key
+from kinegrade.grading.typed.answers import Reading
+from kinegrade.language.message import Message, Text
+
+Kind = Literal[
+    "right",
+    "accepted",
+    "follow-through",
+    "mistake",
+    "wrong",
+    "wrong unit",
+    "blank",
+    "unreadable",
+    "void",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """What an answer is, and why.
+
+    `comparison` says how far a number is from the one it was compared with. `mistakes` are the
+    known mistakes that lead to it, the likeliest first; `by_policy` is whether it was compared by
+    another rule than the paper's.
+    """
+
+    kind: Kind
+    reason: Text
+    comparison: Text = ""
+    mistakes: tuple[str, ...] = ()
+    by_policy: bool = False
+
+
+def judge(reading: Reading, key: Key) -> Verdict:
+    """Decides by exact fractions; an irrational answer that cannot be distinguished from the bound
+    counts as on it. Never raises.
+
+    >>> from kinegrade.grading.typed.answers import read
+    >>> judge(read("1.01", "m/s"), Key(Fraction(1), Fraction(1, 100))).comparison
+    Message('marking.allowed', value='1', difference='0.01', allowed='0.01')
+    """
+    match reading.kind:
+        case "blank":
+            return Verdict("blank", "")
+        case "wrong unit" | "unreadable":
+            return Verdict(reading.kind, reading.reason)
+        case "number":
+            return _compare(reading, key)
+        case _:
+            assert_never(reading.kind)
+
+
+def _compare(reading: Reading, key: Key) -> Verdict:
+    """Right or wrong; a number without a value is unreadable, and the reason says why."""
+    if reading.value is None:
+        return Verdict("unreadable", reading.reason)
+    difference = reading.value - key.value
+    if key.period:
+        difference -= round(difference / key.period) * key.period
+    low, high = key.interval
+    right = low - reading.error <= key.value + difference <= high + reading.error
+    comparison = _explain_comparison(key, abs(difference))
+    reason = Message("marking.key", comparison=comparison)
+    return Verdict("right" if right else "wrong", reason, comparison)
+
+
+def _explain_comparison(key: Key, difference: Fraction) -> Message:
+    """With as many digits as it takes to see which of the two is larger."""
+    if key.agreeing:
+        low, high = key.interval
+        return Message(
+            "marking.to-figures",
+            value=_write_short(key.value),
+            difference=_write_short(difference),
+            low=_write_short(low),
+            high=_write_short(high),
+        )
+    shown, allowed = _write_short(difference), _write_short(key.tolerance)
+    if shown == allowed and difference != key.tolerance:
+        shown, allowed = _write_long(difference), _write_long(key.tolerance)
+    value = _write_short(key.value)
+    return Message("marking.allowed", value=value, difference=shown, allowed=allowed)
+
+
+def _write_short(number: Fraction) -> str:
+    """Six significant digits."""
+    return f"{float(number):.6g}"
+
+
+def _write_long(number: Fraction) -> str:
+    context = Context(prec=40)
+    return str(
+        context.divide(Decimal(number.numerator), Decimal(number.denominator)).normalize(context)
+    )

@@ -1,0 +1,98 @@
+"""A policy: how a class is marked differently from what the papers say, after the exam.
+
+`policy_reading` makes one from a file and documents its grammar; `marks` marks by it, and
+`decision` applies the ruling for one answer box. Without a policy the exam folder alone decides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Literal, assert_never
+
+from kinegrade.exam.folder.keys import Ask, Key, make_rule
+from kinegrade.expressions.expression import Expression
+from kinegrade.grading.typed.unit_spelling import Conversion
+from kinegrade.stated_marking import StatedTolerance
+
+Attempts = Literal["last", "first", "best"]
+Void = Literal["full", "drop"]
+
+
+NO_ROOM = StatedTolerance()
+FULL_CREDIT = Fraction(1)  # share of the points
+
+
+@dataclass(frozen=True, slots=True)
+class Accepted:
+    """Another answer that counts: `credit` is its share of the points; `students` is None where it
+    counts for all.
+
+    `scale` converts the value of `tree` to the ask's unit. `number` is its position in the policy,
+    from 1; `text` is the value as written there.
+    """
+
+    number: int
+    text: str
+    tree: Expression
+    scale: Conversion
+    credit: Fraction
+    students: frozenset[str] | None
+
+
+@dataclass(frozen=True, slots=True)
+class Ruling:
+    """What a policy says about one ask; by default, nothing. Credits are shares of its points.
+
+    `follow_through` is the credit for an answer that follows from the student's wrong answer to an
+    earlier ask.
+    """
+
+    room: StatedTolerance = NO_ROOM
+    void: Void | None = None
+    points: Fraction | None = None
+    wrong_unit: Fraction = Fraction(0)
+    mistakes: Mapping[str, Fraction] = field(default_factory=dict, hash=False)
+    accepted: tuple[Accepted, ...] = ()
+    follow_through: Fraction = FULL_CREDIT
+
+    def ask(self, ask: Ask) -> Ask:
+        """The ask with its points under the policy; a dropped ask has none."""
+        match self.void:
+            case "drop":
+                return replace(ask, points=Fraction(0))
+            case "full" | None:
+                return ask if self.points is None else replace(ask, points=self.points)
+            case _:
+                assert_never(self.void)
+
+    def key(self, key: Key) -> Key:
+        """A key with its tolerance under the policy."""
+        return key if self.room == NO_ROOM else self.beside(key, key.value)
+
+    def beside(self, key: Key, value: Fraction) -> Key:
+        """A key for another value, by the rule that `key` has under the policy."""
+        stated = key.rule or make_rule(Fraction(0), key.tolerance)
+        room = self.room.over(StatedTolerance(stated.relative, stated.absolute, stated.figures))
+        now = make_rule(room.relative or Fraction(0), room.absolute or Fraction(0), room.figures)
+        return now.key(value, key.period, key.mistakes)
+
+
+@dataclass(frozen=True, slots=True)
+class Policy:
+    """Which of a student's rows counts, and a ruling for each answer column that has one; `text` is
+    the content of the file.
+    """
+
+    attempts: Attempts = "last"
+    rulings: Mapping[str, Ruling] = field(default_factory=dict, hash=False)
+    text: str = ""
+
+    def ruling(self, column: str) -> Ruling:
+        """The ruling for an answer column."""
+        return self.rulings.get(column, _AS_PRINTED)
+
+
+_AS_PRINTED = Ruling()
+AS_PRINTED = Policy()

@@ -1,0 +1,160 @@
+"""A policy file: how to mark a class again, differently from what the papers say.
+
+    attempts = "best"     # which of a student's rows counts: "last" (as without a policy), "first"
+                          # or "best"
+    tolerance = { relative = "2 %" }     # and absolute (in the ask's unit), figures; what is not
+                                         # stated stays
+    credit = { follow-through = "1/2", wrong-unit = "50 %", mistakes = { sense-reversed = 0.5 } }
+                          # shares of the points; follow-through is for an answer that follows from
+                          # the student's wrong answer to an earlier ask: all of them where nothing
+                          # is stated, 0 turns it off
+
+    [questions.q1]        # a question can have a tolerance and credits, and so can an ask
+    void = "drop"         # its points leave everybody's total, or "full": everybody who handed in
+                          # gets them
+    [questions.q2.asks.v_B]
+    tolerance = { figures = 2 }
+    points = 3            # instead of those on the paper
+    accept = [            # answers that count too
+      { value = "2*sqrt(3)", unit = "m/s" },           # without a unit, in that of the ask
+      { value = "r*omega", credit = "1/2" },           # of this paper's numbers: parameters and
+                                                       # right answers, in SI
+      { value = "-v_B", student = ["007", "0012"] },   # for some students only
+    ]
+
+A setting nearer to the ask overrides one further out, number by number. Of everything that applies
+to an answer, the best credit counts. What the exam's bank says about credit
+(`kinegrade.stated_marking`) is furthest out of all. `read_policy` and `stated_policy` are called by
+`grade`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from pathlib import Path
+from typing import get_args
+
+from kinegrade.errors import PolicyError
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.keys import Ask, list_questions
+from kinegrade.files.fields.document import FileKind, parsed_table, read_text, toml_table
+from kinegrade.files.fields.table import Table
+from kinegrade.files.fields.values import amount, choice, whole
+from kinegrade.grading.policy.accepted_reading import AcceptedReader
+from kinegrade.grading.policy.policy import FULL_CREDIT, NO_ROOM, Attempts, Policy, Ruling, Void
+from kinegrade.language.message import Message
+from kinegrade.stated_marking import StatedCredit, StatedTolerance, read_credit, read_tolerance
+
+_POLICY_FILE = FileKind(Message("policy.file"), PolicyError, 1_000_000)
+_HEAD_FILE = FileKind(Message("policy.exam-head"), PolicyError, 0, Message("policy.restore-exam"))
+_ATTEMPTS: tuple[Attempts, ...] = get_args(Attempts)
+_VOIDS: tuple[Void, ...] = get_args(Void)
+_FIGURES = whole(1, 15)
+
+
+@dataclass(frozen=True, slots=True)
+class _Level:
+    """What the exam, a question or an ask says about the answer boxes in it."""
+
+    room: StatedTolerance = NO_ROOM
+    void: Void | None = None
+    credit: StatedCredit = field(default_factory=StatedCredit)
+
+    def over(self, wider: _Level) -> _Level:
+        return _Level(
+            self.room.over(wider.room),
+            self.void or wider.void,
+            self.credit.over(wider.credit),
+        )
+
+
+def read_policy(path: Path, exam: ExamFolder) -> Policy:
+    """The policy in a file, for the asks of that exam. Raises PolicyError with all faults at
+    once.
+    """
+    text = read_text(path, _POLICY_FILE)
+    table = toml_table(str(path), text, _POLICY_FILE)
+    return _Reader(exam).policy(table, text, _read_stated(exam))
+
+
+def stated_policy(exam: ExamFolder) -> Policy:
+    """What applies without a policy: the credit table of the exam's bank. Raises PolicyError."""
+    nothing = parsed_table(str(exam.head_file), {}, _POLICY_FILE)
+    return _Reader(exam).policy(nothing, "", _read_stated(exam))
+
+
+def _read_stated(exam: ExamFolder) -> _Level:
+    """What the exam's bank states, as kept in exam.json."""
+    content = {} if exam.head.credit is None else {"credit": exam.head.credit}
+    head = parsed_table(str(exam.head_file), content, _HEAD_FILE)
+    level = _Level(credit=read_credit(head, lambda: head.table("credit").table("mistakes")))
+    head.faults.require_none()
+    return level
+
+
+class _Reader:
+    """Reads one policy for one exam."""
+
+    def __init__(self, exam: ExamFolder) -> None:
+        self.exam = exam
+        self.accepted = AcceptedReader(exam, frozenset(exam.students))
+
+    @cached_property
+    def mistakes(self) -> frozenset[str]:
+        """All mistakes that lead to a wrong answer on some paper.
+
+        The papers are read for these only where a policy names one.
+        """
+        return frozenset(
+            name for paper in self.exam.papers() for key in paper.keys for name in key.mistakes
+        )
+
+    def policy(self, content: Table, text: str, stated: _Level) -> Policy:
+        """A whole file; raises PolicyError when anything is at fault."""
+        table = content.only("attempts", "tolerance", "credit", "questions")
+        attempts: Attempts = table.with_default("attempts", choice(_ATTEMPTS), "last")
+        level = self._level(table).over(stated)
+        rulings = self._rulings(table.table("questions"), level)
+        table.faults.require_none()
+        return Policy(attempts, rulings, text)
+
+    def _rulings(self, content: Table, wider: _Level) -> dict[str, Ruling]:
+        """A ruling for each answer column."""
+        known = list_questions(self.exam.asks)
+        tables = content.only(*known, unknown=Message("fields.unknown-question"))
+        rulings: dict[str, Ruling] = {}
+        for question in known:
+            table = tables.table(question).only("tolerance", "credit", "void", "asks")
+            level = self._level(table).over(wider)
+            asks = [ask for ask in self.exam.asks if ask.question == question]
+            asked = table.table("asks").only(
+                *(ask.ask for ask in asks), unknown=Message("fields.unknown-ask")
+            )
+            for ask in asks:
+                rulings[ask.column] = self._ruling(asked.table(ask.ask), ask, level)
+        return rulings
+
+    def _ruling(self, content: Table, ask: Ask, wider: _Level) -> Ruling:
+        """What applies to one ask."""
+        table = content.only("tolerance", "credit", "void", "points", "accept")
+        level = self._level(table).over(wider)
+        credit = level.credit
+        return Ruling(
+            room=level.room,
+            void=level.void,
+            points=table.optional("points", amount),
+            wrong_unit=credit.wrong_unit or Fraction(0),
+            mistakes=credit.mistakes,
+            accepted=tuple(self.accepted.read(table, ask)),
+            follow_through=FULL_CREDIT if credit.follow_through is None else credit.follow_through,
+        )
+
+    def _level(self, table: Table) -> _Level:
+        """What a table says about all answer boxes in it."""
+        return _Level(
+            read_tolerance(table, _FIGURES),
+            table.optional("void", choice(_VOIDS)),
+            read_credit(table, lambda: self.mistakes),
+        )

@@ -1,0 +1,287 @@
+"""Values typed as small formulas: `√3/2`, `2 sqrt(3)/3`, `5π/3`, `2½`, `3/4`. Parsed by a small
+grammar, never by `eval`.
+
+    sum     = product (("+" | "-") product)*          at least one of them with a root or π
+    product = power (("*" | "/") power | power)*   without a sign only before a root, π or a bracket
+    power   = atom ["^" whole number]
+    atom    = number [½] | "√" (number | bracket) | "sqrt" bracket | "π" | "(" [sign] sum ")"
+
+`scan_value` takes the longest formula off the front of a folded text and leaves the rest, the unit.
+A formula that can be understood in two ways is refused, naming both: `1/2√3`, `5-3`.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from unicodedata import numeric
+
+from kinegrade.expressions.expression import (
+    PRODUCTS,
+    SUMS,
+    Call,
+    Expression,
+    Mark,
+    Name,
+    Number,
+    Operation,
+    read_rational,
+)
+from kinegrade.grading.typed.number_text import (
+    LARGEST_EXPONENT,
+    DecimalStyle,
+    TypedNumber,
+    Unreadable,
+    scan,
+    show,
+)
+from kinegrade.language.message import Message, Quoted, Text
+from kinegrade.language.spellings import match_spellings
+
+_MOST_ROOTS = 8
+_MOST_BRACKETS = 8
+_MOST_ATOMS = 24
+_VULGAR = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
+_ROOT_WORDS = Message("typing.root")
+_MIXED = re.compile(rf"\s?[{_VULGAR}]")
+_PI = re.compile(r"[πΠ𝜋]|pi(?![a-z])", re.IGNORECASE)
+_POWER = re.compile(
+    r"\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]{1,3})\s*\)|([+-]?[0-9]{1,3})(?![0-9.,/]))"
+)
+_HALF = re.compile(r"\s*(?:\^|\*\*)\s*(?:\(\s*1/2\s*\)|\(\s*0?[.,]5\s*\)|0?[.,]5(?![0-9.,]))")
+_OPERATOR = re.compile(r"\s*([-+*/])(?!\*)")
+
+
+@dataclass(frozen=True)
+class _Beginnings:
+    """What begins a value, a factor without a multiplication sign, and a root."""
+
+    value: re.Pattern[str]
+    factor: re.Pattern[str]
+    root: re.Pattern[str]
+
+
+@cache
+def _compile_beginnings() -> _Beginnings:
+    root = f"√|sqrt|{match_spellings(_ROOT_WORDS)}"
+    factor = rf"[(πΠ𝜋]|{root}|pi(?![a-z])"
+    value = rf"[0-9{_VULGAR}]|[.,][0-9]|{factor}"
+    patterns = rf"\s*(?:{value})", rf"\s*(?:{factor})", rf"(?:{root})\s*"
+    return _Beginnings(*(re.compile(pattern, re.IGNORECASE) for pattern in patterns))
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """What was typed as a formula: its tree, where it ends, and remarks on single numbers in it."""
+
+    tree: Expression
+    end: int
+    roots: int
+    pi: bool  # whether pi occurs
+    remark: Text
+
+
+def scan_value(text: str, place: int, style: DecimalStyle) -> TypedNumber | Formula | None:
+    """The number or formula at `place` of a folded text; None where neither begins there.
+
+    Raises Unreadable for what cannot be one value.
+    """
+    plain = scan(text, place, style)
+    if plain is not None and not _is_continued(text, plain.end):
+        return plain
+    if plain is None and not _compile_beginnings().value.match(text, place):
+        return None
+    reader = _Reader(text, place, style)
+    tree = reader.sum(0)
+    return Formula(tree, reader.place, reader.roots, reader.pi, reader.remark)
+
+
+def _is_continued(text: str, place: int) -> bool:
+    """Whether a number continues as a formula: an operator before a value, a power, or a root or pi
+    directly after it.
+    """
+    operator = _OPERATOR.match(text, place)
+    if operator and _compile_beginnings().value.match(text, operator.end()):
+        return True
+    signs = _POWER, _HALF, _MIXED, _compile_beginnings().factor
+    return any(sign.match(text, place) for sign in signs)
+
+
+class _Reader:
+    """Recursive descent over one folded text; `place` is where the next token begins."""
+
+    def __init__(self, text: str, place: int, style: DecimalStyle) -> None:
+        self.text, self.place, self.style = text, place, style
+        self.roots, self.surds, self.pi, self.atoms = 0, False, False, 0
+        self.remark: Text = ""
+
+    @property
+    def typed(self) -> Quoted:
+        """The whole text, for a message."""
+        return Quoted(show(self.text))
+
+    def sum(self, depth: int) -> Expression:
+        before, self.surds = self.surds, False
+        tree, terms = self.product(depth), 1
+        while (mark := self._operator(*SUMS)) is not None:
+            tree, terms = Operation(mark, tree, self.product(depth)), terms + 1
+        if terms > 1 and not self.surds:
+            raise Unreadable(Message("typing.range", typed=self.typed))
+        self.surds |= before
+        return tree
+
+    def product(self, depth: int) -> Expression:
+        tree, divided = self.power(depth), False
+        while True:
+            mark = self._operator(*PRODUCTS)
+            if mark is None:
+                factor = self.beside(depth)
+                if factor is None:
+                    return tree
+                self._require_plain_order(divided)
+                tree = Operation("*", tree, factor)
+                continue
+            self._require_plain_order(divided and mark == "/")
+            divided = divided or mark == "/"
+            tree = Operation(mark, tree, self.power(depth))
+
+    def _require_plain_order(self, doubtful: bool) -> None:
+        if doubtful:
+            raise Unreadable(Message("typing.two-ways", typed=self.typed))
+
+    def beside(self, depth: int) -> Expression | None:
+        """A factor written without a multiplication sign; a bracket that holds a unit is not
+        one.
+        """
+        if not _compile_beginnings().factor.match(self.text, self.place):
+            return None
+        state = self.place, self.roots, self.surds, self.remark
+        try:
+            return self.power(depth)
+        except Unreadable:
+            if "(" not in self.text[state[0] : state[0] + 2]:
+                raise
+            self.place, self.roots, self.surds, self.remark = state
+            return None
+
+    def _operator(self, *marks: Mark) -> Mark | None:
+        found = _OPERATOR.match(self.text, self.place)
+        if found is None or not _compile_beginnings().value.match(self.text, found.end()):
+            return None
+        mark = next((mark for mark in marks if mark == found[1]), None)
+        self.place = self.place if mark is None else found.end()
+        return mark
+
+    def power(self, depth: int) -> Expression:
+        base = self.atom(depth)
+        if found := _HALF.match(self.text, self.place):
+            self.place = found.end()
+            return self._root_of(base)
+        if found := _POWER.match(self.text, self.place):
+            self.place = found.end()
+            return _raise(base, int(found[1] or found[2]))
+        return base
+
+    def atom(self, depth: int) -> Expression:
+        self.atoms += 1
+        if self.atoms > _MOST_ATOMS:
+            raise Unreadable(Message("typing.many-parts", most=_MOST_ATOMS))
+        self.skip()
+        if found := _compile_beginnings().root.match(self.text, self.place):
+            self.place = found.end()
+            return self._radical(depth)
+        if found := _PI.match(self.text, self.place):
+            self.place, self.surds, self.pi = found.end(), True, True
+            return Name("pi")
+        if self.text.startswith("(", self.place):
+            return self._bracket(depth)
+        return self.number()
+
+    def _radical(self, depth: int) -> Expression:
+        """The root of a bracket or of a single number; whatever follows that number is not part of
+        the root.
+        """
+        bracket = self.text.startswith("(", self.place)
+        tree = self._root_of(self._bracket(depth) if bracket else self.number(power_of_ten=False))
+        if (
+            not bracket
+            and (after := _compile_beginnings().factor.match(self.text, self.place))
+            and after[0].strip() in "(πΠ𝜋"
+        ):
+            self._require_plain_order(
+                bool(re.match(r"\s*(?:[πΠ𝜋]|\(\s*[0-9√])", self.text[self.place :]))
+            )
+        return tree
+
+    def _root_of(self, tree: Expression) -> Expression:
+        self.roots, self.surds = self.roots + 1, True
+        if self.roots > _MOST_ROOTS:
+            raise Unreadable(Message("typing.many-roots", most=_MOST_ROOTS))
+        return Call("sqrt", (tree,))
+
+    def _bracket(self, depth: int) -> Expression:
+        if depth >= _MOST_BRACKETS:
+            raise Unreadable(Message("typing.deep-brackets", most=_MOST_BRACKETS))
+        self.place += 1
+        self.skip()
+        sign = self.text[self.place : self.place + 1]
+        self.place += sign in ("+", "-")
+        tree = self.sum(depth + 1)
+        self.skip()
+        if not self.text.startswith(")", self.place):
+            raise Unreadable(Message("typing.open-bracket", typed=self.typed))
+        self.place += 1
+        return Operation("-", Number(read_rational("0")), tree) if sign == "-" else tree
+
+    def number(self, *, power_of_ten: bool = True) -> Expression:
+        """A decimal number, a fraction such as ½, or a whole number with a fraction; √3×10^-2 is a
+        hundredth of √3.
+        """
+        found = scan(self.text, self.place, self.style, power_of_ten=power_of_ten)
+        if found is not None:
+            self.remark = self.remark or self._doubt(found)
+            self.place = found.end
+        vulgar = self._vulgar() if found is None or found.digits.isdigit() else None
+        if found is None and vulgar is None:
+            rest = Quoted(show(self.text[self.place :]))
+            raise Unreadable(Message("typing.no-number", typed=self.typed, rest=rest))
+        if found is None or vulgar is None:
+            return vulgar or _make_literal(found.value if found else Fraction(0))
+        return Operation("+", _make_literal(found.value), vulgar)
+
+    def _doubt(self, found: TypedNumber) -> Text:
+        """What the instructor should know about a number just read, quoted as it was typed; ""
+        where nothing is in doubt.
+        """
+        if not found.reason:
+            return ""
+        typed = Quoted(show(self.text[self.place : found.end]))
+        return Message("typing.read-as", typed=typed, digits=found.digits, reason=found.reason)
+
+    def _vulgar(self) -> Expression | None:
+        found = _MIXED.match(self.text, self.place)
+        if found is None:
+            return None
+        self.place = found.end()
+        return _make_literal(Fraction(numeric(found[0][-1])).limit_denominator(10))
+
+    def skip(self) -> None:
+        while self.text[self.place : self.place + 1].isspace():
+            self.place += 1
+
+
+def _make_literal(value: Fraction) -> Expression:
+    whole = Number(read_rational("1") * value.numerator)
+    return whole if value.denominator == 1 else Number(whole.value / value.denominator)
+
+
+def _raise(base: Expression, power: int) -> Expression:
+    """base**power; powers of ten may be larger than others."""
+    if isinstance(base, Number) and base.value == 10 and abs(power) <= LARGEST_EXPONENT:
+        return Number(base.value**power)
+    exponent = Number(read_rational(str(abs(power))))
+    return Operation(
+        "**", base, Operation("-", Number(read_rational("0")), exponent) if power < 0 else exponent
+    )

@@ -1,0 +1,164 @@
+"""The grades of a class as a learning management system receives them, read from the folder that
+`grade` wrote.
+
+`read_grades` is called by every export. Students who handed in nothing are marked as such, because
+an empty or zero grade would overwrite the one in the system. Points are exactly the numbers in the
+files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import NamedTuple, assert_never
+
+from kinegrade.errors import ExamError
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.files.csv_writing import neutralise
+from kinegrade.files.tables import trim
+from kinegrade.language import ENGLISH, Language
+from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.lms.grades.dialect import Field
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.rows import StudentSums, StudentTotal
+from kinegrade.numbers.amounts import write_amount
+from kinegrade.question_numbers import find_bank_number
+
+TOTAL = ""  # the item that is the sum of all questions
+
+
+@dataclass(frozen=True, slots=True)
+class StudentGrade:
+    """One student's points by question and in total (item TOTAL), and the maximum of each.
+
+    `name` is that of grades.csv, neutralised against spreadsheets; `email` is empty where no exam
+    was read. `printed` are the questions in the order of the paper, empty where that is the bank's.
+    """
+
+    student: str
+    name: str
+    email: str
+    points: Mapping[str, Fraction]
+    out_of: Mapping[str, Fraction]
+    handed_in: bool
+    printed: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ClassGrades:
+    """All students in the order of grades.csv; `title` is the exam's, empty where no exam was read.
+
+    `language` is that of the papers, English where no exam was read.
+    """
+
+    questions: tuple[str, ...]
+    students: tuple[StudentGrade, ...]
+    title: str = ""
+    language: Language = ENGLISH
+
+    def exported(self, *, ungraded: bool) -> tuple[StudentGrade, ...]:
+        """The students who get a grade: those who handed in something, or all."""
+        return tuple(each for each in self.students if ungraded or each.handed_in)
+
+
+def known_as(grade: StudentGrade, field: Field) -> str:
+    """A student's key in a system: the address, or the id, which may be the login there."""
+    match field:
+        case "id" | "login":
+            return grade.student
+        case "email":
+            return trim(grade.email)
+        case _:
+            assert_never(field)
+
+
+class _Possible(NamedTuple):
+    """The maxima of a student's questions and of the total, and whether anything was answered."""
+
+    student: str
+    out_of: Mapping[str, Fraction]
+    answered: bool
+
+
+def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrades:
+    """The grades of a marks folder; e-mails and the title from an exam folder.
+
+    An absent student has handed in nothing, unless an earlier total is kept; in a folder of an
+    earlier version that does not say who is absent, so has a student without any answer. Raises
+    TableError for a folder that `grade` cannot have written, ExamError for a damaged exam.
+    """
+    totals, orders = marks.totals, marks.printed
+    possible = {each.student: each for each in _read_possible(marks.sums())}
+    students = tuple(
+        _make_student_grade(total, possible.get(total.student), orders.get(total.student, ()))
+        for total in totals.students
+    )
+    found = ClassGrades(totals.questions, students)
+    return found if exam is None else _add_exam(found, exam)
+
+
+def _read_possible(sums: Iterable[StudentSums]) -> Iterator[_Possible]:
+    """What could be had by each student; neighbours with the same maxima share them, as a class of
+    any size does.
+    """
+    shared: Mapping[str, Fraction] = {}
+    for each in sums:
+        out_of = {**each.out_of, TOTAL: each.total_out_of}
+        if out_of != shared:
+            shared = out_of
+        yield _Possible(each.student, shared, each.answered)
+
+
+def _make_student_grade(
+    total: StudentTotal, possible: _Possible | None, printed: tuple[str, ...]
+) -> StudentGrade:
+    """A student's grade for an export; the maxima of one without lines in marks.csv are zero."""
+    points = {**total.points, TOTAL: total.total}
+    out_of = {TOTAL: Fraction(0)} if possible is None else possible.out_of
+    if total.status is None:
+        handed_in = (possible is not None and possible.answered) or total.total > 0
+    else:
+        handed_in = total.status != "absent" or total.kept is not None
+    name = neutralise(total.name)
+    return StudentGrade(total.student, name, "", points, out_of, handed_in, printed)
+
+
+def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
+    """What the system shows a student: points by the number of the question on the student's paper,
+    and nothing that the student typed.
+
+    >>> points = {"q1": Fraction(5, 2), "q2": Fraction(0)}
+    >>> out_of = {"q1": Fraction(4), "q2": Fraction(3)}
+    >>> feedback_text(StudentGrade("7", "", "", points, out_of, True), ("q1", "q2"))
+    '1: 2.5/4; 2: 0/3'
+    >>> feedback_text(StudentGrade("7", "", "", points, out_of, True, ("q2", "q1")), ("q1", "q2"))
+    '1: 0/3; 2: 2.5/4'
+    """
+    numbered = (
+        [(str(number), name) for number, name in enumerate(grade.printed, 1)]
+        if grade.printed
+        else [(find_bank_number(name), name) for name in questions]
+    )
+    parts = [
+        f"{number}: "
+        f"{write_amount(grade.points[name])}/{write_amount(grade.out_of.get(name, Fraction(0)))}"
+        for number, name in numbered
+    ]
+    return "; ".join(parts)
+
+
+def _add_exam(grades: ClassGrades, exam: ExamFolder) -> ClassGrades:
+    candidates = exam.head.candidates
+    strangers = [each.student for each in grades.students if each.student not in candidates]
+    if strangers:
+        other = Message("grades.other-exam", student=Quoted(strangers[0]), number=len(strangers))
+        raise ExamError(Fault(str(exam.head_file), other))
+    return replace(
+        grades,
+        title=" ".join(exam.head.title.split()),
+        language=exam.language,
+        students=tuple(
+            replace(each, email=trim(candidates[each.student].email)) for each in grades.students
+        ),
+    )

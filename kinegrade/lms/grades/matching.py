@@ -1,0 +1,255 @@
+"""Whose row is whose in a downloaded file: by id, login or e-mail as the system compares them,
+never by name.
+
+No student is guessed. A value that is only probably the same (zeros or digits lost in a
+spreadsheet, full-width forms, upper and lower case) is suggested in a complaint, and the instructor
+decides.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from unicodedata import normalize
+
+from kinegrade.files.tables import Complaint, trim
+from kinegrade.language.lines import show_in_one_line
+from kinegrade.language.message import (
+    Listing,
+    Message,
+    Quoted,
+    list_all,
+    list_choices,
+    list_statements,
+)
+from kinegrade.lms.grades.cells import CellTable, Record
+from kinegrade.lms.grades.dialect import Key
+from kinegrade.lms.grades.grades import StudentGrade, known_as
+
+_CUT_NUMBER = re.compile(r"([0-9])(?:[.,]([0-9]{1,15}))?E\+?([0-9]{1,2})", re.IGNORECASE)
+_MOST_HINTS = 3
+_WRAPPED = re.compile(r'=?"(.*)"|[\'#](.*)')
+
+
+@dataclass(frozen=True, slots=True)
+class KeyColumn:
+    """A key of the system and the place of its column in the file."""
+
+    key: Key
+    place: int
+
+    def value(self, row: Record) -> str:
+        """The row's value, as the system compares it."""
+        text = trim(row.cells[self.place].text)
+        return self.compared(text.removeprefix(self.key.prefix) if self.key.prefix else text)
+
+    def wanted(self, grade: StudentGrade) -> str:
+        """The value that a student's row must have; empty where that is not known."""
+        return self.compared(known_as(grade, self.key.field))
+
+    def compared(self, text: str) -> str:
+        """A value as the system compares it."""
+        return text.casefold() if self.key.ignores_case else text
+
+
+@dataclass(frozen=True)
+class Matching:
+    """The student of each row that has one, by the row's line, and what the instructor has to
+    check.
+    """
+
+    students: Mapping[int, StudentGrade]
+    complaints: tuple[Complaint, ...]
+
+
+def match(
+    table: CellTable,
+    rows: Sequence[Record],
+    columns: Sequence[KeyColumn],
+    students: Sequence[StudentGrade],
+    graded: Iterable[str],
+    *,
+    test_person: re.Pattern[str] | None = None,
+) -> Matching:
+    """Matches students with the rows of a file; a missing row is reported for `graded` students
+    only.
+
+    A row that no student matches is skipped where it is a `test_person`'s.
+    """
+    claims = _collect_claims(rows, columns, students)
+    claimants = _collect_claimants(claims, students)
+    unclear = {line for line, several in claimants.items() if len(several) > 1}
+    sure = {
+        line: first
+        for line, (first, *_) in claimants.items()
+        if line not in unclear and len(claims[first.student]) == 1
+    }
+    unclaimed = [row for row in rows if row.line not in claimants]
+    free = [row for row in unclaimed if not _is_test_person(row, test_person)]
+    wanted, alike = set(graded), [_Alike(table, column, free) for column in columns]
+    complaints = [
+        *(
+            _complain_of_ambiguous(table, columns, each, claims[each.student])
+            for each in students
+            if len(claims[each.student]) > 1
+        ),
+        *(_complain_of_contested(table, line, claimants[line]) for line in sorted(unclear)),
+        *(
+            _complain_of_missing(table, columns, each, alike)
+            for each in students
+            if not claims[each.student] and each.student in wanted
+        ),
+        *_list_strangers(table, columns, free),
+    ]
+    return Matching(sure, tuple(complaints))
+
+
+def _collect_claimants(
+    claims: Mapping[str, tuple[int, ...]], students: Sequence[StudentGrade]
+) -> Mapping[int, list[StudentGrade]]:
+    """The students who match each row, by its line."""
+    claimants: dict[int, list[StudentGrade]] = defaultdict(list)
+    for grade in students:
+        for line in claims[grade.student]:
+            claimants[line].append(grade)
+    return claimants
+
+
+def _is_test_person(row: Record, shape: re.Pattern[str] | None) -> bool:
+    return bool(shape and shape.match(", ".join(trim(cell.text) for cell in row.cells)))
+
+
+def _collect_claims(
+    rows: Sequence[Record], columns: Sequence[KeyColumn], students: Sequence[StudentGrade]
+) -> Mapping[str, tuple[int, ...]]:
+    """The lines of the rows that match each student, by any of the keys."""
+    lines: list[dict[str, list[int]]] = []
+    for column in columns:
+        found: dict[str, list[int]] = defaultdict(list)
+        for row in rows:
+            found[column.value(row)].append(row.line)
+        lines.append(found)
+    claims = {}
+    for grade in students:
+        matched = {
+            line
+            for column, found in zip(columns, lines, strict=True)
+            if column.wanted(grade)
+            for line in found.get(column.wanted(grade), ())
+        }
+        claims[grade.student] = tuple(sorted(matched))
+    return claims
+
+
+def _complain_of_ambiguous(
+    table: CellTable, columns: Sequence[KeyColumn], grade: StudentGrade, lines: Sequence[int]
+) -> Complaint:
+    problem = Message(
+        "grades.ambiguous",
+        student=Quoted(grade.student),
+        lines=list_all(lines),
+        keys=_write_names(table, columns),
+    )
+    done = Message("grades.lines-unchanged")
+    return Complaint(table.file, lines[0], "", grade.student, problem, done)
+
+
+def _complain_of_contested(
+    table: CellTable, line: int, students: Sequence[StudentGrade]
+) -> Complaint:
+    who = list_all(Quoted(each.student) for each in students)
+    return Complaint(
+        table.file,
+        line,
+        "",
+        "",
+        Message("grades.contested", students=who),
+        Message("grades.line-unchanged"),
+    )
+
+
+def _complain_of_missing(
+    table: CellTable, columns: Sequence[KeyColumn], grade: StudentGrade, alike: Sequence[_Alike]
+) -> Complaint:
+    problem = Message(
+        "grades.no-row", student=Quoted(grade.student), keys=_write_names(table, columns)
+    )
+    hints = [hint for each in alike for hint in each.hints(grade)][:_MOST_HINTS]
+    done = Message("grades.not-exported")
+    if hints:
+        done = Message("grades.not-exported-but", hints=list_statements(hints))
+    return Complaint(table.file, None, "", grade.student, problem, done)
+
+
+class _Alike:
+    """The rows that no student matches, by what their cell of one key column may once have been."""
+
+    def __init__(self, table: CellTable, column: KeyColumn, free: Iterable[Record]) -> None:
+        self.column, self.title = column, table.titles[column.place]
+        self.folded: dict[str, list[Record]] = defaultdict(list)
+        self.cut: dict[int, dict[str, list[Record]]] = defaultdict(lambda: defaultdict(list))
+        for row in free:
+            cell = trim(row.cells[column.place].text)
+            self.folded[folded(cell)].append(row)
+            found = _CUT_NUMBER.fullmatch(cell)
+            if found:
+                self.cut[len(found[2] or "")][
+                    f"{found[1]}.{found[2] or ''}E+{int(found[3])}"
+                ].append(row)
+
+    def hints(self, grade: StudentGrade) -> Iterator[Message]:
+        """Rows that may be the student's, each with what to do about it."""
+        wanted = self.column.wanted(grade)
+        for row in self.folded.get(folded(wanted), ()) if wanted else ():
+            yield Message("grades.probably-the-same", row=self._shown(row))
+        if not (wanted.isascii() and wanted.isdigit()):
+            return
+        for digits, rows in self.cut.items():
+            whole, _, rest = f"{Decimal(wanted):.{digits}E}".partition("E+")
+            for row in rows.get(f"{whole}{'' if digits else '.'}E+{rest}", ()):
+                yield Message("grades.cut-number", row=self._shown(row))
+
+    def _shown(self, row: Record) -> Message:
+        cell = Quoted(trim(row.cells[self.column.place].text)[:60])
+        return Message("grades.row-has", line=row.line, title=self.title, text=cell)
+
+
+def folded(text: str) -> str:
+    """A value without what spreadsheets and keyboards change: wrappers, leading zeros, full-width
+    forms, case.
+
+    >>> folded("０0７"), folded('="007"'), folded("7.0")
+    ('7', '7', '7')
+    """
+    plain = trim(normalize("NFKC", text))
+    wrapped = _WRAPPED.fullmatch(plain)
+    inner = (wrapped[1] or wrapped[2] or "") if wrapped else plain
+    return trim(inner).casefold().removesuffix(".0").lstrip("0")
+
+
+def _list_strangers(
+    table: CellTable, columns: Sequence[KeyColumn], free: Sequence[Record]
+) -> Iterator[Complaint]:
+    for row in free:
+        shown = ", ".join(
+            f'{table.titles[place]} "{show_in_one_line(trim(row.cells[place].text)[:60])}"'
+            for place in sorted({column.place for column in columns})
+        )
+        yield Complaint(
+            table.file,
+            row.line,
+            "",
+            shown,
+            Message("grades.stranger", shown=shown),
+            Message("grades.line-unchanged"),
+        )
+
+
+def _write_names(table: CellTable, columns: Sequence[KeyColumn]) -> Listing:
+    """The titles of the key columns."""
+    return list_choices(
+        table.titles[place] for place in sorted({column.place for column in columns})
+    )

@@ -1,0 +1,287 @@
+"""Exact arithmetic: a field that grows by square roots as an instance needs them.
+
+`Field` is one of the three arithmetics for geometry and the plan; `balls` and `floats` are the
+others. It raises `Inexact` where a value lies in no small field, and the caller falls back on
+balls.
+"""
+
+from __future__ import annotations
+
+from contextlib import AbstractContextManager, nullcontext
+from math import gcd
+from typing import Any
+
+from flint import arb, fmpq, fmpz
+
+from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.elimination import Contradiction, eliminate
+from kinegrade.numbers.magnitude import Magnitude
+from kinegrade.numbers.refusals import NegativeRoot, NoDirection
+from kinegrade.numbers.surd import MAX_HEIGHT, Real, Root, Surd, enclose, height, make_surd, sign
+
+MAX_LEVEL = 5  # degree 32: beyond it balls are faster (0.3 ms at level 2, 8 ms at level 5)
+_TRIAL_PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(p**0.5) + 1))]
+
+
+class Field(Magnitude):
+    """The arithmetic of exact numbers; each square root asked for is adjoined unless the field has
+    it.
+
+    >>> field = Field()
+    >>> root = field.sqrt(fmpq(3, 4))
+    >>> root * root, field.sqrt(4 + 4 * root) == 1 + 2 * root
+    (3/4, True)
+    """
+
+    exact = True
+    certified = True
+
+    def __init__(self, roots: tuple[Root, ...] = ()) -> None:
+        self.roots = roots
+
+    def fork(self) -> Field:
+        """A field with the same numbers that grows independently: for roots that only one answer
+        needs.
+        """
+        return Field(self.roots)
+
+    def context(self) -> AbstractContextManager[Any]:
+        """Nothing to set up while working exactly."""
+        return nullcontext()
+
+    def number(self, rational: Any) -> Real:
+        """A rational number."""
+        return fmpq(rational)
+
+    def turns(self, half_turns: Any) -> Angle:
+        """The angle of `half_turns` times pi. Raises Inexact for an irrational number of half
+        turns.
+        """
+        if not isinstance(half_turns, (int, fmpq)):
+            raise Inexact  # an irrational part of a turn
+        return Angle(fmpq(half_turns))
+
+    def is_zero(self, number: Real) -> bool:
+        """Whether a number is zero, decided exactly."""
+        return bool(number == 0)
+
+    def sign(self, number: Real) -> int:
+        """-1, 0 or 1, decided exactly."""
+        return sign(number)
+
+    def choose(self, condition: bool, yes: Any, no: Any) -> Any:
+        """`yes` where the condition holds, else `no`."""
+        return yes if condition else no
+
+    def sqrt(self, number: Real) -> Real:
+        """The positive square root, adjoined when the field has none.
+
+        Raises ValueError for a negative number, Inexact when the field would become too large.
+        """
+        if sign(number) < 0:
+            raise NegativeRoot
+        root = _square_root(number, self.roots)
+        if root is None:
+            root = self._adjoin(number)
+        return root if sign(root) >= 0 else -root
+
+    def _adjoin(self, number: Real) -> Real:
+        if len(self.roots) >= MAX_LEVEL:
+            raise Inexact  # the exact field would be too large
+        simpler = _denesting(number, self.roots)
+        if simpler is not None:
+            self.sqrt(simpler)
+            return self.sqrt(number)
+        if height(number) > MAX_HEIGHT:
+            raise Inexact  # the root of a number of too many digits
+        factor, radicand = split_radicand(number)
+        shared = self._shared(radicand)
+        if shared is not None:
+            return self.sqrt(fmpq(shared.radicand)) * self.sqrt(radicand / shared.radicand) * factor
+        root = Root(radicand, len(self.roots) + 1)
+        self.roots = (*self.roots, root)
+        return Surd(root, fmpq(0), factor)
+
+    def _shared(self, radicand: Real) -> Root | None:
+        """A root of the field whose integer radicand divides the new integer one: sqrt 6 beside
+        sqrt 2 is sqrt 3.
+        """
+        if isinstance(radicand, Surd):
+            return None
+        for root in self.roots:
+            plain = not isinstance(root.radicand, Surd) and 1 < root.radicand < radicand
+            if plain and (radicand / root.radicand).q == 1:
+                return root
+        return None
+
+    def embed(self, value: Any) -> Any:
+        """A number or Angle of another field, such as a fork, as one of this field; roots are
+        adjoined as needed.
+        """
+        if isinstance(value, Angle):
+            return Angle(
+                value.half_turns,
+                tuple((k, (self.embed(x), self.embed(y))) for k, (x, y) in value.parts),
+            )
+        if not isinstance(value, Surd):
+            return value
+        return self.embed(value.a) + self.embed(value.b) * self.sqrt(
+            self.embed(value.root.radicand)
+        )
+
+    def cos(self, angle: Any) -> Real:
+        """Cosine of an Angle (or of the number 0)."""
+        return _as_angle(angle).direction(self)[0]
+
+    def sin(self, angle: Any) -> Real:
+        """Sine of an Angle (or of the number 0)."""
+        return _as_angle(angle).direction(self)[1]
+
+    def arctangent(self, y: Real, x: Real) -> Angle:
+        """The angle from +x to the vector (x, y), in (-pi, pi]; a rational multiple of pi when it
+        is one of those of `_recognise_angle`.
+
+        Raises ValueError for the zero vector.
+        """
+        if x == 0 and y == 0:
+            raise NoDirection
+        nice = _recognise_angle(self, y, x)
+        return nice if nice is not None else Angle(fmpq(0), ((fmpq(1), (x, y)),))
+
+    def solve(self, rows: list[list[Real]], right: list[Real]) -> list[Real]:
+        """The unknowns of the linear equations rows * unknowns = right, which must have full column
+        rank.
+
+        Raises Singular when they do not determine the unknowns, Contradiction when a surplus row
+        does not fit.
+        """
+        return eliminate(
+            [list(map(_make_rational, row)) for row in rows],
+            list(map(_make_rational, right)),
+            self.is_zero,
+        )
+
+    def require_zero(self, number: Real) -> None:
+        """Raises Contradiction unless the number is zero."""
+        if number != 0:
+            raise Contradiction
+
+
+def _make_rational(number: Any) -> Real:
+    """Plain integers as rationals, so that a division never leaves the exact numbers."""
+    return fmpq(number) if isinstance(number, int) else number
+
+
+def _as_angle(value: Any) -> Angle:
+    """An Angle unchanged; the number 0 as the zero angle; any other number has no exact sine."""
+    if isinstance(value, Angle):
+        return value
+    if not isinstance(value, (Surd, fmpq, int)):
+        raise TypeError("an angle is a number or an Angle")
+    if value == 0:
+        return Angle(fmpq(0))
+    raise Inexact  # the sine of a number of radians
+
+
+def _recognise_angle(field: Field, y: Real, x: Real) -> Angle | None:
+    """The direction of (x, y) as a rational multiple of pi, when it is a multiple of 15, 18 or 22.5
+    degrees.
+    """
+    degrees = round(float(arb.atan2(enclose(y, 96), enclose(x, 96))) * 57.29577951308232 * 2) / 2
+    if degrees % 15 and degrees % 18 and degrees % 22.5:
+        return None
+    candidate = Angle(fmpq(int(degrees * 2), 360))
+    try:
+        cosine, sine = candidate.direction(field.fork())
+        fits = cosine * y - sine * x == 0 and sign(cosine * x + sine * y) > 0
+    except (ArithmeticError, Inexact):
+        return None
+    return candidate if fits else None
+
+
+def _square_root(number: Real, roots: tuple[Root, ...]) -> Real | None:
+    """A square root of `number` within the tower of `roots`, or None when there is none.
+
+    (u + v sqrt d)^2 = a + b sqrt d requires a^2 - b^2 d to be a square n^2 one level lower, and u^2
+    = (a +- n)/2.
+    """
+    if not roots:
+        return _rational_root(number)
+    top, lower = roots[-1], roots[:-1]
+    if not (isinstance(number, Surd) and number.root.level == top.level):
+        plain = _square_root(number, lower)
+        if plain is not None:
+            return plain
+        multiple = _square_root(number / top.radicand, lower)
+        return None if multiple is None else make_surd(top, fmpq(0), multiple)
+    norm = _square_root(number.a * number.a - number.b * number.b * top.radicand, lower)
+    if norm is None:
+        return None
+    for half in ((number.a + norm) / 2, (number.a - norm) / 2):
+        part = _square_root(half, lower) if half != 0 else None
+        if part is not None:
+            return Surd(top, part, number.b / (2 * part))
+    return None
+
+
+def _denesting(number: Real, roots: tuple[Root, ...]) -> Real | None:
+    """A number lower in the tower whose root gives the root of `number` too, or None: sqrt(5 - 2
+    sqrt 6) needs sqrt 3.
+
+    With a^2 - b^2 d = n^2, the root of a + b sqrt d is u + b sqrt d/(2 u) where u^2 = (a + n)/2.
+    """
+    if not isinstance(number, Surd):
+        return None
+    norm = _square_root(
+        number.a * number.a - number.b * number.b * number.root.radicand,
+        roots[: number.root.level - 1],
+    )
+    return None if norm is None else (number.a + abs(norm)) / 2
+
+
+def _rational_root(number: Any) -> Any | None:
+    """The square root of a rational number if it is rational, else None."""
+    if number < 0:
+        return None
+    above, below = fmpz(number.p).isqrt(), fmpz(number.q).isqrt()
+    return fmpq(above, below) if above * above == number.p and below * below == number.q else None
+
+
+def split_radicand(number: Real) -> tuple[Any, Real]:
+    """(factor, radicand) with sqrt(number) = factor*sqrt(radicand): integer coefficients, no small
+    square divisor.
+    """
+    coefficients = _list_coefficients(number)
+    below = 1
+    for coefficient in coefficients:
+        below = below * int(coefficient.q) // gcd(below, int(coefficient.q))
+    above = 0
+    for coefficient in coefficients:
+        above = gcd(above, int(coefficient.p) * (below // int(coefficient.q)))
+    root, free = split_square(above * below)
+    return fmpq(root, below), number * fmpq(below * free, above)
+
+
+def _list_coefficients(number: Real) -> list[Any]:
+    """The non-zero rational coefficients of a number over its tower."""
+    if isinstance(number, Surd):
+        return _list_coefficients(number.a) + _list_coefficients(number.b)
+    return [number] if number != 0 else []
+
+
+def split_square(number: int) -> tuple[int, int]:
+    """(r, f) with number = r^2 * f and f free of the squares of small primes, and not itself a
+    square.
+
+    >>> split_square(72)
+    (6, 2)
+    """
+    root = 1
+    for prime in _TRIAL_PRIMES:
+        while number % (prime * prime) == 0:
+            number //= prime * prime
+            root *= prime
+        if prime * prime > number:
+            break
+    whole = int(fmpz(number).isqrt())
+    return (root * whole, 1) if whole * whole == number else (root, number)

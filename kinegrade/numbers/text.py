@@ -1,0 +1,231 @@
+"""How numbers print: exact text that the expression grammar reads back, LaTeX, and decimals to any
+number of digits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb, ctx, fmpq
+
+from kinegrade.numbers.angle import Angle
+from kinegrade.numbers.field import split_square
+from kinegrade.numbers.surd import Real, Root, Surd, enclose_at_precision, sign
+
+
+@dataclass(frozen=True)
+class Form:
+    """The marks of one notation."""
+
+    root: str
+    product: str
+    fraction: str
+    pi: str
+    arctangent: str
+
+
+_PLAIN = Form("sqrt({})", "*", "{}/{}", "pi", "atan({})")
+LATEX = Form(r"\sqrt{{{}}}", " ", r"\frac{{{}}}{{{}}}", r"\pi", r"\arctan\left({}\right)")
+
+
+def write_exact(number: Real, form: Form = _PLAIN) -> str:
+    """An exact number as text, e.g. `2*sqrt(3)/3`; `form=LATEX` gives LaTeX math.
+
+    >>> from kinegrade.numbers.field import Field
+    >>> write_exact(2 / Field().sqrt(fmpq(3)))
+    '2*sqrt(3)/3'
+    """
+    terms = sorted(_expand_radicals(number), key=lambda term: (term[0] < 0, term[2], term[1]))
+    parts = [_write_signed_term(factor, free, nested, form) for factor, free, _, nested in terms]
+    if not parts:
+        return "0"
+    return _join_terms(parts)
+
+
+def _join_terms(parts: list[tuple[bool, str]]) -> str:
+    """Signed terms written one after the other."""
+    first_negative, first = parts[0]
+    text = ("-" if first_negative else "") + first
+    for negative, body in parts[1:]:
+        text += (" - " if negative else " + ") + body
+    return text
+
+
+def _expand_radicals(number: Real) -> list[tuple[Any, int, tuple[str, ...], tuple[Root, ...]]]:
+    """The number as a sum: (rational factor, integer under one root, keys of nested roots, the
+    nested roots).
+    """
+    collected: dict[tuple[int, tuple[Root, ...]], Any] = {}
+    for factor, roots in _expand_products(number):
+        plain = 1
+        for root in roots:
+            plain *= int(root.radicand.p) if not isinstance(root.radicand, Surd) else 1
+        nested = tuple(root for root in roots if isinstance(root.radicand, Surd))
+        square, free = split_square(plain)
+        key = (free, nested)
+        collected[key] = collected.get(key, fmpq(0)) + factor * square
+    return [
+        (factor, free, tuple(write_exact(r.radicand) for r in nested), nested)
+        for (free, nested), factor in collected.items()
+        if factor != 0
+    ]
+
+
+def _expand_products(
+    number: Real, roots: tuple[Root, ...] = ()
+) -> Iterator[tuple[Any, tuple[Root, ...]]]:
+    """The number multiplied out: rational factors of products of roots of its tower."""
+    if isinstance(number, Surd):
+        yield from _expand_products(number.a, roots)
+        yield from _expand_products(number.b, (*roots, number.root))
+    elif number != 0:
+        yield number, roots
+
+
+def _write_signed_term(
+    factor: Any, free: int, nested: tuple[Root, ...], form: Form
+) -> tuple[bool, str]:
+    """(negative, text of the absolute value) of one term."""
+    radicals = [form.root.format(free)] if free != 1 else []
+    radicals += [form.root.format(write_exact(root.radicand, form)) for root in nested]
+    size = abs(factor)
+    above = ([str(size.p)] if size.p != 1 or not radicals else []) + radicals
+    text = form.product.join(above)
+    return factor < 0, text if size.q == 1 else form.fraction.format(text, size.q)
+
+
+def write_angle(angle: Angle, degrees: bool, form: Form = _PLAIN) -> str:
+    """An exact angle in radians or degrees, e.g. `pi/3`, `60`, `atan(1/3)`, `180*atan(1/3)/pi`."""
+    if not angle.parts:
+        return (
+            write_exact(angle.half_turns * 180, form)
+            if degrees
+            else write_multiple_of_pi(angle.half_turns, form)
+        )
+    terms = [(factor, _write_arctangent(y, x, form)) for factor, (x, y) in angle.parts]
+    turns = angle.half_turns + sum(
+        (factor * _offset(y, x) for factor, (x, y) in angle.parts), fmpq(0)
+    )
+    parts = [(factor < 0, _write_multiple(abs(factor), text, form)) for factor, text in terms]
+    if turns != 0:
+        parts.append((turns < 0, write_multiple_of_pi(abs(turns), form)))
+    text = _join_terms(parts)
+    if not degrees:
+        return text
+    body = f"({text})" if len(parts) > 1 else text
+    return f"180*{body}/pi" if form is _PLAIN else rf"\frac{{180}}{{\pi}}\,{body}"
+
+
+def _offset(y: Real, x: Real) -> Any:
+    """Half turns by which the direction of (x, y) differs from atan(y/x)."""
+    if sign(x) > 0:
+        return fmpq(0)
+    if x == 0:
+        return fmpq(sign(y), 2)
+    return fmpq(1) if sign(y) >= 0 else fmpq(-1)
+
+
+def _write_arctangent(y: Real, x: Real, form: Form) -> str:
+    """atan(y/x), or zero for the vertical direction, whose quarter turn `_offset` gives."""
+    return "0" if x == 0 else form.arctangent.format(write_exact(y / x, form))
+
+
+def _write_multiple(factor: Any, text: str, form: Form) -> str:
+    """A positive rational multiple of a text."""
+    if factor == 1:
+        return text
+    return form.product.join([write_exact(factor, form), text])
+
+
+def write_multiple_of_pi(half_turns: Any, form: Form = _PLAIN) -> str:
+    """A rational multiple of pi.
+
+    >>> write_multiple_of_pi(fmpq(5, 6))
+    '5*pi/6'
+    """
+    if half_turns == 0:
+        return "0"
+    size = abs(half_turns)
+    above = form.pi if size.p == 1 else form.product.join([str(size.p), form.pi])
+    return ("-" if half_turns < 0 else "") + (
+        above if size.q == 1 else form.fraction.format(above, size.q)
+    )
+
+
+def write_decimal(number: Any, digits: int, degrees: bool = False) -> str:
+    """The number rounded to `digits` significant digits, half to even, certified; no exponent
+    within 1e-7..1e21.
+
+    Takes rationals, surds, balls and Angles (in radians, or in degrees). A ball too wide for the
+    digits asked is given to as many as it holds. A ball about zero gives "0".
+
+    >>> write_decimal(fmpq(2, 3), 5)
+    '0.66667'
+    """
+    if isinstance(number, Angle) and degrees and not number.parts:
+        number = number.half_turns * 180
+    if isinstance(number, fmpq):
+        return _write_rounded(number, digits)
+    for precision in (64 + 4 * digits, 256 + 8 * digits, 4096):
+        low, high = find_bounds(number, precision, degrees)
+        for count in range(digits, 0, -1):
+            text = _write_rounded(low, count)
+            if text == _write_rounded(high, count):
+                if count == digits or precision == 4096 or isinstance(number, arb):
+                    return text
+                break
+        if low <= 0 <= high and (isinstance(number, arb) or precision == 4096):
+            return "0"
+    return _write_rounded((low + high) / 2, 1)
+
+
+def find_bounds(number: Any, precision: int, degrees: bool = False) -> tuple[Any, Any]:
+    """Rational bounds of a number, computed with `precision` bits; an Angle in radians or in
+    degrees.
+    """
+    with ctx.workprec(precision):
+        value = (
+            number
+            if isinstance(number, arb)
+            else number.ball()
+            if isinstance(number, Angle)
+            else enclose_at_precision(number)
+        )
+        value = value * 180 / arb.pi() if degrees and isinstance(number, Angle) else value
+        return value.lower().fmpq(), value.upper().fmpq()
+
+
+def _write_rounded(value: Any, digits: int) -> str:
+    """A rational number with `digits` significant digits, half to even; trailing zeros are
+    dropped.
+    """
+    if value == 0:
+        return "0"
+    exponent = _find_magnitude(abs(value)) - digits + 1
+    scaled_value = abs(value) * fmpq(10) ** -exponent
+    whole = int((scaled_value + fmpq(1, 2)).floor())
+    if scaled_value + fmpq(1, 2) == whole and whole % 2:
+        whole -= 1
+    return ("-" if value < 0 else "") + _write_plainly(str(whole), exponent)
+
+
+def _find_magnitude(value: Any) -> int:
+    """The decimal exponent of a positive rational: 10^n <= value < 10^(n+1)."""
+    guess = len(str(value.p)) - len(str(value.q))
+    return guess if value >= fmpq(10) ** guess else guess - 1
+
+
+def _write_plainly(digits: str, exponent: int) -> str:
+    """Digits times 10^exponent, written plainly, or with an exponent when very large or small."""
+    point = len(digits) + exponent
+    digits = digits.rstrip("0")
+    if not -7 < point <= 21:
+        tail = "." + digits[1:] if len(digits) > 1 else ""
+        return f"{digits[0]}{tail}e{point - 1}"
+    if point <= 0:
+        return "0." + "0" * -point + digits
+    if len(digits) <= point:
+        return digits + "0" * (point - len(digits))
+    return digits[:point] + "." + digits[point:]

@@ -1,0 +1,84 @@
+"""The finite domains that parameters are drawn from: lists of values, and ranges with a step."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from flint import arb, fmpq
+
+from kinegrade.errors import FieldError
+from kinegrade.expressions.expression import (
+    MAX_LENGTH,
+    evaluate,
+    make_elementary_functions,
+    read_expression,
+    read_rational,
+)
+from kinegrade.files.fields.values import found
+from kinegrade.language.message import Message
+from kinegrade.numbers.balls import PRECISIONS, Balls
+from kinegrade.numbers.text import write_decimal
+
+_MAX_CHOICES = 2000
+_LARGEST = fmpq(10) ** 100  # what is worked out from such values still fits into doubles
+_RANGE = re.compile(r"\s*(-?[\d.]+)\s*\.\.\s*(-?[\d.]+)\s+step\s+([\d.]+)\s*", re.ASCII)
+
+
+def read_choices(draw: object) -> tuple[str, ...]:
+    """The drawable values as exact texts, in order, each once.
+
+    `draw` is a list of numbers and expressions, or "0.1 .. 0.5 step 0.05". Raises FieldError,
+    or ExpressionError for an expression that cannot be read.
+
+    >>> read_choices("15 .. 60 step 15")
+    ('15', '30', '45', '60')
+    """
+    if not isinstance(draw, list):
+        return tuple(_read_range(str(draw)))
+    texts = [str(value) for value in draw]
+    if (
+        not texts
+        or len(texts) > _MAX_CHOICES
+        or len({find_digits(text) for text in texts}) != len(texts)
+    ):
+        what = Message("template.values", count=len(texts))
+        raise FieldError(what, Message("template.values-each-once", most=_MAX_CHOICES))
+    return tuple(texts)
+
+
+def find_digits(text: str) -> str:
+    """The value of an expression without names to 30 digits, by which equal ones are found: 1/2 and
+    0.5.
+    """
+    balls = Balls(PRECISIONS[0])
+    with balls.context():
+        value = evaluate(
+            read_expression(text), {"pi": balls.turns(1)}, make_elementary_functions(balls), balls
+        )
+    if not isinstance(value, arb):
+        raise FieldError(found(text), Message("template.a-number"))
+    if not abs(value) < _LARGEST:
+        raise FieldError(
+            found(text), Message("template.number-too-large"), Message("template.another-unit")
+        )
+    return write_decimal(value, 30)
+
+
+def _read_range(text: str) -> list[str]:
+    """The values of "first .. last step s"."""
+    match = _RANGE.fullmatch(text) if len(text) <= MAX_LENGTH else None
+    if match is None:
+        raise FieldError(found(text), Message("template.a-range"))
+    first, last, step = (_read_signed(part) for part in match.groups())
+    if step <= 0 or last < first or (last - first) / step > _MAX_CHOICES:
+        raise FieldError(found(text), Message("template.range-order", most=_MAX_CHOICES))
+    count = int(((last - first) / step).floor()) + 1
+    return [write_decimal(first + step * index, 30) for index in range(count)]
+
+
+def _read_signed(text: str) -> Any:
+    """A decimal with its sign."""
+    if text.count(".") > 1 or text.strip("-.") == "":
+        raise FieldError(found(text), Message("template.a-decimal"))
+    return -read_rational(text[1:]) if text.startswith("-") else fmpq(1) * read_rational(text)

@@ -1,0 +1,106 @@
+"""From the TOML text of a template to a Template; every fault of the file is reported at once.
+
+TOML is pure data, and expressions have a small grammar. So a template from a stranger is safe to
+open. `sections` reads the tables of the file, one module for each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Set
+from dataclasses import replace
+
+from kinegrade.errors import TemplateError
+from kinegrade.files.fields.table import Table
+from kinegrade.problem.template.beside import Translations
+from kinegrade.problem.template.draft import Draft
+from kinegrade.problem.template.hints import FigureHints
+from kinegrade.problem.template.meaning.consistency import note_inconsistencies
+from kinegrade.problem.template.sections.about import read_about
+from kinegrade.problem.template.sections.asks import read_asks
+from kinegrade.problem.template.sections.figure import Names, read_figure
+from kinegrade.problem.template.sections.keys import NAMES
+from kinegrade.problem.template.sections.names import Declared, check_names, declared_names
+from kinegrade.problem.template.sections.opening import Mechanisms, no_mechanisms, open_template
+from kinegrade.problem.template.sections.parameters import read_parameters
+from kinegrade.problem.template.sections.published import read_published
+from kinegrade.problem.template.sections.scheme import (
+    read_bodies,
+    read_conditions,
+    read_drivers,
+    read_expressions,
+    read_joints,
+)
+from kinegrade.problem.template.sections.statement_texts import read_texts
+from kinegrade.problem.template.sections.uses import check_uses
+from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.translations import translated
+
+_NO_TRANSLATIONS: Translations = {}
+
+
+def read_template(
+    name: str,
+    text: str,
+    mechanisms: Mechanisms = no_mechanisms,
+    translations: Translations = _NO_TRANSLATIONS,
+    *,
+    kept: bool = False,
+) -> Template:
+    """The template of that name. Raises TemplateError with all faults, each with its place.
+
+    `name` is the file's name without `.toml`: letters, digits and hyphens. `mechanisms` gives the
+    mechanism that the template shares with others, `translations` the texts of the files that
+    translate it. A template that is `kept` with an
+    exam is read without a look at dimensions, so that no later rule closes an exam's folder.
+    """
+    opened = open_template(name, text, mechanisms, translations)
+    table = opened.table
+    draft = _read_draft(table, opened.strays)
+    if _has_names(table):
+        check_uses(draft, table.faults)
+        if not kept:
+            note_inconsistencies(draft, table.faults)
+    template = draft.template(name, opened.file)
+    problems = [problem for faults in opened.faults for problem in faults.raised().faults]
+    if template is None or problems:
+        raise TemplateError(*problems)
+    return template
+
+
+def _read_draft(table: Table, strays: Set[str]) -> Draft:
+    """What can be read of a template's tables; names of `strays` are not missed."""
+    declared = declared_names(table)
+    check_names(table, declared)
+    draft = Draft(
+        about=read_about(table),
+        statement=table.required("statement", translated),
+        texts=read_texts(table),
+        parameters=read_parameters(table),
+        lengths=read_expressions(table, "lengths"),
+        points=read_expressions(table, "points"),
+        bodies=read_bodies(table),
+        joints=read_joints(table),
+        drivers=read_drivers(table),
+        conditions=read_conditions(table),
+        asks=read_asks(table),
+        published=read_published(table),
+        figure=_read_figure(table, declared),
+    )
+    return replace(draft, faulty=_find_unread(declared, draft) | strays)
+
+
+def _has_names(table: Table) -> bool:
+    """Whether the tables are there without which nothing that names their entries makes sense."""
+    return all(table.holds_table(key) for key in NAMES)
+
+
+def _read_figure(table: Table, declared: Declared) -> FigureHints:
+    if not _has_names(table):
+        return FigureHints()
+    return read_figure(table, Names(set(declared["points"]), set(declared["bodies"])))
+
+
+def _find_unread(declared: Declared, draft: Draft) -> frozenset[str]:
+    """The names that are declared by something that could not be read."""
+    read = (draft.parameters, draft.lengths, draft.points, draft.bodies, draft.asks, draft.texts)
+    return frozenset().union(*declared.values()).difference(*read)

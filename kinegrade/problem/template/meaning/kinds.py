@@ -1,0 +1,105 @@
+"""What an expression of a template gives: a number or a vector of some dimension, a line, a circle,
+a body, a side.
+
+It is known without any values. `meaning` finds it; `signatures` says what functions take and give.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import assert_never
+
+from kinegrade.errors import FieldError
+from kinegrade.language.message import Message, Part
+from kinegrade.problem.template.meaning.dimension import Dimension, describe_dimension
+
+
+@dataclass(frozen=True)
+class Scalar:
+    """A number or an angle. The dimension is None where only literals made it: they take any, as 2
+    in `2 < omega`.
+    """
+
+    dimension: Dimension | None
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """A point or a vector; its components have the dimension. `point` is its name where a point is
+    named.
+    """
+
+    dimension: Dimension | None
+    point: str = ""
+
+
+@dataclass(frozen=True)
+class Straight:
+    """A line."""
+
+
+@dataclass(frozen=True)
+class Ring:
+    """A circle."""
+
+
+@dataclass(frozen=True)
+class BodyKind:
+    """A body, by its name."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """The name of one of two common points, such as upper."""
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """The kind of an expression whose fault is reported elsewhere; it goes with everything."""
+
+
+Kind = Scalar | Arrow | Straight | Ring | BodyKind | Side | Unknown
+
+
+def describe_kind(kind: Kind) -> Message:
+    """A kind for a message."""
+    match kind:
+        case Scalar(Dimension() as dimension):
+            return describe_dimension(dimension)
+        case Scalar():
+            return Message("template.a-number")
+        case Arrow(_, ""):
+            return Message("template.a-vector")
+        case Arrow():
+            return Message("template.a-point")
+        case Straight():
+            return Message("template.a-line")
+        case Ring():
+            return Message("template.a-circle")
+        case BodyKind():
+            return Message("template.a-body")
+        case Side():
+            return Message("template.a-side")
+        case Unknown():
+            return Message("template.of-unknown-kind")
+        case _:
+            assert_never(kind)
+
+
+def unite_dimensions(where: Part, *kinds: Kind) -> Dimension | None:
+    """The one dimension of numbers and vectors that go together; None where all are literals or
+    unknown.
+
+    Raises FieldError where two differ; `where` says what brings them together.
+    """
+    found: Dimension | None = None
+    for kind in kinds:
+        dimension = kind.dimension if isinstance(kind, Scalar | Arrow) else None
+        if dimension is None:
+            continue
+        if found is not None and dimension != found:
+            first, second = describe_dimension(found), describe_dimension(dimension)
+            what = Message("template.dimensions-apart", where=where, first=first, second=second)
+            raise FieldError(what, do=Message("template.check-units"))
+        found = dimension
+    return found

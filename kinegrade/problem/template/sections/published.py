@@ -1,0 +1,35 @@
+"""The list `[[published]]`: results that the source gives, with the values for which they hold."""
+
+from __future__ import annotations
+
+from kinegrade.expressions.expression import Expression, read_expression
+from kinegrade.files.fields.table import Table
+from kinegrade.problem.template.sections import keys
+from kinegrade.problem.template.sections.values import present, written
+from kinegrade.problem.template.template import Published
+
+_LIKE = '{ source = "...", gives = { v_B = "2*omega*r" } }'
+
+
+def read_published(table: Table) -> dict[int, Published]:
+    """The published results that can be read, by their position in the file."""
+    entries = table.tables("published", _LIKE)
+    return present({number: _read_published(entry) for number, entry in enumerate(entries)})
+
+
+def _read_published(table: Table) -> Published | None:
+    entry = table.only(*keys.PUBLISHED)
+    source = entry.required("source", written)
+    given = entry.table("given", '{ r = "1" }').entries(written)
+    if not entry.require(["gives"]) or source is None:
+        return None
+    results = entry.table("gives", '{ v_B = "2*omega*r" }').entries(_read_result)
+    trees = {name: tree for name, (_, tree) in results.items()}
+    texts = {name: text for name, (text, _) in results.items()}
+    return Published(source, given, trees, texts)
+
+
+def _read_result(value: object) -> tuple[str, Expression]:
+    """An expression as it is written, and its tree."""
+    text = written(value)
+    return text, read_expression(text)

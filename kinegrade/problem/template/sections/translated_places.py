@@ -1,0 +1,41 @@
+"""The places at which a translation of a template may have texts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from kinegrade.files.fields.place import Place
+
+
+def list_translated_places(content: Mapping[str, object]) -> dict[Place, Place]:
+    """Each place of a text in a translation, with the place of the same text in the template."""
+    return dict(_list_places(content))
+
+
+def _list_places(content: Mapping[str, object]) -> Iterator[tuple[Place, Place]]:
+    for key in ("title", "statement"):
+        if key in content:
+            yield (key,), (key,)
+    for name, entry in _list_entries(content, "parameters"):
+        if isinstance(entry, dict) and "means" in entry:
+            yield ("parameters", name), ("parameters", name, "means")
+    for name, entry in _list_entries(content, "asks"):
+        yield from _list_places_of_ask(name, entry)
+    for name, wordings in _list_entries(content, "text"):
+        for number in range(len(wordings) if isinstance(wordings, list) else 0):
+            yield ("text", name, number), ("text", name, number)
+
+
+def _list_places_of_ask(name: str, entry: object) -> Iterator[tuple[Place, Place]]:
+    if not isinstance(entry, dict) or "means" not in entry:
+        return
+    place = ("asks", name, "means")
+    yield ("asks", name), place
+    yield place, place
+    if isinstance(entry.get("sign"), dict):
+        yield ("asks", name, "sign"), ("asks", name, "sign")
+
+
+def _list_entries(content: Mapping[str, object], key: str) -> Iterator[tuple[str, object]]:
+    table = content.get(key)
+    yield from table.items() if isinstance(table, dict) else ()

@@ -1,0 +1,192 @@
+"""The sentences in which a template states its joints and inputs, and what each must contain.
+
+    pin A: OA AB
+    B of AB slides on line(O, 0)
+    A of AB slides on line(O, A) of OC
+    AB slides through sleeve along line(O, A)
+    M stays on circle(O1, R) of ring1
+    circle(C, R) of cam touches line(A, 0) of BC
+    circle(A, r2) of II rolls on circle(O, r1) inside
+    circle(A, r1) of I meshes with circle(B, r2) of II on arm
+    BC translates
+    rod turns with arm
+
+    OA turns
+    AB turns relative to OA
+    B of AB moves along -x [relative to AE]
+    A of W circles O
+
+Where no second body is named it is the ground. `inside` says that one circle lies within the other.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Literal, TypeVar
+
+from kinegrade.errors import FieldError
+from kinegrade.expressions.expression import MAX_LENGTH, Call, Expression, Name, read_expression
+from kinegrade.files.fields.values import found
+from kinegrade.language.message import Message, Quoted, list_plainly
+from kinegrade.mechanics.joints import GROUND
+
+_SHAPE = r"(?:line|circle)\(.+?\)"
+_OF = r"(?: of (?P<of>\w+))?"
+JointKind = Literal["pin", "slide", "sleeve", "arc", "contact", "roll", "mesh", "parallel"]
+DriverKind = Literal["rotation", "component", "circulation"]
+_Kind = TypeVar("_Kind", JointKind, DriverKind)
+_JOINT_PATTERNS: Mapping[JointKind, str] = {
+    "pin": r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)",
+    "slide": rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){_OF}",
+    "sleeve": r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))",
+    "arc": rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){_OF}",
+    "contact": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) touches "
+    rf"(?P<on>{_SHAPE}){_OF}(?P<inside> inside)?",
+    "roll": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) rolls "
+    rf"on (?P<on>{_SHAPE}){_OF}(?P<inside> "
+    r"inside)?",
+    "mesh": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) meshes with (?P<on>circle\(.+?\)) of "
+    r"(?P<of>\w+) on (?P<carrier>\w+)(?P<inside> inside)?",
+    "parallel": r"(?P<body>\w+) (?:translates|turns with (?P<of>\w+))",
+}
+_DRIVER_PATTERNS: Mapping[DriverKind, str] = {
+    "rotation": r"(?P<body>\w+) turns(?: relative to (?P<of>\w+))?",
+    "component": r"(?P<point>\w+) of (?P<body>\w+) moves along (?P<along>.+?)(?: relative to "
+    r"(?P<of>\w+))?",
+    "circulation": r"(?P<point>\w+) of (?P<body>\w+) circles (?P<centre>\w+)",
+}
+JOINTS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in _JOINT_PATTERNS.items()}
+DRIVERS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in _DRIVER_PATTERNS.items()}
+_JOINT_EXAMPLES = (
+    "pin A: OA AB",
+    "B of AB slides on line(O, 0)",
+    "... stays on circle(C, r) of ...",
+    "... touches ...",
+    "... rolls on ...",
+    "... meshes with ... on ...",
+    "... slides through ... along ...",
+    "... translates",
+)
+_DRIVER_EXAMPLES = (
+    "OA turns",
+    "AB turns relative to OA",
+    "B of AB moves along +x",
+    "A of W circles O",
+)
+_AXES = {"+x": "0", "-x": "pi", "+y": "pi/2", "-y": "-pi/2"}
+
+
+@dataclass(frozen=True)
+class JointSentence:
+    """A joint as written: names, and shapes still to be worked out at an instance's values."""
+
+    kind: JointKind
+    text: str
+    point: str = ""
+    body: str = ""
+    of: str = GROUND
+    bodies: tuple[str, ...] = ()
+    circle: Call | None = None
+    on: Call | None = None
+    carrier: str = ""
+    inside: bool = False
+
+
+@dataclass(frozen=True)
+class DriverSentence:
+    """An input as written: what moves, and the expressions of its velocity and acceleration."""
+
+    kind: DriverKind
+    text: str
+    velocity: Expression
+    acceleration: Expression
+    point: str = ""
+    body: str = ""
+    of: str = GROUND
+    along: Expression | None = None
+    centre: str = ""
+
+
+def read_joint(text: str) -> JointSentence:
+    """The joint that a sentence states. Raises FieldError saying which sentences there are."""
+    stated = _stated(JOINTS, text)
+    if stated is None:
+        what = Message("template.no-such-joint", sentence=found(text))
+        raise FieldError(what, _list_examples(_JOINT_EXAMPLES))
+    kind, parts = stated
+    bodies = parts.get("bodies")
+    return JointSentence(
+        kind=kind,
+        text=text,
+        point=parts.get("point", ""),
+        body=parts.get("body", ""),
+        of=parts.get("of", GROUND),
+        bodies=tuple(re.split(r"[ ,]+", bodies)) if bodies else (),
+        circle=_shape(parts.get("circle")),
+        on=_shape(parts.get("on")),
+        carrier=parts.get("carrier", ""),
+        inside="inside" in parts,
+    )
+
+
+def read_driver(text: str, velocity: Expression, acceleration: Expression) -> DriverSentence:
+    """The input that a sentence states. Raises FieldError saying which sentences there are."""
+    stated = _stated(DRIVERS, text)
+    if stated is None:
+        what = Message("template.no-such-input", sentence=found(text))
+        raise FieldError(what, _list_examples(_DRIVER_EXAMPLES))
+    kind, parts = stated
+    return DriverSentence(
+        kind=kind,
+        text=text,
+        velocity=velocity,
+        acceleration=acceleration,
+        point=parts.get("point", ""),
+        body=parts["body"],
+        of=parts.get("of", GROUND),
+        along=_read_direction(parts.get("along")),
+        centre=parts.get("centre", ""),
+    )
+
+
+def _read_direction(text: str | None) -> Expression | None:
+    """The angle of a direction: of an axis by its name, or as an expression."""
+    if text is None:
+        return None
+    if text in _AXES:
+        return read_expression(_AXES[text])
+    return read_expression(text)
+
+
+def _list_examples(sentences: Iterable[str]) -> Message:
+    return Message("template.one-of-sentences", sentences=list_plainly(map(Quoted, sentences)))
+
+
+def _stated(
+    patterns: Mapping[_Kind, re.Pattern[str]], text: str
+) -> tuple[_Kind, Mapping[str, str]] | None:
+    """The kind of sentence that a text is, with the parts that it has; None where it is none.
+
+    Raises FieldError for what is too long for a sentence, before it keeps the patterns busy.
+    """
+    if len(text) > MAX_LENGTH:
+        what = Message("template.long-sentence", count=len(text))
+        raise FieldError(what, Message("template.at-most", most=MAX_LENGTH))
+    for kind, pattern in patterns.items():
+        match = pattern.fullmatch(text.strip())
+        if match:
+            return kind, {part: value for part, value in match.groupdict().items() if value}
+    return None
+
+
+def _shape(text: str | None) -> Call | None:
+    """A line or a circle about a named point."""
+    if text is None:
+        return None
+    match read_expression(text):
+        case Call(_, (Name(), _)) as shape:
+            return shape
+        case _:
+            raise FieldError(found(text), Message("template.a-shape"))

@@ -1,0 +1,205 @@
+"""A problem template: the mechanism as data, its parameters, asks, texts and published results.
+
+`reading` makes these from TOML; `assemble` puts numbers in. A template holds no code.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from kinegrade.expressions.expression import Expression
+from kinegrade.mechanics.mechanism import Body
+from kinegrade.numbers.units import Unit
+from kinegrade.problem.template.beside import Translations
+from kinegrade.problem.template.hints import FigureHints
+from kinegrade.problem.template.sentences import DriverSentence, JointSentence
+from kinegrade.problem.template.signs import Sign
+from kinegrade.problem.template.translated import Translated
+
+Method = Literal["base-point", "projection", "pole"]
+METHODS: tuple[Method, ...] = ("base-point", "projection", "pole")
+Relation = Literal["<", "<=", "=="]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A quantity that is given: its unit, what may be drawn (exact texts in that unit), its
+    published value.
+    """
+
+    name: str
+    symbol: str
+    unit: Unit
+    choices: tuple[str, ...]
+    published: str | None
+    means: Translated
+
+    @property
+    def is_size(self) -> bool:
+        """Whether this is a length that no drawable value makes negative, unlike a coordinate."""
+        length = self.unit.length == 1 and self.unit.time == 0
+        return length and not any(choice.startswith("-") for choice in self.choices)
+
+    @property
+    def default(self) -> str:
+        """The published value, or the first drawable one."""
+        return self.published if self.published is not None else self.choices[0]
+
+
+@dataclass(frozen=True)
+class Ask:
+    """A quantity that may be asked for: how it follows from the motion, its unit, sign convention
+    and weight.
+
+    `points` is 0 for quantities that are asked only when a bank names them; `vanishes` says that
+    zero is a proper answer, `cyclic` that an angle is right with any number of full turns more or
+    less.
+    """
+
+    name: str
+    symbol: str
+    quantity: Expression
+    unit: Unit
+    means: Translated
+    sign: Sign
+    points: int
+    vanishes: bool
+    cyclic: bool
+
+
+@dataclass(frozen=True)
+class Condition:
+    """left < right (or <=, or ==), in SI: what drawn values must fulfil, or when a text applies."""
+
+    text: str
+    left: Expression
+    right: Expression
+    relation: Relation
+
+
+@dataclass(frozen=True)
+class Wording:
+    """A text for the values at which its condition holds; without a condition, for all values that
+    are left.
+    """
+
+    condition: Condition | None
+    text: Translated
+
+
+@dataclass(frozen=True)
+class Published:
+    """What the source gives: parameter values, and results as expressions of the parameters."""
+
+    source: str
+    given: Mapping[str, str]
+    gives: Mapping[str, Expression]
+    texts: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class MechanismFile:
+    """A file that holds the mechanism of several templates: its name without `.toml`, its text, and
+    those of the translations beside it.
+    """
+
+    name: str
+    text: str
+    translations: Translations = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class TemplateFile:
+    """A template as it was read, kept with every exam, with the translations beside it; `mechanism`
+    where it shares one.
+    """
+
+    text: str
+    mechanism: MechanismFile | None = None
+    translations: Translations = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class About:
+    """The data by which a template is found and chosen.
+
+    `tags` are the author's words, besides those that follow from what it asks. `method` is how its
+    worked solution finds velocities where several methods serve.
+    """
+
+    title: Translated
+    family: str
+    source: str
+    tags: tuple[str, ...] = ()
+    method: Method | None = None
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """The mechanism as written: what is given, and what is made of it, each in the file's order."""
+
+    parameters: Mapping[str, Parameter]
+    lengths: Mapping[str, Expression]
+    points: Mapping[str, Expression]
+    bodies: tuple[Body, ...]
+    joints: tuple[JointSentence, ...]
+    drivers: tuple[DriverSentence, ...]
+    conditions: tuple[Condition, ...]
+
+
+@dataclass(frozen=True)
+class Words:
+    """What students read: the statement, and the texts in it that depend on values.
+
+    Of the wordings of one name the first whose condition holds applies.
+    """
+
+    statement: Translated
+    texts: Mapping[str, tuple[Wording, ...]]
+
+
+@dataclass(frozen=True)
+class Template:
+    """One mechanism with its questions; `name` is its file's name without `.toml`."""
+
+    name: str
+    file: TemplateFile
+    about: About
+    words: Words
+    scheme: Scheme
+    asks: Mapping[str, Ask]
+    published: tuple[Published, ...]
+    figure: FigureHints
+
+    @property
+    def parameters(self) -> Mapping[str, Parameter]:
+        """The quantities that are given."""
+        return self.scheme.parameters
+
+    @property
+    def angles(self) -> frozenset[str]:
+        """The names of the parameters that are angles."""
+        return list_angles(self.parameters)
+
+    @property
+    def combinations(self) -> int:
+        """How many combinations of drawable values there are."""
+        count = 1
+        for parameter in self.parameters.values():
+            count *= len(parameter.choices)
+        return count
+
+    def asked(self) -> tuple[str, ...]:
+        """The asks of an exam that names none: those with points."""
+        return tuple(name for name, ask in self.asks.items() if ask.points)
+
+
+def list_angles(parameters: Mapping[str, Parameter]) -> frozenset[str]:
+    """The names of those parameters that are angles."""
+    return frozenset(
+        name
+        for name, parameter in parameters.items()
+        if parameter.unit.degrees or parameter.unit.text == "rad"
+    )

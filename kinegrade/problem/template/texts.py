@@ -1,0 +1,100 @@
+"""The texts of a template: where each stands, which languages have them all, and what one lacks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from kinegrade.errors import TemplateError
+from kinegrade.files.fields.place import Place, key_path
+from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message, Part, Quoted, list_choices, list_plainly
+from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.translated import (
+    Translated,
+    find_common_languages,
+    find_named_languages,
+)
+
+_NAMED = 6  # texts that a message about a whole template names
+
+
+def list_prose(template: Template) -> Iterator[tuple[Place, Translated]]:
+    """The wordings of the texts that depend on values, and the statement, with their places."""
+    for name, wordings in template.words.texts.items():
+        for number, wording in enumerate(wordings):
+            yield ("text", name, number), wording.text
+    yield ("statement",), template.words.statement
+
+
+def list_lines(template: Template) -> Iterator[tuple[Place, Translated]]:
+    """The texts of one line with their places: the title, what things mean, the author's signs."""
+    yield ("title",), template.about.title
+    for name, parameter in template.parameters.items():
+        yield ("parameters", name, "means"), parameter.means
+    for name, ask in template.asks.items():
+        yield ("asks", name, "means"), ask.means
+        if isinstance(ask.sign, Translated):
+            yield ("asks", name, "sign"), ask.sign
+
+
+def find_languages(template: Template) -> tuple[Language, ...]:
+    """The languages in which a template has all its texts."""
+    return find_common_languages([text for _, text in _list_texts(template)])
+
+
+def find_missing_texts(template: Template, language: Language) -> tuple[str, ...]:
+    """The places of the texts that a template lacks in a language."""
+    return tuple(key_path(place) for place, text in _list_texts(template) if not text.has(language))
+
+
+def find_unfinished_translations(template: Template) -> list[Fault]:
+    """A fault for each text that is missing in a language which other texts have."""
+    named = find_named_languages([text for _, text in _list_texts(template)])
+    return [
+        Fault(place, Message("template.unfinished", language=Quoted(language)))
+        for language in named
+        for place in find_missing_texts(template, language)
+    ]
+
+
+def require_language(templates: Iterable[Template], language: Language) -> None:
+    """Raises TemplateError, with a line for each template that lacks texts in a language."""
+    faults = find_language_faults(templates, language)
+    if faults:
+        raise TemplateError(*faults)
+
+
+def find_language_faults(templates: Iterable[Template], language: Language) -> tuple[Fault, ...]:
+    """A fault for each template that lacks texts in a language."""
+    lacking = {each.name: each for each in templates if find_missing_texts(each, language)}
+    return tuple(_explain_missing(template, language) for template in lacking.values())
+
+
+def _explain_missing(template: Template, language: Language) -> Fault:
+    missing = find_missing_texts(template, language)
+    return Fault(
+        template.name,
+        Message("texts.lacks", language=language, names=_list_some(missing)),
+        Message("texts.all-in", language=language),
+        _advise(template, language),
+    )
+
+
+def _list_some(names: Sequence[str]) -> Part:
+    listed = list_plainly(names[:_NAMED])
+    if len(names) <= _NAMED:
+        return listed
+    return Message("grammar.names-and-more", names=listed, count=len(names) - _NAMED)
+
+
+def _advise(template: Template, language: Language) -> Message:
+    file = f"{template.name}.{language}.toml"
+    complete = find_languages(template)
+    if not complete:
+        return Message("texts.write-file", file=file)
+    return Message("texts.write-file-or", file=file, languages=list_choices(complete))
+
+
+def _list_texts(template: Template) -> Iterator[tuple[Place, Translated]]:
+    yield from list_lines(template)
+    yield from list_prose(template)

@@ -1,0 +1,53 @@
+"""What `kinegrade check` prints of a template."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kinegrade.draws.deal import count_reasons
+from kinegrade.language.message import Message, list_plainly
+from kinegrade.problem.template.texts import find_languages
+from kinegrade.proof.checking import Report
+
+
+def write_verdict(report: Report) -> Message:
+    """Whether the template is sound."""
+    if report.faults:
+        return Message("template.report-faulty", name=report.template.name)
+    return Message("template.report-sound", name=report.template.name)
+
+
+def write_findings(report: Report) -> Iterator[Message]:
+    """What was found, a line each."""
+    languages = find_languages(report.template)
+    complete = list_plainly(languages) if languages else Message("template.no-language")
+    yield Message("template.report-languages", languages=complete)
+    yield Message("template.report-proved", number=report.proved)
+    yield Message(
+        "template.report-examined",
+        combinations=report.template.combinations,
+        examined=report.instances + sum(report.refused.values()),
+        accepted=report.instances,
+        refused=count_reasons(dict(sorted(report.refused.items()))),
+    )
+    milliseconds = f"{report.seconds * 1e3:.1f}"
+    yield Message("template.report-distinct", number=report.distinct, milliseconds=milliseconds)
+    yield from _write_spreads(report)
+    for name, mistakes in report.inseparable.items():
+        if mistakes:
+            yield Message("template.report-inseparable", ask=name, mistakes=list_plainly(mistakes))
+    for remark in report.remarks:
+        yield Message("template.report-remark", remark=remark)
+    for fault in report.faults:
+        yield Message("template.report-fault", fault=fault)
+
+
+def _write_spreads(report: Report) -> Iterator[Message]:
+    for name, spread in report.spreads.items():
+        unit = report.template.asks[name].unit.printed
+        yield Message(
+            "template.report-spread",
+            ask=f"{name:<12} {min(spread.values):10.4g} .. {max(spread.values):<10.4g} {unit:<7}",
+            negative=f"{spread.negative:4.0%}",
+            different=len(set(spread.values)),
+        )

@@ -1,0 +1,175 @@
+"""A marked class as arrays: how many points each student got for each ask, and why points were
+lost.
+
+One pass over marks.csv and the key; the class report is built from it.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import nan
+
+import numpy as np
+
+from kinegrade.errors import TableError
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.grading.judging.hints import Hint, find_hint
+from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.layout import ANSWERS, GRADES
+from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
+from kinegrade.numbers.written import read_number
+from kinegrade.reports.classes.item_statistics import Points
+from kinegrade.reports.paper_record import PaperRecord, PaperRecords
+
+_RIGHT, _BLANK = "right", "blank"
+_UNEXPLAINED = "unexplained"
+
+
+@dataclass(frozen=True)
+class ClassTally:
+    """The students who answered anything; `points` has a row for each, and a column for each of
+    `columns`.
+
+    `answered` are these students, `silent` those who answered nothing. `verdicts` counts verdicts
+    by ask. `losses` counts by ask why points were lost: the identifier of a mistake, a kind of
+    hint, a verdict, or `_UNEXPLAINED`.
+    """
+
+    columns: tuple[str, ...]
+    out_of: Points
+    answered: tuple[StudentTotal, ...]
+    silent: tuple[StudentTotal, ...]
+    points: Points
+    verdicts: Mapping[str, Counter[str]]
+    losses: Mapping[str, Counter[str]]
+    versions: tuple[str, ...]
+    parameters: Mapping[tuple[str, str], Points]
+
+    def share(self, question: str) -> Points:
+        """Each student's share of the points of a question; NaN where the question has no points
+        for that student.
+        """
+        places = [
+            place for place, column in enumerate(self.columns) if column.split(".")[0] == question
+        ]
+        out_of = float(self.out_of[places].sum())
+        shares: Points = self.points[:, places].sum(axis=1) / (out_of or np.nan)
+        return shares
+
+    @property
+    def percents(self) -> list[float]:
+        """The totals as percentages, as in grades.csv; 0 where there are no points to get."""
+        return [float(100 * each.share) for each in self.answered]
+
+
+@dataclass
+class _Count:
+    """Accumulates the class student by student."""
+
+    answered: list[StudentTotal] = field(default_factory=list)
+    silent: list[StudentTotal] = field(default_factory=list)
+    columns: tuple[str, ...] = ()
+    out_of: list[float] = field(default_factory=list)
+    points: list[array[float]] = field(default_factory=list)
+    verdicts: dict[str, Counter[str]] = field(default_factory=dict)
+    losses: dict[str, Counter[str]] = field(default_factory=dict)
+    versions: list[str] = field(default_factory=list)
+    parameters: list[array[float]] = field(default_factory=list)
+    names: tuple[tuple[str, str], ...] = ()  # of the parameters of all papers so far
+
+    def include(
+        self, total: StudentTotal, answers: Sequence[MarkedAnswer], paper: PaperRecord, version: str
+    ) -> None:
+        """Adds a student who answered something."""
+        self.answered.append(total)
+        self.points.append(array("d", (float(answer.points) for answer in answers)))
+        self.versions.append(version)
+        self.names += tuple(name for name in paper.parameters if name not in self.names)
+        self.parameters.append(array("d", (paper.parameters.get(name, nan) for name in self.names)))
+        for answer in answers:
+            self.verdicts[answer.column][answer.verdict] += 1
+            if answer.points < answer.out_of:
+                self.losses[answer.column][_loss(answer, paper)] += 1
+
+
+def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
+    """Counts a marks folder, with the exam folder it was made from. Raises TableError,
+    ExamError.
+    """
+    papers, totals, count = PaperRecords(exam, marks.put), marks.totals.by_student, _Count()
+    for student, answers in marks.answers_by_student():
+        columns = tuple(answer.column for answer in answers)
+        _open(count, columns, [float(answer.out_of) for answer in answers])
+        if columns != count.columns or student not in totals:
+            what = Message("report.other-asks", student=Quoted(student), grades=GRADES.name)
+            raise TableError(Fault(str(marks.path / ANSWERS.name), what))
+        if any(answer.verdict != _BLANK and answer.typed.strip() for answer in answers):
+            candidate = exam.head.candidates.get(student)
+            count.include(
+                totals[student],
+                answers,
+                papers.marked(student, columns),
+                candidate.version if candidate else "",
+            )
+        else:
+            count.silent.append(totals[student])
+    return _close(count)
+
+
+def _open(count: _Count, columns: tuple[str, ...], out_of: list[float]) -> None:
+    """Takes the asks from the first student."""
+    if not count.columns:
+        count.columns, count.out_of = columns, out_of
+        count.verdicts = {column: Counter() for column in columns}
+        count.losses = {column: Counter() for column in columns}
+
+
+def _close(count: _Count) -> ClassTally:
+    points = np.array(count.points, dtype=np.float64).reshape(len(count.points), len(count.columns))
+    numbers = np.full((len(count.parameters), len(count.names)), nan)
+    for row, known in zip(numbers, count.parameters, strict=True):
+        row[: len(known)] = known
+    parameters = {name: numbers[:, place] for place, name in enumerate(count.names)}
+    return ClassTally(
+        count.columns,
+        np.array(count.out_of),
+        tuple(count.answered),
+        tuple(count.silent),
+        points,
+        count.verdicts,
+        count.losses,
+        tuple(count.versions),
+        parameters,
+    )
+
+
+def _loss(answer: MarkedAnswer, paper: PaperRecord) -> str:
+    """Why an answer did not get all its points, in one term: a mistake, a kind of hint, or else the
+    verdict.
+    """
+    if answer.mistakes:
+        return answer.mistakes[0]
+    if answer.verdict != "wrong":
+        return answer.verdict
+    found = hint_of(answer, paper)
+    return found.kind if found else _UNEXPLAINED
+
+
+def hint_of(answer: MarkedAnswer, paper: PaperRecord) -> Hint | None:
+    """The hint that the number of a wrong answer gives."""
+    right = paper.answers.get(answer.column)
+    if right is None or not answer.read_as:
+        return None
+    others = dict(_find_others(answer, paper))
+    return find_hint(read_number(answer.read_as), right.value, right.allowed, right.unit, others)
+
+
+def _find_others(answer: MarkedAnswer, paper: PaperRecord) -> Iterator[tuple[str, Fraction]]:
+    for column, right in paper.answers.items():
+        if column != answer.column and column.startswith(f"{answer.question}."):
+            yield column, right.value

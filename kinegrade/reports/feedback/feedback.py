@@ -1,0 +1,245 @@
+"""What one student gets to read: their answers, the right answers, what probably went wrong, and
+the points.
+
+`make_feedback_sheets` makes the sheets of a class one by one; `feedback_html`, `feedback_markdown`
+and `kinegrade.press.typst.feedback` (PDF) print them. Three kinds of text, as in an exam: plain,
+prose (Markdown with `$...$` LaTeX math), math (LaTeX).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from decimal import Context, Decimal
+from fractions import Fraction
+from itertools import groupby
+
+from kinegrade.errors import ExamError
+from kinegrade.exam.folder.contents import HEAD
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import Candidate
+from kinegrade.grading.wording import Wording
+from kinegrade.language import Language
+from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.language.math.units import write_unit
+from kinegrade.language.message import Fault, Message, Quoted, Text
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.layout import GRADES
+from kinegrade.marks_folder.rows import MarkedAnswer
+from kinegrade.numbers.amounts import PLACES, write_amount
+from kinegrade.question_numbers import find_other_number
+from kinegrade.reports.feedback.remarks import make_remark, name_verdict
+from kinegrade.reports.paper_record import PaperRecord, PaperRecords, RightAnswer
+
+_LONGEST_TYPED = 80  # characters: the rest of a longer cell adds nothing
+_LONGEST_EXACT = 32
+_CLOSED_FORM = re.compile(r"(?:[-+*/() 0-9]|sqrt|pi)+")
+
+
+@dataclass(frozen=True)
+class FeedbackRow:
+    """One ask. `remark` is prose for the student, `guess` is whether the remark is a guess;
+    `reason` is the note made on reading the cell.
+    """
+
+    symbol: str  # math
+    meaning: str  # prose
+    typed: str  # plain, as are the next four
+    read_as: str  # how it was read; "" where nothing was, or exactly what was typed
+    right: str
+    verdict: str
+    points: str
+    remark: str  # prose
+    guess: bool
+    reason: str  # plain
+
+
+@dataclass(frozen=True)
+class FeedbackQuestion:
+    """One question, in its place on the paper."""
+
+    heading: str  # plain
+    title: str  # prose
+    points: str  # plain, "4 / 7"
+    rows: tuple[FeedbackRow, ...]
+
+
+@dataclass(frozen=True)
+class FeedbackSheet:
+    """One student's sheet in a language, plain text except for its questions; `solution` is the
+    name of a file beside it, or "".
+    """
+
+    language: Language
+    course: str
+    title: str
+    date: str
+    student: str
+    name: str
+    code: str
+    total: str
+    kept: bool  # whether the total is a higher one from an earlier marking
+    questions: tuple[FeedbackQuestion, ...]
+    solution: str = ""
+
+    @property
+    def guesses(self) -> bool:
+        """Whether any remark is a guess."""
+        return any(row.guess for question in self.questions for row in question.rows)
+
+
+def make_feedback_sheets(
+    marks: MarksFolder, exam: ExamFolder, wording: Wording, language: Language
+) -> Iterator[tuple[Candidate, FeedbackSheet]]:
+    """The sheets in the order of the roster, each with its student. Raises TableError,
+    ExamError.
+    """
+    head, totals = exam.head, marks.totals.by_student
+    papers = PaperRecords(exam, marks.put)
+    catalogue = open_catalogue(language)
+    for student, answers in marks.answers_by_student():
+        if student not in head.candidates or student not in totals:
+            raise ExamError(_describe_other_exam(student, marks, exam))
+        candidate, total = head.candidates[student], totals[student]
+        paper = papers.marked(student, (answer.column for answer in answers))
+        # Every amount is written with four places, so that three thirds of a point fall short of
+        # one.
+        rounding = Fraction(len(answers) + 1, 2 * 10**PLACES)
+        kept = total.total - sum(answer.points for answer in answers) > rounding
+        yield (
+            candidate,
+            FeedbackSheet(
+                language,
+                head.course,
+                head.title,
+                head.date,
+                student,
+                candidate.name,
+                candidate.paper,
+                _write_share(total.total, total.out_of, catalogue),
+                kept,
+                tuple(_make_questions(answers, paper, wording, catalogue)),
+            ),
+        )
+
+
+def _describe_other_exam(student: str, marks: MarksFolder, exam: ExamFolder) -> Fault:
+    what = Message(
+        "feedback.other-exam",
+        student=Quoted(student),
+        head=HEAD,
+        grades=GRADES.name,
+        exam=str(exam.path),
+    )
+    return Fault(str(marks.path), what)
+
+
+def _make_questions(
+    answers: Sequence[MarkedAnswer], paper: PaperRecord, wording: Wording, catalogue: Catalogue
+) -> Iterator[FeedbackQuestion]:
+    """The questions in the order of the paper."""
+    by_question = {
+        question: tuple(group)
+        for question, group in groupby(answers, lambda answer: answer.question)
+    }
+    for number, question in enumerate(paper.printed, start=1):
+        asked = by_question.get(question, ())
+        heading = catalogue.write(_head_question(question, number))
+        points = sum((answer.points for answer in asked), Fraction(0))
+        out_of = sum((answer.out_of for answer in asked), Fraction(0))
+        rows = tuple(_make_feedback_row(answer, paper, wording, catalogue) for answer in asked)
+        share = _write_share(points, out_of, catalogue)
+        yield FeedbackQuestion(heading, wording.titles.get(question, ""), share, rows)
+
+
+def _head_question(question: str, number: int) -> Message:
+    other = find_other_number(question, number)
+    if other is None:
+        return Message("feedback.question", number=number)
+    return Message("feedback.question-known", number=number, other=other)
+
+
+def _make_feedback_row(
+    answer: MarkedAnswer, paper: PaperRecord, wording: Wording, catalogue: Catalogue
+) -> FeedbackRow:
+    """The row for one answer."""
+    right = paper.answers.get(answer.column)
+    remark = make_remark(answer, paper, wording)
+    prose = catalogue.write(remark.prose)
+    return FeedbackRow(
+        wording.symbols.get(answer.column, rf"\mathrm{{{answer.ask.replace('_', ' ')}}}"),
+        wording.meanings.get(answer.column, ""),
+        _cut(answer.typed),
+        catalogue.write(_describe_reading(answer, catalogue)),
+        _mark_decimals(write_right(right), catalogue) if right else "",
+        catalogue.write(name_verdict(answer.verdict)),
+        _write_share(answer.points, answer.out_of, catalogue),
+        prose,
+        bool(prose) and answer.verdict == "wrong",
+        remark.note,
+    )
+
+
+def _cut(typed: str) -> str:
+    return typed if len(typed) <= _LONGEST_TYPED else f"{typed[:_LONGEST_TYPED]}…"
+
+
+def _mark_decimals(number: str, catalogue: Catalogue) -> str:
+    """A number that is written with a decimal point, with the mark of the language."""
+    return number.replace(".", catalogue.decimal_mark)
+
+
+def _describe_reading(answer: MarkedAnswer, catalogue: Catalogue) -> Text:
+    if answer.read_as in ("", answer.typed.strip()):
+        return ""
+    number = _write_with_unit(answer.read_as, answer.unit).replace("-", "−")
+    return Message("feedback.read-as", number=_mark_decimals(number, catalogue))
+
+
+def write_right(right: RightAnswer) -> str:
+    """`exact = decimal unit`: the exact value where it is short, "≈" where the decimal is
+    rounded.
+
+    >>> write_right(RightAnswer(Fraction("1.154700538379"), "2*sqrt(3)/3", "m/s", Fraction(0)))
+    '2√3/3 ≈ 1.1547\u202fm/s'
+    """
+    value = (
+        Context(prec=6)
+        .divide(Decimal(right.value.numerator), Decimal(right.value.denominator))
+        .normalize()
+    )
+    decimal = f"{value:f}" if -6 < value.adjusted() < 9 else str(value)
+    same = Fraction(decimal) == right.value
+    exact = _write_exact(right.exact or "")
+    whole = _write_with_unit(decimal.replace("-", "−"), right.unit)
+    if same or not exact:
+        return whole if same else f"≈ {whole}"
+    return f"{exact} ≈ {whole}"
+
+
+def _write_exact(expression: str) -> str:
+    """A closed form as it is written by hand; "" if it is long.
+
+    >>> _write_exact("-3*sqrt(2)/40 + 2*pi"), _write_exact("sqrt(2 - sqrt(3))")
+    ('−3√2/40 + 2π', '√(2 − √3)')
+    """
+    if len(expression) > _LONGEST_EXACT or not _CLOSED_FORM.fullmatch(expression):
+        return ""
+    rooted = re.sub(r"sqrt\(([0-9]+)\)", r"√\1", expression).replace("sqrt", "√").replace("pi", "π")
+    return re.sub(r"\*(?=[√π(])", "", rooted).replace("*", "·").replace("-", "−")
+
+
+def _write_with_unit(number: str, unit: str) -> str:
+    """A number and its unit.
+
+    >>> _write_with_unit("30", "deg"), _write_with_unit("2", "m/s^2"), _write_with_unit("2", "1")
+    ('30°', '2\u202fm/s²', '2')
+    """
+    shown = write_unit(unit, pure="")
+    return f"{number}{shown}" if shown in ("", "°") else f"{number}\u202f{shown}"
+
+
+def _write_share(points: Fraction, out_of: Fraction, catalogue: Catalogue) -> str:
+    """Points out of the maximum."""
+    return _mark_decimals(f"{write_amount(points)} / {write_amount(out_of)}", catalogue)

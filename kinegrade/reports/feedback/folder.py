@@ -1,0 +1,138 @@
+"""`kinegrade feedback`: a folder with a sheet for every student, written whole or not at all.
+
+`sheets/` holds one file for each student; `feedback.csv` says which is whose, for programs that
+send them out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import chain
+from pathlib import Path
+from typing import Literal, assert_never
+
+from kinegrade.errors import ExamError
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import Candidate
+from kinegrade.files.csv_writing import neutralise, write_for_people
+from kinegrade.files.output import output_folder
+from kinegrade.grading.wording import Wording
+from kinegrade.language import Language
+from kinegrade.language.message import Fault, Message
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.processes.executor import THIS_PROCESS, map_in_order, split_in_parts
+from kinegrade.reports.feedback.feedback import FeedbackSheet, make_feedback_sheets
+from kinegrade.reports.feedback.html import write_feedback_html
+from kinegrade.reports.feedback.markdown import write_feedback_markdown
+
+Text = Literal["html", "md"]
+# The sheet as PDF, a solution behind it where there is one
+Press = Callable[[FeedbackSheet, bytes | None], bytes]
+_PART = 20  # sheets in one task
+_MARKER, _SHEETS = "feedback.csv", "sheets"
+
+
+@dataclass(frozen=True)
+class FeedbackWishes:
+    """What is wanted: `form` is a kind of text, or what prints a PDF, a function that other
+    processes can be sent.
+
+    With `solutions` everybody gets the worked solutions that the exam folder has: in the PDF, or as
+    a file beside. With `force` the output may replace an earlier one.
+    """
+
+    form: Text | Press
+    language: Language
+    solutions: bool = False
+    force: bool = False
+
+
+@dataclass(frozen=True)
+class _Handout:
+    """What one student gets, before it is printed; `stem` begins the names of the files."""
+
+    candidate: Candidate
+    stem: str
+    sheet: FeedbackSheet
+    solution: bytes | None
+
+
+def write_feedback(
+    exam: ExamFolder,
+    marks: MarksFolder,
+    output: Path,
+    wording: Wording,
+    wishes: FeedbackWishes,
+    *,
+    workers: Executor = THIS_PROCESS,
+) -> int:
+    """Writes the folder `output`, its sheets made by `workers`, and gives the number of sheets.
+
+    Raises ExamError, TableError, TypesetError, OutputError; then nothing is written.
+    """
+    if wishes.solutions and marks.put:
+        what = Message("feedback.pool-solutions", exam=str(exam.path))
+        expected, do = Message("feedback.no-solutions"), Message("feedback.add-no-solutions")
+        raise ExamError(Fault(str(marks.path), what, expected, do))
+    contents = _MARKER, _SHEETS
+    make = partial(_make_part, wishes.form)
+    with output_folder(output, marker=_MARKER, contents=contents, force=wishes.force) as folder:
+        (folder / _SHEETS).mkdir()
+        rows = []
+        handouts = _print_handouts(
+            make_feedback_sheets(marks, exam, wording, wishes.language), exam, wishes
+        )
+        parts = map_in_order(workers, make, split_in_parts(handouts, _PART))
+        for candidate, files in chain.from_iterable(parts):
+            for name, content in files.items():
+                (folder / _SHEETS / name).write_bytes(content)
+            whose = candidate.student, neutralise(candidate.name), neutralise(candidate.email)
+            rows.append((*whose, f"{_SHEETS}/{next(iter(files))}"))
+        write_for_people(folder / _MARKER, ("student", "name", "email", "file"), rows)
+    return len(rows)
+
+
+def _print_handouts(
+    sheets: Iterable[tuple[Candidate, FeedbackSheet]], exam: ExamFolder, wishes: FeedbackWishes
+) -> Iterator[_Handout]:
+    for candidate, sheet in sheets:
+        stem = exam.head.file_stems[candidate.student]
+        yield _Handout(candidate, stem, sheet, exam.solution(stem) if wishes.solutions else None)
+
+
+def _make_part(
+    form: Text | Press, part: Sequence[_Handout]
+) -> list[tuple[Candidate, dict[str, bytes]]]:
+    """Whose files, and the files by name, for a part of the class."""
+    return [
+        (each.candidate, dict(_write_files(each.stem, each.sheet, each.solution, form)))
+        for each in part
+    ]
+
+
+def _write_files(
+    stem: str, sheet: FeedbackSheet, solution: bytes | None, form: Text | Press
+) -> Iterator[tuple[str, bytes]]:
+    """The names and contents of one student's files, the sheet first."""
+    if callable(form):
+        yield f"{stem}.pdf", form(sheet, solution)
+        return
+    beside = f"{stem}-solution.pdf" if solution is not None else ""
+    sheet = replace(sheet, solution=beside)
+    text = _write_text(sheet, form)
+    yield f"{stem}.{form}", text.encode("utf-8", "backslashreplace")
+    if solution is not None:
+        yield beside, solution
+
+
+def _write_text(sheet: FeedbackSheet, form: Text) -> str:
+    match form:
+        case "md":
+            return write_feedback_markdown(sheet)
+        case "html":
+            return write_feedback_html(sheet)
+        case _:
+            assert_never(form)

@@ -1,0 +1,15 @@
+"""A feedback sheet as one self-contained HTML page."""
+
+from __future__ import annotations
+
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.reports.feedback.feedback import FeedbackSheet
+from kinegrade.reports.html_layout import load_layout
+
+
+def write_feedback_html(sheet: FeedbackSheet) -> str:
+    """The page; all text in it is escaped, so that nothing a student typed becomes a tag."""
+    catalogue = open_catalogue(sheet.language)
+    words = catalogue.raw("feedback", "sheet.")
+    tag = catalogue.text("language.tag")
+    return str(load_layout("feedback.html").render(sheet=sheet, words=words, tag=tag))

@@ -1,0 +1,89 @@
+"""A feedback sheet as Markdown (GitHub's tables, `$...$` math), for systems that take text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from urllib.parse import quote
+
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.reports.feedback.feedback import FeedbackQuestion, FeedbackRow, FeedbackSheet
+
+_SPECIAL = re.compile(
+    r"([\\`*_\[\]<>#|$&~^@]|(?<=[A-Za-z]):(?=//)|(?<=www)\.|!(?=\[)|^[-+=])", re.IGNORECASE
+)
+_NUMBERED = re.compile(r"^([0-9]+)([.)])(?=\s|$)")
+_COLUMNS = ("asked", "yours", "right", "verdict", "points")
+_CONTROLS = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
+
+
+def write_feedback_markdown(sheet: FeedbackSheet) -> str:
+    """The sheet as text; nothing a student typed is interpreted as Markdown or HTML."""
+    words = open_catalogue(sheet.language).raw("feedback", "sheet.")
+    fields = (
+        (words["name"], sheet.name),
+        (words["student"], sheet.student),
+        (words["paper"], sheet.code),
+    )
+    course = f"{sheet.course} · {sheet.date}" if sheet.date else sheet.course
+    lines = [
+        f"# {_write_plain(sheet.title)}: {words['feedback']}",
+        "",
+        _write_plain(course),
+        "",
+        " · ".join(f"{label}: **{_write_plain(value)}**" for label, value in fields),
+        "",
+        f"**{words['total']}: {sheet.total}**",
+        "",
+    ]
+    for question in sheet.questions:
+        lines += _write_question(question, words)
+    if sheet.kept:
+        lines += [words["kept"], ""]
+    if sheet.guesses:
+        lines += [words["about-hints"], ""]
+    if sheet.solution:
+        lines += [f"[{words['solution']}]({quote(sheet.solution)})", ""]
+    return "\n".join(lines)
+
+
+def _write_plain(text: str) -> str:
+    r"""Text that Markdown prints as it is, on one line.
+
+    >>> print(_write_plain("<b>|_x_$"))
+    \<b\>\|\_x\_\$
+    """
+    line = _SPECIAL.sub(r"\\\1", _CONTROLS.sub(" ", text).strip())
+    return _NUMBERED.sub(r"\1\\\2", line)
+
+
+def _write_question(question: FeedbackQuestion, words: Mapping[str, str]) -> Iterator[str]:
+    title = f" · {question.title}" if question.title else ""
+    yield f"## {_write_plain(question.heading)}{title} ({question.points})"
+    yield ""
+    yield _write_cells([words[column] for column in _COLUMNS])
+    yield "|---|---|---|---|---:|"
+    yield from (_write_cells(_write_row(row, words["none"])) for row in question.rows)
+    yield ""
+
+
+def _write_row(row: FeedbackRow, none: str) -> Sequence[str]:
+    typed = _write_plain(row.typed) or f"*{none}*"
+    read = f" ({_write_plain(row.read_as)})" if row.read_as else ""
+    remarks = [row.remark.replace("|", r"\|"), _write_plain(row.reason)]
+    verdict = (
+        ". ".join((f"**{_write_plain(row.verdict)}**", " ".join(filter(None, remarks))))
+        if any(remarks)
+        else (f"**{_write_plain(row.verdict)}**")
+    )
+    return (
+        f"${row.symbol}$ {row.meaning}".rstrip(),
+        f"{typed}{read}",
+        _write_plain(row.right),
+        verdict,
+        row.points,
+    )
+
+
+def _write_cells(cells: Sequence[str]) -> str:
+    return f"| {' | '.join(cells)} |"

@@ -1,0 +1,148 @@
+"""What a feedback sheet says about one answer: the verdict, why it was given, and what probably
+went wrong.
+
+`feedback` puts it in the rows of a sheet. Remarks are prose, with `$...$` math.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from fractions import Fraction
+from functools import reduce
+from typing import assert_never
+
+from kinegrade.grading.judging.hints import Hint
+from kinegrade.grading.wording import Wording
+from kinegrade.language.message import Message, Text
+from kinegrade.marks_folder.rows import MarkedAnswer
+from kinegrade.numbers.written import read_number
+from kinegrade.reports.classes.tally import hint_of
+from kinegrade.reports.paper_record import PaperRecord, RightAnswer
+
+_VERDICTS: Mapping[str, Message] = {
+    "right": Message("feedback.verdict-right"),
+    "accepted": Message("feedback.verdict-accepted"),
+    "follow-through": Message("feedback.verdict-follow-through"),
+    "mistake": Message("feedback.verdict-wrong"),
+    "wrong": Message("feedback.verdict-wrong"),
+    "wrong unit": Message("feedback.verdict-wrong-unit"),
+    "blank": Message("feedback.verdict-blank"),
+    "unreadable": Message("feedback.verdict-unreadable"),
+    "void": Message("feedback.verdict-void"),
+}
+_EXPLAINED: Mapping[str, Message] = {
+    "wrong unit": Message("feedback.wrong-unit"),
+    "unreadable": Message("feedback.unreadable"),
+    "accepted": Message("feedback.accepted"),
+    "follow-through": Message("feedback.follow-through"),
+    "void": Message("feedback.void"),
+}
+_WITH_NOTE = ("wrong unit", "unreadable")  # their notes on reading the cell are for the student too
+
+
+@dataclass(frozen=True)
+class Remark:
+    """`prose` explains the verdict, "" where it needs no explanation; `note` is plain text: the
+    note made on reading the cell.
+    """
+
+    prose: Text = ""
+    note: str = ""
+
+
+def name_verdict(verdict: str) -> Text:
+    """A verdict as students read it; an unknown one as it stands in the marks."""
+    return _VERDICTS.get(verdict, verdict)
+
+
+def make_remark(answer: MarkedAnswer, paper: PaperRecord, wording: Wording) -> Remark:
+    """What is said about an answer."""
+    match answer.verdict:
+        case "mistake":
+            return Remark(_list_mistakes(answer, wording))
+        case "wrong":
+            return Remark(_find_hint(answer, paper, wording))
+        case "right" | "blank":
+            return Remark()
+        case "void" if answer.out_of:
+            return Remark(Message("feedback.void-full"))
+        case verdict if verdict in _EXPLAINED:
+            note = answer.reason if verdict in _WITH_NOTE else ""
+            return Remark(_EXPLAINED[verdict], note)
+        case _:
+            return Remark(note=answer.reason)
+
+
+def _list_mistakes(answer: MarkedAnswer, wording: Wording) -> Text:
+    """The sentences on the mistakes, any of which may have been made."""
+    known = wording.mistakes
+    sentences: list[Text] = [known[name] for name in answer.mistakes if name in known]
+    return reduce(_join_either, sentences) if sentences else ""
+
+
+def _join_either(first: Text, second: Text) -> Message:
+    return Message("feedback.either-mistake", first=first, second=second)
+
+
+def _find_hint(answer: MarkedAnswer, paper: PaperRecord, wording: Wording) -> Text:
+    found, right = hint_of(answer, paper), paper.answers.get(answer.column)
+    if found is None or right is None:
+        return ""
+    hint = _describe_hint(found, answer, right, wording)
+    return Message("feedback.turned-as-well", hint=hint) if hint and found.reversed_sign else hint
+
+
+def _describe_hint(found: Hint, answer: MarkedAnswer, right: RightAnswer, wording: Wording) -> Text:
+    match found.kind:
+        case "opposite":
+            return Message("feedback.opposite")
+        case "twice":
+            return Message("feedback.twice")
+        case "half":
+            return Message("feedback.half")
+        case "degrees for radians":
+            return Message("feedback.degrees-for-radians")
+        case "radians for degrees":
+            return Message("feedback.radians-for-degrees")
+        case "revolutions per minute":
+            return Message("feedback.turns-per-minute")
+        case "revolutions per second":
+            return Message("feedback.turns-per-second")
+        case "power of ten":
+            return _describe_slip(found.power)
+        case "another ask":
+            symbol = wording.symbols.get(found.column, "")
+            return Message("feedback.other-ask", symbol=symbol) if symbol else ""
+        case "close":
+            return _describe_nearness(answer, right)
+        case _:
+            assert_never(found.kind)
+
+
+def _describe_slip(power: int) -> Message:
+    factor = 10 ** abs(power)
+    if power > 0:
+        return Message("feedback.too-large", factor=factor)
+    return Message("feedback.too-small", factor=factor)
+
+
+def _describe_nearness(answer: MarkedAnswer, right: RightAnswer) -> Message:
+    size = abs(right.value)
+    difference = write_percent(abs(read_number(answer.read_as) - right.value) / size)
+    if answer.by_policy:
+        return Message("feedback.close-by-policy", difference=difference)
+    allowed = write_percent(right.allowed / size)
+    return Message("feedback.close", difference=difference, allowed=allowed)
+
+
+def write_percent(share: Fraction) -> Message:
+    """Two significant figures, or more where two would read 1 %.
+
+    >>> write_percent(Fraction("0.0134")).parts, write_percent(Fraction("0.01004")).parts
+    ({'number': Decimal('1.3')}, {'number': Decimal('1.004')})
+    """
+    one = Fraction(1, 100)
+    places = 2 if abs(share - one) >= Fraction(1, 2000) or share == one else 4
+    return Message("grammar.percent", number=Decimal(f"{float(100 * share):.{places}g}"))

@@ -1,0 +1,28 @@
+"""The layouts of HTML pages: all text is escaped, and a missing text is an error."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
+from markupsafe import Markup
+
+from kinegrade.reports.math_html import write_prose_html, write_symbol_html
+
+
+@cache
+def load_layout(name: str) -> Template:
+    """A layout from this package; it may call `css(FILE)` and the filters `prose` and `symbol`."""
+    folder = files("kinegrade.reports") / "layouts"
+    environment = Environment(
+        loader=FileSystemLoader(str(folder)),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters |= {"prose": write_prose_html, "symbol": write_symbol_html}
+    environment.globals["css"] = lambda file: Markup((folder / file).read_text(encoding="utf-8"))
+    return environment.get_template(name)

@@ -1,0 +1,323 @@
+"""What follows for an ask from a student's answers to earlier ones: the same plan, run on from
+there, in doubles.
+
+`follow_through` is called by `kinegrade.exam.follow_through` for the answers of a class; `Follower`
+keeps one instance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+from math import isfinite, modf, pi
+from typing import Any
+
+from kinegrade.errors import KinegradeError
+from kinegrade.expressions.expression import Call, Expression, evaluate
+from kinegrade.mechanics import plan as plans
+from kinegrade.mechanics.doubles import convert_to_doubles
+from kinegrade.mechanics.frames import build_frames
+from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.plan import Plan
+from kinegrade.numbers.doubles import Doubles
+from kinegrade.problem.assemble import Assembly, assemble
+from kinegrade.problem.quantities import Quantities, find_body_names
+from kinegrade.problem.template.template import Ask, Template
+from kinegrade.students.followed import FollowedMotion, OwnValue
+from kinegrade.students.followed import follow_values as followed_motion
+from kinegrade.students.followed_quantities import (
+    LEVELS,
+    find_motion_calls,
+    find_name,
+    make_functions,
+    name_share,
+    replace_differences,
+)
+from kinegrade.students.followed_terms import Place
+from kinegrade.students.mistakes import CloseCentrodes, convert_number, convert_parameter
+
+_SAME = 1e-9  # relative: what is closer is not changed, only rounded
+_INSTANCES = 8  # looked at to see which asks are connected
+_GOLDEN, _ROOT = 0.6180339887, 0.4142135624  # steps along choices that never meet again
+# Times the right answer, or below its thousandth part: from there nothing sensible follows
+_FARTHEST = 1000
+
+
+def follow_through(
+    template: Template,
+    values: Mapping[str, Any],
+    earlier: Mapping[str, float],
+    later: str,
+    plan: Plan | None = None,
+) -> float | None:
+    """What follows for the ask `later`, in its unit, from a student's answers to other asks (each
+    in its unit).
+
+    `values` are the parameters in SI, in any arithmetic. None where `later` does not depend on
+    those answers, or nothing follows from them: they are zero, far from any sensible value, or out
+    of the plan's reach.
+    """
+    return Follower(
+        template, {name: convert_number(value) for name, value in values.items()}, plan
+    ).value(earlier, later)
+
+
+@dataclass(frozen=True)
+class Follower:
+    """One instance, to be followed from a student's answers: its parameters in SI as doubles, and a
+    plan that may be suitable.
+    """
+
+    template: Template
+    values: Mapping[str, float]
+    suggested: Plan | None = None
+
+    def value(self, earlier: Mapping[str, float], later: str) -> float | None:
+        """What follows for `later`, as in `follow_through`; earlier answers are all put in at
+        once.
+        """
+        answers = {
+            name: value
+            for name, value in earlier.items()
+            if self._sensible(name, value) and name != later
+        }
+        if not answers:
+            return None
+        found, perturbed = (
+            self.result(answers, later),
+            self.result(_perturb_values(answers), later),
+        )
+        right = self.right(later)
+        if (
+            found is None
+            or perturbed is None
+            or right is None
+            or abs(found) * _FARTHEST <= abs(right)
+        ):
+            return None
+        return found if abs(perturbed - found) > _SAME * max(abs(found), abs(right)) else None
+
+    def _sensible(self, name: str, value: float) -> bool:
+        """Whether a student's answer may be put in: it is within a factor of a thousand of the
+        right one.
+        """
+        right = self.right(name)
+        return (
+            right is not None
+            and abs(right) > _SAME
+            and 1 / _FARTHEST <= abs(value / right) <= _FARTHEST
+        )
+
+    def result(self, answers: Mapping[str, float], later: str) -> float | None:
+        """The answer of `later` with the student's answers put in, None where there is none."""
+        motion = self.motion(answers)
+        return None if motion is None else self.read(self.template.asks[later], motion)
+
+    def right(self, name: str) -> float | None:
+        """The right answer of an ask, in its unit; None where there is none."""
+        return (
+            None
+            if self.right_motion is None
+            else self.read(self.template.asks[name], self.right_motion)
+        )
+
+    @cached_property
+    def right_motion(self) -> FollowedMotion | None:
+        """The motion as it is, None where there is none."""
+        return self.motion({})
+
+    def motion(self, answers: Mapping[str, float]) -> FollowedMotion | None:
+        """The motion with the student's answers put in; None where it cannot be solved."""
+        if not self.template.scheme.drivers:
+            return None
+        doubles = Doubles()
+        with doubles.context():
+            try:
+                values = [
+                    value
+                    for name in answers
+                    for value in self._student_values(self.template.asks[name], answers[name])
+                ]
+                return followed_motion(self.still.frames, self.plan, values, doubles)
+            except (KinegradeError, ArithmeticError):
+                return None
+
+    @cached_property
+    def assembly(self) -> Assembly:
+        """The mechanism of the instance. Raises MechanismError where it does not fit together."""
+        return assemble(self.template, self.values, Doubles())
+
+    @cached_property
+    def still(self) -> Motion:
+        """The relations of the instance in doubles, with no rate known."""
+        return convert_to_doubles(
+            Motion(build_frames(self.assembly.mechanism, Doubles()), Plan(()), {}, {})
+        )
+
+    @cached_property
+    def plan(self) -> Plan:
+        """The plan that serves: the one suggested, where it does. Raises Singular where there is
+        none.
+        """
+        relations = self.still.frames.relations
+        equations = [relation.equations() for relation in relations]
+        if self.suggested is not None:
+            try:
+                plans.run_steps(
+                    self.suggested,
+                    equations,
+                    lambda index: relations[index].velocity_side(),
+                    Doubles(),
+                )
+            except ArithmeticError:
+                pass
+            else:
+                return self.suggested
+        return plans.find_plan(relations, equations, Doubles())
+
+    @cached_property
+    def quantities(self) -> Mapping[str, Expression]:
+        """What is read for each ask."""
+        return {
+            name: replace_differences(ask.quantity, self.template.scheme.bodies)
+            for name, ask in self.template.asks.items()
+        }
+
+    @cached_property
+    def names(self) -> Mapping[str, Any]:
+        """What the names in a quantity stand for."""
+        return {
+            **find_body_names(self.assembly.mechanism),
+            **self.assembly.values,
+            **self.still.points,
+        }
+
+    @cached_property
+    def factors(self) -> Mapping[str, float]:
+        """The units of the asks in SI."""
+        return {
+            name: float(Doubles().number(ask.unit.factor))
+            for name, ask in self.template.asks.items()
+        }
+
+    @cached_property
+    def fixed(self) -> Mapping[str, Callable[..., Any]]:
+        """The functions of a quantity that the student's answers do not change."""
+        centrodes = CloseCentrodes(self.template, self.values, self.plan)
+        return {**self.assembly.functions, **centrodes.functions(Doubles())}
+
+    def _student_values(self, ask: Ask, number: float) -> Iterator[OwnValue]:
+        """A student's answer as it is put into a motion; nothing for what is not read off a single
+        moving thing.
+        """
+        calls = set(find_motion_calls(self.quantities[ask.name]))
+        call = calls.pop() if len(calls) == 1 else None
+        if call is not None and call.function in LEVELS:
+            yield OwnValue(
+                lambda motion: self.read(ask, motion),
+                number,
+                LEVELS[call.function],
+                self.place(call),
+                name_share(call),
+            )
+
+    def place(self, call: Call) -> Place | None:
+        """The body and point whose velocity or acceleration a call gives."""
+        if call.function not in ("velocity", "acceleration"):
+            return None
+        point, *bodies = (find_name(argument) for argument in call.arguments)
+        body = self.names[bodies[0]] if bodies else None
+        return Quantities(self.still, Doubles()).owner(point, body), point
+
+    def read(self, ask: Ask, motion: FollowedMotion) -> float | None:
+        """An answer read off a motion, None where the motion does not determine it (yet)."""
+        doubles = Doubles()
+        functions = {**self.fixed, **make_functions(motion, doubles)}
+        try:
+            number = evaluate(self.quantities[ask.name], self.names, functions, doubles)
+            value = float(
+                number * 180 / pi if ask.unit.degrees else number / self.factors[ask.name]
+            )
+        except (KeyError, KinegradeError, ArithmeticError):
+            return None
+        return value if isfinite(value) else None
+
+
+def find_connections(template: Template) -> frozenset[tuple[str, str]]:
+    """Which ask (first) another one (second) depends on in a template: at one of several sets of
+    values at least.
+    """
+    found: set[tuple[str, str]] = set()
+    for number in range(_INSTANCES):
+        with suppress(KinegradeError, ArithmeticError):
+            found.update(
+                _find_connected(Follower(template, choose_generic_values(template, number)))
+            )
+    return frozenset(found)
+
+
+def find_generic_plan(template: Template) -> Plan | None:
+    """The plan of a template, found where nothing is special; None where no drawable values have
+    one.
+    """
+    for number in range(_INSTANCES):
+        with suppress(KinegradeError, ArithmeticError):
+            return Follower(template, choose_generic_values(template, number)).plan
+    return None
+
+
+def choose_generic_values(template: Template, number: int) -> dict[str, float]:
+    """One of many sets of drawable parameters, in SI: each as far along its choices as chance would
+    have it.
+    """
+    shares = (
+        modf(number * _GOLDEN + place * _ROOT)[0] for place in range(len(template.parameters))
+    )
+    return {
+        name: convert_parameter(parameter, parameter.choices[int(share * len(parameter.choices))])
+        for (name, parameter), share in zip(template.parameters.items(), shares, strict=True)
+    }
+
+
+def _find_connected(follower: Follower) -> Iterator[tuple[str, str]]:
+    """Which ask each one depends on in an instance: a change of the first by one per cent changes
+    the second.
+    """
+    asks = follower.template.asks
+    right = {name: follower.right(name) for name in asks}
+    for earlier, number in right.items():
+        motion = follower.motion({earlier: number * 1.01}) if number else None
+        for later, before in right.items():
+            after = follower.read(asks[later], motion) if motion and later != earlier else None
+            if (
+                before is not None
+                and after is not None
+                and abs(after - before) > _SAME * max(abs(before), abs(after))
+            ):
+                yield earlier, later
+
+
+def _perturb_values(answers: Mapping[str, float]) -> dict[str, float]:
+    """The answers, each changed a little, and no two of them by the same share."""
+    return {
+        name: value * (1 + (place + 1) / 97) for place, (name, value) in enumerate(answers.items())
+    }
+
+
+def order_by_plan(template: Template, asks: Iterable[str]) -> tuple[str, ...]:
+    """The asks in the order in which the plan comes to them: of velocities, of Coriolis and normal
+    parts, which velocities decide, then of accelerations; alike ones stay as they stand.
+    """
+
+    def stage(name: str) -> int:
+        calls = (
+            set(find_motion_calls(template.asks[name].quantity)) if name in template.asks else set()
+        )
+        accelerations = any(LEVELS.get(call.function) == "acceleration" for call in calls)
+        return accelerations + any(
+            LEVELS.get(call.function) == "acceleration" and not name_share(call) for call in calls
+        )
+
+    return tuple(sorted(asks, key=stage))

@@ -1,0 +1,293 @@
+"""How far off a student can be who works correctly and writes every intermediate value down
+rounded.
+
+Three ways of working are followed, because none is the strictest everywhere:
+
+by coordinates, where each constructed point is written down and used for the next; by arms, where
+positions stay in the calculator, and lengths, directions and every term of a vector equation are
+written down; sparingly, where the solved rates alone are written down.
+
+Given lengths and angles are used as the paper states them; rates are written down, given ones too.
+The answer counts as it comes out, and rounded like everything else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from math import degrees, pi, tau
+from typing import Any
+
+import numpy as np
+
+from kinegrade.errors import KinegradeError
+from kinegrade.expressions.expression import (
+    Call,
+    Expression,
+    evaluate,
+    make_elementary_functions,
+    walk,
+)
+from kinegrade.language.message import Message
+from kinegrade.mechanics.doubles import MotionInDoubles, convert_vector
+from kinegrade.mechanics.frames import build_frames
+from kinegrade.mechanics.geometry import make_constructions
+from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.angle import Angle
+from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.rounding import NOTHING, Rounded, Sparing
+from kinegrade.problem.assemble import assemble
+from kinegrade.problem.quantities import find_body_names, make_quantities
+from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.template.template import Ask
+from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, find_effective_tolerance
+from kinegrade.students.by_hand import solve_by_hand, write_down
+
+_DEGREES = 180 / pi  # as `math.degrees` has it
+_DISPLAY = 10  # significant figures that a calculator shows and a student may type
+# Of a unit of the last figure written: what rounding changes at most, and the rounding of doubles
+_SAFELY = 0.5000001
+LOST = (
+    KinegradeError,
+    Singular,
+    ValueError,
+    ZeroDivisionError,
+)  # rounded circles that do not meet, a dead point
+
+
+@dataclass(frozen=True)
+class Stray:
+    """An answer that honest work leaves too far off: the result with that many significant figures,
+    in the ask's unit; None where rounding makes it impossible to find.
+    """
+
+    ask: str
+    figures: int
+    answer: float | None
+
+    def said(self) -> Message:
+        """What becomes of the answer, in a line."""
+        ask, figures = self.ask, self.figures
+        if self.answer is None:
+            return Message("template.lost-by-rounding", ask=ask, figures=figures)
+        answer = f"{self.answer:.6g}"
+        return Message("template.strays-by-rounding", ask=ask, figures=figures, answer=answer)
+
+
+@dataclass(frozen=True)
+class Target:
+    """What is right for one ask: the smallest and the largest right answer, the exact one, a full
+    turn where turns do not matter (else 0), and the significant figures to be carried.
+    """
+
+    low: float
+    high: float
+    exact: float
+    turn: float
+    figures: int
+
+    def met(self, worked: float | None, figures: int) -> bool:
+        """Whether an answer is right as it came out, and written to so many significant figures or
+        to more.
+        """
+        if worked is None:
+            return False
+        near = find_nearest_turn(worked, self.exact, self.turn)
+        room = safe_room(abs(worked), figures)
+        if self.low + room <= near <= self.high - room:
+            return True
+        typed = (
+            worked,
+            *(Rounded(count).written(worked) for count in range(figures, _DISPLAY + 1)),
+        )
+        return all(
+            self.low <= find_nearest_turn(number, self.exact, self.turn) <= self.high
+            for number in typed
+        )
+
+
+def safe_room(size: Any, figures: int) -> Any:
+    """More than a number of that size, or numbers, can change when written to so many significant
+    figures.
+    """
+    return _SAFELY * size * 10.0 ** (1 - figures) + NOTHING
+
+
+def find_stray(solution: Solution, tolerances: Mapping[str, Tolerance]) -> Stray | None:
+    """The first answer that honest work leaves outside its tolerance (1 % where none is stated), if
+    there is one.
+    """
+    aims = find_targets(solution, tolerances)
+    for figures, every in list_carried_figures(aims):
+        concerned = {
+            name: aim for name, aim in aims.items() if aim.figures in (figures, figures - 1)
+        }
+        for worked in work_honestly(solution, solution.doubles, figures, every=every):
+            for name, aim in concerned.items():
+                if not aim.met(worked.get(name), figures):
+                    return Stray(name, figures, worked.get(name))
+    return None
+
+
+def find_targets(solution: Solution, tolerances: Mapping[str, Tolerance]) -> dict[str, Target]:
+    """What is right for every ask of an instance, where nothing is stated within 1 %."""
+    return {
+        name: find_target(
+            solution.template.asks[name],
+            answer,
+            tolerances.get(name, ONE_PER_CENT),
+            solution.doubles,
+        )
+        for name, answer in solution.answers.items()
+    }
+
+
+def list_carried_figures(aims: Mapping[str, Target]) -> list[tuple[int, bool]]:
+    """The significant figures that are carried: three, or as many as a tolerance takes to be met at
+    all, and then all ways of working are followed; and one more.
+    """
+    least = {aim.figures for aim in aims.values()}
+    return [
+        (figures, figures in least) for figures in sorted(least | {count + 1 for count in least})
+    ]
+
+
+def find_target(
+    ask: Ask, answer: Quantity, tolerance: Tolerance, motion: MotionInDoubles
+) -> Target:
+    """What is right for one ask of an instance; `motion` gives the scale next to zero."""
+    exact = convert_number(answer.number)
+    if isinstance(answer.number, Angle) and ask.unit.degrees:
+        exact = degrees(exact)
+    allowed = find_effective_tolerance(tolerance, exact, ask.unit, motion)
+    low, high = allowed.interval(Fraction(exact))
+    return Target(
+        float(low), float(high), exact, find_full_turn(ask), allowed.carried(Fraction(exact))
+    )
+
+
+def work_honestly(
+    solution: Solution, motion: Motion, figures: int, *, every: bool
+) -> Iterator[dict[str, float]]:
+    """The answers of honest students who carry so many significant figures, in the asks' units;
+    what cannot be found is left out. `motion` is the solution's in doubles. All three ways where
+    `every` is true, else the quickest one.
+    """
+    yield work_by_arms(solution, motion, Rounded(figures))
+    if every:
+        yield work_by_arms(solution, motion, Sparing(figures))
+        yield work_by_coordinates(solution, Rounded(figures))
+
+
+def work_by_coordinates(solution: Solution, rounded: Rounded) -> dict[str, float]:
+    """The answers of a student who writes every constructed point down and continues from it."""
+    template = solution.template
+    givens = {name: convert_number(solution.assembly.values[name]) for name in template.parameters}
+    try:
+        assembly = assemble(template, givens, rounded, lambda point: write_down(point, rounded))
+        motion = Motion(build_frames(assembly.mechanism, rounded), solution.motion.plan, {}, {})
+        return _find_answers(
+            solution, assembly.values, assembly.functions, solve_by_hand(motion, rounded), rounded
+        )
+    except LOST:
+        return {}
+
+
+def work_by_arms(solution: Solution, motion: Motion, rounded: Rounded) -> dict[str, float]:
+    """The answers of a student who keeps positions in the calculator; `rounded` determines what
+    else is written down.
+    """
+    values = {
+        name: convert_value(value)
+        for name, value in solution.assembly.values.items()
+        if name not in motion.points
+    }
+    functions = {**make_elementary_functions(rounded), **make_constructions(rounded, motion.points)}
+    try:
+        return _find_answers(
+            solution,
+            {**values, **motion.points},
+            functions,
+            solve_by_hand(motion, rounded),
+            rounded,
+        )
+    except LOST:
+        return {}
+
+
+def _find_answers(
+    solution: Solution,
+    values: Mapping[str, Any],
+    functions: Mapping[str, Callable[..., Any]],
+    motion: Motion,
+    rounded: Rounded,
+) -> dict[str, float]:
+    """The answers that a motion worked out by hand gives, without those that cannot be found."""
+    known = {**find_body_names(motion.frames.mechanism), **values}
+    may_call = {**functions, **make_quantities(motion, rounded)}
+    found = {
+        name: _work_answer(solution.template.asks[name], answer, known, may_call, rounded)
+        for name, answer in solution.answers.items()
+    }
+    return {name: number for name, number in found.items() if number is not None}
+
+
+def _work_answer(
+    ask: Ask,
+    answer: Quantity,
+    values: Mapping[str, Any],
+    functions: Mapping[str, Callable[..., Any]],
+    rounded: Rounded,
+) -> float | None:
+    """One answer in its unit; a centrode is not worked out by numbers but known in closed form."""
+    if calls(ask.quantity, "circle_of_poles"):
+        return answer.value
+    try:
+        number = convert_number(evaluate(ask.quantity, values, functions, rounded))
+    except LOST:
+        return None
+    answered: float = (
+        number * _DEGREES if ask.unit.degrees else number / convert_number(ask.unit.factor)
+    )
+    return answered
+
+
+def find_full_turn(ask: Ask) -> float:
+    """A full turn in the unit of an angle that is right with any number of turns; 0 for everything
+    else.
+    """
+    if not ask.cyclic:
+        return 0.0
+    return 360.0 if ask.unit.degrees else tau
+
+
+def find_nearest_turn(number: Any, exact: Any, turn: float) -> Any:
+    """The angle, or angles, with the number of full turns that brings it next to the exact one."""
+    if not turn:
+        return number
+    nearest = np.rint if isinstance(number, np.ndarray) else round
+    return number - nearest((number - exact) / turn) * turn
+
+
+def calls(tree: Expression, function: str) -> bool:
+    """Whether an expression calls a function."""
+    return any(isinstance(part, Call) and part.function == function for part in walk(tree))
+
+
+def convert_value(value: Any) -> Any:
+    """A value that expressions may name, in doubles: a number, a point or a word."""
+    if isinstance(value, str):
+        return value
+    return convert_vector(value) if isinstance(value, Vector) else convert_number(value)
+
+
+def convert_number(number: Any) -> Any:
+    """A number of any arithmetic as a double, angles in radians; arrays of doubles stay what they
+    are.
+    """
+    if isinstance(number, np.ndarray):
+        return number
+    return float(number.ball() if isinstance(number, Angle) else number)

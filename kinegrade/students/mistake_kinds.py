@@ -1,0 +1,218 @@
+"""The mistakes that are known: what each does to the givens, to the mechanism's terms, or to the
+answer.
+
+A mistake is data: shares of terms (`kinegrade.students.slips`), a change of the givens, or a
+factor of the answer. `mistake_names` has its identifier and the sentence that describes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from flint import arb, fmpq
+
+from kinegrade.expressions.expression import Call, Expression, Name, walk
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.problem.template.template import Ask, Template
+from kinegrade.sign_conventions import UNSIGNED
+from kinegrade.students.mistake_names import MistakeName
+
+Givens = Mapping[str, Any]  # parameters in SI
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """One way to go wrong on the way to all answers of an instance.
+
+    `shares` are those of `Slips` that are not 1; `givens` gives the parameters as they are
+    mistaken; `other_branch` takes the other common point of circles and lines;
+    `_take_plain_lengths` works with the numbers of lengths as they stand.
+    """
+
+    identifier: MistakeName | Literal[""]  # "" for working without a mistake
+    shares: Mapping[str, Any] = field(default_factory=dict)
+    givens: Callable[[Template, Givens, Any], Givens] = lambda template, values, arithmetic: values
+    other_branch: bool = False
+    plain_lengths: bool = False
+
+
+def _complement_angles(template: Template, values: Givens, arithmetic: Any) -> Givens:
+    """Every given angle counted from the other axis, which swaps its sine and its cosine."""
+    quarter = arithmetic.turns(fmpq(1, 2))
+    return {**values, **{name: quarter - values[name] for name in template.angles}}
+
+
+def take_degrees_as_radians(template: Template, values: Givens, arithmetic: Any) -> Givens:
+    """Every angle given in degrees with its number taken for radians."""
+    names = [name for name, parameter in template.parameters.items() if parameter.unit.degrees]
+    return {**values, **{name: _count_degrees(values[name], arithmetic) for name in names}}
+
+
+def _count_degrees(angle: Any, arithmetic: Any) -> Any:
+    """How many degrees an angle has. Raises Inexact in the exact field, where a number of radians
+    is no angle.
+    """
+    if isinstance(angle, Angle):
+        raise Inexact  # a number of radians
+    return angle * 180 / (arb.pi() if isinstance(angle, arb) else arithmetic.turns(1))
+
+
+def _take_diameters(template: Template, values: Givens, arithmetic: Any) -> Givens:
+    """Every given radius of a circle doubled."""
+    return {**values, **{name: values[name] * 2 for name in _find_radii(template)}}
+
+
+def _take_plain_rates(template: Template, values: Givens, arithmetic: Any) -> Givens:
+    """Angular rates given in revolutions or radians per minute with their number taken for radians
+    per second.
+    """
+    return {
+        **values,
+        **{
+            name: values[name] / arithmetic.number(template.parameters[name].unit.factor)
+            for name in _find_unconverted_rates(template)
+        },
+    }
+
+
+def _take_plain_lengths(template: Template, values: Givens, arithmetic: Any) -> Givens:
+    """Lengths, velocities and accelerations with the number that is given, whatever its unit."""
+    return {
+        **values,
+        **{
+            name: value / arithmetic.number(template.parameters[name].unit.factor)
+            for name, value in values.items()
+            if template.parameters[name].unit.length
+        },
+    }
+
+
+MISTAKES = (
+    Mistake("coriolis-dropped", {"coriolis": fmpq(0)}),
+    Mistake("coriolis-halved", {"coriolis": fmpq(1, 2)}),
+    Mistake("coriolis-reversed", {"coriolis": fmpq(-1)}),
+    Mistake("relative-normal-dropped", {"relative_normal": fmpq(0)}),
+    Mistake("path-normal-dropped", {"path_normal": fmpq(0)}),
+    Mistake("relative-for-absolute", {"carried": fmpq(0)}),
+    Mistake("absolute-for-relative", {"asked_relative": fmpq(0)}),
+    Mistake("meshing-reversed", {"meshing": fmpq(-1)}),
+    Mistake("arm-for-sum", {"arm": fmpq(0)}),
+    Mistake("wrong-pole", {"pole": fmpq(0)}),
+    Mistake("centre-for-pole", {"centre": fmpq(0)}),
+    Mistake("transport-for-absolute", {"relative": fmpq(0)}),
+    Mistake("other-branch", other_branch=True),
+    Mistake("sine-for-cosine", givens=_complement_angles),
+    Mistake("degrees-for-radians", givens=take_degrees_as_radians),
+    Mistake("diameter-for-radius", givens=_take_diameters),
+    Mistake("rpm-not-converted", givens=_take_plain_rates),
+    Mistake("millimetres-for-metres", givens=_take_plain_lengths, plain_lengths=True),
+)
+_IN_THE_ANSWER: Mapping[MistakeName, Any] = {
+    "sense-reversed": fmpq(-1),
+    "power-of-ten-up": fmpq(10),
+    "power-of-ten-down": fmpq(1, 10),
+}
+
+
+def list_answer_factors(ask: Ask) -> dict[str, Any]:
+    """The factor by which each mistake in writing changes the answer; only a signed one can be
+    reversed.
+    """
+    return {
+        name: factor
+        for name, factor in _IN_THE_ANSWER.items()
+        if factor > 0 or ask.sign not in UNSIGNED
+    }
+
+
+def _find_radii(template: Template) -> set[str]:
+    """The parameters that are the radius of a circle which joints speak of."""
+    circles = [
+        shape
+        for joint in template.scheme.joints
+        for shape in (joint.circle, joint.on)
+        if shape is not None and shape.function == "circle"
+    ]
+    named = {
+        tree.name for tree in (circle.arguments[1] for circle in circles) if isinstance(tree, Name)
+    }
+    return {
+        name
+        for name in named & set(template.parameters)
+        if template.parameters[name].unit.length == 1
+    }
+
+
+def _find_unconverted_rates(template: Template) -> list[str]:
+    """The parameters that are angular rates in other units than rad/s and rad/s^2."""
+    return [
+        name
+        for name, parameter in template.parameters.items()
+        if parameter.unit.angle and parameter.unit.time < 0 and parameter.unit.factor != 1
+    ]
+
+
+def find_candidates(template: Template, asks: Mapping[str, Ask]) -> Iterator[Mistake]:
+    """The mistakes that are possible in the template, where these quantities are asked for."""
+    occasions, others = _find_share_occasions(template, asks), _find_given_occasions(template, asks)
+    for mistake in MISTAKES:
+        if others.get(
+            mistake.identifier,
+            template.scheme.drivers and any(occasions[share] for share in mistake.shares),
+        ):
+            yield mistake
+
+
+def _find_share_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
+    """For each share of a term whether the template has such terms."""
+    kinds = {joint.kind for joint in template.scheme.joints}
+    relative = any(joint.of != GROUND for joint in template.scheme.joints) or any(
+        driver.of != GROUND for driver in template.scheme.drivers
+    )
+    accelerations = any(ask.unit.time == -2 for ask in asks.values())
+    wheels = bool(kinds & {"roll", "mesh"})
+    return {
+        "coriolis": accelerations and relative,
+        "relative_normal": accelerations,
+        "path_normal": accelerations,
+        "carried": wheels or any(driver.of != GROUND for driver in template.scheme.drivers),
+        "asked_relative": any(_calls(ask.quantity, ("omega", "alpha"), 2) for ask in asks.values()),
+        "meshing": wheels,
+        "arm": wheels,
+        "centre": wheels,
+        "relative": relative,
+        "pole": "pin" in kinds,
+    }
+
+
+def _find_given_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
+    """For each mistake in reading what is given whether the template can be misread so."""
+    units = {
+        unit
+        for unit in [
+            *(parameter.unit for parameter in template.parameters.values()),
+            *(ask.unit for ask in asks.values()),
+        ]
+        if unit.length
+    }
+    return {
+        "other-branch": any(_calls(tree, ("meet",), 3) for tree in template.scheme.points.values()),
+        "sine-for-cosine": bool(template.angles),
+        "degrees-for-radians": any(
+            parameter.unit.degrees for parameter in template.parameters.values()
+        ),
+        "diameter-for-radius": bool(_find_radii(template)),
+        "rpm-not-converted": bool(_find_unconverted_rates(template)),
+        "millimetres-for-metres": len({unit.text.split("/")[0] for unit in units}) > 1,
+    }
+
+
+def _calls(tree: Expression, functions: tuple[str, ...], count: int) -> bool:
+    """Whether one of the functions is called with `count` arguments in an expression."""
+    return any(
+        isinstance(part, Call) and part.function in functions and len(part.arguments) == count
+        for part in walk(tree)
+    )

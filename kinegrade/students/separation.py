@@ -1,0 +1,224 @@
+"""Keeping mistakes and truth apart: in which instances a known mistake lands within tolerance of a
+right answer.
+
+Decided in doubles for many instances at once. A mistaken value is too near when it, written to
+three significant figures, might be taken for right; the margin of half a unit of the third figure
+also keeps rounding in doubles from deciding anything. What most instances of a question cannot
+distinguish (a term that is identically zero there) is required of none of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from math import tau
+from typing import Any
+
+import numpy as np
+
+from kinegrade.errors import KinegradeError
+from kinegrade.expressions.expression import Operation, evaluate, make_elementary_functions
+from kinegrade.mechanics.plan import Plan
+from kinegrade.numbers.floats import Floats
+from kinegrade.problem.template.template import Ask, Template
+from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
+from kinegrade.students.mistake_kinds import Mistake, find_candidates, list_answer_factors
+from kinegrade.students.mistakes import SAME, Outcomes, Values, convert_parameters, find_outcomes
+
+_WRITTEN = 0.005  # relative: what three significant figures may be off
+_HALF = 0.5  # share of instances above which a mistake is inseparable from the truth
+_SCARCE = (
+    0.05  # nor are mistakes kept apart any more when fewer instances than this share would be left
+)
+_ROOM = 1.05  # the scale is rounded to two figures where it gives room
+_NORMAL_OR_CORIOLIS = {
+    "coriolis",
+    "relative_normal",
+    "path_normal",
+}  # shares of terms that velocities decide
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Instances held against what mistakes lead to: for every ask a row for each mistake, by
+    `identifiers`.
+
+    `near` marks where a mistaken value might be taken for right, `changed` where it is another
+    value at all; `fit` marks the instances that may be drawn, as far as doubles can decide.
+    """
+
+    identifiers: Mapping[str, tuple[str, ...]]
+    near: Mapping[str, Any]
+    changed: Mapping[str, Any]
+    fit: Any
+
+
+@dataclass(frozen=True)
+class Separation:
+    """A question's mistakes and what its draws keep apart: `kept` has for every ask one flag for
+    each mistake.
+
+    Both are judged by a `sample` of draws; `usable` is the share of it that meets the conditions
+    and hides no mistake that is kept apart.
+    """
+
+    template: Template
+    asks: Mapping[str, Ask]
+    tolerances: Mapping[str, Tolerance]
+    plan: Plan
+    mistakes: tuple[Mistake, ...]
+    sample: Values
+    kept: Mapping[str, Any] = field(default_factory=dict)
+    usable: float = 1.0
+
+    def confuses(self, values: Values) -> Any:
+        """For each instance whether a mistake lands too near the truth; False for those unfit for
+        other reasons.
+        """
+        seen = self.compare(values)
+        confused = [(seen.near[name] & self.kept[name][:, None]).any(axis=0) for name in self.asks]
+        return np.any(confused, axis=0) & seen.fit
+
+    def compare(self, values: Values) -> Comparison:
+        """Instances held against what mistakes lead to."""
+        arrays = convert_parameters(self.template, values)
+        found = find_outcomes(self.template, self.asks, self.mistakes, arrays, self.plan)
+        identifiers, near, changed = {}, {}, {}
+        for name, ask in self.asks.items():
+            written = list_answer_factors(ask)
+            right, *wrong = found.answers[name]
+            wrong += [right * float(factor) for factor in written.values()]
+            identifiers[name] = (*(mistake.identifier for mistake in self.mistakes), *written)
+            room = self.room(name, right, found)
+            with np.errstate(all="ignore"):
+                near[name] = np.array(
+                    [
+                        measure_distance(one, right, ask) <= room + _WRITTEN * np.abs(one)
+                        for one in wrong
+                    ]
+                )
+                changed[name] = np.array([_is_different(one, right) for one in wrong])
+            near[name][len(self.mistakes) :] &= right != 0  # zero has no sense and no decimal point
+        return Comparison(identifiers, near, changed, self.fit(found, arrays))
+
+    def inseparable(self) -> dict[str, tuple[str, ...]]:
+        """For each ask the mistakes that the sample cannot distinguish from the truth.
+
+        They change nothing although their term is of consequence (it is zero at this instant), or
+        almost nothing in most instances; draws do not keep them apart.
+        """
+        seen = self.compare(self.sample)
+        perturbed = find_outcomes(
+            self.template,
+            self.asks,
+            self.mistakes,
+            convert_parameters(self.template, self.sample),
+            self.plan,
+            perturbed=True,
+        )
+        found = {}
+        for name in self.asks:
+            right, *wrong = perturbed.answers[name]
+            hidden = (seen.changed[name] & seen.fit).any(axis=1)
+            for place, (mistake, one) in enumerate(zip(self.mistakes, wrong, strict=True)):
+                hidden[place] |= (
+                    bool(_NORMAL_OR_CORIOLIS & set(mistake.shares))
+                    and _is_different(one, right).any()
+                )
+            found[name] = tuple(
+                np.array(seen.identifiers[name])[hidden & ~self.kept[name]].tolist()
+            )
+        return found
+
+    def room(self, name: str, right: Any, found: Outcomes) -> Any:
+        """How far from the right answers one may be, in the ask's unit: a bound, for the draw
+        alone.
+        """
+        tolerance = self.tolerances.get(name, ONE_PER_CENT)
+        share, absolute = float(tolerance.share), float(tolerance.absolute)
+        room = np.maximum(share * np.abs(right), absolute)
+        next_to_zero = share * _ROOM * found.scales[name]
+        return np.where(np.abs(right) < next_to_zero, np.maximum(room, next_to_zero), room)
+
+    def fit(self, found: Outcomes, arrays: Mapping[str, Any]) -> Any:
+        """Which instances meet the conditions and have answers that do not vanish where they must
+        not.
+        """
+        known = {
+            name: rows[0] for name, rows in found.answers.items() if np.isfinite(rows[0]).any()
+        }
+        fits = [
+            np.isfinite(right) & (self.asks[name].vanishes | (right != 0))
+            for name, right in known.items()
+        ]
+        return np.all([*fits, *_check_conditions(self.template, arrays)], axis=0)
+
+
+def find_separation(
+    template: Template,
+    asks: Mapping[str, Ask],
+    tolerances: Mapping[str, Tolerance],
+    plan: Plan,
+    sample: Values,
+) -> Separation:
+    """What draws of a question keep apart, judged by a sample of them."""
+    mistakes = tuple(find_candidates(template, asks))
+    whole = Separation(template, asks, tolerances, plan, mistakes, sample)
+    seen = whole.compare(sample)
+    share = {
+        name: seen.near[name][:, seen.fit].mean(axis=1)
+        if seen.fit.any()
+        else np.ones(len(seen.near[name]))
+        for name in asks
+    }
+    bound = _HALF
+    while True:
+        kept = {name: share[name] < bound for name in asks}
+        confused = np.any(
+            [(seen.near[name] & kept[name][:, None]).any(axis=0) for name in asks], axis=0
+        )
+        usable = float((seen.fit & ~confused).mean())
+        if usable >= _SCARCE * seen.fit.mean() or not any(flags.any() for flags in kept.values()):
+            return replace(whole, kept=kept, usable=usable)
+        bound = max(float(share[name][kept[name]].max(initial=0.0)) for name in asks)
+
+
+def _check_conditions(template: Template, arrays: Mapping[str, Any]) -> Iterator[Any]:
+    """For each condition the instances that meet it, those on the bound among them."""
+    floats = Floats()
+    values = {**arrays, "pi": np.pi}
+    for condition in template.scheme.conditions:
+        try:
+            with floats.context():
+                room = evaluate(
+                    Operation("-", condition.right, condition.left),
+                    values,
+                    make_elementary_functions(floats),
+                    floats,
+                )
+        except KinegradeError:
+            continue
+        yield ~(np.broadcast_to(room, np.shape(next(iter(arrays.values())))) < -SAME)
+
+
+def measure_distance(one: Any, other: Any, ask: Ask) -> Any:
+    """The difference of two answers; of angles that turn round, the difference without full
+    turns.
+    """
+    difference = np.abs(one - other)
+    if not ask.cyclic:
+        return difference
+    turn = 360.0 if ask.unit.degrees else tau
+    return np.abs(difference - turn * np.round(difference / turn))
+
+
+def _is_different(one: Any, other: Any) -> Any:
+    """Where one value is another than the other, and not the same rounded; False where there is
+    none.
+    """
+    return np.abs(one - other) > SAME * np.maximum(np.maximum(np.abs(one), np.abs(other)), 1.0)
+
+
+def collect_columns(draws: Sequence[Mapping[str, str]]) -> dict[str, list[str]]:
+    """For each parameter its values in all draws."""
+    return {name: [draw[name] for draw in draws] for name in draws[0]}

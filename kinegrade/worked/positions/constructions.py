@@ -1,0 +1,227 @@
+"""The construction of a point in textbook words and equations: where it lies, and how its
+coordinates are worked out.
+
+Lines, circles and feet of perpendiculars are in `kinegrade.worked.positions.intersections`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal, assert_never
+
+from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, list_parts
+from kinegrade.language import Language
+from kinegrade.language.message import Message, list_plainly
+from kinegrade.worked.document import (
+    Block,
+    Display,
+    Heading,
+    Pictures,
+    Prose,
+    Results,
+    TermTable,
+    say,
+)
+from kinegrade.worked.formulas.coordinates import ZERO, Step, length_of, minus, over, plus, scale
+from kinegrade.worked.formulas.expression import count_quarter_turns
+from kinegrade.worked.formulas.instance import Instance
+from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
+from kinegrade.worked.words.vectors import describe_vector, negate
+
+_Heading = Literal["x", "y", "minus-x", "minus-y"]
+_HEADINGS: tuple[_Heading, ...] = ("x", "y", "minus-x", "minus-y")  # by quarter turns
+
+
+@dataclass(frozen=True)
+class _Coordinates:
+    """Points given by their coordinates alone: one sentence with their equations."""
+
+    points: tuple[str, ...]
+    lines: tuple[str, ...]
+
+    def blocks(self, language: Language) -> tuple[Block, ...]:
+        """The sentence and the equations."""
+        return say(self._announce(), language), Display(self.lines)
+
+    def _announce(self) -> Message:
+        points = list_plainly(f"${point}$" for point in self.points)
+        if len(self.points) == 1:
+            return Message("solution.coordinates", points=points)
+        return Message("solution.coordinates-of-several", points=points)
+
+
+def write_chapter(
+    steps: Iterable[Step], instance: Instance, language: Language
+) -> tuple[Block, ...]:
+    """The blocks of all steps, the origin first; neighbouring points that are given by their
+    coordinates share a sentence.
+    """
+    blocks = list[Block | _Coordinates]()
+    for step in sorted(steps, key=lambda step: instance.axes.pair(step.tree) != (ZERO, ZERO)):
+        written = _explain_construction(step, instance, language)
+        before = blocks[-1] if blocks else None
+        if isinstance(written, _Coordinates) and isinstance(before, _Coordinates):
+            written = _Coordinates(before.points + written.points, before.lines + written.lines)
+            blocks.pop()
+        match written:
+            case _Coordinates():
+                blocks.append(written)
+            case tuple():
+                blocks += written
+            case _:
+                assert_never(written)
+    return tuple(part for block in blocks for part in _write_out(block, language))
+
+
+def _write_out(block: Block | _Coordinates, language: Language) -> tuple[Block, ...]:
+    """A block unchanged; coordinates with their sentence."""
+    match block:
+        case _Coordinates():
+            return block.blocks(language)
+        case Heading() | Prose() | Display() | TermTable() | Pictures() | Results():
+            return (block,)
+        case _:
+            assert_never(block)
+
+
+def _explain_construction(
+    step: Step, instance: Instance, language: Language
+) -> tuple[Block, ...] | _Coordinates:
+    """The blocks of one step, or its coordinates where these are all there is to write."""
+    tree = step.tree
+    if isinstance(tree, Call) and tree.function == "meet":
+        return explain_meeting(step, instance, language)
+    if isinstance(tree, Call) and tree.function == "foot":
+        return explain_foot(step, instance, language)
+    if isinstance(tree, Call) and tree.function == "toward":
+        return _explain_toward(step, instance, language)
+    pair = instance.axes.pair(tree) or (ZERO, ZERO)
+    if pair == (ZERO, ZERO):
+        return (say(Message("solution.origin", point=instance.symbols[step.point]), language),)
+    sentence = _describe_place(step, instance)
+    lines = instance.coordinates(step.point, pair)
+    if sentence is None:
+        return _Coordinates((instance.symbols[step.point],), lines)
+    return say(sentence, language), Display(lines)
+
+
+def _describe_place(step: Step, instance: Instance) -> Message | None:
+    """Where the point of a step lies, for constructions whose coordinates follow at once; None
+    where the coordinates alone are enough.
+    """
+    point, tree = instance.symbols[step.point], step.tree
+    match tree:
+        case Name():
+            return Message("solution.coincides", point=point, other=instance.symbols[tree.name])
+        case Call(function="polar", arguments=(centre, radius, angle)):
+            return _describe_polar_place(point, (centre, radius, angle), instance)
+        case Call(function="midpoint", arguments=(Name(first), Name(second))):
+            return Message(
+                "solution.midpoint",
+                point=point,
+                first=instance.symbols[first],
+                second=instance.symbols[second],
+            )
+        case Operation(sign="+" | "-", left=Name(base), right=right):
+            vector = {"+": right, "-": negate(right, instance)}[tree.sign]
+            return Message(
+                "solution.displaced",
+                point=point,
+                base=instance.symbols[base],
+                vector=describe_vector(vector, instance),
+            )
+        case Number() | Operation() | Call():
+            return None
+        case _:
+            assert_never(tree)
+
+
+def _describe_polar_place(
+    point: str, parts: tuple[Expression, Expression, Expression], instance: Instance
+) -> Message:
+    """Distance and direction from a centre; a negative distance becomes one in the opposite
+    direction.
+    """
+    centre, radius, angle = parts
+    quarters = count_quarter_turns(angle)
+    against = instance.sign(radius) < 0
+    start, distance = (
+        instance.symbolic(centre),
+        instance.symbolic(minus(ZERO, radius) if against else radius),
+    )
+    if quarters is not None:
+        heading = _HEADINGS[(quarters + 2 * against) % 4]
+        return Message(f"solution.towards-{heading}", point=point, centre=start, radius=distance)
+    way = instance.symbolic(angle, degrees=True)
+    if against:
+        return Message(
+            "solution.polar-against", point=point, centre=start, radius=distance, angle=way
+        )
+    return Message("solution.polar", point=point, centre=start, radius=distance, angle=way)
+
+
+def _explain_toward(step: Step, instance: Instance, language: Language) -> tuple[Block, ...]:
+    """A point at a distance from one point towards another, or along a vector."""
+    start, end, distance = list_parts(step.tree)
+    vector = _write_way(start, end, instance)
+    size, direction = length_of(vector, instance.axes), instance.axes.pair(vector)
+    base = instance.axes.pair(start)
+    sentence = say(_describe_reached_place(step, vector, instance), language)
+    if base is None or direction is None:
+        return (sentence,)
+    lines = write_length_lines(size, instance)
+    reached = scale(direction, over(distance, size)) or (ZERO, ZERO)
+    pair = plus(base[0], reached[0]), plus(base[1], reached[1])
+    return sentence, Display((*lines, *instance.coordinates(step.point, pair)))
+
+
+def _describe_reached_place(step: Step, vector: Expression, instance: Instance) -> Message:
+    """Where a point lies that is reached along a vector: on the way to another point, or not."""
+    start, end, distance = list_parts(step.tree)
+    point, base = instance.symbols[step.point], instance.symbolic(start)
+    match end:
+        case Name():
+            return Message(
+                "solution.on-ray",
+                point=point,
+                start=base,
+                end=instance.symbolic(end),
+                distance=instance.symbolic(distance),
+            )
+        case Number() | Operation() | Call():
+            return Message(
+                "solution.along-vector",
+                point=point,
+                start=base,
+                vector=describe_vector(vector, instance),
+                distance=instance.symbolic(distance),
+            )
+        case _:
+            assert_never(end)
+
+
+def _write_way(start: Expression, end: Expression, instance: Instance) -> Expression:
+    """The vector from one point to another; a vector that is added to the first point is itself the
+    result.
+    """
+    match end:
+        case Operation(sign="+", left=same, right=added) if same == start:
+            return added
+        case Operation(sign="-", left=same, right=taken) if same == start:
+            return negate(taken, instance)
+        case Number() | Name() | Operation() | Call():
+            return Operation("-", end, start)
+        case _:
+            assert_never(end)
+
+
+def write_length_lines(size: Expression, instance: Instance) -> tuple[str, ...]:
+    """AB = the root of the sum of squares, worked out; nothing for a length that is not the
+    distance of two points.
+    """
+    if not isinstance(size, Call) or size.function != "distance":
+        return ()
+    first, second = size.arguments
+    vector = instance.axes.pair(Operation("-", second, first)) or (ZERO, ZERO)
+    return instance.equation(instance.symbolic(size), length_of(Call("", vector), instance.axes))

@@ -1,0 +1,78 @@
+"""The first chapter of a solution: how each body moves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import assert_never
+
+from kinegrade.language.message import Message, list_statements
+from kinegrade.mechanics.joints import GROUND, Circle, Line, Parallel, Pin, Roll, Sleeve
+from kinegrade.mechanics.mechanism import Body, Mechanism
+from kinegrade.mechanics.relations import name_omega
+from kinegrade.worked.document import Block
+from kinegrade.worked.words.solution_case import Case
+
+
+def describe_motions(case: Case) -> Iterator[Block]:
+    """A sentence that says how each body moves."""
+    mechanism = case.motion.frames.mechanism
+    motions = (_describe_motion(body, mechanism, case) for body in mechanism.bodies)
+    yield case.say(Message("solution.motion-list-closed", motions=list_statements(motions)))
+
+
+def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
+    """How one body moves."""
+    name = case.naming.body(body.name)
+    if body.particle:
+        return Message("solution.particle", point=case.naming.point(body.name))
+    pivot = next(
+        (
+            joint.point
+            for joint in mechanism.joints
+            if isinstance(joint, Pin) and GROUND in joint.bodies and body.name in joint.bodies
+        ),
+        None,
+    )
+    if pivot is not None:
+        return Message("solution.rotates", body=name, point=case.naming.point(pivot))
+    if body.name in find_translating(mechanism):
+        return Message("solution.translates", body=name)
+    roll = next(
+        (
+            joint
+            for joint in mechanism.joints
+            if isinstance(joint, Roll) and joint.body == body.name
+        ),
+        None,
+    )
+    if roll is not None:
+        return Message("solution.rolls", body=name, other=describe_track(roll, case))
+    still = name_omega(body.name) in case.motion.rates and case.arithmetic.is_zero(
+        case.motion.omega(body.name)
+    )
+    if still:
+        return Message("solution.plane-instant", body=name)
+    return Message("solution.plane", body=name)
+
+
+def describe_track(roll: Roll, case: Case) -> Message:
+    """What a body rolls on, in prose."""
+    if roll.of != GROUND:
+        return case.naming.body(roll.of)
+    match roll.on:
+        case Line():
+            return case.naming.body(GROUND)
+        case Circle():
+            return Message("solution.fixed-circle")
+        case _:
+            assert_never(roll.on)
+
+
+def find_translating(mechanism: Mechanism) -> set[str]:
+    """The bodies that cannot rotate: kept parallel to the ground, or to a body that is."""
+    held = {GROUND}
+    for _ in mechanism.bodies:
+        for joint in mechanism.joints:
+            if isinstance(joint, (Parallel, Sleeve)) and held & {joint.body, joint.of}:
+                held |= {joint.body, joint.of}
+    return held - {GROUND}

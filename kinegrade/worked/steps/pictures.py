@@ -1,0 +1,255 @@
+"""The pictures of a step: the mechanism with its vectors, the polygon of the equation, the
+construction of a pole.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from decimal import Decimal
+from typing import assert_never
+
+from kinegrade.figure.vectors.mechanism import PointArrow, draw_with_vectors
+from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construction
+from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
+from kinegrade.language.message import Message
+from kinegrade.mechanics.joints import GROUND, Roll
+from kinegrade.mechanics.numeric import convert_to_floats
+from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
+from kinegrade.problem.quantities import Quantities
+from kinegrade.problem.template.hints import Turning
+from kinegrade.problem.template.template import Ask
+from kinegrade.worked.document import Picture, Pictures
+from kinegrade.worked.formulas.numbers import NEGLIGIBLE
+from kinegrade.worked.steps.deductions import Stage
+from kinegrade.worked.steps.methods import choose_method, find_coupler
+from kinegrade.worked.steps.needed_rates import find_calls, find_chains
+from kinegrade.worked.steps.poles import name_pole
+from kinegrade.worked.steps.scalars import find_term, write_speed
+from kinegrade.worked.steps.vectors import write_letters
+from kinegrade.worked.words.solution_case import LETTERS, Case
+
+
+def draw_mechanism(case: Case) -> Picture:
+    """The mechanism with the letters of its points."""
+    mechanism = convert_to_floats(case.motion.frames.mechanism)
+    scene = draw_with_vectors(mechanism, case.template.figure, ())
+    return Picture(scene, case.write(Message("solution.picture-mechanism")))
+
+
+def draw_stage(step: Step, stage: Stage) -> Iterator[Pictures]:
+    """The pictures of a step; none where nothing moves in it."""
+    moving = [
+        equation
+        for equation in stage.equations
+        if any(_is_seen(part.value) for part in equation.parts)
+    ]
+    if not moving:
+        yield from _draw_rotation(step, stage)
+        return
+    coupler = find_coupler(stage)
+    if coupler is not None and choose_method(coupler, stage.case) == "pole":
+        rays = tuple(
+            _find_point_arrows((coupler.base, coupler.point), coupler.equation, stage.case)
+        )
+        yield Pictures((_draw_pole(coupler.body, rays, stage.case),))
+        return
+    polygons = [_draw_equation(equation, stage) for equation in moving if _spans(equation)]
+    yield Pictures((_draw_vectors(moving, stage), *polygons))
+
+
+def _spans(equation: VectorEquation) -> bool:
+    """Whether the vectors of an equation make a polygon, rather than the same vector twice."""
+    return sum(_is_seen(part.value) for part in equation.parts) > 2
+
+
+def draw_given(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Pictures]:
+    """The mechanism with the given rotations and motions of points; none where all of them are
+    zero.
+    """
+    rates = [rate for step in steps for rate in step.unknowns]
+    found = _find_turnings(rates, case, level)
+    values = case.rates(level)
+    arrows = []
+    for rate in rates:
+        if not rate.startswith("omega "):
+            term = find_term(rate, case)
+            value = _make_floats(term.coefficient() * values[rate])
+            if _is_seen(value):
+                arrows.append(
+                    PointArrow(
+                        write_speed(term, case, level),
+                        _make_floats(case.motion.points[term.point]),
+                        value,
+                    )
+                )
+    if found or arrows:
+        mechanism = convert_to_floats(case.motion.frames.mechanism)
+        scene = draw_with_vectors(mechanism, case.template.figure, arrows, found)
+        yield Pictures((Picture(scene, _name_picture(level, case)),))
+
+
+def _draw_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
+    """The picture of a step without vectors: the rotation it gives, about the pole where a body
+    rolls.
+    """
+    case, roll = stage.case, _find_rolling(step, stage.case)
+    if roll is not None and roll.of == GROUND and stage.level == "velocity":
+        centre = roll.circle.centre
+        velocity = _make_floats(case.motion.velocity(centre, roll.body))
+        if _is_seen(velocity):
+            ray = PointArrow(
+                f"v_{{{case.naming.point(centre)}}}",
+                _make_floats(case.motion.points[centre]),
+                velocity,
+            )
+            yield Pictures((_draw_pole(roll.body, (ray,), case),))
+        return
+    found = _find_turnings(step.unknowns, case, stage.level)
+    if found:
+        mechanism = convert_to_floats(case.motion.frames.mechanism)
+        scene = draw_with_vectors(mechanism, case.template.figure, (), found)
+        yield Pictures((Picture(scene, _name_picture(stage.level, case)),))
+
+
+def _find_rolling(step: Step, case: Case) -> Roll | None:
+    """The rolling without slipping that a step is about."""
+    sources = (case.motion.frames.relations[index].source for index in step.relations)
+    return next((source for source in sources if isinstance(source, Roll)), None)
+
+
+def draw_answer(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
+    """The mechanism with the velocities, and with the accelerations, of the points that the asks
+    name.
+    """
+    pictures = []
+    for level in LETTERS:
+        arrows = {
+            arrow.at: arrow for ask in asked for arrow in _find_asked_arrows(ask, level, case)
+        }
+        if arrows:
+            mechanism = convert_to_floats(case.motion.frames.mechanism)
+            scene = draw_with_vectors(mechanism, case.template.figure, tuple(arrows.values()))
+            caption = Message(f"solution.picture-points-{level}")
+            pictures.append(Picture(scene, case.write(caption)))
+    if pictures:
+        yield Pictures(tuple(pictures))
+
+
+def _find_asked_arrows(ask: Ask, level: Level, case: Case) -> Iterator[PointArrow]:
+    """The vectors of points that an ask names."""
+    quantities = Quantities(case.motion, case.arithmetic)
+    for call in find_calls(ask.quantity):
+        if call.function != level:
+            continue
+        for body, point in find_chains(call, case.motion, quantities):
+            value = _make_floats(_find_motion(point, body, level, case))
+            if _is_seen(value):
+                letters = f"{LETTERS[level]}_{{{case.naming.point(point)}}}"
+                yield PointArrow(
+                    letters, _make_floats(case.motion.points[point]), value, known=False
+                )
+
+
+def _find_motion(point: str, body: str, level: Level, case: Case) -> Vector:
+    match level:
+        case "velocity":
+            return case.motion.velocity(point, body)
+        case "acceleration":
+            return case.motion.acceleration(point, body)
+        case _:
+            assert_never(level)
+
+
+def _draw_vectors(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
+    """The mechanism with all vectors of the step at their points, and the rotations that the step
+    gives.
+    """
+    case = stage.case
+    mechanism = convert_to_floats(case.motion.frames.mechanism)
+    arrows = {
+        (arrow.symbol, arrow.at): arrow
+        for equation in equations
+        for arrow in _find_point_arrows(equation.parts, equation, case)
+    }
+    rates = dict.fromkeys(rate for equation in equations for rate in equation.unknowns)
+    scene = draw_with_vectors(
+        mechanism,
+        case.template.figure,
+        tuple(arrows.values()),
+        _find_turnings(rates, case, stage.level),
+    )
+    return Picture(scene, _name_picture(stage.level, case))
+
+
+def _find_point_arrows(
+    parts: Iterable[Part], equation: VectorEquation, case: Case
+) -> Iterator[PointArrow]:
+    """The parts that do not vanish, each at its point."""
+    for part in parts:
+        if _is_seen(part.value):
+            at = _make_floats(case.motion.points[part.point])
+            yield PointArrow(
+                write_letters(equation, part, case),
+                at,
+                _make_floats(part.value),
+                part.unknown is None,
+            )
+
+
+def _find_turnings(rates: Iterable[str], case: Case, level: Level) -> tuple[Turning, ...]:
+    """The rotations that a step gives, in their sense."""
+    values = case.rates(level)
+    found = []
+    for rate in rates:
+        body = rate.removeprefix("omega ")
+        if body != rate and float(values[rate]):
+            letters = case.naming.turning(body, level)
+            found.append(Turning(letters, body, "ccw" if float(values[rate]) > 0 else "cw"))
+    return tuple(turning for turning in found if r"\text" not in turning.symbol)
+
+
+def _draw_equation(equation: VectorEquation, stage: Stage) -> Picture:
+    """The polygon of a vector equation, to a scale that its caption states."""
+    case = stage.case
+    left, right = (
+        [
+            Arrow(
+                write_letters(equation, part, case), _make_floats(part.value), part.unknown is None
+            )
+            for part in side
+            if _is_seen(part.value)
+        ]
+        for side in (equation.left, equation.right)
+    )
+    scene = draw_polygon(left, right)
+    scale = Decimal(f"{1 / scene.scale:.3g}")
+    return Picture(scene, case.write(Message(f"solution.polygon-{stage.level}", scale=scale)))
+
+
+def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
+    """The construction of a pole from the velocities of points of the body."""
+    mechanism = convert_to_floats(case.motion.frames.mechanism)
+    still = case.arithmetic.is_zero(case.motion.omega(body))
+    at = None if still else _make_floats(case.motion.pole(body, case.arithmetic))
+    rotation = next(iter(_find_turnings([f"omega {body}"], case, "velocity")), None)
+    pole = Pole(case.naming.point(name_pole(body, case)), at)
+    scene = draw_pole_construction(mechanism, case.template.figure, pole, rays, rotation)
+    caption = Message("solution.picture-pole", body=case.naming.body(body))
+    return Picture(scene, case.write(caption))
+
+
+def _name_picture(level: Level, case: Case) -> str:
+    """The caption of a picture of the mechanism with its vectors."""
+    return case.write(Message(f"solution.picture-vectors-{level}"))
+
+
+def _make_floats(vector: Vector) -> Vector:
+    """A vector in doubles."""
+    return Vector(float(vector.x), float(vector.y))
+
+
+def _is_seen(vector: Vector) -> bool:
+    """Whether a vector is large enough to draw, and not the rounding error of a zero."""
+    return max(abs(float(vector.x)), abs(float(vector.y))) > NEGLIGIBLE

@@ -1,0 +1,389 @@
+"""Steps that need no vectors: what is given, bodies that rotate together, rolling without slipping,
+meshing gears.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, assert_never
+
+from kinegrade.expressions.expression import Expression, Number
+from kinegrade.language.message import Message
+from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
+from kinegrade.mechanics.joints import (
+    GROUND,
+    Arc,
+    Contact,
+    Mesh,
+    Parallel,
+    Pin,
+    Roll,
+    Sleeve,
+    Slide,
+)
+from kinegrade.mechanics.relations import Relation, Term, name_omega
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.document import Block, Display
+from kinegrade.worked.formulas.expression import collect_symbols, write_latex
+from kinegrade.worked.formulas.numbers import double, write_bracketed, write_number, write_short
+from kinegrade.worked.steps.deductions import UNITS, measure_along_direction, write_rotation_result
+from kinegrade.worked.steps.kinds import describe_track
+from kinegrade.worked.steps.known_vectors import find_positive_sense, find_stated_sense
+from kinegrade.worked.words.senses import (
+    describe_direction,
+    write_rotation_sense,
+    write_sense_along,
+)
+from kinegrade.worked.words.solution_case import LETTERS, Case
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A relation between rates: its title, why it holds, and the relation in symbols as a line of a
+    display.
+    """
+
+    title: Message
+    reason: Message
+    line: str
+
+
+def state_relation(relation: Relation, case: Case, level: Level) -> Statement:
+    """What a scalar relation says about velocities or about accelerations."""
+    source = relation.source
+    match source:
+        case Roll():
+            return _state_rolling(source, relation, case, level)
+        case Mesh():
+            return _state_meshing(source, case, level)
+        case Parallel() | Sleeve():
+            return _state_equal_rotation(source, case, level)
+        case Rotation() | Component() | Circulation():
+            return _state_imposed(source, case, level)
+        case Pin() | Slide() | Arc() | Contact() | None:
+            raise TypeError("a pin or a guide states no relation of rates alone")
+        case _:
+            assert_never(source)
+
+
+def _state_equal_rotation(joint: Parallel | Sleeve, case: Case, level: Level) -> Statement:
+    """Two bodies that do not turn relative to each other."""
+    body, other = case.naming.body(joint.body), case.naming.body(joint.of)
+    reason = Message(f"solution.parallel-{level}", body=body, other=other)
+    title = Message("solution.title-parallel", body=body, other=other)
+    line = f"{write_rotation(joint.body, case, level)} &= {write_rotation(joint.of, case, level)}"
+    return Statement(title, reason, line)
+
+
+def explain_scalar_step(
+    relation: Relation, unknown: str, case: Case, level: Level
+) -> Iterator[Block]:
+    """A step of one scalar relation: the relation and the rate it gives."""
+    statement = state_relation(relation, case, level)
+    yield case.say(statement.reason)
+    result = _write_rate_result(unknown, case, level)
+    worked = (statement.line, *_write_solved_relation(relation, unknown, case, level), result)
+    match relation.source:
+        case Rotation() | Component() | Circulation():
+            yield Display((statement.line,) if imposes_single_rate(relation) else worked)
+        case Parallel() | Sleeve():
+            value = case.rates(level)[unknown]
+            known = f"{write_number(value, UNITS[level, True])}{write_rotation_sense(value, case)}"
+            yield Display((f"{statement.line} = {known}",))
+        case Roll() | Mesh() | Pin() | Slide() | Arc() | Contact() | None:
+            yield Display(worked)
+        case _:
+            assert_never(relation.source)
+
+
+def imposes_single_rate(relation: Relation) -> bool:
+    """Whether a driver imposes one rate and nothing else."""
+    return len(relation.turning) + len(relation.left) + len(relation.right) == 1
+
+
+def _write_rate_result(rate: str, case: Case, level: Level) -> str:
+    """The value of a rate: an angular velocity, or the speed that belongs to a guided point."""
+    if rate.startswith("omega "):
+        return write_rotation_result(rate, case, level, "")
+    term = find_term(rate, case)
+    value = measure_along_direction(term, case, level) * find_stated_sense(term, case)
+    shown = f"{write_number(value, UNITS[level, False])}{_describe_speed_sense(value, term, case)}"
+    return f"{write_speed(term, case, level)} &= {shown}"
+
+
+def _describe_speed_sense(value: Any, term: Term, case: Case) -> str:
+    """The sense of a guided point's speed: around its centre, or along its line."""
+    match term.kind:
+        case "arc":
+            return write_rotation_sense(value, case)
+        case "sliding" | "rotation":
+            return write_sense_along(double(value), find_positive_sense(term, case), None, case)
+        case _:
+            assert_never(term.kind)
+
+
+def find_term(rate: str, case: Case) -> Term:
+    """The term of a guided point's rate."""
+    frames = case.motion.frames
+    chains = [chain for relation in frames.relations for chain in (relation.left, relation.right)]
+    chains += [base.chain for base in frames.bases.values()]
+    return next(term for chain in chains for term in chain if term.rate == rate)
+
+
+def write_speed(term: Term, case: Case, level: Level) -> str:
+    """The symbol of a guided point's algebraic speed, or of its change."""
+    head = LETTERS[level]
+    lower = r"\mathrm{r}" if term.frame != GROUND else case.naming.point(term.point)
+    return f"{head}_{{{lower}}}" + (r"^{\mathrm{t}}" if head == "a" and term.kind == "arc" else "")
+
+
+def write_rotation(body: str, case: Case, level: Level) -> str:
+    """The symbol of a body's rotation; 0 for the ground."""
+    if body == GROUND:
+        return "0"
+    return case.naming.turning(body, level)
+
+
+def find_rotation_value(body: str, case: Case, level: Level) -> Any:
+    """The value of a body's rotation; 0 for the ground."""
+    rates = case.rates(level)
+    return 0 if body == GROUND else rates[name_omega(body)]
+
+
+def _write_relative_rotation(body: str, of: str, case: Case, level: Level) -> str:
+    """The symbol of one body's rotation relative to another."""
+    rotation = write_rotation(body, case, level)
+    return rotation if of == GROUND else f"({rotation} - {write_rotation(of, case, level)})"
+
+
+def _write_formula(tree: Expression, case: Case) -> str:
+    """An expression of the template in symbols."""
+    return write_latex(tree, collect_symbols(case.template))
+
+
+def _state_rolling(roll: Roll, relation: Relation, case: Case, level: Level) -> Statement:
+    """No slip: the centre's speed along the track is the radius times the relative rotation."""
+    term = find_term(relation.turning[0][0], case)
+    body, other = case.naming.body(roll.body), describe_track(roll, case)
+    sign = "-" if _find_slip_sign(roll, relation, case) > 0 else ""
+    line = (
+        rf"{write_speed(term, case, level)} &= {sign}{_write_radius(roll, case)}\,"
+        f"{_write_relative_rotation(roll.body, roll.of, case, level)}"
+    )
+    title = Message("solution.title-roll", body=body, other=other)
+    return Statement(title, _explain_rolling(roll, term, case, level), line)
+
+
+def _explain_rolling(roll: Roll, term: Term, case: Case, level: Level) -> Message:
+    """Why the rotation of a rolling body and the motion of its centre are linked."""
+    body, motion = case.naming.body(roll.body), _name_motion_along_path(roll, term, case, level)
+    if roll.of != GROUND:
+        other = describe_track(roll, case)
+        relative = Message("solution.rotation-relative-to", body=body, other=other)
+        return Message("solution.no-slip", motion=motion, rotation=relative)
+    rotation = Message("solution.rotation-of", body=body)
+    match level:
+        case "velocity":
+            return Message(
+                "solution.no-slip-on-ground", body=body, motion=motion, rotation=rotation
+            )
+        case "acceleration":
+            return Message("solution.no-slip", motion=motion, rotation=rotation)
+        case _:
+            assert_never(level)
+
+
+def _name_motion_along_path(roll: Roll, term: Term, case: Case, level: Level) -> Message:
+    """The motion of a rolling body's centre, with its positive sense where it moves in the plane of
+    the page.
+    """
+    centre = case.naming.point(roll.circle.centre)
+    if term.frame != GROUND:
+        return Message("solution.motion-along-path", centre=centre)
+    return Message(
+        "solution.motion-along-path-positive",
+        centre=centre,
+        speed=write_speed(term, case, level),
+        way=_describe_positive_sense(term, case),
+    )
+
+
+def _describe_positive_sense(term: Term, case: Case) -> Message:
+    """In which sense a guided point's speed counts positive."""
+    match term.kind:
+        case "arc":
+            return Message("solution.around", centre=case.naming.point(term.base))
+        case "sliding" | "rotation":
+            return describe_direction(find_positive_sense(term, case))
+        case _:
+            assert_never(term.kind)
+
+
+def _find_slip_sign(roll: Roll, relation: Relation, case: Case) -> float:
+    """The sign of the rotation's coefficient when the centre's speed, as stated, has the
+    coefficient one.
+    """
+    factor = double(
+        next(factor for rate, factor in relation.turning if rate == name_omega(roll.body))
+    )
+    return factor * find_stated_sense(find_term(relation.turning[0][0], case), case)
+
+
+def _write_radius(roll: Roll, case: Case) -> str:
+    """The radius of the rolling circle in symbols."""
+    sentence = case.template.scheme.joints[case.motion.frames.mechanism.joints.index(roll)]
+    text = (
+        _write_formula(sentence.circle.arguments[1], case)
+        if sentence.circle
+        else write_short(roll.circle.radius)
+    )
+    return f"({text})" if " + " in text or " - " in text else text
+
+
+def _write_solved_relation(
+    relation: Relation, unknown: str, case: Case, level: Level
+) -> Iterator[str]:
+    """The relation solved for a rate, with numbers unless they are zero."""
+    roll = relation.source
+    if not isinstance(roll, Roll):
+        return
+    term = find_term(relation.turning[0][0], case)
+    sign = -1 if _find_slip_sign(roll, relation, case) > 0 else 1
+    size = write_short(roll.circle.radius)
+    other = find_rotation_value(roll.of, case, level)
+    if unknown == term.rate:
+        turned = write_short(find_rotation_value(roll.body, case, level))
+        if turned == "0" and not double(other):
+            return
+        rotation = (
+            write_bracketed(turned)
+            if not double(other)
+            else f"({turned} - {write_bracketed(write_short(other))})"
+        )
+        yield (
+            rf"{write_speed(term, case, level)} &= "
+            rf"{'-' if sign < 0 else ''}{size}\cdot {rotation}"
+        )
+    elif unknown == name_omega(roll.body):
+        known = write_short(
+            measure_along_direction(term, case, level) * (find_stated_sense(term, case) * sign)
+        )
+        fraction = rf"\frac{{{known.removeprefix('-')}}}{{{size}}}"
+        parts = [write_short(other)] if double(other) else []
+        parts += [("-" if known.startswith("-") else "+") + fraction] if known != "0" else []
+        if parts and parts != [write_short(other)]:
+            yield f"{write_rotation(roll.body, case, level)} &= {''.join(parts).removeprefix('+')}"
+
+
+def _state_meshing(mesh: Mesh, case: Case, level: Level) -> Statement:
+    """Equal pitch speeds relative to the carrier, of opposite senses for external gears."""
+    body, other = case.naming.body(mesh.body), case.naming.body(mesh.of)
+    sentence = case.template.scheme.joints[case.motion.frames.mechanism.joints.index(mesh)]
+    radius_text = (
+        _write_formula(sentence.circle.arguments[1], case)
+        if sentence.circle
+        else write_short(mesh.circle.radius)
+    )
+    others = (
+        _write_formula(sentence.on.arguments[1], case)
+        if sentence.on
+        else write_short(mesh.on.radius)
+    )
+    sign = "" if mesh.inside else "-"
+    line = (
+        rf"{radius_text}\,{_write_relative_rotation(mesh.body, mesh.carrier, case, level)} &= "
+        rf"{sign}{others}\,{_write_relative_rotation(mesh.of, mesh.carrier, case, level)}"
+    )
+    return Statement(
+        Message("solution.title-mesh", body=body, other=other),
+        Message("solution.mesh", carrier=case.naming.body(mesh.carrier)),
+        line,
+    )
+
+
+def _state_imposed(driver: Driver, case: Case, level: Level) -> Statement:
+    """What a driver imposes."""
+    value = _find_driven_value(driver, level)
+    match driver:
+        case Rotation(of=of):
+            left = write_rotation(driver.body, case, level)
+            left += f" - {write_rotation(of, case, level)}" if of != GROUND else ""
+            way = write_rotation_sense(value, case)
+        case Component(direction=along):
+            left = _write_driven_speed(driver, case, level)
+            way = write_sense_along(double(value), along, None, case)
+        case Circulation():
+            left = _write_driven_speed(driver, case, level)
+            way = write_rotation_sense(value, case)
+        case _:
+            assert_never(driver)
+    unit = UNITS[level, isinstance(driver, Rotation)]
+    line = (
+        f"{left} &= {_write_driver_expression(driver, left, case, level)}"
+        f"{write_number(value, unit)}{way}"
+    )
+    return Statement(Message("solution.title-given"), _state_given(driver, case, level), line)
+
+
+def _find_driven_value(driver: Driver, level: Level) -> Any:
+    """The velocity or acceleration that a driver imposes."""
+    match level:
+        case "velocity":
+            return driver.velocity
+        case "acceleration":
+            return driver.acceleration
+        case _:
+            assert_never(level)
+
+
+def _write_driven_speed(driver: Component | Circulation, case: Case, level: Level) -> str:
+    """The symbol of what a driver imposes on a point."""
+    head = LETTERS[level]
+    relative = isinstance(driver, Component) and driver.of != GROUND
+    lower = r"\mathrm{r}" if relative else case.naming.point(driver.point)
+    return f"{head}_{{{lower}}}" + (
+        r"^{\mathrm{t}}" if head == "a" and isinstance(driver, Circulation) else ""
+    )
+
+
+def _write_driver_expression(driver: Driver, name: str, case: Case, level: Level) -> str:
+    """The template's expression for a driver's value, with an equals sign; "" for a number.
+
+    Also "" where the paper's parameter has the same letters as the algebraic value, `name`.
+    """
+    sentence = case.template.scheme.drivers[case.motion.frames.mechanism.drivers.index(driver)]
+    tree = {"velocity": sentence.velocity, "acceleration": sentence.acceleration}[level]
+    text = _write_formula(tree, case)
+    same = name.partition("^")[0] in text
+    return "" if isinstance(tree, Number) or same else f"{text} = "
+
+
+def _state_given(driver: Driver, case: Case, level: Level) -> Message:
+    """What is given, in a sentence."""
+    match driver:
+        case Rotation():
+            return _state_given_rotation(driver, case, level)
+        case Component():
+            return _state_given_component(driver, case, level)
+        case Circulation():
+            point, centre = case.naming.point(driver.point), case.naming.point(driver.centre)
+            return Message(f"solution.given-circling-{level}", point=point, centre=centre)
+        case _:
+            assert_never(driver)
+
+
+def _state_given_rotation(driver: Rotation, case: Case, level: Level) -> Message:
+    body = case.naming.body(driver.body)
+    if driver.of == GROUND:
+        return Message(f"solution.given-rotation-{level}", body=body)
+    other = case.naming.body(driver.of)
+    return Message(f"solution.given-relative-rotation-{level}", body=body, other=other)
+
+
+def _state_given_component(driver: Component, case: Case, level: Level) -> Message:
+    point, way = case.naming.point(driver.point), describe_direction(driver.direction)
+    if driver.of == GROUND:
+        return Message(f"solution.given-motion-{level}", point=point, way=way)
+    other = case.naming.body(driver.of)
+    return Message(f"solution.given-relative-motion-{level}", point=point, way=way, other=other)

@@ -1,0 +1,172 @@
+"""The names of bodies, points and rates in a worked solution: the paper's symbols where it has
+them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import assert_never
+
+from kinegrade.expressions.expression import Call, Name
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Text
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.template.notation import write_point_symbol
+from kinegrade.problem.template.template import Template
+from kinegrade.worked.words.bodies import name_barely, name_by_number, name_kind
+
+# Named by their end points
+_LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"})
+
+
+@dataclass(frozen=True)
+class _Label:
+    """What tells a body from others: the template's word for it, its letters in LaTeX math, its
+    number in prose; "" for what it has not.
+    """
+
+    word: str = ""
+    letters: str = ""
+    number: str = ""
+
+
+@dataclass(frozen=True)
+class Naming:
+    """What a template's bodies and rates are called in one language."""
+
+    template: Template
+    language: Language
+
+    def point(self, name: str) -> str:
+        """A point in LaTeX math."""
+        return write_point_symbol(name)
+
+    def body(self, name: str) -> Message:
+        """A body in prose: by the paper's letters, or the word for it."""
+        if name == GROUND:
+            return Message("solution.ground")
+        label = self._find_label(name)
+        if label.number:
+            return name_by_number(label.word, label.number)
+        if not label.word:
+            return Message("solution.plain-body", letters=label.letters)
+        word = name_kind(label.word)
+        if not label.letters:
+            return word
+        return Message("solution.lettered-body", body=word, letters=label.letters)
+
+    def letters(self, name: str) -> str:
+        """A body in a subscript, in LaTeX math: its letters, else the word for it."""
+        label = self._find_label(name)
+        if label.letters:
+            return label.letters
+        if label.number:
+            return self._write_text(name_by_number(label.word, label.number))
+        return self._write_text(name_barely(label.word))
+
+    def _write_text(self, words: Text) -> str:
+        return rf"\text{{{open_catalogue(self.language).write(words)}}}"
+
+    def _find_label(self, name: str) -> _Label:
+        if not name.islower():
+            head, _, letters = name.partition("_")
+            if letters and head.islower():
+                return _Label(head, letters)
+            if self._is_round(name):
+                return self._label_wheel(name)
+            return _Label(letters=write_point_symbol(name))
+        kind = name.rstrip("0123456789")
+        points = self._points(name)
+        if kind in _LINKS and len(points) > 1:
+            return _Label(kind, "".join(map(write_point_symbol, points[:2])))
+        return _Label(kind, number=name[len(kind) :])
+
+    def _is_round(self, body: str) -> bool:
+        """Whether a body has a circle with which it rolls, meshes or touches."""
+        return len(body) < 3 and any(
+            joint.circle and joint.body == body for joint in self.template.scheme.joints
+        )
+
+    def _label_wheel(self, body: str) -> _Label:
+        """The wheel, or the gear; with its letter where there are several, or where the letter is a
+        Roman numeral.
+        """
+        kind = "gear" if "gear" in self.template.about.family else "wheel"
+        if set(body) <= set("IV"):
+            return _Label(kind, number=body)
+        if sum(self._is_round(other.name) for other in self.template.scheme.bodies) > 1:
+            symbol = write_point_symbol(body)
+            return _Label(kind, symbol, f"${symbol}$")
+        return _Label(kind)
+
+    def _points(self, body: str) -> tuple[str, ...]:
+        return next(
+            (other.points for other in self.template.scheme.bodies if other.name == body), ()
+        )
+
+    def omega(self, body: str) -> str:
+        """The symbol of a body's angular velocity."""
+        return self._turning[body][0]
+
+    def alpha(self, body: str) -> str:
+        """The symbol of a body's angular acceleration."""
+        return self._turning[body][1]
+
+    def turning(self, body: str, level: Level) -> str:
+        """The symbol of a body's angular velocity or acceleration."""
+        match level:
+            case "velocity":
+                return self.omega(body)
+            case "acceleration":
+                return self.alpha(body)
+            case _:
+                assert_never(level)
+
+    @cached_property
+    def _turning(self) -> dict[str, tuple[str, str]]:
+        """For each body the symbols that the asks give to its rotation, else those of its
+        points.
+        """
+        asked = {(call, body): symbol for call, body, symbol in self._asked_rotations()}
+        taken = set(asked.values())
+        found: dict[str, tuple[str, str]] = {}
+        for body in self.template.scheme.bodies:
+            omega, alpha = asked.get(("omega", body.name)), asked.get(("alpha", body.name))
+            if omega is None:
+                omega = (
+                    alpha.replace("alpha", "omega", 1)
+                    if alpha
+                    else self._own(body.name, body.points, taken)
+                )
+            found[body.name] = (omega, alpha or omega.replace("omega", "alpha", 1))
+            taken.add(omega)
+        return found
+
+    def _own(self, body: str, points: tuple[str, ...], taken: set[str]) -> str:
+        letters = (
+            write_point_symbol(body)
+            if not body.islower()
+            else "".join(map(write_point_symbol, points[:2]))
+        )
+        symbol = rf"\omega_{{{letters}}}"
+        return (
+            symbol
+            if symbol not in taken and "_" not in body
+            else rf"\omega_{{{self._write_text(name_barely(body))}}}"
+        )
+
+    def _asked_rotations(self) -> Iterator[tuple[str, str, str]]:
+        for ask in self.template.asks.values():
+            tree = ask.quantity
+            if (
+                isinstance(tree, Call)
+                and tree.function in ("omega", "alpha")
+                and len(tree.arguments) == 1
+            ):
+                body = tree.arguments[0]
+                if isinstance(body, Name) and ask.symbol.startswith("\\" + tree.function):
+                    yield tree.function, body.name, ask.symbol

@@ -1,0 +1,63 @@
+"""Lines and circles in the sentences of a worked solution, and which of their common points is
+meant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from kinegrade.expressions.expression import Call
+from kinegrade.language.message import Message
+from kinegrade.worked.formulas.coordinates import ZERO
+from kinegrade.worked.formulas.expression import count_quarter_turns
+from kinegrade.worked.formulas.instance import Instance
+
+_SIDES: Mapping[str, Message] = {
+    "right": Message("solution.right-one"),
+    "left": Message("solution.left-one"),
+    "upper": Message("solution.upper-one"),
+    "lower": Message("solution.lower-one"),
+}
+
+
+def describe_line(line: Call, instance: Instance) -> Message:
+    """A line in a sentence."""
+    start, toward = line.arguments
+    point = instance.symbolic(start)
+    if instance.axes.is_vector(toward):
+        second = instance.symbolic(toward)
+        return Message("solution.line-between", first=point, second=second)
+    quarters, place = count_quarter_turns(toward), instance.axes.pair(start)
+    if quarters is None:
+        angle = instance.symbolic(toward, degrees=True)
+        return Message("solution.slanting-line", point=point, angle=angle)
+    if quarters % 2:
+        on_axis = place is not None and place[0] == ZERO
+        return (
+            Message("solution.y-axis") if on_axis else Message("solution.upright-line", point=point)
+        )
+    on_axis = place is not None and place[1] == ZERO
+    return Message("solution.x-axis") if on_axis else Message("solution.level-line", point=point)
+
+
+def describe_circle(circle: Call, instance: Instance) -> Message:
+    """A circle in a sentence."""
+    centre, radius = circle.arguments
+    return Message(
+        "solution.circle", centre=instance.symbolic(centre), radius=instance.symbolic(radius)
+    )
+
+
+def describe_chord_end(
+    point: str, line: Call, circle: Call, side: str, instance: Instance
+) -> Message:
+    """Which of the common points of a line and a circle is meant; where no side tells, they touch
+    in one.
+    """
+    name = instance.symbols[point]
+    path, round_ = describe_line(line, instance), describe_circle(circle, instance)
+    if side in _SIDES:
+        return Message(
+            "solution.line-meets-circle", point=name, side=_SIDES[side], line=path, circle=round_
+        )
+    return Message("solution.line-touches-circle", point=name, line=path, circle=round_)
