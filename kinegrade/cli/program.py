@@ -18,7 +18,6 @@ from typing import Any, NoReturn
 
 import click
 
-from kinegrade.cli.crash import write_crash
 from kinegrade.cli.help import read_help
 from kinegrade.cli.options import FAILURE, FULL, full_output
 from kinegrade.cli.signals import BY_SIGNAL, Signalled, signals_obeyed
@@ -120,6 +119,8 @@ def _run_to_end(run: Callable[[], object]) -> int:
 
 
 def _report_crash(fault: BaseException) -> int:
+    from kinegrade.cli.crash import write_crash  # what it loads would slow every start
+
     _echo(write_crash(fault, sys.argv[1:]))
     return _CRASH
 

@@ -1,4 +1,4 @@
-"""The entries of a catalogue as their files hold them: gettext's .po, read with Babel.
+"""The entries of a catalogue as their files hold them: gettext's .po, read with polib.
 
 `msgctxt` is the key without its part before the point, which is the file's name; `msgid` is the
 English text, `msgstr` the translation; in English itself `msgstr` is empty. Names that sentences
@@ -7,7 +7,7 @@ decline are flagged `noun` and give one form after another, separated by "|".
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from gettext import c2py
@@ -17,9 +17,10 @@ from typing import TYPE_CHECKING
 from kinegrade.language import ENGLISH, Language
 
 if TYPE_CHECKING:
-    from babel.messages.catalog import Message
+    from polib import POEntry
 
 NOUN = "noun"
+_RULE = "n != 1"  # what gettext takes where a file states none
 
 
 @dataclass(frozen=True)
@@ -47,24 +48,35 @@ def catalogue_folder(language: Language) -> Path:
 @cache
 def read_entries(language: Language, domain: str) -> Entries:
     """One file of a language, read once."""
-    from babel.messages.pofile import read_po  # it would slow every start
+    from polib import pofile  # it would slow every start
 
-    file = catalogue_folder(language).joinpath(f"{domain}.po")
-    with file.open("rb") as stream:
-        catalog = read_po(stream, charset="utf-8", abort_invalid=True)
+    catalogue = pofile(str(catalogue_folder(language) / f"{domain}.po"), encoding="utf-8")
     entries = {
-        f"{domain}.{message.context}": _read_entry(message, language)
-        for message in catalog
-        if message.context is not None
+        f"{domain}.{entry.msgctxt}": _read_entry(entry, language)
+        for entry in catalogue
+        if entry.msgctxt is not None and not entry.obsolete
     }
-    return Entries(entries, c2py(catalog.plural_expr))
+    return Entries(entries, c2py(_find_plural_rule(catalogue.metadata.get("Plural-Forms", ""))))
 
 
-def _read_entry(message: Message, language: Language) -> Entry:
-    source = _as_tuple(message.id)
-    texts = source if language == ENGLISH else _as_tuple(message.string)
-    return Entry(texts, source, frozenset(message.flags))
+def _find_plural_rule(header: str) -> str:
+    """The expression for the number of a plural's form.
+
+    >>> _find_plural_rule("nplurals=2; plural=(n != 1);")
+    '(n != 1)'
+    """
+    return header.partition("plural=")[2].rstrip(" ;") or _RULE
 
 
-def _as_tuple(texts: str | Sequence[str] | None) -> tuple[str, ...]:
-    return (texts or "",) if isinstance(texts, str | None) else tuple(texts)
+def _read_entry(entry: POEntry, language: Language) -> Entry:
+    plural = entry.msgid_plural
+    source = (entry.msgid, plural) if plural else (entry.msgid,)
+    texts = source if language == ENGLISH else _list_translations(entry)
+    return Entry(texts, source, frozenset(entry.flags))
+
+
+def _list_translations(entry: POEntry) -> tuple[str, ...]:
+    """The translation, or one for each form of a plural."""
+    if not entry.msgid_plural:
+        return (entry.msgstr,)
+    return tuple(text for _, text in sorted(entry.msgstr_plural.items()))
