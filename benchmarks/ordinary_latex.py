@@ -11,7 +11,7 @@ import re
 from math import degrees
 
 from kinegrade.figure.scene import Bow, Disc, Label, Outline, Pen, Primitive, Scene, Strokes
-from kinegrade.language.latex_text import write_plain
+from kinegrade.language.math.latex_text import write_plain
 from kinegrade.mechanics.vector import Vector
 from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
 

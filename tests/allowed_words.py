@@ -76,7 +76,7 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "the letters that a font has": {
-        "language/latex_text.py": [
+        "language/math/latex_text.py": [
             "[ -~\n¡-§©-¬®-·»-ĥĨ-ķĹ-ľŁ-ňŊ-ťŨ-žȘșȚț–—‘’‚“”„…‰‹›€™•]*",
             "[ẠạẢảẤ-ỹƠơƯưΑ-ΡΣ-Ωα-ωА-яЁё\u3000-。一-龥]",
         ],

@@ -37,7 +37,8 @@ MAX_DEPTH = 40
 _MAX_DIGITS = 60
 _MAX_POWER = 16
 _TOKEN = re.compile(
-    r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,2})?)|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),]))",
+    r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,2})?)"
+    r"|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),]))",
     re.ASCII,
 )
 Mark = Literal["+", "-", "*", "/"]

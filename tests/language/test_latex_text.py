@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TypesetError
-from kinegrade.language.latex_text import write_comment, write_plain, write_signed, write_unit
 from kinegrade.language.math.latex import write_latex_math
+from kinegrade.language.math.latex_text import write_comment, write_plain, write_signed, write_unit
 from kinegrade.language.math.tokens import COMMANDS
 
 OWN = re.compile(r"\\(?:text[a-z]+\{\}|[{}$&#%_,])|\$-\$|\{\[\}|\{\]\}|\{\}")

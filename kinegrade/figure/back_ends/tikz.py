@@ -46,7 +46,8 @@ def write_tikz(scene: Scene) -> str:
         (
             r"\begin{tikzpicture}[x=1mm,y=1mm]",
             rf"\pgfpathrectangle{{\pgfpointorigin}}{{{size}}}\pgfusepath{{use as bounding box}}",
-            rf"\pgfsetroundcap\pgfsetroundjoin\fontsize{{{FONT_SIZE:g}}}{{{FONT_SIZE:g}}}\selectfont",
+            r"\pgfsetroundcap\pgfsetroundjoin"
+            rf"\fontsize{{{FONT_SIZE:g}}}{{{FONT_SIZE:g}}}\selectfont",
             *commands,
             r"\end{tikzpicture}",
         )

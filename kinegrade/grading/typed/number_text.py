@@ -51,7 +51,8 @@ _BODY = (
 _DIGITS = re.compile(_BODY + "(?P<power>(?!))?(?P<ten>(?!))?")
 _RUN = re.compile(
     _BODY + r"(?:[eE](?P<power>[+-]?[0-9]+)"
-    r"|\s?(?:\*|[xX](?=\s?10\s?(?:\^|\*\*)))\s?10\s?(?:\^|\*\*)\s?(?P<bracket>\()?(?P<ten>[+-]?[0-9]+)"
+    r"|\s?(?:\*|[xX](?=\s?10\s?(?:\^|\*\*)))\s?10\s?(?:\^|\*\*)\s?(?P<bracket>\()?"
+    r"(?P<ten>[+-]?[0-9]+)"
     r"(?![0-9]|[.,][0-9])(?(bracket)\)))?"
 )
 _FIRST_GROUP = re.compile(r"[1-9][0-9]{0,2}")

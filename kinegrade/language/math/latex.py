@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import assert_never
 
-from kinegrade.language.latex_text import write_raised
-from kinegrade.language.latex_text import write_unit as write_tex_unit
+from kinegrade.language.math.latex_text import write_raised
+from kinegrade.language.math.latex_text import write_unit as write_tex_unit
 from kinegrade.language.math.letters import GREEK
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.spacing import is_spaced

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinegrade.language.latex_text import write_plain
 from kinegrade.language.math.latex import write_latex_math
+from kinegrade.language.math.latex_text import write_plain
 from kinegrade.language.message import Location
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 

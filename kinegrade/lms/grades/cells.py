@@ -112,7 +112,8 @@ def _read_records(file: str, text: str, separator: str) -> Iterator[Record]:
 def _split_lines(file: str, text: str, separator: str) -> Iterator[tuple[int, list[Cell]]]:
     sign = re.escape(separator)
     shape = re.compile(
-        rf'(?:"(?P<quoted>[^"]*+(?:""[^"]*+)*+)"|(?P<plain>(?!")[^{sign}\r\n]*+))(?P<end>{sign}|\r\n|\r|\n|\Z)'
+        rf'(?:"(?P<quoted>[^"]*+(?:""[^"]*+)*+)"|(?P<plain>(?!")[^{sign}\r\n]*+))'
+        rf"(?P<end>{sign}|\r\n|\r|\n|\Z)"
     )
     place, line = len(BYTE_ORDER_MARK) if text.startswith(BYTE_ORDER_MARK) else 0, 1
     cells: list[Cell] = []

@@ -15,7 +15,7 @@ from pylatex.base_classes import Arguments, Environment, Options
 
 from kinegrade.language import Language
 from kinegrade.language.catalogue import PLACE, open_catalogue
-from kinegrade.language.latex_text import write_plain, write_signed, write_unit
+from kinegrade.language.math.latex_text import write_plain, write_signed, write_unit
 from kinegrade.press.sheet import PaperSize
 
 _PLACES = ("page", "pages")  # of the fixed words: what the style gives them, in this order

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
-from kinegrade.language.latex_text import write_comment, write_plain, write_signed, write_unit
 from kinegrade.language.math.latex import write_latex_math
+from kinegrade.language.math.latex_text import write_comment, write_plain, write_signed, write_unit
 from kinegrade.language.message import Location
 from kinegrade.language.prose.latex import write_line
 from kinegrade.press.latex.document import write_command, write_environment, write_value

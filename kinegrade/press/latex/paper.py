@@ -9,8 +9,8 @@ from kinegrade.figure.back_ends.tikz import write_tikz
 from kinegrade.figure.scene import Scene
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
-from kinegrade.language.latex_text import write_comment, write_plain, write_unit
 from kinegrade.language.math.latex import write_latex_math
+from kinegrade.language.math.latex_text import write_comment, write_plain, write_unit
 from kinegrade.language.message import Location
 from kinegrade.language.prose.latex import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark

@@ -17,7 +17,7 @@ from kinegrade.files.temporary import temporary_folder
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each
-from kinegrade.language.latex_text import is_surely_printed, write_plain
+from kinegrade.language.math.latex_text import is_surely_printed, write_plain
 from kinegrade.language.message import Location
 from kinegrade.press.latex.document import write_document
 from kinegrade.press.latex.faults import find_faults

@@ -10,8 +10,8 @@ from re import fullmatch
 from kinegrade.figure.back_ends.tikz import write_tikz
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
-from kinegrade.language.latex_text import write_comment, write_plain
 from kinegrade.language.math.latex import TEX, write_latex_math, write_latex_row
+from kinegrade.language.math.latex_text import write_comment, write_plain
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Location

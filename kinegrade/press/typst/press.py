@@ -92,7 +92,8 @@ class TypstPress:
         """One student's worked solutions as PDF; names are printed and errors raised as by
         `paper`.
         """
-        from kinegrade.press.typst.solution import write_solution_source  # noqa: PLC0415  # few exams need it
+        # Loaded here, as few exams print solutions
+        from kinegrade.press.typst.solution import write_solution_source  # noqa: PLC0415
 
         named = self._legible(sheet)
         return self._explaining(

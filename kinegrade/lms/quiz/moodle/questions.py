@@ -179,9 +179,9 @@ def _write_element(
     kind: Form, head: str, identifier: str, tags: Sequence[str], answers: str = ""
 ) -> str:
     marked = "".join(f"<tag><text>{write_plain_html(tag)}</text></tag>" for tag in tags)
+    number = write_plain_html(identifier[-_LONGEST_IDENTIFIER:])
     return (
-        "<question "
-        f'type="{kind}">\n{head}<idnumber>{write_plain_html(identifier[-_LONGEST_IDENTIFIER:])}</idnumber>\n'
+        f'<question type="{kind}">\n{head}<idnumber>{number}</idnumber>\n'
         f"{answers}<tags>{marked}</tags>\n</question>\n"
     )
 
@@ -202,7 +202,8 @@ def _write_file(question: QuizQuestion) -> str:
 def _write_answer(answer: MoodleAnswer) -> str:
     return (
         f'<answer fraction="{write_decimal(answer.share)}" format="moodle_auto_format">'
-        f"<text>{write_decimal(answer.value)}</text><tolerance>{write_decimal(answer.room)}</tolerance>"
+        f"<text>{write_decimal(answer.value)}</text>"
+        f"<tolerance>{write_decimal(answer.room)}</tolerance>"
         f'<feedback format="html"><text>{_write_data(answer.feedback)}</text></feedback></answer>\n'
     )
 

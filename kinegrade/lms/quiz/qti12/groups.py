@@ -15,9 +15,10 @@ from kinegrade.lms.quiz.packaging import make_stable_name
 from kinegrade.lms.quiz.qti12.item import NumericalItem, write_item_element
 
 _HEAD = (
-    "<section ident={} "
-    "title={}>\n<selection_ordering><selection><selection_number>1</selection_number>"
-    "<selection_extension><points_per_item>{}</points_per_item></selection_extension></selection></selection_ordering>\n"
+    "<section ident={} title={}>\n"
+    "<selection_ordering><selection><selection_number>1</selection_number>"
+    "<selection_extension><points_per_item>{}</points_per_item></selection_extension>"
+    "</selection></selection_ordering>\n"
 )
 _FOOT = "</section>\n"
 

@@ -34,8 +34,9 @@ _HEAD = (
     'xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" '
     'xsi:schemaLocation="http://www.imsglobal.org/xsd/ims_qtiasiv1p2 '
     'http://www.imsglobal.org/xsd/ims_qtiasiv1p2p1.xsd">\n<assessment ident={} title={}>\n'
-    "<qtimetadata><qtimetadatafield><fieldlabel>cc_maxattempts</fieldlabel><fieldentry>1</fieldentry></qtimetadatafield>"
-    '</qtimetadata>\n<section ident="root_section">\n'
+    "<qtimetadata><qtimetadatafield>"
+    "<fieldlabel>cc_maxattempts</fieldlabel><fieldentry>1</fieldentry>"
+    '</qtimetadatafield></qtimetadata>\n<section ident="root_section">\n'
 )
 _FOOT = "</section>\n</assessment>\n</questestinterop>\n"
 
