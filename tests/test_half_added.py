@@ -187,7 +187,7 @@ def driver(text: str) -> str:
 
 
 ADDED: dict[str, Callable[[str], str]] = {
-    "problem/sentences.py": sentence,
+    "problem/template/sentences.py": sentence,
     "mechanics/joints.py": joint,
     "mechanics/drivers.py": driver,
 }
@@ -195,9 +195,9 @@ REPORTED = (
     ("problem/assemble.py", "Literal['belt']"),
     ("mechanics/frames.py", "Belt"),
     ("mechanics/configuration.py", "Belt"),
-    ("figure/paper.py", "Belt"),
+    ("figure/joints/table.py", "Belt"),
     ("mechanics/frames.py", "Spin"),
-    ("figure/similar_mechanisms.py", "Spin"),
+    ("figure/joints/drivers.py", "Spin"),
 )
 
 

@@ -8,13 +8,13 @@ normalised here so that similar mechanisms are equal.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, is_dataclass, replace
+from dataclasses import dataclass, field, is_dataclass
 from typing import Any, assert_never
 
+from kinegrade.figure.joints.drivers import reduce_to_sense
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.plane import unit
 from kinegrade.mechanics.configuration import list_circles
-from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -44,7 +44,7 @@ def normalise_subject(mechanism: Mechanism, hints: FigureHints) -> tuple[Subject
         {name: _drop_last_bits(point) for name, point in scaled.points.items()},
         scaled.bodies,
         tuple(map(_drop_last_bits, scaled.joints)),
-        tuple(map(_reduce_to_sense, scaled.drivers))
+        tuple(_drop_last_bits(reduce_to_sense(driver)) for driver in scaled.drivers)
         if any(map(_follows_driver, hints.arrows))
         else (),
     )
@@ -83,16 +83,3 @@ def _follows_driver(arrow: Turning | Moving) -> bool:
             return along is None
         case _:
             assert_never(arrow)
-
-
-def _reduce_to_sense(driver: Driver) -> Driver:
-    """A driver, reduced to the sense of its velocity."""
-    velocity = -1.0 if driver.velocity < 0 else 1.0
-    match driver:
-        case Component():
-            along = _drop_last_bits(unit(driver.direction))
-            return replace(driver, velocity=velocity, acceleration=0.0, direction=along)
-        case Rotation() | Circulation():
-            return replace(driver, velocity=velocity, acceleration=0.0)
-        case _:
-            assert_never(driver)

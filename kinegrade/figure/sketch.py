@@ -104,7 +104,7 @@ def _place_bound_marks(
             layout = layout.marked(arcs, to_come)
     for given in hints.arrows:
         if isinstance(given, Turning):
-            pivot = find_pivot(paper, given.body, drawing.rims)
+            pivot = find_pivot(paper, given.body, drawing)
             close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < _LETTERED]
             layout = layout.marked(
                 mark_rotations(paper, given, drawing), layout.written(close).labels

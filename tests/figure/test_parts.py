@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from kinegrade.figure.mechanism.bars import Bar, Rod
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.plates import Plate
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.scene import FIRM, PITCH, THIN, Bow, Disc, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.drivers import Component, Rotation

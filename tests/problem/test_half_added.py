@@ -12,8 +12,9 @@ import pytest
 from click.testing import CliRunner
 
 from kinegrade.cli import main
+from kinegrade.figure.joints.drivers import find_given_motion, reduce_to_sense
+from kinegrade.figure.joints.table import find_symbols
 from kinegrade.figure.mechanism.paper import scale_to_paper
-from kinegrade.figure.mechanism.rims import find_rims
 from kinegrade.figure.similar_mechanisms import normalise_subject
 from kinegrade.mechanics.configuration import require_assembled
 from kinegrade.mechanics.frames import build_frames, find_guided, name_element
@@ -94,7 +95,7 @@ def test_no_answers_come_of_a_sentence_that_only_the_list_of_inputs_knows(
         name_element,
         lambda belt: scale_to_paper(mechanism(belt), 1000.0),
         lambda belt: normalise_subject(mechanism(belt), FigureHints()),
-        lambda belt: find_rims(mechanism(belt), {}),
+        lambda belt: find_symbols(mechanism(belt), {}),
     ],
 )
 def test_a_joint_that_is_only_a_value_is_neither_solved_nor_drawn(uses: object) -> None:
@@ -107,6 +108,8 @@ def test_a_joint_that_is_only_a_value_is_neither_solved_nor_drawn(uses: object) 
     [
         lambda spin: build_frames(mechanism(drivers=(spin,)), Floats()),
         lambda spin: require_assembled(mechanism(drivers=(spin,)), Floats()),
+        lambda spin: find_given_motion({}, spin),
+        reduce_to_sense,
         name_element,
     ],
 )

@@ -7,17 +7,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import pi
 
-from kinegrade.figure.mechanism.bars import Bar
+from kinegrade.figure.joints.drivers import MovingPoint, TurningBody, find_given_motion
+from kinegrade.figure.joints.symbol import find_fixed_pin
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.rims import Rim
+from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.mark import Mark, chords, direction
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_along_arc, list_spots_beside
 from kinegrade.figure.plane import angle_of, length, mean, shorter_way, unit
 from kinegrade.figure.scene import THIN, Bow, Primitive
 from kinegrade.figure.symbols import PIN, draw_arrow, draw_curved_arrow
-from kinegrade.mechanics.drivers import Circulation, Component, Rotation
-from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import TURN, Moving, Sense, Turning
@@ -30,7 +29,7 @@ TWELFTHS = tuple(index * pi / 6 for index in range(12))
 
 def mark_rotations(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> list[Mark]:
     """Arrows about the pivot of a body, the preferred one close to it, where the body leaves it."""
-    centre = find_pivot(mechanism, hint.body, drawing.rims)
+    centre = find_pivot(mechanism, hint.body, drawing)
     sense = TURN[hint.sense or _find_imposed_sense(mechanism, hint.body)]
     crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
     found: list[Mark] = []
@@ -86,25 +85,25 @@ def _find_crank_direction(
     return angle_of(far - centre) if length(far - centre) > 1.0 else pi / 2
 
 
-def find_pivot(mechanism: Mechanism, body: str, found: tuple[Rim, ...]) -> Vector:
+def find_pivot(mechanism: Mechanism, body: str, drawing: Drawing) -> Vector:
     """Where a body's rotation is marked: its fixed pin, else its circle's centre, else the mean of
     its points.
     """
-    for joint in mechanism.joints:
-        if isinstance(joint, Pin) and GROUND in joint.bodies and body in joint.bodies:
-            return mechanism.points[joint.point]
-    centres = [rim.at for rim in found if rim.body == body]
-    return (
-        centres[0]
-        if centres
-        else mean(mechanism.points[name] for name in mechanism.body(body).points)
-    )
+    pin = find_fixed_pin(drawing.symbols, body)
+    if pin is not None:
+        return mechanism.points[pin]
+    for rim in drawing.rims:
+        if rim.body == body:
+            return rim.at
+    return mean(mechanism.points[name] for name in mechanism.body(body).points)
 
 
 def _find_imposed_sense(mechanism: Mechanism, body: str) -> Sense:
+    """The sense in which a driver turns the body; counter-clockwise when none does."""
     for driver in mechanism.drivers:
-        if isinstance(driver, Rotation) and driver.body == body:
-            return "cw" if driver.velocity < 0 else "ccw"
+        motion = find_given_motion(mechanism.points, driver)
+        if isinstance(motion, TurningBody) and motion.body == body:
+            return motion.sense
     return "ccw"
 
 
@@ -162,9 +161,7 @@ class _MovingArrow:
 def _find_imposed_direction(mechanism: Mechanism, point: str) -> Vector:
     """The direction of the velocity that a driver gives the point; to the right when none does."""
     for driver in mechanism.drivers:
-        if isinstance(driver, Component) and driver.point == point:
-            return unit(driver.direction) * (-1.0 if driver.velocity < 0 else 1.0)
-        if isinstance(driver, Circulation) and driver.point == point:
-            around_centre = (mechanism.points[point] - mechanism.points[driver.centre]).turned()
-            return unit(around_centre) * (-1.0 if driver.velocity < 0 else 1.0)
+        motion = find_given_motion(mechanism.points, driver)
+        if isinstance(motion, MovingPoint) and motion.point == point:
+            return motion.toward
     return Vector(1.0, 0.0)

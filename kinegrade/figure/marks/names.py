@@ -9,9 +9,9 @@ from math import pi
 import numpy as np
 
 from kinegrade.errors import TemplateError
-from kinegrade.figure.mechanism.bars import Bar, Rod
+from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.rims import Rim
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
 from kinegrade.figure.plane import NEAR, length, on_line, polar, unit
 from kinegrade.language.message import Fault, Message, Quoted
@@ -89,7 +89,7 @@ def _find_named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawin
     used = {name for body in mechanism.bodies for name in body.points} | {
         rim.centre for rim in drawing.rims
     }
-    used |= {point for joint in mechanism.joints if (point := getattr(joint, "point", None))}
+    used |= {symbol.point for symbol in drawing.symbols if symbol.point}
     return [name for name in mechanism.points if name in used or hints.labels.get(name)]
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import pi
 
 from kinegrade.errors import TemplateError, suggest
-from kinegrade.figure.mechanism.rims import Rim
+from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside

@@ -7,8 +7,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import assert_never
 
-from kinegrade.figure.mechanism.layers import trace_cam_outline
+from kinegrade.figure.joints.table import find_symbols
 from kinegrade.figure.mechanism.rims import find_rims
+from kinegrade.figure.mechanism.round_bodies import trace_cam_outline
 from kinegrade.figure.scene import Box, Primitive, Scene, find_common_box, move
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -67,10 +68,11 @@ def measure_span(
     `beside` them.
     """
     boxes = [(point, 0.0) for point in (*mechanism.points.values(), *beside)]
-    for rim in find_rims(mechanism, hints.shapes, hints.circles):
+    joints = find_symbols(mechanism, hints.shapes)
+    for rim in find_rims(mechanism, joints, hints.circles):
         match rim.kind:
             case "cam":
-                boxes += [(point, 0.0) for point in trace_cam_outline(mechanism, rim)]
+                boxes += [(point, 0.0) for point in trace_cam_outline(mechanism, joints, rim)]
             case "wheel" | "gear" | "slot" | "edge":
                 boxes.append((rim.at, rim.radius))
             case _:

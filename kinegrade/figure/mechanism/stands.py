@@ -4,18 +4,16 @@ rest.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import pi
 
-from kinegrade.figure import symbols
-from kinegrade.figure.mechanism.bars import Bar, Rod, SlottedDisc
-from kinegrade.figure.mechanism.plates import Plate, find_outward_direction
-from kinegrade.figure.mechanism.rims import Rim
-from kinegrade.figure.mechanism.tracks import find_fixed_pins
-from kinegrade.figure.plane import SIDE_VECTORS, angle_of, foot, length, shorter_way, unit
+from kinegrade.figure.joints.symbol import find_fixed_pins
+from kinegrade.figure.mechanism.anatomy import Anatomy
+from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod
+from kinegrade.figure.plane import SIDE_VECTORS, angle_of, foot, length, shorter_way
 from kinegrade.figure.scene import Primitive
-from kinegrade.mechanics.joints import GROUND, Line, Slide
-from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.figure.symbols import STAND, TALL_STAND, draw_knife_edge, draw_pivot
+from kinegrade.mechanics.joints import GROUND, Line
 from kinegrade.mechanics.vector import Vector
 
 _STAND_ROOM = (
@@ -23,40 +21,27 @@ _STAND_ROOM = (
 )
 
 
-def knife_edges(
-    mechanism: Mechanism, parts: tuple[Bar | Plate | SlottedDisc | Rod, ...]
-) -> dict[str, Vector]:
-    """The fixed points on which the edge of a plate rests, each with the direction that leaves the
-    plate.
+def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
+    """The knife edges, then the stands of fixed pins; a pin at the centre of a fixed wheel needs
+    none.
     """
-    plates = {part.body: part for part in parts if isinstance(part, Plate)}
-    found = {}
-    for joint in mechanism.joints:
-        if isinstance(joint, Slide) and joint.body == GROUND and joint.of in plates:
-            side = find_outward_direction(plates[joint.of], joint.line)
-            if side is not None:
-                found[joint.point] = unit(side)
-    return found
+    at = anatomy.mechanism.points
+    for name, side in anatomy.knife_edges.items():
+        yield from draw_knife_edge(at[name], side)
+    wheels = {rim.centre for rim in anatomy.rims if rim.body == GROUND and not rim.ring}
+    for name in find_fixed_pins(anatomy.symbols):
+        if name not in wheels and name not in anatomy.knife_edges:
+            side = _find_free_side(at[name], anatomy.parts)
+            yield from draw_pivot(at[name], side, _choose_height(at[name], anatomy))
 
 
-def stands(
-    mechanism: Mechanism,
-    found: tuple[Rim, ...],
-    parts: tuple[Bar | Plate | SlottedDisc | Rod, ...],
-    knives: set[str],
-    sleeves: list[tuple[Vector, Vector]],
-) -> Iterator[Primitive]:
-    """The stands of fixed pins; a pin at the centre of a fixed wheel needs none."""
-    standing = {rim.centre for rim in found if rim.body == GROUND and not rim.ring}
-    for name in find_fixed_pins(mechanism):
-        if name not in standing | knives:
-            at = mechanism.points[name]
-            turning = any(length(place - at) < 1.0 for place, _ in sleeves)
-            height = symbols.TALL_STAND if turning else symbols.STAND
-            yield from symbols.draw_pivot(at, _find_free_side(at, parts), height)
+def _choose_height(at: Vector, anatomy: Anatomy) -> float:
+    """Taller where a sleeve turns about the pin."""
+    turning = any(length(sleeve.point - at) < 1.0 for sleeve in anatomy.sleeves)
+    return TALL_STAND if turning else STAND
 
 
-def _find_free_side(at: Vector, parts: tuple[Bar | Plate | SlottedDisc | Rod, ...]) -> Vector:
+def _find_free_side(at: Vector, parts: Sequence[Part]) -> Vector:
     """Down, unless a bar goes there; then the side with the widest room."""
     leaving = []
     for part in parts:

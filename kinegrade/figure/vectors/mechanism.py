@@ -123,7 +123,7 @@ def _add_rotations(
     """The curved arrows, which keep clear of the letters still to be written at their pivots."""
     named = tuple(label_points(paper, hints, drawing))
     for turning in turnings:
-        pivot = find_pivot(paper, turning.body, drawing.rims)
+        pivot = find_pivot(paper, turning.body, drawing)
         close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < _LETTERED]
         layout = layout.marked(
             mark_rotations(paper, turning, drawing), layout.written(close).labels

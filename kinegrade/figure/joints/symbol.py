@@ -1,0 +1,100 @@
+"""What one joint contributes to a drawing, as plain values in the unit of the mechanism.
+
+The layers of `figure/mechanism` ask these values and never which joint it was; `table.py` makes
+them, one entry for each joint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from kinegrade.mechanics.joints import Line
+from kinegrade.mechanics.vector import Vector
+
+Kind = Literal["wheel", "gear", "slot", "cam", "edge"]
+Use = Literal["link", "slot", "bar", "face", "rack"]
+NO_BACK = Vector(0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Rim:
+    """A circle of a body; `ring` when the material lies outside; `touch` is the contact point.
+
+    The kind "edge" is drawn as a line only: a circle that belongs to no joint.
+    """
+
+    body: str
+    centre: str
+    at: Vector
+    radius: float
+    kind: Kind
+    ring: bool
+    touch: Vector
+
+
+@dataclass(frozen=True)
+class Feature:
+    """A line of a moving body with the point on it where another body acts; `back` as for a Bar."""
+
+    body: str
+    line: Line
+    action: Vector
+    use: Use
+    back: Vector = NO_BACK
+
+
+@dataclass(frozen=True)
+class Foot:
+    """Where a round body stands on a straight track of the ground; `away` leads into the ground."""
+
+    line: Line
+    contact: Vector
+    away: Vector
+    radius: float
+    toothed: bool
+
+
+@dataclass(frozen=True)
+class Guide:
+    """A straight guide of the ground, with the place of `body` in it; `along` is a unit vector."""
+
+    body: str
+    at: Vector
+    along: Vector
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """What a joint adds to each layer; nothing by default.
+
+    - `point`: the marked point at which the joint is; `pinned` when it is an open circle, `fixed`
+      when it stands on the ground; `turning` are the bodies that share it;
+    - `translating`: a body that the joint keeps from turning against the ground;
+    - `rims`, `features`, `foot`, `guide`: circles, lines of bodies, a track and a guide;
+    - `sleeve`, `block`: where one is, with the unit vector along which it slides.
+    """
+
+    point: str | None = None
+    pinned: bool = False
+    fixed: bool = False
+    turning: tuple[str, ...] = ()
+    translating: str | None = None
+    rims: tuple[Rim, ...] = ()
+    features: tuple[Feature, ...] = ()
+    foot: Foot | None = None
+    guide: Guide | None = None
+    sleeve: Line | None = None
+    block: Line | None = None
+
+
+def find_fixed_pins(symbols: Sequence[Symbol]) -> list[str]:
+    """The points fixed to the ground: its pins, and those about which it guides a moving line."""
+    return list(dict.fromkeys(joint.point for joint in symbols if joint.fixed and joint.point))
+
+
+def find_fixed_pin(symbols: Sequence[Symbol], body: str) -> str | None:
+    """The first point about which a body turns on the ground; None when it turns about none."""
+    pins = (symbol.point for symbol in symbols if symbol.fixed and body in symbol.turning)
+    return next(pins, None)

@@ -1,0 +1,56 @@
+"""Rods: bodies that translate in a straight guide of the ground."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from kinegrade.figure.joints.symbol import Guide, Rim, Symbol
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod
+from kinegrade.figure.plane import length, mean, nearest_of
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+
+_ROD = 17.0  # millimetres of a translating rod that are shown at least
+# millimetres a translating rod continues beyond its point when it has two free ends
+_THROUGH = 11.0
+_GUIDE_ROOM = 5.5  # millimetres between the middle of a rod's guide and any other bar
+
+
+def find_rods(
+    mechanism: Mechanism,
+    shapes: Mapping[str, str],
+    symbols: Sequence[Symbol],
+    found: Sequence[Rim],
+    bars: Sequence[Bar],
+) -> Iterator[Rod]:
+    """The translating rods, each pointing away from the other bodies and long enough to keep its
+    guide clear of the bars.
+    """
+    circles = [rim.at for rim in found]
+    for guide in _find_guides_of_rods(symbols):
+        names = mechanism.body(guide.body).points
+        others = [at for name, at in mechanism.points.items() if name not in names]
+        side = guide.along.dot(mean(others + circles) - guide.at)
+        toward = guide.along * (-1.0 if side > 0.01 * _ROD else 1.0)
+        start, end = guide.at, guide.at + toward * (_ROD + _find_reach(guide.at, toward, bars))
+        if shapes.get(guide.body) == "through":
+            start = start - toward * _THROUGH
+        yield Rod(guide.body, start, end, tuple(at for at in (end, start) if at != guide.at))
+
+
+def _find_guides_of_rods(symbols: Sequence[Symbol]) -> Iterator[Guide]:
+    """The guides whose body does not turn; of two for one body, the last."""
+    level = {symbol.translating for symbol in symbols}
+    guides = {symbol.guide.body: symbol.guide for symbol in symbols if symbol.guide}
+    yield from (guide for guide in guides.values() if guide.body in level)
+
+
+def _find_reach(start: Vector, toward: Vector, bars: Sequence[Bar]) -> float:
+    """The millimetres by which a rod is longer than usual to keep its guide clear of all bars; none
+    when no length does.
+    """
+    for more in range(0, 20, 2):
+        guide = start + toward * (_ROD - 5.0 + more)
+        if all(length(guide - nearest_of(guide, bar.start, bar.end)) > _GUIDE_ROOM for bar in bars):
+            return more
+    return 0

@@ -1,0 +1,86 @@
+"""Round bodies as primitives: wheels, gears, cams, ring-shaped slots, and fixed circles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import assert_never
+
+from kinegrade.figure import symbols
+from kinegrade.figure.joints.symbol import Rim, Symbol, find_fixed_pin
+from kinegrade.figure.mechanism.anatomy import Anatomy
+from kinegrade.figure.mechanism.cam import trace_cam_profile
+from kinegrade.figure.scene import FIRM, PITCH, THIN, Disc, Outline, Primitive, Strokes
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+
+_RING = 2.0  # millimetres of material around a circle that encloses others
+_PENCILS = {"wheel": FIRM, "slot": FIRM, "gear": PITCH, "cam": FIRM}
+
+
+def draw_round_bodies(anatomy: Anatomy) -> Iterator[Primitive]:
+    """The circles of the ground, then those of the bodies, the larger ones below."""
+    for rim in anatomy.rims:
+        yield from _draw_rim(anatomy, rim)
+
+
+def trace_cam_outline(
+    mechanism: Mechanism, joints: Sequence[Symbol], rim: Rim
+) -> tuple[Vector, ...]:
+    """The profile of a cam about its fixed pin, in the unit of the mechanism."""
+    pin = find_fixed_pin(joints, rim.body)
+    pivot = rim.at if pin is None else mechanism.points[pin]
+    return trace_cam_profile(pivot, rim.touch, rim.at, rim.radius)
+
+
+def _draw_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
+    if rim.body == GROUND:
+        return _draw_fixed_rim(rim)
+    match rim.kind:
+        case "edge":
+            return (Disc(rim.at, rim.radius, FIRM),)
+        case "cam":
+            return _draw_cam(anatomy, rim)
+        case "wheel" | "gear" | "slot":
+            return _draw_ring(rim) if rim.ring else _draw_round(rim)
+        case _:
+            assert_never(rim.kind)
+
+
+def _draw_fixed_rim(rim: Rim) -> tuple[Primitive, ...]:
+    """A rim of the ground: hatched, the pitch circle of a gear dash-dotted."""
+    match rim.kind:
+        case "edge":
+            return (Disc(rim.at, rim.radius, FIRM),)
+        case "gear":
+            edge = symbols.draw_round_ground(rim.at, rim.radius, rim.ring)
+            return (*edge[:-1], Disc(rim.at, rim.radius, PITCH))
+        case "wheel" | "slot" | "cam":
+            return symbols.draw_round_ground(rim.at, rim.radius, rim.ring)
+        case _:
+            assert_never(rim.kind)
+
+
+def _draw_ring(rim: Rim) -> tuple[Primitive, ...]:
+    """A rim around others: the body lies outside."""
+    outer = Disc(rim.at, rim.radius + _RING, FIRM, "grey")
+    return (outer, Disc(rim.at, rim.radius, _PENCILS[rim.kind], "white"))
+
+
+def _draw_round(rim: Rim) -> tuple[Primitive, ...]:
+    """A wheel, a gear, or a ring-shaped slot."""
+    pen = _PENCILS[rim.kind]
+    match rim.kind:
+        case "slot":
+            half = symbols.SLOT_WIDTH / 2
+            return (Disc(rim.at, rim.radius + half, pen), Disc(rim.at, rim.radius - half, pen))
+        case "wheel" | "gear" | "cam" | "edge":
+            return (Disc(rim.at, rim.radius, pen, "grey"),)
+        case _:
+            assert_never(rim.kind)
+
+
+def _draw_cam(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
+    """The profile, with a thin line from the centre of curvature to the contact."""
+    profile = trace_cam_outline(anatomy.mechanism, anatomy.symbols, rim)
+    return (Outline(profile, FIRM, "grey"), Strokes(((rim.at, rim.touch),), THIN))

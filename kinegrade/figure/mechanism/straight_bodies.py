@@ -1,0 +1,59 @@
+"""Straight bodies as primitives: bars, racks, rods in their guides, plates, slotted discs."""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+from kinegrade.figure import symbols
+from kinegrade.figure.mechanism.plates import Plate
+from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc
+from kinegrade.figure.plane import length, unit
+from kinegrade.figure.scene import BOLD, FIRM, Disc, Outline, Primitive, Strokes
+from kinegrade.mechanics.vector import Vector
+
+
+def draw_straight_part(part: Part) -> tuple[Primitive, ...]:
+    """The primitives of one straight part."""
+    match part:
+        case Plate():
+            return (Outline(part.corners, BOLD, "grey"),)
+        case SlottedDisc():
+            slot = Outline(symbols.trace_stadium(*part.slot, symbols.SLOT_WIDTH), FIRM, "white")
+            return (Disc(part.centre, part.radius, FIRM, "grey"), slot)
+        case Rod():
+            along = unit(part.end - part.start)
+            return (
+                *symbols.draw_guide(part.end - along * 5.0, along),
+                Strokes(((part.start, part.end),), BOLD),
+            )
+        case Bar():
+            return _draw_bar(part)
+        case _:
+            assert_never(part)
+
+
+def _draw_bar(bar: Bar) -> tuple[Primitive, ...]:
+    match bar.use:
+        case "rack":
+            return symbols.draw_rack(bar.start, bar.end, bar.back)
+        case "slot":
+            return symbols.draw_slotted_bar(bar.start, bar.end, _find_slot(bar))
+        case "link" | "bar" | "face":
+            return (Strokes(((bar.start, bar.end),), BOLD),)
+        case _:
+            assert_never(bar.use)
+
+
+def _find_slot(part: Bar) -> tuple[Vector, Vector]:
+    """The slot leaves the ends of a bar solid, and more of an end where the bar is pinned."""
+    along = unit(part.end - part.start)
+    margins = [
+        0.4 if any(length(end - free) < 1e-6 for free in part.free) else 3.0
+        for end in (part.start, part.end)
+    ]
+    low, high = part.start + along * margins[0], part.end - along * margins[1]
+    reach = (symbols.BLOCK_LENGTH - 1.0) / 2
+    for action in part.actions:
+        low = min(low, action - along * reach, key=along.dot)
+        high = max(high, action + along * reach, key=along.dot)
+    return low, high

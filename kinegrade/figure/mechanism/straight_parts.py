@@ -1,0 +1,51 @@
+"""The straight parts of bodies as values, in millimetres on paper."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinegrade.figure.joints.symbol import NO_BACK, Use
+from kinegrade.figure.mechanism.plates import Plate
+from kinegrade.mechanics.vector import Vector
+
+
+@dataclass(frozen=True)
+class Bar:
+    """One straight part; `free` are its ends without a marked point, `actions` the points where
+    other bodies slide or rest on it.
+
+    A rack has its pitch line as axis and its material in the direction `back`.
+    """
+
+    body: str
+    start: Vector
+    end: Vector
+    use: Use = "link"
+    free: tuple[Vector, ...] = ()
+    actions: tuple[Vector, ...] = ()
+    back: Vector = NO_BACK
+
+
+@dataclass(frozen=True)
+class SlottedDisc:
+    """A body whose slot passes beside its only point, drawn as a disc about that point."""
+
+    body: str
+    centre: Vector
+    radius: float
+    slot: tuple[Vector, Vector]
+
+
+@dataclass(frozen=True)
+class Rod:
+    """A body that translates in a straight ground guide near its end; `free` are its ends without a
+    marked point.
+    """
+
+    body: str
+    start: Vector
+    end: Vector
+    free: tuple[Vector, ...]
+
+
+Part = Bar | Plate | SlottedDisc | Rod
