@@ -23,9 +23,9 @@ from kinegrade.draws.examining import (
     solve_sensible,
 )
 from kinegrade.mechanics.plan import Plan
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template.template import Template
-from kinegrade.problem.tolerance import Tolerance
 from kinegrade.students.separation import Separation, collect_columns, find_separation
 
 # Combinations from which it is judged which mistakes can be kept apart from the truth

@@ -15,16 +15,12 @@ from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
+from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template.template import Ask, Template
-from kinegrade.problem.tolerance import (
-    ONE_PER_CENT,
-    Tolerance,
-    find_effective_tolerance,
-    find_scale_of_mechanism,
-)
+from kinegrade.problem.tolerance import find_effective_tolerance, find_scale_of_mechanism
 from kinegrade.students.honest_rounding import find_stray
 from kinegrade.students.honest_rounding_arrays import surely_honest
 from kinegrade.students.kept_decimals import RightRange, find_fitting_factor

@@ -112,7 +112,7 @@ def _read_answers(line: KeyLine) -> Iterator[tuple[str, RightAnswer]]:
 
 def _read_right_answer(stated: StatedAnswer) -> RightAnswer:
     value = find_exact_value(stated)
-    low, high = read_rule(stated.tolerance).key(value).interval
+    low, high = read_rule(stated.tolerance).interval(value)
     return RightAnswer(value, stated.exact, stated.unit, max(value - low, high - value))
 
 

@@ -38,12 +38,13 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.rounding import NOTHING, Rounded, Sparing
+from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.problem.assemble import assemble
 from kinegrade.problem.quantities import find_body_names, make_quantities
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Ask
-from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, find_effective_tolerance
+from kinegrade.problem.tolerance import find_effective_tolerance
 from kinegrade.students.by_hand import solve_by_hand, write_down
 
 _DEGREES = 180 / pi  # as `math.degrees` has it

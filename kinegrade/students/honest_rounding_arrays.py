@@ -25,9 +25,9 @@ from kinegrade.mechanics.motion_arrays import (
 )
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.rounded_arrays import RoundedArrays
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Template
-from kinegrade.problem.tolerance import Tolerance
 from kinegrade.students.honest_rounding import (
     Target,
     calls,

@@ -20,8 +20,8 @@ from kinegrade.errors import KinegradeError
 from kinegrade.expressions.expression import Operation, evaluate, make_elementary_functions
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.floats import Floats
+from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.problem.template.template import Ask, Template
-from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.students.mistake_kinds import Mistake, find_candidates, list_answer_factors
 from kinegrade.students.mistakes import SAME, Outcomes, Values, convert_parameters, find_outcomes
 

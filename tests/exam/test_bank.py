@@ -14,9 +14,9 @@ from kinegrade.errors import BankError, ExamError
 from kinegrade.exam.bank.bank import MAX_BYTES, find_bank, read_bank, read_blueprint
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.files.fields.document import FileKind, parsed_table
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.template.library.library import find_shipped, list_names
 from kinegrade.problem.template.translated import Translated
-from kinegrade.problem.tolerance import Tolerance
 from kinegrade.stated_marking import read_credit
 from tests.problem.crank import crank_text
 

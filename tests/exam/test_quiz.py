@@ -92,8 +92,7 @@ def test_every_number_is_the_one_by_which_marks_are_decided(small_class: Path) -
             assert (put.row.points, put.row.unit) == (ask.points, ask.unit)
             assert {mistake.identifier: mistake.value for mistake in put.mistakes} == key.mistakes
             for mistake in put.mistakes:
-                assert key.rule is not None
-                assert mistake.interval == key.rule.key(mistake.value).interval
+                assert mistake.interval == key.rule.interval(mistake.value)
 
 
 def test_statements_and_figures_are_those_of_the_paper(small_class: Path) -> None:

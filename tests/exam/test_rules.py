@@ -21,7 +21,7 @@ from kinegrade.exam.printing.rules import (
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
-from kinegrade.problem.tolerance import Tolerance
+from kinegrade.numbers.tolerance import Tolerance
 
 BANK = """
 title = "Midterm"

@@ -10,7 +10,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, make_rule
+from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Key, Paper
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.files.tables import parse_table
 from kinegrade.grading.grade import grade
@@ -20,20 +20,20 @@ from kinegrade.grading.policy.policy import AS_PRINTED, Policy
 from kinegrade.grading.policy.reading import read_policy
 from kinegrade.grading.sheets.class_sheet import read_sheet
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 from tests.said import said
 
-ONE_PER_CENT = make_rule(Fraction(1, 100), Fraction(0))
-ZERO = make_rule(Fraction(1, 100), Fraction(1, 500))
+ZERO = Tolerance(Fraction(1, 100), Fraction(1, 500))
 ASKS = (
     Ask("q1", "v_B", "m/s", Fraction(4)), Ask("q1", "omega_AB", "rad/s", Fraction(3), "counter-clockwise positive"),
     Ask("q2", "phi", "deg", Fraction(5, 2)),
 )  # fmt: skip
 KEYS = {
-    "q1.v_B": ONE_PER_CENT.key(Fraction(2), None, {"transport-for-absolute": Fraction(3),
+    "q1.v_B": Key(Fraction(2), ONE_PER_CENT, None, {"transport-for-absolute": Fraction(3),
                                                    "sense-reversed": Fraction(-2)}),
-    "q1.omega_AB": ZERO.key(Fraction(0), None, {"sense-reversed": Fraction(5)}),
-    "q2.phi": ONE_PER_CENT.key(Fraction(30), Fraction(360)),
+    "q1.omega_AB": Key(Fraction(0), ZERO, None, {"sense-reversed": Fraction(5)}),
+    "q2.phi": Key(Fraction(30), ONE_PER_CENT, Fraction(360)),
 }  # fmt: skip
 CLASS = Exam(ASKS, tuple(Examinee(student, student, KEYS) for student in ("007", "S9", "12")))
 

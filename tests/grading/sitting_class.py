@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
 
-from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Key, make_rule
+from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Key
 from kinegrade.marks_folder.rows import MarkedAnswer
+from kinegrade.numbers.tolerance import ONE_PER_CENT
 
 ASKS = {
     "q1": ("v", "omega", "a"),
@@ -26,7 +27,6 @@ FACTORS = {
     "diameter-for-radius": 2,
 }
 WRONG = tuple(map(float, FACTORS.values()))
-ONE_PER_CENT = make_rule(Fraction(1, 100), Fraction(0))
 Numbers = Mapping[tuple[str, str], Fraction]  # by question and what is drawn
 Typing = Callable[[int], Mapping[str, Fraction]]  # what a student answers wrongly, by column
 
@@ -115,8 +115,8 @@ def keys(asks: tuple[Ask, ...], drawn: Numbers) -> dict[str, Key]:
     """The keys of a paper, with what some mistakes lead to."""
     values = {ask.column: worked(ask.question, ask.ask, drawn) for ask in asks}
     return {
-        column: ONE_PER_CENT.key(
-            value, None, {name: factor * value for name, factor in FACTORS.items()}
+        column: Key(
+            value, ONE_PER_CENT, None, {name: factor * value for name, factor in FACTORS.items()}
         )
         for column, value in values.items()
     }

@@ -16,6 +16,7 @@ from kinegrade.exam.folder import key_stream
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.grading.grade import grade
+from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from tests.grading.small_exam import HALF_ROOT_12, STUDENTS, exam, paper, write_exam
 
 Change = Callable[[dict[str, Any], list[Any]], object]
@@ -31,9 +32,9 @@ def test_an_exam_is_read_digit_by_digit(exam_folder: Path) -> None:
     assert found.questions == ("q1", "q2")
     assert [(each.student, each.name) for each in found.examinees] == list(STUDENTS.items())
     assert found.examinees[0].keys == {
-        "q1.v_B": Key(Fraction(HALF_ROOT_12), Fraction(HALF_ROOT_12) / 100),
-        "q1.omega_AB": Key(Fraction(0), Fraction(2, 1000)),
-        "q2.a_B": Key(Fraction(-1, 8), Fraction(1, 80)),
+        "q1.v_B": Key(Fraction(HALF_ROOT_12), ONE_PER_CENT),
+        "q1.omega_AB": Key(Fraction(0), Tolerance(Fraction(1, 100), Fraction(2, 1000))),
+        "q2.a_B": Key(Fraction(-1, 8), Tolerance(Fraction(1, 10))),
     }
 
 

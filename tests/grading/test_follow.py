@@ -8,19 +8,19 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.exam.folder.keys import Ask, make_rule
+from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.grading.judging.decision import Decision, decide
 from kinegrade.grading.judging.follow import Decided, Follows, follow_answers
 from kinegrade.grading.judging.judge import Verdict
 from kinegrade.grading.policy.policy import Ruling
 from kinegrade.grading.typed.answers import read
+from kinegrade.numbers.tolerance import ONE_PER_CENT
 from kinegrade.stated_marking import StatedTolerance
 from tests.grading.policies import policy_of
 from tests.said import said
 
 ASKS = {"omega_AB": "rad/s", "alpha_AB": "rad/s^2", "a_B": "m/s^2", "phi": "deg"}
 KEYS = {"omega_AB": Fraction(2), "alpha_AB": Fraction(8), "a_B": Fraction(24), "phi": Fraction(350)}
-RULE = make_rule(Fraction(1, 100), Fraction(0))
 NOTHING: Mapping[str, Fraction] = {}
 AS_PRINTED = Ruling()
 
@@ -50,7 +50,7 @@ def decided(
     """The answers in the order of ASKS, as they are decided without follow-through."""
     found = []
     for name, unit in ASKS.items():
-        key = RULE.key(KEYS[name], Fraction(360) if name == "phi" else None, mistakes)
+        key = Key(KEYS[name], ONE_PER_CENT, Fraction(360) if name == "phi" else None, mistakes)
         reading = read(typed.get(name, ""), unit)
         found.append(
             Decided(

@@ -11,13 +11,14 @@ from hypothesis import strategies as st
 from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.judging.judge import judge
 from kinegrade.grading.typed.answers import read
+from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from tests.said import said
 
 # Floats put 1.212 outside: 1.212 - 1.2 > 0.01 * 1.2
-ONE_PERCENT = Key(Fraction("1.2"), Fraction("0.012"))
-ZERO = Key(Fraction(0), Fraction("0.002"))
+ONE_PERCENT = Key(Fraction("1.2"), ONE_PER_CENT)
+ZERO = Key(Fraction(0), Tolerance(absolute=Fraction("0.002")))
 ROOT = Fraction("0.8660254037844386467637231707529361834714")  # half the root of 3, to 40 digits
-EXACT = Key(Fraction(1, 8), Fraction(0))
+EXACT = Key(Fraction(1, 8), Tolerance())
 
 
 @pytest.mark.parametrize(
@@ -45,10 +46,10 @@ def test_verdicts(typed: str, key: Key, kind: str) -> None:
 
 
 @pytest.mark.parametrize(("typed", "key", "kind"), [
-    ("√3/2", Key(ROOT, Fraction(0)), "right"), ("√3/2", Key(-ROOT, Fraction(0)), "wrong"),
-    ("1.01*√3/2", Key(ROOT, ROOT / 100), "right"), ("0.99√3/2", Key(ROOT, ROOT / 100), "right"),
-    ("1.0100000000000000000000000000001√3/2", Key(ROOT, ROOT / 100), "wrong"),
-    ("0.866025403784438646763723170752936183", Key(ROOT, Fraction(0)), "wrong"),
+    ("√3/2", Key(ROOT, Tolerance()), "right"), ("√3/2", Key(-ROOT, Tolerance()), "wrong"),
+    ("1.01*√3/2", Key(ROOT, ONE_PER_CENT), "right"), ("0.99√3/2", Key(ROOT, ONE_PER_CENT), "right"),
+    ("1.0100000000000000000000000000001√3/2", Key(ROOT, ONE_PER_CENT), "wrong"),
+    ("0.866025403784438646763723170752936183", Key(ROOT, Tolerance()), "wrong"),
 ])  # fmt: skip
 def test_an_irrational_answer_on_the_bound_is_right(typed: str, key: Key, kind: str) -> None:
     assert judge(read(typed, "m/s"), key).kind == kind
@@ -72,7 +73,7 @@ def test_the_reason_shows_which_of_the_two_is_larger() -> None:
     )
     assert said(judge(read("1e99", "1"), ZERO).reason) == "key 0, difference 1e+99, allowed 0.002"
     assert (
-        said(judge(read("100", "1"), Key(Fraction(100), Fraction(1))).reason)
+        said(judge(read("100", "1"), Key(Fraction(100), ONE_PER_CENT)).reason)
         == "key 100, difference 0, allowed 1"
     )
     assert said(judge(read("abc", "1"), ZERO).reason) == '"abc" is not a number'
@@ -89,7 +90,7 @@ def test_the_reason_shows_which_of_the_two_is_larger() -> None:
 def test_right_is_the_closed_interval_about_the_key(
     value: Fraction, tolerance: Fraction, typed: object
 ) -> None:
-    right = judge(read(str(typed), "1"), Key(value, tolerance)).kind == "right"
+    right = judge(read(str(typed), "1"), Key(value, Tolerance(absolute=tolerance))).kind == "right"
     assert right is (value - tolerance <= Fraction(str(typed)) <= value + tolerance)
 
 
@@ -105,10 +106,16 @@ def test_right_is_the_closed_interval_about_the_key(
     ],
 )
 def test_an_angle_is_right_with_any_number_of_full_turns(typed: str, kind: str) -> None:
-    assert judge(read(typed, "deg"), Key(Fraction(350), Fraction(1), Fraction(360))).kind == kind
+    assert (
+        judge(
+            read(typed, "deg"), Key(Fraction(350), Tolerance(absolute=Fraction(1)), Fraction(360))
+        ).kind
+        == kind
+    )
 
 
-AGREEING = (Fraction("1.225"), Fraction("1.235"))  # to 3 significant figures with 1.2349
+TO_FIGURES = Key(Fraction("1.2349"), Tolerance(figures=3))
+WIDER = Key(Fraction("1.2349"), Tolerance(absolute=Fraction("0.01"), figures=3))
 
 
 @pytest.mark.parametrize(
@@ -125,33 +132,25 @@ AGREEING = (Fraction("1.225"), Fraction("1.235"))  # to 3 significant figures wi
     ],
 )
 def test_what_agrees_to_the_significant_figures_asked_for_is_right(typed: str, kind: str) -> None:
-    assert (
-        judge(read(typed, "1"), Key(Fraction("1.2349"), Fraction(0), agreeing=AGREEING)).kind
-        == kind
-    )
+    assert judge(read(typed, "1"), TO_FIGURES).kind == kind
 
 
 @pytest.mark.parametrize(
     ("typed", "kind"), [("1.225", "right"), ("1.2449", "right"), ("1.24491", "wrong")]
 )
 def test_each_bound_is_the_wider_of_tolerance_and_figures(typed: str, kind: str) -> None:
-    assert (
-        judge(read(typed, "1"), Key(Fraction("1.2349"), Fraction("0.01"), agreeing=AGREEING)).kind
-        == kind
-    )
+    assert judge(read(typed, "1"), WIDER).kind == kind
 
 
 def test_the_reason_names_the_bounds_where_figures_are_asked_for() -> None:
-    key = Key(Fraction("1.2349"), Fraction(0), agreeing=AGREEING)
+    key = TO_FIGURES
     assert said(judge(read("1.24", "1"), key).reason) == (
         "key 1.2349, difference 0.0051, right from 1.225 to 1.235"
     )
 
 
 def test_figures_and_full_turns_go_together() -> None:
-    key = Key(
-        Fraction("359.96"), Fraction(0), Fraction(360), (Fraction("359.5"), Fraction("360.5"))
-    )
+    key = Key(Fraction("359.96"), Tolerance(figures=3), Fraction(360))
     assert [
         judge(read(typed, "deg"), key).kind for typed in ("0.5", "-0.5", "360", "0.6", "719.4")
     ] == [

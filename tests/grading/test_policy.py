@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import PolicyError
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.exam.folder.keys import make_rule
+from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.grade import grade as mark_class
 from kinegrade.grading.judging.decision import decide
 from kinegrade.grading.judging.judge import judge
@@ -19,6 +19,7 @@ from kinegrade.grading.marks import Marks
 from kinegrade.grading.policy.policy import Ruling
 from kinegrade.grading.policy.reading import read_policy, stated_policy
 from kinegrade.grading.typed.answers import Reading
+from kinegrade.numbers.tolerance import Tolerance
 from tests.grading.policies import (
     drawn_exam,
     folder_of,
@@ -235,13 +236,13 @@ def unread(typed: str) -> Reading:
 def test_no_mistake_within_the_tolerance_is_overlooked(
     typed: Fraction, wrong: Fraction, figures: int | None, relative: str, absolute: str
 ) -> None:
-    stated = make_rule(Fraction(relative), Fraction(absolute), figures)
-    bounds = [*stated.key(wrong).interval, typed]
+    stated = Tolerance(Fraction(relative), Fraction(absolute), figures)
+    bounds = [*Key(wrong, stated).interval, typed]
     for value in bounds:
         reading = Reading("number", "x", value)
-        right = judge(reading, stated.key(wrong)).kind == "right"
+        right = judge(reading, Key(wrong, stated)).kind == "right"
         decided = decide(
-            reading, stated.key(Fraction(1000), None, {"slip": wrong}), Ruling(), (), unread
+            reading, Key(Fraction(1000), stated, None, {"slip": wrong}), Ruling(), (), unread
         )
         assert decided[0].kind == ("mistake" if right else "wrong")
 

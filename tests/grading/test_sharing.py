@@ -19,14 +19,15 @@ from click.testing import CliRunner, Result
 
 from kinegrade.cli.sharing import sharing as command
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.keys import make_rule
+from kinegrade.exam.folder.keys import Key
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.reports.sharing.fits import find_windows
 from kinegrade.reports.sharing.report import HEADER, describe_sharing, write_sharing_csv
 from kinegrade.reports.sharing.sharing import MOST, Pair, Sharing, find_pairs, find_tail
 from tests.grading.marked_folder import mark_class
-from tests.grading.sitting_class import ONE_PER_CENT, SittingClass, honest_slips, sitting_class
+from tests.grading.sitting_class import SittingClass, honest_slips, sitting_class
 
 HALF = ("q1.v", "q1.a", "q2.v", "q3.omega", "q3.a", "q4.a")
 
@@ -167,10 +168,10 @@ def test_the_tail_of_the_poisson_distribution(count: int, mean: float) -> None:
 
 def test_what_fits_is_what_would_be_right_there() -> None:
     keys = [
-        ONE_PER_CENT.key(Fraction(2)),
-        make_rule(Fraction(0), Fraction(0), 3).key(Fraction("2.034")),
-        make_rule(Fraction(1, 100), Fraction(1, 2)).key(Fraction("0.4")),
-        ONE_PER_CENT.key(Fraction(0)),
+        Key(Fraction(2), ONE_PER_CENT),
+        Key(Fraction("2.034"), Tolerance(figures=3)),
+        Key(Fraction("0.4"), Tolerance(Fraction(1, 100), Fraction(1, 2))),
+        Key(Fraction(0), ONE_PER_CENT),
     ]
     found = find_windows(keys, mistakes=False)
     assert [
@@ -179,7 +180,7 @@ def test_what_fits_is_what_would_be_right_there() -> None:
 
 
 def test_angles_are_compared_without_full_turns() -> None:
-    keys = [ONE_PER_CENT.key(Fraction(value), Fraction(360)) for value in (359, -90, 20)]
+    keys = [Key(Fraction(value), ONE_PER_CENT, Fraction(360)) for value in (359, -90, 20)]
     found = find_windows(keys, mistakes=False)
     assert [found.papers(number) for number in (1.0, -1.0, 270.0, -450.0, 740.1)] == [
         {0},

@@ -9,8 +9,8 @@ from kinegrade.draws.deal import Deal, deal, look_here
 from kinegrade.draws.deck import make_deck
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.exam.setting.setting import Drawn
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.template.template import Template
-from kinegrade.problem.tolerance import Tolerance
 
 
 def draw_filter(

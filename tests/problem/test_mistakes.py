@@ -18,6 +18,7 @@ from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.language import Language
 from kinegrade.mechanics.doubles import convert_to_doubles
 from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.tolerance import ONE_PER_CENT
 from kinegrade.problem.solving import (
     find_parameter_values,
     read_values,
@@ -27,7 +28,7 @@ from kinegrade.problem.solving import (
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.template import Template
-from kinegrade.problem.tolerance import ONE_PER_CENT, find_effective_tolerance
+from kinegrade.problem.tolerance import find_effective_tolerance
 from kinegrade.proof.checking import check
 from kinegrade.proof.reporting import write_findings
 from kinegrade.students.mistake_kinds import MISTAKES, find_candidates, take_degrees_as_radians

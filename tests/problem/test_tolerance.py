@@ -8,13 +8,9 @@ from fractions import Fraction
 
 import pytest
 
+from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.tolerance import (
-    ONE_PER_CENT,
-    Tolerance,
-    find_effective_tolerance,
-    round_to_two_figures,
-)
+from kinegrade.problem.tolerance import find_effective_tolerance, round_to_two_figures
 from tests.problem.crank import crank
 
 

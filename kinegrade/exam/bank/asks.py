@@ -11,9 +11,9 @@ from kinegrade.exam.bank.terms import MAX_POINTS, read_bank_tolerance, read_poin
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import choice, whole
 from kinegrade.language.message import Message, Text
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.template.tags import KINDS, select_asks
 from kinegrade.problem.template.template import Template
-from kinegrade.problem.tolerance import Tolerance
 
 _POINTED = Message("bank.asks-with-points")
 

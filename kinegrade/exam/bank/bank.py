@@ -47,13 +47,13 @@ from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import choice, date_text, flag, whole
 from kinegrade.language.lines import shorten
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
+from kinegrade.numbers.tolerance import ONE_PER_CENT
 from kinegrade.press.protocol import ENGINES
 from kinegrade.problem.template.beside import Beside, Translations, lay_in, read_translations
 from kinegrade.problem.template.library.library import find_shipped, list_names
 from kinegrade.problem.template.template import TemplateFile
 from kinegrade.problem.template.translated import Translated
 from kinegrade.problem.template.translations import translated
-from kinegrade.problem.tolerance import ONE_PER_CENT
 from kinegrade.stated_marking import read_credit
 from kinegrade.students.mistake_names import MISTAKE_NAMES
 

@@ -14,11 +14,11 @@ from functools import partial
 from typing import Literal, assert_never
 
 from kinegrade.draws.keyed_order import address
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.press.protocol import Engine
 from kinegrade.problem.template.beside import Translations
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.translated import Translated
-from kinegrade.problem.tolerance import Tolerance
 from kinegrade.stated_marking import StatedCredit
 
 LMS = Literal["canvas"]  # systems that do not take every answer

@@ -24,12 +24,12 @@ from kinegrade.files.fields.values import found, text, whole
 from kinegrade.language.message import Message, Quoted, list_all
 from kinegrade.numbers.angle import Inexact
 from kinegrade.numbers.field import Field
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.assemble import read_parameter
 from kinegrade.problem.statement import check_statements
 from kinegrade.problem.template.domain import read_choices
 from kinegrade.problem.template.library.library import load_kept_template, load_template
 from kinegrade.problem.template.template import Parameter, Template
-from kinegrade.problem.tolerance import Tolerance
 
 MAX_QUESTIONS = 50
 _TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")

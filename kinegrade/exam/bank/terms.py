@@ -8,7 +8,7 @@ from kinegrade.errors import FieldError
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import amount, found, whole
 from kinegrade.language.message import Message
-from kinegrade.problem.tolerance import Tolerance
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.stated_marking import read_tolerance
 
 MAX_POINTS = 1000

@@ -15,10 +15,11 @@ import msgspec
 from kinegrade.errors import FieldError
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import describe_damage
-from kinegrade.exam.folder.keys import Ask, Key, Rule, make_rule
+from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.exam.folder.numbers import RATIONAL, require_not_negative, require_number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer, StatedTolerance
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
+from kinegrade.numbers.tolerance import Tolerance
 
 _AGREEMENT = 1e-9  # relative, between the ways in which a right answer is stated
 _FIGURES = range(1, 16)
@@ -66,10 +67,10 @@ def _read_key(ask: Ask, answer: StatedAnswer) -> Key:
         mistakes = read_mistakes(answer.mistakes)
     except FieldError as fault:
         raise FieldError(Fault(ask.column, fault.faults[0])) from fault
-    return stated.key(value, period, mistakes)
+    return Key(value, stated, period, mistakes)
 
 
-def read_rule(tolerance: StatedTolerance) -> Rule:
+def read_rule(tolerance: StatedTolerance) -> Tolerance:
     """The rule that a tolerance states; figures are those to which an answer has to agree. Raises
     FieldError.
     """
@@ -79,7 +80,7 @@ def read_rule(tolerance: StatedTolerance) -> Rule:
     if figures is not None and figures not in _FIGURES:
         what = Message("exam.is", name=Quoted("figures"), found=figures)
         raise FieldError(what, Message("exam.figures-from-to"))
-    return make_rule(relative, absolute, figures)
+    return Tolerance(relative, absolute, figures)
 
 
 def read_mistakes(stated: Mapping[str, str]) -> Mapping[str, Fraction]:

@@ -8,11 +8,10 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import lru_cache
 from typing import NamedTuple, Protocol, assert_never
 
 from kinegrade.language import ENGLISH, Language
-from kinegrade.numbers.figures import figures_interval
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.sign_conventions import Convention
 
 
@@ -38,72 +37,25 @@ class Ask:
 
 
 @dataclass(frozen=True, slots=True)
-class Rule:
-    """How far from the right answer is still right: max(relative*|answer|, absolute), in the ask's
-    unit.
-
-    With `figures`, right is also what agrees with the answer to that many significant figures.
-    """
-
-    relative: Fraction = Fraction(0)
-    absolute: Fraction = Fraction(0)
-    figures: int | None = None
-
-    def key(
-        self,
-        value: Fraction,
-        period: Fraction | None = None,
-        mistakes: Mapping[str, Fraction] | None = None,
-    ) -> Key:
-        """The key by which `value` is right.
-
-        >>> [float(bound) for bound in Rule(figures=3).key(Fraction("1.2304")).interval]
-        [1.225, 1.235]
-        """
-        agreeing = figures_interval(value, self.figures) if self.figures and value else None
-        return Key(
-            value,
-            max(self.relative * abs(value), self.absolute),
-            period,
-            agreeing,
-            self,
-            mistakes or {},
-        )
-
-
-@lru_cache(maxsize=4096)  # a whole class has few rules, and every key refers to one
-def make_rule(relative: Fraction, absolute: Fraction, figures: int | None = None) -> Rule:
-    """The rule with these numbers; equal numbers give the same object."""
-    return Rule(relative, absolute, figures)
-
-
-@dataclass(frozen=True, slots=True)
 class Key:
-    """The right answer and how far from it is still right: exact fractions, all in the unit of the
-    ask.
+    """The right answer, in the unit of the ask, and the rule that says how far from it is right.
 
-    `period` is a full turn for an angle that is right with any number of turns more or less.
-    `agreeing` are the smallest and the largest number that agree with the value to the significant
-    figures asked for, if any are. `make_rule` is what the tolerance and they come from; `mistakes`
-    are the wrong answers that known mistakes lead to, by id.
+    `period` is a full turn for an angle that is right with any number of turns more or less;
+    `mistakes` are the wrong answers that known mistakes lead to, by id.
+
+    >>> [float(bound) for bound in Key(Fraction("1.2304"), Tolerance(figures=3)).interval]
+    [1.225, 1.235]
     """
 
     value: Fraction
-    tolerance: Fraction
+    rule: Tolerance
     period: Fraction | None = None
-    agreeing: tuple[Fraction, Fraction] | None = None
-    rule: Rule | None = field(default=None, compare=False)
     mistakes: Mapping[str, Fraction] = field(default_factory=dict, hash=False)
 
     @property
     def interval(self) -> tuple[Fraction, Fraction]:
-        """The smallest and the largest right answer: within the tolerance, or agreeing."""
-        low, high = self.value - self.tolerance, self.value + self.tolerance
-        return (
-            (min(low, self.agreeing[0]), max(high, self.agreeing[1]))
-            if self.agreeing
-            else (low, high)
-        )
+        """The smallest and the largest right answer."""
+        return self.rule.interval(self.value)
 
 
 class StatedKey(NamedTuple):
@@ -114,7 +66,7 @@ class StatedKey(NamedTuple):
     """
 
     value: str
-    rule: Rule
+    rule: Tolerance
     mistakes: Mapping[str, float | Fraction]
     period: Fraction | None
 
@@ -125,7 +77,7 @@ class StatedKey(NamedTuple):
             for name, wrong in self.mistakes.items()
             if name in names
         }
-        return self.rule.key(Fraction(self.value), self.period, mistakes)
+        return Key(Fraction(self.value), self.rule, self.period, mistakes)
 
 
 class Keys(Protocol):

@@ -20,9 +20,10 @@ import msgspec
 from kinegrade.errors import ExamError, FieldError, Problem
 from kinegrade.exam.folder.exact_keys import read_mistakes
 from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line
-from kinegrade.exam.folder.keys import Ask, Rule, StatedKey
+from kinegrade.exam.folder.keys import Ask, StatedKey
 from kinegrade.exam.folder.numbers import RATIONAL
 from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.numbers.tolerance import Tolerance
 
 _all_decoded = msgspec.json.Decoder(list[dict[str, float]], strict=False).decode
 _decoded = msgspec.json.Decoder(dict[str, float], strict=False).decode
@@ -63,7 +64,7 @@ class Terms:
     """The rule and the period of each ask; papers on which they are equal share one object."""
 
     asks: Sequence[Ask]
-    rules: tuple[Rule, ...]
+    rules: tuple[Tolerance, ...]
     periods: tuple[Fraction | None, ...]
 
 

@@ -12,7 +12,7 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Part, list_choices
 from kinegrade.numbers.figures import figures_interval
-from kinegrade.problem.tolerance import Tolerance
+from kinegrade.numbers.tolerance import Tolerance
 
 FEWEST_DIGITS = 4
 _NUMERALS: Mapping[int, Message] = {

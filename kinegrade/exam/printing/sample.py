@@ -15,6 +15,7 @@ from kinegrade.exam.roster.roster import Roster, Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
+from kinegrade.numbers.tolerance import ONE_PER_CENT
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.solving import Solution
@@ -22,7 +23,6 @@ from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.template import Method, Template
 from kinegrade.problem.template.texts import require_language
 from kinegrade.problem.template.translated import Translated
-from kinegrade.problem.tolerance import ONE_PER_CENT
 from kinegrade.worked.solution import write_worked_solution
 
 

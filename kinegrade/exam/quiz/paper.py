@@ -11,7 +11,7 @@ from typing import Any
 
 from kinegrade.errors import ExamError, FieldError, KinegradeError
 from kinegrade.exam.folder.contents import HEAD
-from kinegrade.exam.folder.exact_keys import find_exact_value, read_mistakes
+from kinegrade.exam.folder.exact_keys import find_exact_value, read_mistakes, read_rule
 from kinegrade.exam.folder.faults import (
     AS_GENERATED,
     describe_damage,
@@ -27,7 +27,7 @@ from kinegrade.exam.printing.pages import (
     make_answer_row,
 )
 from kinegrade.exam.quiz.document import QuizAsk, QuizMistake, QuizPaper, QuizQuestion
-from kinegrade.exam.quiz.source import QuizSource, tolerance_of
+from kinegrade.exam.quiz.source import QuizSource
 from kinegrade.exam.quiz.words import AskRule, count_digits_to_type, write_marking_rules
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
@@ -172,7 +172,7 @@ def _make_ask(
     points = require_number("points", stated.points)
     row = make_answer_row(template.asks[name], points, source.language)
     value = find_exact_value(stated)
-    low, high = tolerance_of(stated.tolerance).interval(value)
+    low, high = read_rule(stated.tolerance).interval(value)
     period = None if stated.period is None else require_number("period", stated.period)
     mistakes = tuple(_find_mistakes(stated, wishes.credit, source)) if wishes.mistakes else ()
     return QuizAsk(name, replace(row, unit=stated.unit), value, low, high, period, mistakes)
@@ -182,7 +182,7 @@ def _find_mistakes(
     stated: StatedAnswer, wished: Fraction | None, source: QuizSource
 ) -> Iterator[QuizMistake]:
     """What known mistakes lead to outside the interval of what is right."""
-    tolerance, sentences = tolerance_of(stated.tolerance), describe_mistakes(source.language)
+    tolerance, sentences = read_rule(stated.tolerance), describe_mistakes(source.language)
     low, high = tolerance.interval(find_exact_value(stated))
     for identifier, value in read_mistakes(stated.mistakes).items():
         if not low <= value <= high:

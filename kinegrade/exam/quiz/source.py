@@ -21,14 +21,14 @@ from kinegrade.exam.folder.contents import BANK
 from kinegrade.exam.folder.exact_keys import read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line_of
-from kinegrade.exam.folder.records import KeyLine, StatedTolerance
+from kinegrade.exam.folder.records import KeyLine
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.language import Language
 from kinegrade.language.message import Fault
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.numbers.written import NumberError, read_number
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import require_language
-from kinegrade.problem.tolerance import Tolerance
 
 _DIGITS = 8  # hexadecimal, of the identifier
 _LOOKED_AT = 64  # papers searched for the bank's tolerances, which answers of zero widen
@@ -84,12 +84,6 @@ def read_quiz_source(exam: ExamFolder, language: Language | None = None) -> Quiz
     )
 
 
-def tolerance_of(stated: StatedTolerance) -> Tolerance:
-    """The tolerance that an ask's key states. Raises FieldError."""
-    rule = read_rule(stated)
-    return Tolerance(rule.relative, rule.absolute, rule.figures)
-
-
 def _make_identifier(exam: ExamFolder) -> str:
     """The exam's identifier; if the secret was taken out of the folder, derived from the first
     paper's code.
@@ -136,4 +130,4 @@ def _list_stated_tolerances(line: KeyLine) -> Iterator[tuple[tuple[str, str], To
     """The tolerances of one paper by question and ask. Raises FieldError."""
     for question in line.questions:
         for name, ask in question.asks.items():
-            yield (question.question, name), tolerance_of(ask.tolerance)
+            yield (question.question, name), read_rule(ask.tolerance)

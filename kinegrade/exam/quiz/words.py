@@ -11,7 +11,7 @@ from kinegrade.exam.printing.rules import FEWEST_DIGITS, make_marking_rule
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Text
-from kinegrade.problem.tolerance import Tolerance
+from kinegrade.numbers.tolerance import Tolerance
 
 
 def count_digits_to_type(tolerances: Iterable[Tolerance]) -> int:

@@ -16,8 +16,8 @@ from kinegrade.exam.folder.records import (
 from kinegrade.exam.folder.writing import make_decimal
 from kinegrade.exam.setting.key_mistakes import Mistaken
 from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.tolerance import Tolerance
 
 _NOTHING_KNOWN: Mapping[str, Mistaken] = MappingProxyType({})
 

@@ -15,9 +15,10 @@ from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.roster.roster import Student
 from kinegrade.mechanics.doubles import MotionInDoubles
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution
-from kinegrade.problem.tolerance import Tolerance, find_effective_tolerance
+from kinegrade.problem.tolerance import find_effective_tolerance
 
 
 @dataclass(frozen=True)

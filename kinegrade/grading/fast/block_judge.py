@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.keys import Ask, Key, Paper, Rule, make_rule
+from kinegrade.exam.folder.keys import Ask, Key, Paper
 from kinegrade.exam.folder.stated_keys import StatedKeys, read_stated_mistakes
 from kinegrade.grading.fast.comparison import Comparison, Flags, Rules, compare, may_agree, rules_of
 from kinegrade.grading.fast.judged_block import FULL_SHARE, NO_SHARE, JudgedBlock, Row
@@ -33,6 +33,7 @@ from kinegrade.grading.policy.accepted import Alternative, Alternatives
 from kinegrade.grading.policy.policy import NO_ROOM, Policy, Ruling
 from kinegrade.grading.typed.decimal_style import FileStyle
 from kinegrade.language import ENGLISH, Language
+from kinegrade.numbers.tolerance import Tolerance
 
 _Places = NDArray[np.intp]
 # Places to be decided one by one: the mistakes to consider there, or all
@@ -40,8 +41,7 @@ _Open = dict[int, Collection[str] | None]
 # Numbers that a later answer may build on
 _LED_ON: tuple[Kind, ...] = ("wrong", "mistake", "accepted")
 _TOO_NEAR = 1e-9  # relative: of two mistakes this near to each other, either may be the nearer one
-_NO_RULE = make_rule(Fraction(0), Fraction(0))
-_NO_KEY = Key(Fraction(0), Fraction(0))
+_NO_KEY = Key(Fraction(0), Tolerance())
 _OWNER = itemgetter(0)
 
 
@@ -113,9 +113,7 @@ class BlockJudge:
         if all(ruling.room == NO_ROOM for ruling in rulings):
             return rules_of(stated)
         different = {id(rules): rules for rules in stated}
-        now = {
-            name: tuple(map(_judge_by_policy, rulings, rules)) for name, rules in different.items()
-        }
+        now = {name: tuple(map(Ruling.rule, rulings, rules)) for name, rules in different.items()}
         return rules_of([now[id(rules)] for rules in stated])
 
     def _put_numbers(self, block: JudgedBlock, comparison: Comparison) -> None:
@@ -287,18 +285,13 @@ def _list_centres(paper: Paper) -> Sequence[float]:
     """The right answers in double precision; NaN where there is more to compare with than that."""
     if isinstance(paper.keys, StatedKeys):
         return paper.keys.centres
-    keys = map(paper.key, range(len(paper.keys)))
-    return [nan if key.period or key.rule is None else float(key.value) for key in keys]
+    return [nan if key.period else float(key.value) for key in paper.keys]
 
 
-def _list_rules(paper: Paper) -> tuple[Rule, ...]:
+def _list_rules(paper: Paper) -> tuple[Tolerance, ...]:
     if isinstance(paper.keys, StatedKeys):
         return paper.keys.terms.rules
-    return tuple(key.rule or _NO_RULE for key in paper.keys)
-
-
-def _judge_by_policy(ruling: Ruling, stated: Rule) -> Rule:
-    return ruling.key(stated.key(Fraction(1))).rule or stated
+    return tuple(key.rule for key in paper.keys)
 
 
 def _list_mistakes(wrong: Sequence[tuple[Paper, int]]) -> Sequence[Mapping[str, float | Fraction]]:

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.keys import Rule
 from kinegrade.grading.fast.reasons import Form, Forms
+from kinegrade.numbers.tolerance import Tolerance
 
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -42,7 +42,7 @@ class Rules:
         return Rules(self.relative[places], self.absolute[places], self.figures[places])
 
 
-def rules_of(papers: Sequence[tuple[Rule, ...]]) -> Rules:
+def rules_of(papers: Sequence[tuple[Tolerance, ...]]) -> Rules:
     """The rules of these papers as numbers; most papers share one rule, kept as one object."""
     known = {id(rules): rules for rules in papers}
     numbers = {

@@ -13,7 +13,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import assert_never
 
-from kinegrade.exam.folder.keys import Key, Rule
+from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.judging.judge import Verdict, judge
 from kinegrade.grading.policy.accepted import Alternative
 from kinegrade.grading.policy.policy import NO_ROOM, Ruling
@@ -140,12 +140,9 @@ def _may_agree(value: Fraction, wrong: Fraction, key: Key) -> bool:
     """False only where `judge` would certainly find no agreement, at a twentieth of its cost."""
     if key.period:
         return True
-    size, stated = abs(float(wrong)), key.rule or Rule(absolute=key.tolerance)
-    share = float(stated.relative) + (11 / 10**stated.figures if stated.figures else 0)
-    return (
-        abs(float(value) - float(wrong))
-        <= 1.01 * (share * size + float(stated.absolute)) + 1e-9 * size
-    )
+    size = abs(float(wrong))
+    room = key.rule.widest_share * size + float(key.rule.absolute)
+    return abs(float(value) - float(wrong)) <= 1.01 * room + 1e-9 * size
 
 
 def _judge_bare_number(

@@ -51,7 +51,8 @@ def judge(reading: Reading, key: Key) -> Verdict:
     counts as on it. Never raises.
 
     >>> from kinegrade.grading.typed.answers import read
-    >>> judge(read("1.01", "m/s"), Key(Fraction(1), Fraction(1, 100))).comparison
+    >>> from kinegrade.numbers.tolerance import ONE_PER_CENT
+    >>> judge(read("1.01", "m/s"), Key(Fraction(1), ONE_PER_CENT)).comparison
     Message('marking.allowed', value='1', difference='0.01', allowed='0.01')
     """
     match reading.kind:
@@ -81,7 +82,7 @@ def _compare(reading: Reading, key: Key) -> Verdict:
 
 def _explain_comparison(key: Key, difference: Fraction) -> Message:
     """With as many digits as it takes to see which of the two is larger."""
-    if key.agreeing:
+    if key.rule.goes_by_figures(key.value):
         low, high = key.interval
         return Message(
             "marking.to-figures",
@@ -90,9 +91,10 @@ def _explain_comparison(key: Key, difference: Fraction) -> Message:
             low=_write_short(low),
             high=_write_short(high),
         )
-    shown, allowed = _write_short(difference), _write_short(key.tolerance)
-    if shown == allowed and difference != key.tolerance:
-        shown, allowed = _write_long(difference), _write_long(key.tolerance)
+    room = key.rule.room(key.value)
+    shown, allowed = _write_short(difference), _write_short(room)
+    if shown == allowed and difference != room:
+        shown, allowed = _write_long(difference), _write_long(room)
     value = _write_short(key.value)
     return Message("marking.allowed", value=value, difference=shown, allowed=allowed)
 

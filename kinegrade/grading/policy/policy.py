@@ -11,9 +11,10 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Literal, assert_never
 
-from kinegrade.exam.folder.keys import Ask, Key, make_rule
+from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.expressions.expression import Expression
 from kinegrade.grading.typed.unit_spelling import Conversion
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.stated_marking import StatedTolerance
 
 Attempts = Literal["last", "first", "best"]
@@ -69,14 +70,22 @@ class Ruling:
 
     def key(self, key: Key) -> Key:
         """A key with its tolerance under the policy."""
-        return key if self.room == NO_ROOM else self.beside(key, key.value)
+        return self.beside(key, key.value)
 
     def beside(self, key: Key, value: Fraction) -> Key:
         """A key for another value, by the rule that `key` has under the policy."""
-        stated = key.rule or make_rule(Fraction(0), key.tolerance)
-        room = self.room.over(StatedTolerance(stated.relative, stated.absolute, stated.figures))
-        now = make_rule(room.relative or Fraction(0), room.absolute or Fraction(0), room.figures)
-        return now.key(value, key.period, key.mistakes)
+        return Key(value, self.rule(key.rule), key.period, key.mistakes)
+
+    def rule(self, printed: Tolerance) -> Tolerance:
+        """The rule that holds where the paper prints another."""
+        if self.room == NO_ROOM:
+            return printed
+        stated = self.room.over(
+            StatedTolerance(printed.relative, printed.absolute, printed.figures)
+        )
+        return Tolerance(
+            stated.relative or Fraction(0), stated.absolute or Fraction(0), stated.figures
+        )
 
 
 @dataclass(frozen=True, slots=True)

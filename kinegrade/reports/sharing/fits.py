@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.keys import Key, Rule
+from kinegrade.exam.folder.keys import Key
 
 Numbers: TypeAlias = NDArray[np.float64]
 Places: TypeAlias = NDArray[np.intp]
@@ -72,8 +72,7 @@ def find_windows(keys: Sequence[Key], *, mistakes: bool) -> Windows:
 
 def _find_room(key: Key) -> tuple[float, float, float]:
     """Relative and absolute tolerance, and the significant figures asked for, 0 for none."""
-    stated = key.rule or Rule(absolute=key.tolerance)
-    return float(stated.relative), float(stated.absolute), float(stated.figures or 0)
+    return float(key.rule.relative), float(key.rule.absolute), float(key.rule.figures or 0)
 
 
 def _find_bounds(
