@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from typing import NoReturn
 
+#: Interrupted by Ctrl-C.
 INTERRUPTED = 130  # 128 and the number of SIGINT, as shells count
 
 

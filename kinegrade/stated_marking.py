@@ -15,6 +15,24 @@ from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import Read, amount, share
 from kinegrade.language.message import Message, list_choices
 
+TOLERANCE = (
+    #: A share of the right answer: `"1 %"`, `0.01` or `"1/100"`.
+    "relative",
+    #: An amount in the unit of the ask.
+    "absolute",
+    #: A number of significant figures: right is what agrees with the exact value rounded to them.
+    "figures",
+)
+CREDIT = (
+    #: For an answer that follows from the student's own wrong answer to an earlier ask; all the
+    #: points where it is not stated, none for `0`.
+    "follow-through",
+    #: For the right number in a wrong unit.
+    "wrong-unit",
+    #: For known mistakes, by their identifiers: `{ coriolis-halved = "1/2" }`.
+    "mistakes",
+)
+# What is shown where one of them is no table
 _TOLERANCE = list_choices(('{ relative = "1 %" }', "{ absolute = 0.01 }", "{ figures = 3 }"))
 _CREDIT = '{ follow-through = "1/2" }'
 _MISTAKES = '{ coriolis-halved = "1/2" }'
@@ -73,7 +91,7 @@ class StatedCredit:
 
 def read_tolerance(table: Table, figures: Read[int]) -> StatedTolerance:
     """What `tolerance` in a table states."""
-    stated = table.table("tolerance", _TOLERANCE).only("relative", "absolute", "figures")
+    stated = table.table("tolerance", _TOLERANCE).only(*TOLERANCE)
     return StatedTolerance(
         stated.optional("relative", share),
         stated.optional("absolute", amount),
@@ -83,7 +101,7 @@ def read_tolerance(table: Table, figures: Read[int]) -> StatedTolerance:
 
 def read_credit(table: Table, known_mistakes: Callable[[], Iterable[str]]) -> StatedCredit:
     """What `credit` in a table states; the known mistakes are asked for only where it names one."""
-    stated = table.table("credit", _CREDIT).only("follow-through", "wrong-unit", "mistakes")
+    stated = table.table("credit", _CREDIT).only(*CREDIT)
     mistakes = stated.table("mistakes", _MISTAKES)
     if mistakes:
         mistakes = mistakes.only(*known_mistakes(), unknown=Message("fields.unknown-mistake"))

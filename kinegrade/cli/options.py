@@ -19,7 +19,9 @@ from kinegrade.cli.terminal import refuse_value, say, terminal_words, write_line
 from kinegrade.errors import KinegradeError, OutputError, Problem
 from kinegrade.language.message import Message
 
+#: Done, with complaints for a person to look at.
 COMPLAINTS = 1
+#: It cannot be done, and nothing was written.
 FAILURE = 2
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 LANGUAGE = click.option(

@@ -24,8 +24,10 @@ from kinegrade.cli.signals import BY_SIGNAL, Signalled, signals_obeyed
 from kinegrade.cli.terminal import say
 from kinegrade.language.message import Message, Part
 
-_CRASH = 70  # EX_SOFTWARE of sysexits.h
-_CLOSED_PIPE = BY_SIGNAL + 13  # as if SIGPIPE had ended it, which Windows does not have
+#: A fault in kinegrade; one line names a report that can be sent, without names of students.
+CRASH = 70  # EX_SOFTWARE of sysexits.h
+#: What was to read the output no longer does, as after `| head`.
+CLOSED_PIPE = BY_SIGNAL + 13  # as if SIGPIPE had ended it, which Windows does not have
 
 
 class _ClosedPipe(Exception):
@@ -87,7 +89,7 @@ def _run_to_status(run: Callable[[], object]) -> int:
         return BY_SIGNAL + ending.number
     except (_ClosedPipe, BrokenPipeError):
         _discard_output()
-        return _CLOSED_PIPE
+        return CLOSED_PIPE
     except click.Abort:
         return BY_SIGNAL + signal.SIGINT
     except _UnexpectedEnd as fault:
@@ -122,7 +124,7 @@ def _report_crash(fault: BaseException) -> int:
     from kinegrade.cli.crash import write_crash  # what it loads would slow every start
 
     _echo(write_crash(fault, sys.argv[1:]))
-    return _CRASH
+    return CRASH
 
 
 def _report_signal(number: int) -> None:

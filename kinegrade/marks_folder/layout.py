@@ -1,7 +1,8 @@
 """The layout of a marks folder: the names of its files and columns, in one place for writing and
 reading.
 
-Columns are found by name, so columns added by a later version do no harm.
+Columns are found by name, so columns added by a later version do no harm. The
+comments that begin with `#:` say what files and columns hold; the reference of docs/ prints them.
 """
 
 from __future__ import annotations
@@ -25,44 +26,74 @@ class AnswerCells(NamedTuple):
     length. A class is written faster this way than line by line.
     """
 
+    #: The student's id.
     student: Sequence[str]
+    #: The question, `q1`, as in the bank.
     question: Sequence[str]
+    #: The ask, `v_B`.
     ask: Sequence[str]
+    #: What was typed, unchanged.
     response: Sequence[str]
+    #: The number that was read, in the unit typed.
     read_as: Sequence[str]
+    #: The unit of the ask.
     unit: Sequence[str]
+    #: `right`, `blank`, `mistake` and so on.
     verdict: Sequence[str]
+    #: The points earned.
     points: Sequence[str]
+    #: The points that could be earned.
     out_of: Sequence[str]
+    #: Why, in a sentence.
     reason: Sequence[str]
+    #: The identifiers of the known mistakes that lead to this answer.
     mistakes: Sequence[str]
+    #: `policy` where something other than the paper's rule decided.
     rule: Sequence[str]
 
 
 # grades.csv has a column for each question between these
-_BEFORE_QUESTIONS = ("student", "name")
-_AFTER_QUESTIONS = ("total", "out_of", "percent", "status")
+BEFORE_QUESTIONS = (
+    #: The student's id.
+    "student",
+    #: The student's name.
+    "name",
+)
+AFTER_QUESTIONS = (
+    #: The sum of the points.
+    "total",
+    #: The points that could be earned.
+    "out_of",
+    #: The share of the points, in per cent.
+    "percent",
+    #: `marked`, or `absent` for anyone who answered nothing at all.
+    "status",
+)
 _KEPT_AMOUNTS = ("before", "before_out_of", "by_this_marking", "out_of", "stands")
 
 # Earlier versions named the mistakes and the policy in the reason alone
+#: Every answer with its verdict and reason.
 ANSWERS: Final = TableFile("marks.csv", AnswerCells._fields, optional=("mistakes", "rule"))
 MISTAKE: Final = "mistake"  # the verdict on an answer that known mistakes lead to
 NAMES_BETWEEN: Final = " "  # identifiers of mistakes contain no blank
 BY_POLICY: Final = "policy"  # the rule of an answer that was not compared by the paper's
 # Earlier versions wrote no status
+#: The points of each student, question by question, and the total.
 GRADES: Final = TableFile(
-    "grades.csv", (*_BEFORE_QUESTIONS, *_AFTER_QUESTIONS), optional=("percent", "status")
+    "grades.csv", (*BEFORE_QUESTIONS, *AFTER_QUESTIONS), optional=("percent", "status")
 )
+#: What a person should look at: where it stands, what is wrong, what was done about it.
 COMPLAINTS: Final = TableFile(
     "complaints.csv", ("file", "line", "column", "content", "problem", "done")
 )
-# Only with --never-lower
+#: Students who keep an earlier total; only with `--never-lower`.
 KEPT: Final = TableFile("kept.csv", ("student", "name", *_KEPT_AMOUNTS, "reason"))
-# Only where questions came from a pool: whose line of the key each answer was marked by
+#: Whose line of the key each answer was marked by; only where questions came from a pool.
 PUT: Final = TableFile("variants.csv", ("student", "question", "ask", "key_of"))
-# Only where questions stood in a different order from the bank's
+#: The order of the questions on each paper; only where it differs from the bank's.
 PRINTED: Final = TableFile("printed.csv", ("student", "questions"))
 QUESTIONS_BETWEEN: Final = " "  # question identifiers contain no blank
+#: A copy of the policy; only where there was one.
 POLICY: Final = "policy.toml"
 _TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED)
 FILES: Final = (*(file.name for file in _TABLES), POLICY)
@@ -77,4 +108,4 @@ TEXT_COLUMNS: Final = frozenset(name for file in FOR_PEOPLE for name in file.col
 
 def make_grades_header(questions: tuple[str, ...]) -> tuple[str, ...]:
     """The columns of grades.csv for these questions."""
-    return (*_BEFORE_QUESTIONS, *questions, *_AFTER_QUESTIONS)
+    return (*BEFORE_QUESTIONS, *questions, *AFTER_QUESTIONS)

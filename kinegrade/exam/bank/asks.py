@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from kinegrade.exam.bank.blueprint import BankAsk
+from kinegrade.exam.bank.keys import ASK
 from kinegrade.exam.bank.points import share_points
 from kinegrade.exam.bank.terms import MAX_POINTS, read_bank_tolerance, read_points
 from kinegrade.files.fields.table import Table
@@ -93,7 +94,7 @@ def _read_ask(asks: Table, name: str, template: Template, wider: Tolerance) -> B
     usual = Fraction(template.asks[name].points)
     if not asks.holds_table(name):
         return BankAsk(name, asks.with_default(name, read_points, usual), wider)
-    ask = asks.table(name).only("points", "tolerance")
+    ask = asks.table(name).only(*ASK)
     return BankAsk(name, _read_points(ask, usual), read_bank_tolerance(ask, wider))
 
 

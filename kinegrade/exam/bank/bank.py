@@ -1,28 +1,7 @@
 """The bank's file, an exam's blueprint: which questions are asked, for how many points, within
 which tolerance.
 
-title  = { en = "Kinematics midterm", zh = "运动学期中测验" }  # or in NAME.zh.toml beside it
-course = { en = "Theoretical mechanics", zh = "理论力学" }
-tolerance = { relative = "1 %" }  # or { absolute = 0.01 }, { figures = 3 }: or several of them
-shuffle = true  # optional: every paper has its own order of the questions
-versions = 3  # optional: versions A, B, C instead of a paper for each student
-engine = "latex"  # optional: what typesets the exam (typst)
-credit = { follow-through = "1/2" }  # optional: shares of the points, see stated_marking
-solutions = true  # optional: feedback holds the worked solutions
-lms = "canvas"  # optional: refuse draws that Canvas cannot mark with four decimals
-
-[[questions]]
-template = "slider-crank"  # a shipped template, or a file beside the bank: "mine.toml"
-asks = { v_B = 3, omega_AB = 2 }  # optional: what is asked, with points
-draw = { k = ["sqrt(3)", "2"] }  # optional: other domains for some parameters
-tolerance = { relative = "2 %" }  # optional: for this question
-
-[[questions]]
-family = "rolling"  # or tag = "acceleration": shipped templates, drawn once for the class
-number = 2  # optional: how many different ones (1)
-without = ["rolling-wheel-rim-points"]  # optional: not these
-asks = "velocity"  # optional: only this (position, acceleration) of what the template asks
-points = 10  # optional: shared out as the template weighs what it asks
+`keys` lists what may be written in it.
 """
 
 from __future__ import annotations
@@ -34,6 +13,7 @@ from typing import get_args
 
 from kinegrade.errors import BankError, suggest
 from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
+from kinegrade.exam.bank.keys import BANK
 from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
 from kinegrade.exam.bank.terms import read_bank_tolerance
 from kinegrade.exam.bank.versions import LETTERS
@@ -57,19 +37,6 @@ from kinegrade.problem.template.translations import translated
 from kinegrade.stated_marking import read_credit
 from kinegrade.students.mistake_names import MISTAKE_NAMES
 
-_KEYS = (
-    "title",
-    "course",
-    "date",
-    "tolerance",
-    "shuffle",
-    "versions",
-    "engine",
-    "credit",
-    "solutions",
-    "lms",
-    "questions",
-)
 MAX_BYTES = 200_000
 _BANK_FILE = FileKind(Message("bank.a-bank-file"), BankError, MAX_BYTES)
 _SYSTEMS: tuple[LMS, ...] = get_args(LMS)
@@ -128,7 +95,7 @@ def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False
     """
     text, translations = read_text(path, _BANK_FILE), read_translations(path, _BANK_FILE)
     whole, faults = _open(path, text, translations)
-    table = whole.only(*_KEYS)
+    table = whole.only(*BANK)
     entries = Entries(table.faults, folder or find_shipped("templates"), path.parent, kept)
     frame = _read_frame(table, text, translations)
     slots = _read_slots(table, entries, frame)

@@ -15,6 +15,7 @@ from typing import Literal
 from kinegrade.errors import FieldError, KinegradeError, suggest
 from kinegrade.exam.bank.asks import read_asks, read_kind, weigh_asks
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Slot
+from kinegrade.exam.bank.keys import DRAWN, FAMILY, NAMED, TAG
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.exam.bank.terms import read_bank_tolerance
 from kinegrade.expressions.expression import read_expression
@@ -33,11 +34,10 @@ from kinegrade.problem.template.template import Parameter, Template
 
 MAX_QUESTIONS = 50
 _TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
-_DRAWN_KEYS = ("number", "without", "asks", "points", "tolerance")
 _ENTRY_KEYS: Mapping[Literal["template"] | Grouping, tuple[str, ...]] = {
-    "template": ("template", "asks", "draw", "points", "tolerance"),
-    "family": ("family", *_DRAWN_KEYS),
-    "tag": ("tag", *_DRAWN_KEYS),
+    "template": NAMED,
+    "family": (*FAMILY, *DRAWN),
+    "tag": (*TAG, *DRAWN),
 }
 _ALL_KEYS = tuple(dict.fromkeys(key for keys in _ENTRY_KEYS.values() for key in keys))
 _ONE_KIND = Message("bank.one-of-three")

@@ -1,19 +1,37 @@
-"""What an exam folder holds: the names of its files and folders."""
+"""What an exam folder holds: the names of its files and folders.
+
+The comments that begin with `#:` say what each holds; the reference of docs/ prints them.
+"""
 
 from __future__ import annotations
 
 from kinegrade.language.known import known_languages
 from kinegrade.problem.template.translation_names import name_beside
 
+#: The exam: title, questions, asks with their units and points, students, the secret.
 HEAD = "exam.json"
+#: The right answers, one line for each student, with the values drawn and the known mistakes.
 KEY = "key.jsonl"
+#: The right answers for people.
 KEY_BOOK = "key.pdf"
-POOL = "variants.jsonl"  # the lines of the key that a pool was made of
+#: The lines of the key that a pool of quiz questions was made of; written by `kinegrade quiz`.
+POOL = "variants.jsonl"
+#: The bank as it was.
 BANK = "bank.toml"
+#: The templates as they were.
 TEMPLATES = "templates"
+#: Says who may see what.
 NOTICE = "INSTRUCTOR-ONLY.txt"
-PAPERS, SOLUTIONS, SOURCES = "papers", "solutions", "tex"
-ANSWERS, ANSWER_WORKBOOK = "answers.csv", "answers.xlsx"
+#: One PDF for each student; for students.
+PAPERS = "papers"
+#: Worked solutions, one PDF for each student; for students after the exam.
+SOLUTIONS = "solutions"
+#: Sources of papers typeset by LaTeX, for editing.
+SOURCES = "tex"
+#: The blank sheet for the class's answers.
+ANSWERS = "answers.csv"
+#: The same sheet as a workbook, which keeps ids as text.
+ANSWER_WORKBOOK = "answers.xlsx"
 FOR_STUDENTS = (PAPERS, f"{PAPERS}.pdf")
 CONTENTS = (
     HEAD,

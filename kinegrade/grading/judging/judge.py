@@ -18,14 +18,23 @@ from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Message, Text
 
 Kind = Literal[
+    #: Within the tolerance.
     "right",
+    #: Another answer, which a policy accepts.
     "accepted",
+    #: It follows from the student's own wrong answer to an earlier ask.
     "follow-through",
+    #: A known mistake leads to it.
     "mistake",
+    #: Anything else that could be read.
     "wrong",
+    #: The right number in a wrong unit.
     "wrong unit",
+    #: Nothing was typed.
     "blank",
+    #: It could not be read as a number.
     "unreadable",
+    #: A policy made the ask void.
     "void",
 ]
 

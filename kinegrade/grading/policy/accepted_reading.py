@@ -17,6 +17,7 @@ from kinegrade.expressions.expression import Expression, find_names, read_expres
 from kinegrade.files.fields.digits import Digits
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import found, share
+from kinegrade.grading.policy.keys import ACCEPTED
 from kinegrade.grading.policy.policy import FULL_CREDIT, Accepted
 from kinegrade.grading.typed.number_text import Unreadable
 from kinegrade.grading.typed.unit_spelling import Conversion, WrongUnit, find_conversion, read_unit
@@ -37,7 +38,7 @@ class AcceptedReader:
     def read(self, table: Table, ask: Ask) -> Iterator[Accepted]:
         """The answers under `accept` in an ask's table; faulty ones are left out."""
         for number, entry in enumerate(table.tables("accept", _EXAMPLE), 1):
-            known = entry.only("value", "unit", "credit", "student")
+            known = entry.only(*ACCEPTED)
             credit = known.with_default("credit", share, FULL_CREDIT)
             students = self._students(known)
             tree = known.required("value", _read_tree)

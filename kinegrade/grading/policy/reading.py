@@ -1,31 +1,9 @@
 """A policy file: how to mark a class again, differently from what the papers say.
 
-    attempts = "best"     # which of a student's rows counts: "last" (as without a policy), "first"
-                          # or "best"
-    tolerance = { relative = "2 %" }     # and absolute (in the ask's unit), figures; what is not
-                                         # stated stays
-    credit = { follow-through = "1/2", wrong-unit = "50 %", mistakes = { sense-reversed = 0.5 } }
-                          # shares of the points; follow-through is for an answer that follows from
-                          # the student's wrong answer to an earlier ask: all of them where nothing
-                          # is stated, 0 turns it off
-
-    [questions.q1]        # a question can have a tolerance and credits, and so can an ask
-    void = "drop"         # its points leave everybody's total, or "full": everybody who handed in
-                          # gets them
-    [questions.q2.asks.v_B]
-    tolerance = { figures = 2 }
-    points = 3            # instead of those on the paper
-    accept = [            # answers that count too
-      { value = "2*sqrt(3)", unit = "m/s" },           # without a unit, in that of the ask
-      { value = "r*omega", credit = "1/2" },           # of this paper's numbers: parameters and
-                                                       # right answers, in SI
-      { value = "-v_B", student = ["007", "0012"] },   # for some students only
-    ]
-
-A setting nearer to the ask overrides one further out, number by number. Of everything that applies
-to an answer, the best credit counts. What the exam's bank says about credit
-(`kinegrade.stated_marking`) is furthest out of all. `read_policy` and `stated_policy` are called by
-`grade`.
+`keys` lists what may be written in it. A setting nearer to the ask overrides one further out,
+number by number. Of everything that applies to an answer, the best credit counts. What the exam's
+bank says about credit (`kinegrade.stated_marking`) is furthest out of all. `read_policy` and
+`stated_policy` are called by `grade`.
 """
 
 from __future__ import annotations
@@ -42,6 +20,7 @@ from kinegrade.exam.folder.keys import Ask, list_questions
 from kinegrade.files.fields.document import FileKind, parsed_table, read_text, toml_table
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import amount, choice, whole
+from kinegrade.grading.policy import keys
 from kinegrade.grading.policy.accepted_reading import AcceptedReader
 from kinegrade.grading.policy.policy import FULL_CREDIT, NO_ROOM, Attempts, Policy, Ruling, Void
 from kinegrade.language.message import Message
@@ -113,7 +92,7 @@ class _Reader:
 
     def policy(self, content: Table, text: str, stated: _Level) -> Policy:
         """A whole file; raises PolicyError when anything is at fault."""
-        table = content.only("attempts", "tolerance", "credit", "questions")
+        table = content.only(*keys.POLICY)
         attempts: Attempts = table.with_default("attempts", choice(_ATTEMPTS), "last")
         level = self._level(table).over(stated)
         rulings = self._rulings(table.table("questions"), level)
@@ -126,7 +105,7 @@ class _Reader:
         tables = content.only(*known, unknown=Message("fields.unknown-question"))
         rulings: dict[str, Ruling] = {}
         for question in known:
-            table = tables.table(question).only("tolerance", "credit", "void", "asks")
+            table = tables.table(question).only(*keys.QUESTION)
             level = self._level(table).over(wider)
             asks = [ask for ask in self.exam.asks if ask.question == question]
             asked = table.table("asks").only(
@@ -138,7 +117,7 @@ class _Reader:
 
     def _ruling(self, content: Table, ask: Ask, wider: _Level) -> Ruling:
         """What applies to one ask."""
-        table = content.only("tolerance", "credit", "void", "points", "accept")
+        table = content.only(*keys.ASK)
         level = self._level(table).over(wider)
         credit = level.credit
         return Ruling(

@@ -1,0 +1,73 @@
+"""What an instructor may write in a bank's file: its keys, and those of its entries.
+
+The comments that begin with `#:` say what each key is for; the reference of docs/ prints them.
+"""
+
+from __future__ import annotations
+
+BANK = (
+    #: What the exam is called: a text, or one for each language.
+    "title",
+    #: The course, in the same way.
+    "course",
+    #: The date, as it is printed: `2026-06-24`, or any text.
+    "date",
+    #: How far an answer may be off; 1 % where nothing is stated.
+    "tolerance",
+    #: `true` gives every paper its own order of the questions.
+    "shuffle",
+    #: The number of versions, `3` for A, B and C, in place of a paper for each student.
+    "versions",
+    #: What typesets the exam.
+    "engine",
+    #: Shares of the points for answers that are not right.
+    "credit",
+    #: `true` if feedback is to hold the worked solutions.
+    "solutions",
+    #: The system that will mark typed answers, where it takes only some numbers: draws whose right
+    #: answers it could not take are refused.
+    "lms",
+    #: The questions, each a table `[[questions]]`.
+    "questions",
+)
+# An entry [[questions]] names a template, or a family or tag to draw from
+NAMED = (
+    #: A shipped template by its name, or a file beside the bank: `"mine.toml"`.
+    "template",
+    #: What is asked, with points: `{ v_B = 3, omega_AB = 2 }`; for one kind alone, `"velocity"`,
+    #: `"acceleration"` or `"position"`. What the template gives points is asked otherwise.
+    "asks",
+    #: Other values to draw for some parameters: `{ k = ["sqrt(3)", "2"] }`.
+    "draw",
+    #: The points of the question, shared out as the template weighs what it asks.
+    "points",
+    #: How far an answer to this question may be off.
+    "tolerance",
+)
+FAMILY = (
+    #: Draws from the shipped templates of this family, once for the class.
+    "family",
+)
+TAG = (
+    #: Draws from the shipped templates with this tag, once for the class.
+    "tag",
+)
+DRAWN = (
+    #: How many different templates are drawn; one where it is not stated.
+    "number",
+    #: Templates that are not to be drawn: `["slider-crank"]`.
+    "without",
+    #: The kind of asks: `"velocity"`, `"acceleration"` or `"position"`; all where it is not stated.
+    "asks",
+    #: The points of each question, shared out as its template weighs what it asks.
+    "points",
+    #: How far an answer to these questions may be off.
+    "tolerance",
+)
+# An entry of `asks` that is a table
+ASK = (
+    #: The points of the ask; the template's where they are not stated.
+    "points",
+    #: How far the answer may be off.
+    "tolerance",
+)

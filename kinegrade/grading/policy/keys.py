@@ -1,0 +1,51 @@
+"""What an instructor may write in a policy's file: its keys, and those of its tables.
+
+The comments that begin with `#:` say what each key is for; the reference of docs/ prints them.
+"""
+
+from __future__ import annotations
+
+POLICY = (
+    #: Which of a student's rows counts: `last` (as without a policy), `first` or `best`.
+    "attempts",
+    #: How far an answer may be off; what is not stated stays as on the paper.
+    "tolerance",
+    #: Shares of the points for answers that are not right.
+    "credit",
+    #: Rules for single questions: tables `[questions.q1]`.
+    "questions",
+)
+QUESTION = (
+    #: How far an answer to this question may be off.
+    "tolerance",
+    #: Shares of the points in this question.
+    "credit",
+    #: `drop` takes the question's points out of everyone's total; `full` gives them to everyone who
+    #: handed in.
+    "void",
+    #: Rules for single asks: tables `[questions.q1.asks.v_B]`.
+    "asks",
+)
+ASK = (
+    #: How far this answer may be off.
+    "tolerance",
+    #: Shares of the points of this ask.
+    "credit",
+    #: `drop` or `full`, as for a question.
+    "void",
+    #: Points in place of those on the paper.
+    "points",
+    #: Further answers that count, each a table.
+    "accept",
+)
+ACCEPTED = (
+    #: The answer: a number, or an expression of this paper's parameters and right answers, in SI
+    #: units.
+    "value",
+    #: Its unit; that of the ask where it is not stated.
+    "unit",
+    #: Its share of the points; all of them where it is not stated.
+    "credit",
+    #: The id of the student for whom it counts, or a list of ids; everyone where it is not stated.
+    "student",
+)
