@@ -173,33 +173,8 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "names of unknowns inside the program": {
-        "mechanics/frames.py": [
-            "circle {} {}/{}",
-            "free {} {} x",
-            "free {} {} y",
-            "slide {} {}/{}",
-        ],
-        "students/followed_terms.py": [
-            "added {} {} x",
-            "added {} {} y",
-            "coriolis {}/{}",
-            "normal {}/{}",
-        ],
-        "mechanics/relations.py": [
-            "omega {}",
-        ],
-        "worked/answers/asked_vectors.py": [
-            "circle {} {}/",
-            "slide {} {}/",
-        ],
         "worked/answers/centrodes.py": [
             "circle {}",
-        ],
-        "worked/steps/methods.py": [
-            "omega {}",
-        ],
-        "worked/steps/pictures.py": [
-            "omega {}",
         ],
     },
     "what TeX writes into its log": {

@@ -31,7 +31,8 @@ from kinegrade.mechanics.joints import (
     Slide,
 )
 from kinegrade.mechanics.mechanism import Body, Mechanism
-from kinegrade.mechanics.relations import Chain, Relation, Term, name_omega
+from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
 
 
@@ -97,7 +98,7 @@ def build_chain(mechanism: Mechanism, bases: Mapping[str, Base], body: str, poin
     if point == base.point or mechanism.body(body).particle:
         return base.chain
     arm = mechanism.points[point] - mechanism.points[base.point]
-    return (*base.chain, Term("rotation", name_omega(body), arm, point, base.point))
+    return (*base.chain, Term("rotation", make_turning(body), arm, point, base.point))
 
 
 def _find_guides(mechanism: Mechanism) -> tuple[Guided | None, ...]:
@@ -105,11 +106,11 @@ def _find_guides(mechanism: Mechanism) -> tuple[Guided | None, ...]:
     different names.
     """
     guides: list[Guided | None] = []
-    taken: set[str] = set()
+    taken: set[Rate] = set()
     for joint in mechanism.joints:
         guide = find_guided(mechanism, joint)
         if guide and guide.term.rate in taken:
-            term = replace(guide.term, rate=f"{guide.term.rate} {len(guides)}")
+            term = replace(guide.term, rate=guide.term.rate._replace(number=len(guides)))
             guide = replace(guide, term=term)
         if guide:
             taken.add(guide.term.rate)
@@ -141,10 +142,10 @@ def _make_track_term(
     """`point` of `body` moves along a line, or about the centre of a circle, relative to `of`."""
     match track:
         case Line(direction=direction):
-            return Term("sliding", f"slide {point} {body}/{of}", direction, point, frame=of)
+            return Term("sliding", Rate("sliding", body, point, of), direction, point, frame=of)
         case Circle(centre=centre):
             arm = mechanism.points[point] - mechanism.points[centre]
-            return Term("arc", f"circle {point} {body}/{of}", arm, point, centre, of)
+            return Term("arc", Rate("circling", body, point, of), arm, point, centre, of)
         case _:
             assert_never(track)
 
@@ -224,8 +225,8 @@ def _rank_ground(mechanism: Mechanism, guide: Guided) -> int:
 def _make_free_terms(point: str, body: str) -> Chain:
     """The two components of a free point's velocity."""
     return (
-        Term("sliding", f"free {point} {body} x", Vector(1, 0), point),
-        Term("sliding", f"free {point} {body} y", Vector(0, 1), point),
+        Term("sliding", Rate("free-x", body, point), Vector(1, 0), point),
+        Term("sliding", Rate("free-y", body, point), Vector(0, 1), point),
     )
 
 
@@ -277,10 +278,10 @@ def _state_pin(mechanism: Mechanism, bases: Mapping[str, Base], pin: Pin) -> Ite
             )
 
 
-def _list_turning_factors(body: str, of: str, factor: Any) -> tuple[tuple[str, Any], ...]:
+def _list_turning_factors(body: str, of: str, factor: Any) -> tuple[tuple[Rate, Any], ...]:
     """factor*(omega of body - omega of the other); the ground does not turn."""
     parts = [(name, part) for name, part in ((body, factor), (of, -factor)) if name != GROUND]
-    return tuple((name_omega(name), part) for name, part in parts)
+    return tuple((make_turning(name), part) for name, part in parts)
 
 
 def _state_rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
@@ -311,7 +312,7 @@ def _state_meshing(mesh: Mesh) -> Relation:
     """
     sense = -1 if mesh.inside else 1
     radius, other = mesh.circle.radius, mesh.on.radius * sense
-    rates: dict[str, Any] = {}
+    rates: dict[Rate, Any] = {}
     for rate, factor in (
         *_list_turning_factors(mesh.body, mesh.carrier, radius),
         *_list_turning_factors(mesh.of, mesh.carrier, other),

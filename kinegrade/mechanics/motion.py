@@ -19,8 +19,9 @@ from kinegrade.mechanics.frames import Frames, build_frames
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.plan import Plan
+from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.refusal import describe_looseness, explain_refusal, find_unrelated
-from kinegrade.mechanics.relations import add_vectors, name_omega
+from kinegrade.mechanics.relations import add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.elimination import Contradiction, Singular
 
@@ -31,8 +32,8 @@ class Motion:
 
     frames: Frames
     plan: Plan
-    rates: Mapping[str, Any]
-    changes: Mapping[str, Any]
+    rates: Rates
+    changes: Rates
 
     @property
     def points(self) -> Mapping[str, Vector]:
@@ -89,10 +90,10 @@ class Motion:
         return self.points[base] + arm
 
 
-class _Undriven(dict[str, Any]):
+class _Undriven(dict[Rate, Any]):
     """The rates of a mechanism without a driver: none is known, and reading one is an error."""
 
-    def __missing__(self, rate: str) -> Any:
+    def __missing__(self, rate: Rate) -> Any:
         what, do = Message("mechanics.undriven"), Message("mechanics.give-input")
         raise MechanismError(Fault("", what, do=do))
 
@@ -152,13 +153,14 @@ def _require_all_related(frames: Frames) -> None:
         raise MechanismError(describe_looseness(frames, []))
 
 
-def _find_turning_rate(rates: Mapping[str, Any], body: str) -> Any:
+def _find_turning_rate(rates: Rates, body: str) -> Any:
     """The angular rate of a body among `rates`; the ground has none, and for a particle it is an
     error.
     """
     if body == GROUND:
         return 0
-    if name_omega(body) not in rates:
+    turning = make_turning(body)
+    if turning not in rates:
         what = Message("mechanics.no-turning-particle", body=body)
         raise MechanismError(Fault("", what, do=Message("mechanics.ask-for-point")))
-    return rates[name_omega(body)]
+    return rates[turning]

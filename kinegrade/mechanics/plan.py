@@ -13,10 +13,11 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Relation
 from kinegrade.numbers.elimination import Singular
 
-Row = Mapping[str, Any]
+Row = Mapping[Rate, Any]
 Equations = Sequence[Sequence[Row]]
 _MAX_TOGETHER = 3
 
@@ -28,7 +29,7 @@ class Step:
     """
 
     relations: tuple[int, ...]
-    unknowns: tuple[str, ...]
+    unknowns: tuple[Rate, ...]
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,7 @@ def find_plan(relations: Sequence[Relation], equations: Equations, arithmetic: A
     """The plan at this configuration. Raises Singular when the relations leave something
     undetermined.
     """
-    known: set[str] = set()
+    known: set[Rate] = set()
     pending = list(range(len(relations)))
     steps: list[Step] = []
     while pending:
@@ -59,7 +60,7 @@ def _find_determined(
     relations: Sequence[Relation],
     equations: Equations,
     pending: Sequence[int],
-    known: set[str],
+    known: set[Rate],
     arithmetic: Any,
 ) -> Iterator[Step]:
     """The sets of pending relations that determine their unknowns, the smallest first."""
@@ -75,7 +76,7 @@ def _find_determined(
             yield Step(group, unknowns)
 
 
-def _has_full_rank(rows: Sequence[Row], unknowns: Sequence[str], arithmetic: Any) -> bool:
+def _has_full_rank(rows: Sequence[Row], unknowns: Sequence[Rate], arithmetic: Any) -> bool:
     """Whether the rows determine the unknowns."""
     if not unknowns:
         return True
@@ -88,12 +89,12 @@ def _has_full_rank(rows: Sequence[Row], unknowns: Sequence[str], arithmetic: Any
 
 def run_steps(
     plan: Plan, equations: Equations, right: Callable[[int], Sequence[Any]], arithmetic: Any
-) -> dict[str, Any]:
+) -> dict[Rate, Any]:
     """The rates that the plan gives; `right` gives a relation's right-hand sides.
 
     Raises Singular at a dead point of a step, Contradiction when surplus equations do not agree.
     """
-    rates: dict[str, Any] = {}
+    rates: dict[Rate, Any] = {}
     for step in plan.steps:
         rows = [row for index in step.relations for row in equations[index]]
         sides = [

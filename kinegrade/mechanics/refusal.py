@@ -10,7 +10,7 @@ from kinegrade.language.message import Message, list_all, list_plainly
 from kinegrade.mechanics.dead_point import describe_dead_point, make_numeral
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.plan import Equations
-from kinegrade.mechanics.relations import name_omega
+from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.numbers.elimination import find_null_vectors, is_consistent
 
 
@@ -30,7 +30,7 @@ def explain_refusal(
         rows, [make_numeral(s, arithmetic) for side in sides for s in side], arithmetic.is_zero
     )
     motions = [{rates[i] for i in vector} for vector in loose]
-    turning = {rate.split(" ", 1)[1] for rate in set().union(*motions) if _is_turning(rate)}
+    turning = {rate.body for rate in set().union(*motions) if rate.kind == "turning"}
     line = describe_dead_point(frames, turning, arithmetic) if loose else None
     if fits and line:
         return MechanismError(Message("mechanics.dead-point", line=line))
@@ -47,29 +47,24 @@ def explain_refusal(
     return MechanismError(Message("mechanics.dead-configuration", relations=names))
 
 
-def _is_turning(rate: str) -> bool:
-    """Whether a rate is the angular velocity of a body."""
-    return rate.startswith("omega ")
-
-
-def describe_looseness(frames: Frames, motions: Sequence[set[str]]) -> Message:
+def describe_looseness(frames: Frames, motions: Sequence[set[Rate]]) -> Message:
     """Which bodies can still turn and which points can still move."""
     idle = find_unrelated(frames)
     moving = set().union(*motions, idle)
-    bodies = [rate.split(" ", 1)[1] for rate in sorted(moving) if _is_turning(rate)]
-    points = sorted({rate.split(" ")[1] for rate in moving if not _is_turning(rate)})
+    bodies = sorted(rate.body for rate in moving if rate.kind == "turning")
+    points = sorted({rate.point for rate in moving if rate.kind != "turning"})
     parts = [Message("mechanics.can-turn", body=body) for body in bodies]
     parts += [Message("mechanics.can-move", point=point) for point in points]
     count = len(motions) + len(idle)
     return Message("mechanics.loose", motions=list_plainly(parts), count=count)
 
 
-def find_unrelated(frames: Frames) -> list[str]:
+def find_unrelated(frames: Frames) -> list[Rate]:
     """The rates of bodies and base points that occur in no relation, so that nothing determines
     them.
     """
     known = {rate for relation in frames.relations for rate in relation.unknowns()}
-    rates = [name_omega(body.name) for body in frames.mechanism.bodies if not body.particle]
+    rates = [make_turning(body.name) for body in frames.mechanism.bodies if not body.particle]
     rates += [term.rate for base in frames.bases.values() for term in base.chain]
     return [rate for rate in dict.fromkeys(rates) if rate not in known]
 

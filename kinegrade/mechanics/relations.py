@@ -11,22 +11,16 @@ rates.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.joints import GROUND, Joint
+from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.vector import Vector
 
-Rates = Mapping[str, Any]
 Kind = Literal["rotation", "sliding", "arc"]
-
-
-def name_omega(body: str) -> str:
-    """The name of the unknown angular velocity of a body."""
-    return f"omega {body}"
 
 
 @dataclass(frozen=True)
@@ -44,7 +38,7 @@ class Term:
     """
 
     kind: Kind
-    rate: str
+    rate: Rate
     vector: Vector
     point: str
     base: str = ""
@@ -84,7 +78,7 @@ class Term:
         """
         if self.kind == "rotation" or self.frame == GROUND:
             return Vector(0, 0)
-        coriolis: Vector = self.velocity(rates).turned() * (rates[name_omega(self.frame)] * 2)
+        coriolis: Vector = self.velocity(rates).turned() * (rates[make_turning(self.frame)] * 2)
         return coriolis
 
     def remainder(self, rates: Rates) -> Vector:
@@ -115,7 +109,7 @@ class Relation:
     left: Chain = ()
     right: Chain = ()
     along: Vector | None = None
-    turning: tuple[tuple[str, Any], ...] = ()
+    turning: tuple[tuple[Rate, Any], ...] = ()
     velocity: Any = 0
     acceleration: Any = 0
     frame: str = GROUND
@@ -126,16 +120,16 @@ class Relation:
         """Whether the relation is a vector equation, that is, two equations."""
         return self.along is None and not self.turning
 
-    def unknowns(self) -> tuple[str, ...]:
+    def unknowns(self) -> tuple[Rate, ...]:
         """The rates that occur, in order of occurrence."""
         rates = [term.rate for term in (*self.left, *self.right)] + [
             rate for rate, _ in self.turning
         ]
         return tuple(dict.fromkeys(rates))
 
-    def equations(self) -> list[dict[str, Any]]:
+    def equations(self) -> list[dict[Rate, Any]]:
         """The coefficients of the rates, one dict for each scalar equation."""
-        vectors: dict[str, Vector] = {}
+        vectors: dict[Rate, Vector] = {}
         for side, chain in ((1, self.left), (-1, self.right)):
             for term in chain:
                 vector = term.coefficient() * side
@@ -177,7 +171,7 @@ class Relation:
         relative = add_vectors(t.velocity(rates) for t in self.left) - add_vectors(
             t.velocity(rates) for t in self.right
         )
-        coriolis: Vector = relative.turned() * (rates[name_omega(self.frame)] * 2)
+        coriolis: Vector = relative.turned() * (rates[make_turning(self.frame)] * 2)
         return coriolis
 
 

@@ -16,6 +16,7 @@ from typing import Literal, assert_never
 
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Chain, Relation, Term, add_vectors
 from kinegrade.mechanics.vector import Vector
 
@@ -58,7 +59,7 @@ class Part:
         return self.term.base if self.term else ""
 
     @property
-    def unknown(self) -> str | None:
+    def unknown(self) -> Rate | None:
         """The unknown rate of this part, None where the part is known."""
         return self.term.rate if self.term and self.coefficient is not None else None
 
@@ -84,11 +85,11 @@ class VectorEquation:
         return (*self.left, *self.right)
 
     @property
-    def unknowns(self) -> tuple[str, ...]:
+    def unknowns(self) -> tuple[Rate, ...]:
         """The unknown rates, in order of occurrence."""
         return tuple(dict.fromkeys(part.unknown for part in self.parts if part.unknown))
 
-    def coefficient(self, rate: str) -> Vector:
+    def coefficient(self, rate: Rate) -> Vector:
         """The vector that an unknown rate multiplies when everything stands on the left."""
         left = add_vectors(part.coefficient for part in self.left if part.unknown == rate)
         return left - add_vectors(part.coefficient for part in self.right if part.unknown == rate)
@@ -100,7 +101,7 @@ class VectorEquation:
 
 
 def write_vector_equation(
-    relation: Relation, motion: Motion, known: Collection[str], level: Level
+    relation: Relation, motion: Motion, known: Collection[Rate], level: Level
 ) -> VectorEquation:
     """The vector equation of a relation at the stage where the rates `known` are known (their
     changes, for accelerations, of which all velocities are known).
@@ -146,7 +147,7 @@ def _number_parts(parts: Sequence[Part]) -> list[Part]:
 
 
 def _list_chain_parts(
-    chain: Chain, motion: Motion, known: Collection[str], level: Level
+    chain: Chain, motion: Motion, known: Collection[Rate], level: Level
 ) -> Iterator[Part]:
     """The parts of one side: what is known from the ground outwards as one vector, then term by
     term.
@@ -184,7 +185,7 @@ def find_term_value(term: Term, motion: Motion, level: Level) -> Vector:
 
 
 def list_term_parts(
-    term: Term, motion: Motion, known: Collection[str], level: Level
+    term: Term, motion: Motion, known: Collection[Rate], level: Level
 ) -> Iterator[Part]:
     """One term's velocity, or the parts of its acceleration; those that vanish identically are left
     out.

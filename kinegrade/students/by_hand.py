@@ -15,7 +15,8 @@ from functools import cached_property
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.frames import Base, Frames, build_chain
 from kinegrade.mechanics.motion import Motion
-from kinegrade.mechanics.relations import Chain, Rates, Relation, Term
+from kinegrade.mechanics.rates import Rates
+from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.rounding import Rounded
 

@@ -31,8 +31,8 @@ from kinegrade.students.followed_quantities import (
     LEVELS,
     find_motion_calls,
     find_name,
+    find_share,
     make_functions,
-    name_share,
     replace_differences,
 )
 from kinegrade.students.followed_terms import Place
@@ -220,7 +220,7 @@ class Follower:
                 number,
                 LEVELS[call.function],
                 self.place(call),
-                name_share(call),
+                find_share(call),
             )
 
     def place(self, call: Call) -> Place | None:
@@ -317,7 +317,7 @@ def order_by_plan(template: Template, asks: Iterable[str]) -> tuple[str, ...]:
         )
         accelerations = any(LEVELS.get(call.function) == "acceleration" for call in calls)
         return accelerations + any(
-            LEVELS.get(call.function) == "acceleration" and not name_share(call) for call in calls
+            LEVELS.get(call.function) == "acceleration" and not find_share(call) for call in calls
         )
 
     return tuple(sorted(asks, key=stage))

@@ -19,14 +19,15 @@ from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.joints import Parallel
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan, Step
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.students.followed_terms import (
     OwnFrames,
     Place,
-    name_coriolis_share,
-    name_offsets,
+    Share,
+    make_offsets,
     open_frames,
     open_relations,
 )
@@ -65,16 +66,9 @@ class FollowedMotion(Motion):
 
     def coriolis(self, point: str, body: str, frame: str) -> Vector:
         """Coriolis acceleration of `point` of `body` relative to `frame`, m/s^2."""
-        coriolis: Vector = super().coriolis(point, body, frame) * self.share(
-            name_coriolis_share(point, frame)
-        )
+        share = Share("coriolis", point, frame).find(self.rates)
+        coriolis: Vector = super().coriolis(point, body, frame) * share
         return coriolis
-
-    def share(self, name: str) -> float:
-        """The share of a Coriolis or normal part that is taken: all of it unless the student has
-        given a value.
-        """
-        return float(self.rates.get(name, 1.0))
 
 
 @dataclass(frozen=True)
@@ -83,7 +77,7 @@ class OwnValue:
     replaces it.
 
     `read` gives None where the motion does not determine the quantity yet. `place` is the body and
-    point whose velocity or acceleration it is, `part` the name of the Coriolis or normal part; both
+    point whose velocity or acceleration it is, `part` the share of a Coriolis or normal part; both
     None for angular and for relative motions.
     """
 
@@ -91,7 +85,7 @@ class OwnValue:
     value: float
     level: Level
     place: Place | None = None
-    part: str | None = None
+    part: Share | None = None
 
 
 def follow_values(
@@ -105,7 +99,7 @@ def follow_values(
     places = tuple(dict.fromkeys(value.place for value in values if value.place))
     extended = open_frames(frames, plan, places)
     rates, changes = (
-        {name: 0.0 for place in places for name in name_offsets(place)} for _ in range(2)
+        {name: 0.0 for place in places for name in make_offsets(place)} for _ in range(2)
     )
     run = _Run(
         FollowedMotion(extended, plan, rates, changes),
@@ -127,8 +121,8 @@ class _Run:
 
     motion: FollowedMotion
     relations: Sequence[Relation]
-    rates: dict[str, Any]
-    changes: dict[str, Any]
+    rates: dict[Any, Any]
+    changes: dict[Any, Any]
     arithmetic: Unsuspecting
 
     @cached_property
@@ -148,7 +142,7 @@ class _Run:
 
     def _follow(
         self,
-        found: dict[str, Any],
+        found: dict[Any, Any],
         right: Callable[[int], Sequence[Any]],
         values: Iterable[OwnValue],
     ) -> None:
@@ -178,10 +172,10 @@ class _Run:
     def parts(self, values: Iterable[OwnValue]) -> None:
         """Substitute the values of Coriolis and normal parts, which the velocities decide."""
         for value in values:
-            self.rates.setdefault(str(value.part), 1.0)
-            _move_rates(self.motion, value, self.rates, {str(value.part): _NEARBY})
+            self.rates.setdefault(value.part, 1.0)
+            _move_rates(self.motion, value, self.rates, {value.part: _NEARBY})
 
-    def _put_in(self, wanted: OwnValue, found: dict[str, Any], step: Step) -> None:
+    def _put_in(self, wanted: OwnValue, found: dict[Any, Any], step: Step) -> None:
         """Substitute a student's value for what the step determines it by."""
         rate = None if self._is_given(step) else self._one_rate(wanted, found, step)
         if rate is not None:
@@ -197,10 +191,10 @@ class _Run:
                 self.motion,
                 wanted,
                 found,
-                dict.fromkeys(name_offsets(wanted.place), _NEARBY * max(map(abs, vector))),
+                dict.fromkeys(make_offsets(wanted.place), _NEARBY * max(map(abs, vector))),
             )
 
-    def _one_rate(self, wanted: OwnValue, found: dict[str, Any], step: Step) -> str | None:
+    def _one_rate(self, wanted: OwnValue, found: dict[Any, Any], step: Step) -> Rate | None:
         """The one rate of the step that the student's value depends on; for a point only if no
         other rate moves it.
         """
@@ -222,10 +216,10 @@ class _Run:
 
     def _moves_by_one(self, place: Place) -> bool:
         """Whether one rate alone determines the motion of a point."""
-        added = name_offsets(place)
+        added = make_offsets(place)
         return sum(term.rate not in added for term in self.motion.frames.chain(*place)) == 1
 
-    def without(self, wanted: OwnValue, found: dict[str, Any], rate: str) -> float:
+    def without(self, wanted: OwnValue, found: dict[Any, Any], rate: Rate) -> float:
         """The absolute value of the student's quantity with a rate set to zero."""
         kept, found[rate] = found[rate], 0.0
         size = abs(wanted.read(self.motion) or 0.0)
@@ -240,13 +234,13 @@ class _Run:
         )
 
 
-def _choose_reach(found: dict[str, Any], rate: str) -> float:
+def _choose_reach(found: dict[Any, Any], rate: Rate) -> float:
     """How far to change a rate to see what depends on it."""
     return _NEARBY * float(abs(found[rate]) or max(map(abs, found.values())) or 1.0)
 
 
 def _measure_slope(
-    motion: FollowedMotion, wanted: OwnValue, found: dict[str, Any], rate: str, reach: float
+    motion: FollowedMotion, wanted: OwnValue, found: dict[Any, Any], rate: Rate, reach: float
 ) -> float:
     """The derivative of the student's quantity with respect to a rate."""
     kept = found[rate]
@@ -259,7 +253,7 @@ def _measure_slope(
 
 
 def _move_rates(
-    motion: FollowedMotion, wanted: OwnValue, found: dict[str, Any], reaches: dict[str, float]
+    motion: FollowedMotion, wanted: OwnValue, found: dict[Any, Any], reaches: dict[Any, float]
 ) -> None:
     """Change some rates, by as little as possible, so that the student's quantity has the student's
     value.

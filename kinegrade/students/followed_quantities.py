@@ -18,7 +18,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities import Quantities, make_quantities
 from kinegrade.students.followed import FollowedMotion
-from kinegrade.students.followed_terms import name_coriolis_share, name_normal_share
+from kinegrade.students.followed_terms import Share
 
 _ROTATION = "rotation_velocity"
 LEVELS: Mapping[str, Level] = {
@@ -46,7 +46,7 @@ class _OwnQuantities(Quantities):
         """Centripetal part of the acceleration of a point relative to a base point of the same
         body, as it is taken.
         """
-        share = self.motion.share(name_normal_share(self.point(place), self.point(base)))
+        share = Share("normal", self.point(place), self.point(base)).find(self.motion.rates)
         taken: Vector = super().normal(place, base, body) * share
         return taken
 
@@ -113,13 +113,13 @@ def find_motion_calls(tree: Expression) -> Iterator[Call]:
             yield from find_motion_calls(part)
 
 
-def name_share(call: Call) -> str | None:
-    """The name of the Coriolis or normal part that a call is of."""
+def find_share(call: Call) -> Share | None:
+    """The share of the Coriolis or normal part that a call is of."""
     arguments = [find_name(argument) for argument in call.arguments]
     if call.function == "coriolis":
-        return name_coriolis_share(arguments[0], arguments[2])
+        return Share("coriolis", arguments[0], arguments[2])
     return (
-        name_normal_share(arguments[0], arguments[1])
+        Share("normal", arguments[0], arguments[1])
         if call.function == "normal_acceleration"
         else None
     )

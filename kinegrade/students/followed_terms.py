@@ -8,39 +8,41 @@ of the rod still has that motion of B.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any, Literal, NamedTuple
 
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.plan import Plan
-from kinegrade.mechanics.relations import Chain, Rates, Relation, Term
+from kinegrade.mechanics.rates import Rate, Rates
+from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
 
 Place = tuple[str, str]  # a body and a point of it
 # What identifies a term in other chains: rate, point, base, frame
-Sign = tuple[str, str, str, str]
+Sign = tuple[Rate, str, str, str]
 
 
-def name_coriolis_share(point: str, frame: str) -> str:
-    """The name, among the rates, of the share of the Coriolis acceleration of `point` relative to
-    `frame` that is taken.
+class Share(NamedTuple):
+    """What stands among the rates for the share that is taken of an acceleration of `point`: the
+    Coriolis acceleration relative to the body `of`, or the normal one relative to the point `of`.
     """
-    return f"coriolis {point}/{frame}"
+
+    part: Literal["coriolis", "normal"]
+    point: str
+    of: str
+
+    def find(self, rates: Mapping[Any, Any]) -> Any:
+        """The share that is taken: all of it unless the student has given a value."""
+        return rates.get(self, 1.0)
 
 
-def name_normal_share(point: str, base: str) -> str:
-    """The name, among the rates, of the share of the normal acceleration of `point` relative to
-    `base` that is taken.
-    """
-    return f"normal {point}/{base}"
-
-
-def name_offsets(place: Place) -> tuple[str, str]:
-    """The names, among the rates, of the additions to the two components of a point's motion."""
+def make_offsets(place: Place) -> tuple[Rate, Rate]:
+    """The rates of the additions to the two components of a point's motion."""
     body, point = place
-    return f"added {point} {body} x", f"added {point} {body} y"
+    return Rate("added-x", body, point), Rate("added-y", body, point)
 
 
 @dataclass(frozen=True)
@@ -51,15 +53,13 @@ class _OwnTerm(Term):
 
     def normal(self, rates: Rates) -> Vector:
         """The centripetal part that is taken, m/s^2."""
-        taken: Vector = super().normal(rates) * rates.get(
-            name_normal_share(self.point, self.base), 1.0
-        )
+        taken: Vector = super().normal(rates) * Share("normal", self.point, self.base).find(rates)
         return taken
 
     def coriolis(self, rates: Rates) -> Vector:
         """The Coriolis part that is taken, m/s^2."""
-        taken: Vector = super().coriolis(rates) * rates.get(
-            name_coriolis_share(self.point, self.frame), 1.0
+        taken: Vector = super().coriolis(rates) * Share("coriolis", self.point, self.frame).find(
+            rates
         )
         return taken
 
@@ -75,8 +75,8 @@ class _OwnRelation(Relation):
         m/s^2.
         """
         point = self.left[-1].point if self.left else ""
-        taken: Vector = super().imposed_coriolis(rates) * rates.get(
-            name_coriolis_share(point, self.frame), 1.0
+        taken: Vector = super().imposed_coriolis(rates) * Share("coriolis", point, self.frame).find(
+            rates
         )
         return taken
 
@@ -132,7 +132,7 @@ class OwnFrames(Frames):
             _make_sign(chain[-1]): tuple(
                 Term("sliding", name, axis, place[1])
                 for name, axis in zip(
-                    name_offsets(place), (Vector(1.0, 0.0), Vector(0.0, 1.0)), strict=True
+                    make_offsets(place), (Vector(1.0, 0.0), Vector(0.0, 1.0)), strict=True
                 )
             )
             for place, chain in ends.items()

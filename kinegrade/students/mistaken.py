@@ -19,7 +19,8 @@ from kinegrade.mechanics.joints import GROUND, Parallel, Pin
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan, Row, Step
-from kinegrade.mechanics.relations import Chain, Relation, add_vectors, name_omega
+from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.mechanics.relations import Chain, Relation, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.elimination import Singular
 from kinegrade.students.slips import (
@@ -38,7 +39,7 @@ class MistakenMotion(Motion):
     slips: Slips
 
     @cached_property
-    def centres(self) -> Mapping[str, str]:
+    def centres(self) -> Mapping[Rate, str]:
         """The centres of rolling bodies, by their turning rates."""
         return find_rolling_centres(self.frames)
 
@@ -157,10 +158,10 @@ def make_mistaken_motion(
     return MistakenMotion(frames, plan, rates, changes, slips)
 
 
-def _perturb_rates(mechanism: Mechanism, rates: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+def _perturb_rates(mechanism: Mechanism, rates: Mapping[Rate, Any]) -> Iterator[tuple[Rate, Any]]:
     """Perturbed rates: those of translating bodies are zero, and no others."""
     still = {
-        name_omega(joint.body)
+        make_turning(joint.body)
         for joint in mechanism.joints
         if isinstance(joint, Parallel) and joint.of == GROUND
     }
@@ -176,18 +177,18 @@ class _Stage:
 
     step: Step
     equations: plans.Equations
-    rates: Mapping[str, Any]
+    rates: Mapping[Rate, Any]
 
-    def sought(self, index: int) -> set[str]:
+    def sought(self, index: int) -> set[Rate]:
         """The rates in a relation that this step finds."""
         return set(self.equations[index][0]) & set(self.step.unknowns)
 
-    def coefficient(self, index: int, rate: str) -> Vector:
+    def coefficient(self, index: int, rate: Rate) -> Vector:
         """The vector that a rate multiplies in a vector relation."""
         return Vector(self.equations[index][0][rate], self.equations[index][1][rate])
 
 
-_Replacements = Iterator[tuple[str, Any]]
+_Replacements = Iterator[tuple[Rate, Any]]
 
 
 @dataclass(frozen=True)
@@ -200,12 +201,12 @@ class _Velocities:
     slips: Slips
     arithmetic: Any
 
-    def run(self, plan: Plan) -> dict[str, Any]:
+    def run(self, plan: Plan) -> dict[Rate, Any]:
         """The rates, rad/s and m/s, step by step."""
         centres = find_rolling_centres(self.frames)
         relations = [self.relation(relation, centres) for relation in self.frames.relations]
         equations = [relation.equations() for relation in relations]
-        rates: dict[str, Any] = {}
+        rates: dict[Rate, Any] = {}
         for step in plan.steps:
             if step.unknowns:
                 sides = {
@@ -220,7 +221,7 @@ class _Velocities:
                 rates.update(self._replaced(_Stage(step, equations, rates)))
         return rates
 
-    def relation(self, relation: Relation, centres: Mapping[str, str]) -> Relation:
+    def relation(self, relation: Relation, centres: Mapping[Rate, str]) -> Relation:
         """A relation as it is written for velocities."""
         left, right = (
             find_velocity_chain(side, self.slips, centres)
@@ -228,11 +229,11 @@ class _Velocities:
         )
         return replace(relation, left=left, right=right)
 
-    def _replaced(self, stage: _Stage) -> dict[str, Any]:
+    def _replaced(self, stage: _Stage) -> dict[Rate, Any]:
         """The rates that result from a transport velocity in place of the absolute one, and from a
         fixed pivot in place of the pole.
         """
-        result: dict[str, Any] = {}
+        result: dict[Rate, Any] = {}
         for share, find in (
             (self.slips.relative, self._without_relative),
             (self.slips.pole, self._about_pivot),
@@ -269,13 +270,13 @@ class _Velocities:
         together with that body.
         """
         for body, neighbours in _find_pivots(self.frames).items():
-            reached = [name for name in neighbours if name_omega(name) in stage.rates]
-            if name_omega(body) not in stage.step.unknowns or not reached:
+            reached = [name for name in neighbours if make_turning(name) in stage.rates]
+            if make_turning(body) not in stage.step.unknowns or not reached:
                 continue
-            neighbour = min(reached, key=lambda name: name_omega(name) in stage.step.unknowns)
+            neighbour = min(reached, key=lambda name: make_turning(name) in stage.step.unknowns)
             turning = self._common_rate(stage, body, neighbour, neighbours[neighbour])
             if turning is not None:
-                pair = {name_omega(body), name_omega(neighbour)}
+                pair = {make_turning(body), make_turning(neighbour)}
                 yield from ((rate, turning) for rate in stage.step.unknowns if rate in pair)
                 yield from self._ends(stage, pair, neighbours[neighbour], turning)
 
@@ -283,8 +284,8 @@ class _Velocities:
         """The rate with which both turn about the pivot: the neighbour's, or the speed of a known
         point divided by its distance; None where neither is known.
         """
-        if name_omega(neighbour) not in stage.step.unknowns:
-            return stage.rates[name_omega(neighbour)]
+        if make_turning(neighbour) not in stage.step.unknowns:
+            return stage.rates[make_turning(neighbour)]
         base = self.frames.bases[body]
         if any(
             term.rate in stage.step.unknowns or term.rate not in stage.rates for term in base.chain
@@ -294,10 +295,10 @@ class _Velocities:
         return self.sized(
             speed,
             self.frames.mechanism.points[base.point] - pivot,
-            stage.rates[name_omega(neighbour)],
+            stage.rates[make_turning(neighbour)],
         )
 
-    def _ends(self, stage: _Stage, pair: set[str], pivot: Vector, turning: Any) -> _Replacements:
+    def _ends(self, stage: _Stage, pair: set[Rate], pivot: Vector, turning: Any) -> _Replacements:
         """The rates of the ends that the same step finds: the angular velocity times the distance
         to the pivot.
         """
@@ -319,7 +320,7 @@ class _Velocities:
 
 
 def _find_remaining_sides(
-    relation: Relation, equations: Sequence[Row], rates: Mapping[str, Any]
+    relation: Relation, equations: Sequence[Row], rates: Mapping[Rate, Any]
 ) -> list[Any]:
     """A relation's right-hand sides for velocities, minus what is already known."""
     return [

@@ -27,7 +27,8 @@ from kinegrade.mechanics.joints import (
     Sleeve,
     Slide,
 )
-from kinegrade.mechanics.relations import Chain, Rates, Relation, Term, name_omega
+from kinegrade.mechanics.rates import Rate, Rates, make_turning
+from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
 
 # (centre carried, centre of the circle it runs about): share of the distance
@@ -173,7 +174,7 @@ def _slip_in_relation(relation: Relation, slips: Slips, arms: Arms) -> Relation:
     )
 
 
-def _slip_in_turning(relation: Relation, slips: Slips) -> tuple[tuple[str, Any], ...]:
+def _slip_in_turning(relation: Relation, slips: Slips) -> tuple[tuple[Rate, Any], ...]:
     """The factors of the turning rates with the slips made."""
     match relation.source:
         case Roll(on=on):
@@ -196,19 +197,19 @@ def _slip_in_turning(relation: Relation, slips: Slips) -> tuple[tuple[str, Any],
             assert_never(relation.source)
 
 
-def _slip_in_carrying(relation: Relation, of: str, slips: Slips) -> tuple[tuple[str, Any], ...]:
+def _slip_in_carrying(relation: Relation, of: str, slips: Slips) -> tuple[tuple[Rate, Any], ...]:
     """The factors of the turning rates where only part of the rotation of the body `of` is taken
     into account.
     """
     if of == GROUND:
         return relation.turning
     return tuple(
-        (rate, factor * slips.carried if rate == name_omega(of) else factor)
+        (rate, factor * slips.carried if rate == make_turning(of) else factor)
         for rate, factor in relation.turning
     )
 
 
-def _slip_in_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[tuple[str, Any]]:
+def _slip_in_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[tuple[Rate, Any]]:
     """The centre's rate and the slip at the contact: -r/(R + r), with -r inside; a forgotten r
     leaves -r/R.
     """
@@ -216,10 +217,10 @@ def _slip_in_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[t
     radius = roll.circle.radius * sense
     slip = -radius / (roll.on.radius + slips.arm * slips.carried * radius)  # type: ignore[union-attr]
     for rate, factor in relation.turning:
-        yield rate, {name_omega(roll.body): slip, name_omega(roll.of): -slip}.get(rate, factor)
+        yield rate, {make_turning(roll.body): slip, make_turning(roll.of): -slip}.get(rate, factor)
 
 
-def _slip_in_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[str, Any], ...]:
+def _slip_in_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[Rate, Any], ...]:
     """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), c the share of the carrier's rotation that
     is taken into account.
     """
@@ -231,17 +232,17 @@ def _slip_in_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[str, Any], ...]:
         (mesh.of, other),
         (mesh.carrier, -radius * thought[0] - other * thought[1]),
     ]
-    rates: dict[str, Any] = {}
+    rates: dict[Rate, Any] = {}
     for body, factor in factors:
         if body != GROUND:
-            rates[name_omega(body)] = (
-                rates[name_omega(body)] + factor if name_omega(body) in rates else factor
+            rates[make_turning(body)] = (
+                rates[make_turning(body)] + factor if make_turning(body) in rates else factor
             )
     return tuple(rates.items())
 
 
 def find_velocity_chain(
-    chain: Chain, slips: Slips, rolling: Mapping[str, str], whole: bool = False
+    chain: Chain, slips: Slips, rolling: Mapping[Rate, str], whole: bool = False
 ) -> Chain:
     """The terms that are taken for a velocity: of a rolling body (its centre by its rate) without
     the velocity of the centre.
@@ -269,10 +270,10 @@ def find_velocity_chain(
     return tuple(terms)
 
 
-def find_rolling_centres(frames: Frames) -> dict[str, str]:
+def find_rolling_centres(frames: Frames) -> dict[Rate, str]:
     """For each rolling body the point that is its centre, by the body's turning rate."""
     return {
-        name_omega(joint.body): joint.circle.centre
+        make_turning(joint.body): joint.circle.centre
         for joint in frames.mechanism.joints
         if isinstance(joint, Roll)
     }

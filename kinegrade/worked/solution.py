@@ -15,6 +15,7 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.joints import Parallel, Sleeve
 from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities import Quantities
 from kinegrade.problem.solving import Solution
@@ -101,7 +102,7 @@ def _write_level_chapter(
     count as one step.
     """
     imposed = [step for step in steps if _is_given(step, case)]
-    known: set[str] = {rate for step in imposed for rate in step.unknowns}
+    known: set[Rate] = {rate for step in imposed for rate in step.unknowns}
     number = 0
     if imposed:
         number = 1

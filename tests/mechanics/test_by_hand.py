@@ -10,6 +10,7 @@ from kinegrade.mechanics.drivers import Rotation
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
+from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.rounding import Rounded
@@ -61,19 +62,20 @@ def test_every_rate_and_every_term_is_written_down() -> None:
     worked = solve_by_hand(convert_to_doubles(slotted_rocker()), Rounded(3))
     assert worked.omega("rocker") == 0.31  # 2 * 0.09 / 0.58 = 0.31034
     assert worked.velocity("A", "rocker") == (-0.093, 0.217)  # 0.31 * 0.3, 0.31 * 0.7
-    term = WrittenTerm("arc", "rate", Vector(0.123, 0.456), "A", "O", "rocker", rounded=Rounded(2))
-    rates = {"rate": 1.5, "omega rocker": 0.31}
+    rate = Rate("circling", "slider", "A", "rocker")
+    term = WrittenTerm("arc", rate, Vector(0.123, 0.456), "A", "O", "rocker", rounded=Rounded(2))
+    rates = {rate: 1.5, make_turning("rocker"): 0.31}
     assert term.velocity(rates) == (-0.68, 0.18)  # -0.684, 0.1845
     assert term.normal(rates) == (-0.28, -1.0)  # -0.27675, -1.026
     assert term.coriolis(rates) == (-0.11, -0.42)  # 2 * 0.31 * (-0.18, -0.68)
-    assert term.acceleration(rates, {"rate": 2.0}) == pytest.approx(
+    assert term.acceleration(rates, {rate: 2.0}) == pytest.approx(
         (-0.28 - 0.91 - 0.11, -1.0 + 0.25 - 0.42)
     )
 
 
 def test_a_relative_motion_that_was_solved_for_is_no_difference_of_rounded_vectors() -> None:
     worked = solve_by_hand(convert_to_doubles(slotted_rocker()), Rounded(2))
-    (rate,) = (rate for name, rate in worked.rates.items() if name.startswith("slide"))
+    (rate,) = (rate for name, rate in worked.rates.items() if name.kind == "sliding")
     relative = worked.relative_velocity("A", "crank", "rocker")
     assert relative == pytest.approx((0.7 * rate, 0.3 * rate), rel=0.05)
     assert relative != worked.velocity("A", "crank") - worked.velocity("A", "rocker")

@@ -13,10 +13,11 @@ from kinegrade.mechanics.drivers import Rotation
 from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
+from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.floats import Floats
 from kinegrade.students.followed import FollowedMotion, OwnValue, follow_values
-from kinegrade.students.followed_terms import name_coriolis_share, name_normal_share
+from kinegrade.students.followed_terms import Share
 
 ROOT = sqrt(3)
 LEVEL = Line(Vector(0.0, 0.0), Vector(1.0, 0.0))
@@ -82,7 +83,9 @@ def test_without_own_values_the_motion_is_the_right_one() -> None:
 def test_the_slider_goes_on_from_the_own_angular_velocity_of_the_rod() -> None:
     # a_B = a_A + alpha x AB - omega^2 AB with AB = (3, -sqrt 3)/2 and a_A = -(1, sqrt 3)/2 gives,
     # across the guide, alpha = (1 - omega^2)/sqrt 3, and along it a_B = -2 omega^2
-    motion = follow(slider_crank(), OwnValue(when(lambda m: m.rates["omega AB"]), 0.5, "velocity"))
+    motion = follow(
+        slider_crank(), OwnValue(when(lambda m: m.rates[make_turning("AB")]), 0.5, "velocity")
+    )
     assert motion.omega("AB") == pytest.approx(0.5)
     assert motion.alpha("AB") == pytest.approx(ROOT / 4)
     assert motion.acceleration("B", "AB") == pytest.approx((-0.5, 0))
@@ -106,7 +109,7 @@ def test_a_component_leaves_the_other_one_alone() -> None:
 
 def test_two_own_values_of_which_one_follows_from_the_other() -> None:
     speed = OwnValue(when(lambda m: size(m.velocity("A", "OA"))), 2.0, "velocity", ("OA", "A"))
-    rod = OwnValue(when(lambda m: m.rates["omega AB"]), 0.5, "velocity")
+    rod = OwnValue(when(lambda m: m.rates[make_turning("AB")]), 0.5, "velocity")
     motion = follow(slider_crank(), rod, speed)
     assert motion.velocity("B", "AB") == pytest.approx((4 * ROOT / 3, 0))
     assert motion.acceleration("B", "AB") == pytest.approx((-0.5, 0))
@@ -115,10 +118,10 @@ def test_two_own_values_of_which_one_follows_from_the_other() -> None:
 def test_the_rocker_goes_on_from_an_own_angular_velocity_and_an_own_coriolis_acceleration() -> None:
     # across the slot, with CA = (0.7, 0.3): -1.2 * 0.7 = 0.58 alpha + 2 omega (v_r/CA) 0.58, v_r/CA
     # = -0.42/0.58
-    turning = OwnValue(when(lambda m: m.rates["omega CA"]), 0.5, "velocity")
+    turning = OwnValue(when(lambda m: m.rates[make_turning("CA")]), 0.5, "velocity")
     assert follow(slotted_rocker(), turning).alpha("CA") == pytest.approx(-0.42 / 0.58)
     right = follow(slotted_rocker())
-    part = name_coriolis_share("A", "CA")
+    part = Share("coriolis", "A", "CA")
     halved = OwnValue(
         when(lambda m: size(m.coriolis("A", "OA", "CA"))),
         size(right.coriolis("A", "OA", "CA")) / 2,
@@ -126,16 +129,16 @@ def test_the_rocker_goes_on_from_an_own_angular_velocity_and_an_own_coriolis_acc
         part=part,
     )
     motion = follow(slotted_rocker(), halved)
-    assert motion.share(part) == pytest.approx(0.5)
+    assert part.find(motion.rates) == pytest.approx(0.5)
     assert motion.alpha("CA") == pytest.approx(-0.84 / 0.58 + 0.18 / 0.58 * 0.42 / 0.58)
     assert motion.omega("CA") == right.omega("CA")
 
 
 def test_an_own_normal_part_leaves_the_angular_velocity_alone() -> None:
     # twice the normal part of AB: a_B = -2 omega^2 as if omega^2 were 2/9, although omega is 1/3
-    part = name_normal_share("B", "A")
+    part = Share("normal", "B", "A")
     own = OwnValue(
-        when(lambda m: ROOT * m.omega("AB") ** 2 * m.share(part)),
+        when(lambda m: ROOT * m.omega("AB") ** 2 * part.find(m.rates)),
         2 * ROOT / 9,
         "acceleration",
         part=part,
@@ -159,11 +162,13 @@ def test_an_own_acceleration_of_a_point_goes_on_to_what_hangs_on_it() -> None:
     "own",
     [
         # No magnitude is negative
-        OwnValue(when(lambda m: abs(m.rates["omega AB"])), -0.5, "velocity"),
+        OwnValue(when(lambda m: abs(m.rates[make_turning("AB")])), -0.5, "velocity"),
         OwnValue(when(lambda m: m.omega("AB") ** 2), 0.25, "velocity"),  # no straight way to it
-        OwnValue(when(lambda m: m.rates["omega OA"]), 2.0, "velocity"),  # given
+        OwnValue(when(lambda m: m.rates[make_turning("OA")]), 2.0, "velocity"),  # given
         # Of two rates
-        OwnValue(when(lambda m: m.rates["slide B AB/ground"] + m.omega("AB")), 2.0, "velocity"),
+        OwnValue(
+            when(lambda m: m.rates[Rate("sliding", "AB", "B")] + m.omega("AB")), 2.0, "velocity"
+        ),
         OwnValue(lambda motion: None, 2.0, "velocity"),
     ],
 )

@@ -10,13 +10,14 @@ from kinegrade.mechanics import plan
 from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.joints import GROUND, Pin, Roll, Slide
 from kinegrade.mechanics.motion import Motion, solve_motion
+from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.numbers.elimination import Singular
 from tests.mechanics.writing import Paper
 
 X = (1, 0)
 
 
-def order(motion: Motion) -> list[tuple[str, ...]]:
+def order(motion: Motion) -> list[tuple[Rate, ...]]:
     """What each step gives, surplus checks left out."""
     return [step.unknowns for step in motion.plan.steps if step.unknowns]
 
@@ -47,7 +48,10 @@ def slider_crank() -> Motion:
 def test_slider_crank_first_the_crank_then_the_base_point_equation_of_the_rod() -> None:
     motion = slider_crank()
     assert origins(motion) == [["the given rotation of OA"], ["B of AB on the line of ground"]]
-    assert order(motion) == [("omega OA",), ("omega AB", "slide B AB/ground")]
+    assert order(motion) == [
+        (make_turning("OA"),),
+        (make_turning("AB"), Rate("sliding", "AB", "B")),
+    ]
     assert [(t.point, t.base) for t in motion.frames.chain("AB", "B")] == [
         ("A", "O"),
         ("B", "A"),
@@ -67,9 +71,12 @@ def test_four_bar_one_vector_equation_for_coupler_and_rocker() -> None:
         ],
         [p.turns("OA", 2)],
     )
-    assert order(motion) == [("omega OA",), ("omega AB", "omega CB")] or order(motion) == [
-        ("omega OA",),
-        ("omega CB", "omega AB"),
+    assert order(motion) == [
+        (make_turning("OA"),),
+        (make_turning("AB"), make_turning("CB")),
+    ] or order(motion) == [
+        (make_turning("OA"),),
+        (make_turning("CB"), make_turning("AB")),
     ]
     assert origins(motion)[1] == ["the pin B of AB and CB"]
 
@@ -91,7 +98,7 @@ def test_planetary_gear_the_arm_then_the_centre_on_its_circle_then_no_slip() -> 
         ["the rolling of II on ground"],
         ["no slip: the rolling of II on ground"],
     ]
-    assert order(motion)[-1] == ("omega II",)
+    assert order(motion)[-1] == (make_turning("II"),)
 
 
 def test_driven_slider_starts_at_the_driven_point() -> None:
@@ -140,7 +147,7 @@ def test_a_surplus_relation_is_a_step_that_gives_nothing() -> None:
         [Pin("O", ("OA", GROUND))],
         [p.turns("OA", 2), p.circles("A", "OA", "O", 2)],
     )
-    assert [step.unknowns for step in motion.plan.steps] == [("omega OA",), ()]
+    assert [step.unknowns for step in motion.plan.steps] == [(make_turning("OA"),), ()]
 
 
 def test_a_plan_that_does_not_fit_is_replaced() -> None:
@@ -148,7 +155,7 @@ def test_a_plan_that_does_not_fit_is_replaced() -> None:
     mechanism = p.mechanism(
         {"O": (0, 0), "A": (1, 0)}, {"OA": "O A"}, [Pin("O", ("OA", GROUND))], [p.turns("OA", 2)]
     )
-    wrong = plan.Plan((plan.Step((0,), ("omega OA", "omega AB")),))
+    wrong = plan.Plan((plan.Step((0,), (make_turning("OA"), make_turning("AB"))),))
     assert solve_motion(mechanism, p.field, wrong).omega("OA") == 2
 
 

@@ -13,7 +13,7 @@ import pytest
 
 from kinegrade.errors import MechanismError
 from kinegrade.mechanics.joints import GROUND
-from kinegrade.mechanics.relations import name_omega
+from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.solving import solve_template
@@ -26,7 +26,7 @@ from kinegrade.students.follow_through import (
     follow_through,
     order_by_plan,
 )
-from kinegrade.students.followed_quantities import LEVELS, find_motion_calls, find_name, name_share
+from kinegrade.students.followed_quantities import LEVELS, find_motion_calls, find_name, find_share
 from kinegrade.students.mistake_kinds import MISTAKES, Mistake
 from kinegrade.students.mistaken import make_mistaken_motion
 from kinegrade.students.mistakes import Mistakes, convert_number
@@ -94,13 +94,13 @@ def asked_of(follower: Follower) -> Iterator[tuple[str, Any]]:
             yield ask, calls.pop()
 
 
-def rates_asked_for(follower: Follower) -> dict[str, str]:
+def rates_asked_for(follower: Follower) -> dict[Rate, str]:
     """For the rates of the plan that an ask is about, and about nothing else, that ask."""
     frames, found = follower.motion({}).frames, {}  # type: ignore[union-attr]
     for ask, call in asked_of(follower):
         parts = [find_name(argument) for argument in call.arguments]
         if call.function == "omega" and len(parts) == 1:
-            found[name_omega(parts[0])] = ask
+            found[make_turning(parts[0])] = ask
         elif call.function == "relative_velocity" and (parts[0], parts[2]) in frames.relative:
             found[frames.relative[parts[0], parts[2]].rate] = ask
         elif call.function == "velocity":
@@ -192,7 +192,7 @@ def compared(follower: Follower) -> Iterator[tuple[str, str, float | None, float
             )
             if (
                 LEVELS.get(call.function) == "acceleration"
-                and not name_share(call)
+                and not find_share(call)
                 and not read_with_slip
                 and later in leads
             ):

@@ -149,9 +149,8 @@ class Facts:
             side for relation in frames.relations for side in (relation.left, relation.right)
         ]:
             for term in chain:
-                if term.frame == frame and term.rate.startswith(
-                    (f"slide {point} {body}/", f"circle {point} {body}/")
-                ):
+                moving = (term.rate.point, term.rate.body, term.frame)
+                if term.rate.is_guided and moving == (point, body, frame):
                     return term
         return None
 

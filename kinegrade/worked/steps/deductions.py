@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from kinegrade.language.message import Message
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.worked.document import Block, Display
@@ -44,7 +45,7 @@ class Stage:
     level: Level
     case: Case
 
-    def occurrences(self, rate: str) -> list[tuple[VectorEquation, Part]]:
+    def occurrences(self, rate: Rate) -> list[tuple[VectorEquation, Part]]:
         """The places where an unknown stands."""
         return [
             (equation, part)
@@ -58,11 +59,11 @@ class Stage:
         vectors share it.
         """
         formula = write_magnitude_formula(equation, part, self.case)
-        alone = len(self.occurrences(part.unknown or "")) == 1
+        alone = part.unknown is not None and len(self.occurrences(part.unknown)) == 1
         return write_symbol(equation, part, self.case) if alone or not formula else formula
 
     def _share_size(
-        self, equation: VectorEquation, part: Part, solved: Collection[str] | None
+        self, equation: VectorEquation, part: Part, solved: Collection[Rate] | None
     ) -> str:
         """The magnitude of a share of a projection, without its cosine: in symbols, or in numbers
         where the rates `solved` are known.
@@ -84,7 +85,7 @@ class Stage:
         arm = write_short(length(part.term.vector, self.case.arithmetic))
         return rf"{arm}\,{_write_rate_symbol(part.term, self)}"
 
-    def sides(self, projection: Projection, solved: Collection[str] | None) -> tuple[str, str]:
+    def sides(self, projection: Projection, solved: Collection[Rate] | None) -> tuple[str, str]:
         """The two sides of a projection, in symbols or in numbers."""
         return (
             self._side(projection, projection.left, solved),
@@ -92,7 +93,7 @@ class Stage:
         )
 
     def _side(
-        self, projection: Projection, shares: Sequence[Share], solved: Collection[str] | None
+        self, projection: Projection, shares: Sequence[Share], solved: Collection[Rate] | None
     ) -> str:
         text = ""
         for share in shares:
@@ -121,12 +122,12 @@ def _write_rate_symbol(term: Term, stage: Stage) -> str:
     """
     if term.kind != "rotation":
         return ""
-    body = term.rate.removeprefix("omega ")
+    body = term.rate.body
     return stage.case.naming.turning(body, stage.level)
 
 
 def explain_deduction(
-    stage: Stage, deduction: Deduction, solved: Collection[str]
+    stage: Stage, deduction: Deduction, solved: Collection[Rate]
 ) -> Iterator[Block]:
     """A deduction in words and equations; relations between rates have been written before."""
     case, single = stage.case, len(deduction.unknowns) == 1 and not deduction.scalars
@@ -147,7 +148,7 @@ def explain_deduction(
 
 
 def _write_projection(
-    stage: Stage, projection: Projection, solved: Collection[str]
+    stage: Stage, projection: Projection, solved: Collection[Rate]
 ) -> Iterator[str]:
     """A projection in symbols, and in numbers where that adds something."""
     symbols, numbers = stage.sides(projection, None), stage.sides(projection, solved)
@@ -157,7 +158,7 @@ def _write_projection(
 
 
 def write_solution(
-    stage: Stage, projection: Projection, solved: Collection[str], rate: str
+    stage: Stage, projection: Projection, solved: Collection[Rate], rate: Rate
 ) -> Iterator[str]:
     """A projection with one unknown and its result; as one chain where the unknown stands alone on
     a side.
@@ -192,11 +193,11 @@ def _name_axis(angle: float) -> Message:
     return _AXES.get(angle) or Message("solution.projection-at", angle=write_angle(angle))
 
 
-def _write_results(stage: Stage, rate: str) -> Iterator[str]:
+def _write_results(stage: Stage, rate: Rate) -> Iterator[str]:
     """The value of a vector along its direction, and of the rotation it belongs to."""
     case, level = stage.case, stage.level
     found = stage.occurrences(rate)
-    turning = rate.startswith("omega ")
+    turning = rate.kind == "turning"
     if found and (len(found) == 1 or not turning):
         equation, part = found[0]
         yield f"{write_symbol(equation, part, case)} &= {_write_vector_value(part, case, level)}"
@@ -212,10 +213,9 @@ def _write_results(stage: Stage, rate: str) -> Iterator[str]:
         yield write_rotation_result(rate, case, level, "")
 
 
-def write_rotation_result(rate: str, case: Case, level: Level, how: str) -> str:
+def write_rotation_result(rate: Rate, case: Case, level: Level, how: str) -> str:
     """The value of an angular velocity or acceleration with its sense."""
-    body = rate.removeprefix("omega ")
-    letters = case.naming.turning(body, level)
+    letters = case.naming.turning(rate.body, level)
     value = case.rates(level)[rate]
     return (
         f"{letters} &= {how}{write_number(value, UNITS[level, True])}"

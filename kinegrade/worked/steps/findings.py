@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import assert_never
 
 from kinegrade.expressions.expression import Expression
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Chain, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation, is_whole
@@ -19,7 +20,7 @@ from kinegrade.worked.steps.vectors import (
 )
 from kinegrade.worked.words.solution_case import LETTERS, Case
 
-Key = tuple[Level, tuple[tuple[str, str, str], ...]]
+Key = tuple[Level, tuple[tuple[Rate, str, str], ...]]
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,7 @@ class Findings:
     facts: dict[Key, Fact] = field(default_factory=dict)
     answered: dict[Expression, Fact] = field(default_factory=dict)
     poles: dict[str, str] = field(default_factory=dict)
-    numbers: dict[str, str] = field(default_factory=dict)
+    numbers: dict[Rate, str] = field(default_factory=dict)
     sized: set[str] = field(default_factory=set)
 
     def note(self, equation: VectorEquation, case: Case) -> None:

@@ -8,7 +8,7 @@ from typing import assert_never
 from kinegrade.language.message import Message, list_statements
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Parallel, Pin, Roll, Sleeve
 from kinegrade.mechanics.mechanism import Body, Mechanism
-from kinegrade.mechanics.relations import name_omega
+from kinegrade.mechanics.rates import make_turning
 from kinegrade.worked.document import Block
 from kinegrade.worked.words.solution_case import Case
 
@@ -47,7 +47,7 @@ def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
     )
     if roll is not None:
         return Message("solution.rolls", body=name, other=describe_track(roll, case))
-    still = name_omega(body.name) in case.motion.rates and case.arithmetic.is_zero(
+    still = make_turning(body.name) in case.motion.rates and case.arithmetic.is_zero(
         case.motion.omega(body.name)
     )
     if still:

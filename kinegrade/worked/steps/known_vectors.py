@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from kinegrade.mechanics.drivers import Component
 from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
@@ -62,12 +63,12 @@ def find_path_term(chain: Chain, case: Case) -> Term | None:
     return None
 
 
-def list_ways(chain: Chain) -> tuple[tuple[str, str, str], ...]:
+def list_ways(chain: Chain) -> tuple[tuple[Rate, str, str], ...]:
     """What distinguishes chains: the rate, the point and the base of each term."""
     return tuple((term.rate, term.point, term.base) for term in chain)
 
 
-def _is_vector_result(rate: str, case: Case) -> bool:
+def _is_vector_result(rate: Rate, case: Case) -> bool:
     """Whether a rate results from a vector equation, so that the vector's value has been written
     with it.
     """

@@ -13,6 +13,7 @@ from typing import assert_never
 from kinegrade.expressions.expression import Name
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
 from kinegrade.problem.template.template import Method
@@ -61,7 +62,7 @@ class Coupler:
     @property
     def body(self) -> str:
         """The body that carries both points."""
-        return (self.rotation.unknown or "").removeprefix("omega ")
+        return self.rotation.unknown.body if self.rotation.unknown else ""
 
 
 def explain_by_method(step: Step, stage: Stage, findings: Findings) -> Iterator[Block]:
@@ -238,7 +239,7 @@ def _write_pole_lines(
         rf"{omega} &= \frac{{{speed}}}{{{letter}{case.naming.point(base)}}} = "
         rf"\frac{{{write_short(value)}}}{{{write_short(arms[base])}}}"
     )
-    yield write_rotation_result(f"omega {coupler.body}", case, "velocity", "")
+    yield write_rotation_result(make_turning(coupler.body), case, "velocity", "")
     findings.sized.add(write_point_symbol(point, "velocity", case))
     how = (
         rf"{letter}{case.naming.point(point)}\cdot {omega} = "

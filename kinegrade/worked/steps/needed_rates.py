@@ -11,7 +11,8 @@ from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Step
-from kinegrade.mechanics.relations import Chain, name_omega
+from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.mechanics.relations import Chain
 from kinegrade.problem.quantities import Quantities
 
 _RELATIVE = ("relative_velocity", "relative_acceleration", "coriolis")
@@ -24,8 +25,8 @@ _ACCELERATIONS = frozenset(
 class Needs:
     """The rates whose values, and whose changes, are needed."""
 
-    rates: frozenset[str]
-    changes: frozenset[str]
+    rates: frozenset[Rate]
+    changes: frozenset[Rate]
 
     def __or__(self, other: Needs) -> Needs:
         return Needs(self.rates | other.rates, self.changes | other.changes)
@@ -83,7 +84,7 @@ def find_needs(tree: Expression, motion: Motion, quantities: Quantities) -> Need
             for body, point in find_chains(call, motion, quantities)
             for term in motion.frames.chain(body, point)
         }
-        rates |= {name_omega(body) for body in _find_turning_bodies(call) if body != GROUND}
+        rates |= {make_turning(body) for body in _find_turning_bodies(call) if body != GROUND}
         rates &= set(motion.rates)
         changes = rates if call.function in _ACCELERATIONS else set()
         needs |= Needs(frozenset(rates), frozenset(changes))
@@ -103,7 +104,7 @@ def select_steps(motion: Motion, needs: Needs) -> tuple[tuple[Step, ...], tuple[
     return _follow_back(motion, rates), changes
 
 
-def _follow_back(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
+def _follow_back(motion: Motion, wanted: set[Rate]) -> tuple[Step, ...]:
     """The steps that lead to the wanted rates, traced from the last to the first and returned in
     order.
 
@@ -120,16 +121,17 @@ def _follow_back(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
             }
     missing = wanted - {rate for step in chosen for rate in step.unknowns}
     if missing:
-        what = Message("mechanics.rates-not-planned", rates=list_plainly(sorted(missing)))
+        names = sorted({rate.point or rate.body for rate in missing})
+        what = Message("mechanics.rates-not-planned", rates=list_plainly(names))
         raise MechanismError(Fault("", what, do=Message("mechanics.solve-again")))
     return tuple(reversed(chosen))
 
 
-def _find_rates(motion: Motion, index: int) -> Iterable[str]:
+def _find_rates(motion: Motion, index: int) -> Iterable[Rate]:
     """The rates on which a relation's accelerations depend: those of the relation itself, and of
     its reference frames.
     """
     relation = motion.frames.relations[index]
     chains: list[Chain] = [relation.left, relation.right]
     frames = {term.frame for chain in chains for term in chain} | {relation.frame}
-    return {*relation.unknowns(), *(name_omega(frame) for frame in frames - {GROUND})}
+    return {*relation.unknowns(), *(make_turning(frame) for frame in frames - {GROUND})}

@@ -15,6 +15,7 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.joints import GROUND, Roll
 from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.problem.quantities import Quantities
@@ -73,7 +74,7 @@ def draw_given(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Pict
     values = case.rates(level)
     arrows = []
     for rate in rates:
-        if not rate.startswith("omega "):
+        if rate.kind != "turning":
             term = find_term(rate, case)
             value = _make_floats(term.coefficient() * values[rate])
             if _is_seen(value):
@@ -198,15 +199,14 @@ def _find_point_arrows(
             )
 
 
-def _find_turnings(rates: Iterable[str], case: Case, level: Level) -> tuple[Turning, ...]:
+def _find_turnings(rates: Iterable[Rate], case: Case, level: Level) -> tuple[Turning, ...]:
     """The rotations that a step gives, in their sense."""
     values = case.rates(level)
     found = []
     for rate in rates:
-        body = rate.removeprefix("omega ")
-        if body != rate and float(values[rate]):
-            letters = case.naming.turning(body, level)
-            found.append(Turning(letters, body, "ccw" if float(values[rate]) > 0 else "cw"))
+        if rate.kind == "turning" and float(values[rate]):
+            letters = case.naming.turning(rate.body, level)
+            found.append(Turning(letters, rate.body, "ccw" if float(values[rate]) > 0 else "cw"))
     return tuple(turning for turning in found if r"\text" not in turning.symbol)
 
 
@@ -233,7 +233,7 @@ def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
     mechanism = convert_to_floats(case.motion.frames.mechanism)
     still = case.arithmetic.is_zero(case.motion.omega(body))
     at = None if still else _make_floats(case.motion.pole(body, case.arithmetic))
-    rotation = next(iter(_find_turnings([f"omega {body}"], case, "velocity")), None)
+    rotation = next(iter(_find_turnings([make_turning(body)], case, "velocity")), None)
     pole = Pole(case.naming.point(name_pole(body, case)), at)
     scene = draw_pole_construction(mechanism, case.template.figure, pole, rays, rotation)
     caption = Message("solution.picture-pole", body=case.naming.body(body))

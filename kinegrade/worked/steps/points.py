@@ -104,7 +104,7 @@ def _explain_single(term: Term, name: str, case: Case) -> Iterator[Block]:
     """
     if term.kind != "rotation":
         return
-    body = term.rate.removeprefix("omega ")
+    body = term.rate.body
     point, base = case.naming.point(term.point), case.naming.point(term.base)
     value = term.velocity(case.motion.rates)
     size = length(value, case.arithmetic)
@@ -130,7 +130,7 @@ def _explain_single(term: Term, name: str, case: Case) -> Iterator[Block]:
 
 def _find_place(term: Term, case: Case) -> _Place:
     """Whether a point is one of the body that turns, or is only at the same place."""
-    name = term.rate.removeprefix("omega ")
+    name = term.rate.body
     points = next(body.points for body in case.motion.frames.mechanism.bodies if body.name == name)
     return "of" if term.point in points else "at"
 
@@ -183,7 +183,7 @@ def _explain_carried(
             f"solution.known-{start}-{_find_place(last, case)}",
             point=point,
             base=base,
-            body=case.naming.body(last.rate.removeprefix("omega ")),
+            body=case.naming.body(last.rate.body),
         )
     )
     known = (base_name if before else "", find_vector(before, case.motion, level))
@@ -232,7 +232,7 @@ def _list_turning_summands(axis: str, term: Term, case: Case, level: Level) -> I
     """
     along, across, other, sign = (0, 1, "y", "-") if axis == "x" else (1, 0, "x", "+")
     point, base = case.naming.point(term.point), case.naming.point(term.base)
-    body = term.rate.removeprefix("omega ")
+    body = term.rate.body
     rate = case.motion.rates[term.rate]
     letters, value = case.naming.turning(body, level), case.rates(level)[term.rate]
     if double(value):

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import cos, radians, sin
 
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
@@ -58,7 +59,7 @@ class Projection:
             if abs(angle - 90) > 1e-7:
                 yield Share(part, 1 if angle < 90 else -1, tidy(min(angle, 180 - angle)))
 
-    def row(self) -> dict[str, float]:
+    def row(self) -> dict[Rate, float]:
         """The coefficients of the unknown rates with everything on the left side."""
         axis = Vector(cos(radians(self.axis)), sin(radians(self.axis)))
         return {
@@ -66,7 +67,7 @@ class Projection:
             for rate in self.equation.unknowns
         }
 
-    def involves(self, rate: str) -> bool:
+    def involves(self, rate: Rate) -> bool:
         """Whether a rate remains in the projection."""
         return abs(self.row().get(rate, 0.0)) > PARALLEL
 
@@ -79,11 +80,11 @@ class Deduction:
 
     projections: tuple[Projection, ...]
     scalars: tuple[Relation, ...]
-    unknowns: tuple[str, ...]
+    unknowns: tuple[Rate, ...]
 
 
 def find_deductions(
-    equations: Sequence[VectorEquation], scalars: Sequence[Relation], unknowns: Sequence[str]
+    equations: Sequence[VectorEquation], scalars: Sequence[Relation], unknowns: Sequence[Rate]
 ) -> Iterator[Deduction]:
     """How the vector equations and scalar relations of a step give its unknown rates, one deduction
     after the other.
@@ -110,7 +111,7 @@ def find_deductions(
 
 def _find_private_unknowns(
     index: int, equations: Sequence[VectorEquation], scalars: Sequence[Relation]
-) -> list[str]:
+) -> list[Rate]:
     """The unknowns that occur only in the equation at `index`; the rotation of a body comes
     last.
     """
@@ -123,12 +124,12 @@ def _find_private_unknowns(
     elsewhere |= {rate for scalar in scalars for rate, _ in scalar.turning}
     return sorted(
         (rate for rate in equations[index].unknowns if rate not in elsewhere),
-        key=lambda rate: rate.startswith("omega"),
+        key=lambda rate: rate.kind == "turning",
     )
 
 
 def _find_core_projections(
-    equation: VectorEquation, unshared: Sequence[str]
+    equation: VectorEquation, unshared: Sequence[Rate]
 ) -> Iterator[Projection]:
     """The projections of an equation in which only unknowns that it shares with others remain."""
     if len(unshared) == 1:
@@ -144,7 +145,7 @@ def _find_core_projections(
 
 
 def _select_enough(
-    core: Sequence[Projection], scalars: Sequence[Relation], shared: Sequence[str]
+    core: Sequence[Projection], scalars: Sequence[Relation], shared: Sequence[Rate]
 ) -> tuple[Projection, ...]:
     """As many of the projections as are needed besides the scalar relations."""
     needed = max(len(shared) - len(scalars), 0)
@@ -154,7 +155,7 @@ def _select_enough(
     return tuple(telling[:needed])
 
 
-def _project_toward(equation: VectorEquation, rate: str, others: Sequence[str]) -> Projection:
+def _project_toward(equation: VectorEquation, rate: Rate, others: Sequence[Rate]) -> Projection:
     """The projection that gives a rate: normal to the other unknown, else along the part of the
     rate itself.
     """
@@ -164,7 +165,7 @@ def _project_toward(equation: VectorEquation, rate: str, others: Sequence[str]) 
 
 
 def _project_normal_to(
-    equation: VectorEquation, rate: str, sought: str | None = None
+    equation: VectorEquation, rate: Rate, sought: Rate | None = None
 ) -> Projection:
     """The projection on the axis normal to an unknown, oriented so that few parts are negative."""
     axis = (bearing(_make_floats(equation.coefficient(rate))) + 90) % 360
@@ -172,14 +173,14 @@ def _project_normal_to(
     return _orient(Projection(equation, axis, dropped), sought)
 
 
-def _project_along(equation: VectorEquation, rate: str) -> Projection:
+def _project_along(equation: VectorEquation, rate: Rate) -> Projection:
     """The projection on the direction of an unknown."""
     return _orient(
         Projection(equation, bearing(_make_floats(equation.coefficient(rate))), None), rate
     )
 
 
-def _orient(projection: Projection, sought: str | None) -> Projection:
+def _orient(projection: Projection, sought: Rate | None) -> Projection:
     """The projection, with its axis reversed where most parts are negative; in a tie the unknown
     sought decides.
     """

@@ -22,7 +22,8 @@ from kinegrade.mechanics.joints import (
     Sleeve,
     Slide,
 )
-from kinegrade.mechanics.relations import Relation, Term, name_omega
+from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.mechanics.relations import Relation, Term
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.expression import collect_symbols, write_latex
@@ -77,7 +78,7 @@ def _state_equal_rotation(joint: Parallel | Sleeve, case: Case, level: Level) ->
 
 
 def explain_scalar_step(
-    relation: Relation, unknown: str, case: Case, level: Level
+    relation: Relation, unknown: Rate, case: Case, level: Level
 ) -> Iterator[Block]:
     """A step of one scalar relation: the relation and the rate it gives."""
     statement = state_relation(relation, case, level)
@@ -102,11 +103,19 @@ def imposes_single_rate(relation: Relation) -> bool:
     return len(relation.turning) + len(relation.left) + len(relation.right) == 1
 
 
-def _write_rate_result(rate: str, case: Case, level: Level) -> str:
+def _write_rate_result(rate: Rate, case: Case, level: Level) -> str:
     """The value of a rate: an angular velocity, or the speed that belongs to a guided point."""
-    if rate.startswith("omega "):
-        return write_rotation_result(rate, case, level, "")
-    term = find_term(rate, case)
+    match rate.kind:
+        case "turning":
+            return write_rotation_result(rate, case, level, "")
+        case "sliding" | "circling" | "free-x" | "free-y" | "added-x" | "added-y":
+            return _write_speed_result(find_term(rate, case), case, level)
+        case _:
+            assert_never(rate.kind)
+
+
+def _write_speed_result(term: Term, case: Case, level: Level) -> str:
+    """The value of a guided point's speed with its sense."""
     value = measure_along_direction(term, case, level) * find_stated_sense(term, case)
     shown = f"{write_number(value, UNITS[level, False])}{_describe_speed_sense(value, term, case)}"
     return f"{write_speed(term, case, level)} &= {shown}"
@@ -123,7 +132,7 @@ def _describe_speed_sense(value: Any, term: Term, case: Case) -> str:
             assert_never(term.kind)
 
 
-def find_term(rate: str, case: Case) -> Term:
+def find_term(rate: Rate, case: Case) -> Term:
     """The term of a guided point's rate."""
     frames = case.motion.frames
     chains = [chain for relation in frames.relations for chain in (relation.left, relation.right)]
@@ -148,7 +157,7 @@ def write_rotation(body: str, case: Case, level: Level) -> str:
 def find_rotation_value(body: str, case: Case, level: Level) -> Any:
     """The value of a body's rotation; 0 for the ground."""
     rates = case.rates(level)
-    return 0 if body == GROUND else rates[name_omega(body)]
+    return 0 if body == GROUND else rates[make_turning(body)]
 
 
 def _write_relative_rotation(body: str, of: str, case: Case, level: Level) -> str:
@@ -225,7 +234,7 @@ def _find_slip_sign(roll: Roll, relation: Relation, case: Case) -> float:
     coefficient one.
     """
     factor = double(
-        next(factor for rate, factor in relation.turning if rate == name_omega(roll.body))
+        next(factor for rate, factor in relation.turning if rate == make_turning(roll.body))
     )
     return factor * find_stated_sense(find_term(relation.turning[0][0], case), case)
 
@@ -242,7 +251,7 @@ def _write_radius(roll: Roll, case: Case) -> str:
 
 
 def _write_solved_relation(
-    relation: Relation, unknown: str, case: Case, level: Level
+    relation: Relation, unknown: Rate, case: Case, level: Level
 ) -> Iterator[str]:
     """The relation solved for a rate, with numbers unless they are zero."""
     roll = relation.source
@@ -265,7 +274,7 @@ def _write_solved_relation(
             rf"{write_speed(term, case, level)} &= "
             rf"{'-' if sign < 0 else ''}{size}\cdot {rotation}"
         )
-    elif unknown == name_omega(roll.body):
+    elif unknown == make_turning(roll.body):
         known = write_short(
             measure_along_direction(term, case, level) * (find_stated_sense(term, case) * sign)
         )

@@ -8,6 +8,7 @@ from typing import assert_never
 
 from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import (
     Level,
     Part,
@@ -43,7 +44,7 @@ from kinegrade.worked.steps.vectors import (
 from kinegrade.worked.words.solution_case import Case
 
 
-def find_stage(step: Step, case: Case, level: Level, known: Collection[str]) -> Stage:
+def find_stage(step: Step, case: Case, level: Level, known: Collection[Rate]) -> Stage:
     """The vector equations of a step, at the stage where the rates `known` are known."""
     relations = (case.motion.frames.relations[index] for index in step.relations)
     equations = [
@@ -74,7 +75,7 @@ def explain_step(step: Step, stage: Stage, findings: Findings) -> Iterator[Block
         statement = state_relation(relation, case, stage.level)
         yield case.say(statement.reason)
         yield Display((statement.line,))
-    solved: set[str] = set()
+    solved: set[Rate] = set()
     for deduction in find_deductions(stage.equations, scalars, step.unknowns):
         yield from explain_deduction(stage, deduction, solved)
         solved |= set(deduction.unknowns)
@@ -199,9 +200,7 @@ def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
     if listed:
         yield case.say(Message("solution.here", equations=_list_equations(listed)))
     shifted = {
-        part.term.rate.removeprefix("omega ")
-        for part in equation.parts
-        if part.coincident and part.term
+        part.term.rate.body for part in equation.parts if part.coincident and part.term
     } & find_translating(case.motion.frames.mechanism)
     for name in sorted(shifted):
         yield case.say(Message(f"solution.shifted-{equation.level}", frame=case.naming.body(name)))
@@ -220,7 +219,7 @@ def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
                 "solution.coincident",
                 mark=_find_mark(equation, marked, case),
                 point=case.naming.point(marked.point),
-                frame=case.naming.body(marked.term.rate.removeprefix("omega ")),
+                frame=case.naming.body(marked.term.rate.body),
             )
         )
 

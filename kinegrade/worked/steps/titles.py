@@ -84,7 +84,7 @@ def _list_turning_bodies(equation: VectorEquation, case: Case) -> Listing:
 
 def _find_body(term: Term) -> str:
     """The body that turns in a term."""
-    return term.rate.removeprefix("omega ")
+    return term.rate.body
 
 
 def introduce_equation(equation: VectorEquation, case: Case) -> Message:

@@ -10,7 +10,8 @@ from typing import assert_never
 
 from kinegrade.expressions.expression import Name
 from kinegrade.mechanics.joints import GROUND
-from kinegrade.mechanics.relations import Term, name_omega
+from kinegrade.mechanics.rates import make_turning
+from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, Role, VectorEquation
 from kinegrade.worked.formulas.numbers import (
@@ -61,7 +62,16 @@ def write_primed(point: str) -> str:
 
 def _find_axis(part: Part) -> str:
     """x or y for a component of a free point's motion."""
-    return f",{part.term.rate[-1]}" if part.term and part.term.rate.startswith("free ") else ""
+    kind = part.term.rate.kind if part.term else None
+    match kind:
+        case "free-x":
+            return ",x"
+        case "free-y":
+            return ",y"
+        case "turning" | "sliding" | "circling" | "added-x" | "added-y" | None:
+            return ""
+        case _:
+            assert_never(kind)
 
 
 def is_composed(equation: VectorEquation, part: Part) -> bool:
@@ -162,7 +172,7 @@ def _write_term_magnitude(equation: VectorEquation, part: Part, term: Term, case
 
 def _write_rotation_magnitude(equation: VectorEquation, part: Part, term: Term, case: Case) -> str:
     """The length times the angular velocity, its square, or the angular acceleration."""
-    body = term.rate.removeprefix("omega ")
+    body = term.rate.body
     match part.part:
         case "n":
             return rf"{find_arm(part, case)}\cdot {case.naming.omega(body)}^{{2}}"
@@ -195,7 +205,7 @@ def _write_absolute(symbol_: str, value: float) -> str:
 
 def _omega_value(case: Case, body: str) -> float:
     """A body's angular velocity as a double."""
-    return 0.0 if body == GROUND else float(case.motion.rates[name_omega(body)])
+    return 0.0 if body == GROUND else float(case.motion.rates[make_turning(body)])
 
 
 def _signed_speed(case: Case, term: Term) -> float:

@@ -12,6 +12,7 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
 from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.rates import Rates
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.solving import Solution
@@ -46,7 +47,7 @@ class Case:
         """The arithmetic in which the instance is solved."""
         return self.solution.arithmetic
 
-    def rates(self, level: Level) -> Mapping[str, Any]:
+    def rates(self, level: Level) -> Rates:
         """The rates of the motion, or their changes."""
         match level:
             case "velocity":
@@ -73,15 +74,14 @@ class Case:
         """The sentence of the joint that guides a sliding or circling point, None for a free
         point.
         """
-        kind, point, bodies = term.rate.split(" ")[:3]
-        if kind == "free":
+        rate = term.rate
+        if not rate.is_guided:
             return None
-        body, of = bodies.split("/")
         for sentence in self.template.scheme.joints:
-            same = sentence.body == body and sentence.of == of
+            same = sentence.body == rate.body and sentence.of == rate.of
             if same and (
-                sentence.point == point
-                or _find_centre(sentence) == point
+                sentence.point == rate.point
+                or _find_centre(sentence) == rate.point
                 or sentence.kind == "sleeve"
             ):
                 return sentence
