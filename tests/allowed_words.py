@@ -87,25 +87,25 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "what another system calls its columns": {
-        "lms/grades/blackboard.py": [
+        "lms/grades/systems/blackboard.py": [
             "Feedback Format",
             "Feedback to Learner",
             "Student ID",
         ],
-        "lms/grades/brightspace.py": [
+        "lms/grades/systems/brightspace.py": [
             "End-of-Line Indicator",
             "{title} Points Grade <Numeric MaxPoints:{maximum}>",
         ],
-        "lms/grades/canvas.py": [
+        "lms/grades/systems/canvas.py": [
             "SIS Login ID",
             "SIS User ID",
         ],
-        "lms/grades/edx.py": [
+        "lms/grades/systems/edx.py": [
             "New Points",
             "Open edX",
             "Previous Points",
         ],
-        "lms/grades/moodle.py": [
+        "lms/grades/systems/moodle.py": [
             "Email address",
             "Email地址",
             "Feedback comments",
@@ -148,7 +148,7 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         "lms/responses/wjx.py": [
             "序号",
         ],
-        "lms/grades/sakai.py": [
+        "lms/grades/systems/sakai.py": [
             "Student ID",
             "Student Name",
         ],

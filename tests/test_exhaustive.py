@@ -20,8 +20,6 @@ from tests.own_words import Vocabulary, vocabulary
 pytestmark = pytest.mark.xdist_group("exhaustive")  # one worker reads the package, once
 PACKAGE = Path(kinegrade.__file__).parent
 EXCEPTIONS = {
-    "cli/export.py: if system == "
-    "'xlsx'": "the rest goes on to `_dialect`, which names every system",
     "press/solution_blocks.py: match (block, following, third): _": "what stays together is named; "
     "a new block may be parted from its neighbours, which costs looks and nothing else",
     "lms/grades/from_scratch.py: options.columns.get(item, '')": "what the instructor named no column for",
@@ -337,7 +335,7 @@ def test_our_own_types_and_literals_are_known_from_the_package_itself() -> None:
     assert {"Pin", "Slide", "Mesh", "Rotation", "Circulation"} <= words.unpositional
     assert words.languages >= {"en", "zh"}
     assert words.values["level"] == {"velocity", "acceleration"}
-    assert {"moodle", "canvas", "edx"} <= words.values["system"]
+    assert {"moodle", "canvas", "qti21"} <= words.values["typing"]
     assert {"pin", "slide", "rotation", "sliding"} <= words.values["kind"]
     assert {"_ROLES", "_FILLS"} <= words.tables
 

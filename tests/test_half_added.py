@@ -19,16 +19,14 @@ from click.testing import CliRunner, Result
 import kinegrade
 from kinegrade.cli import main
 from kinegrade.cli.exams import generate
-from kinegrade.cli.export import SYSTEMS, export
-from kinegrade.cli.marks import feedback, grade
+from kinegrade.cli.export import export
+from kinegrade.cli.marks import feedback
 from kinegrade.cli.quiz import quiz
 from kinegrade.cli.templates import show
 from kinegrade.errors import TemplateError, TypesetError
 from kinegrade.exam.printing.printing import PressOrder
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages
-from kinegrade.lms.quiz.writers import WRITERS
-from kinegrade.lms.responses.detection import DIALECTS
 from kinegrade.press import protocol
 from kinegrade.press.word.press import PandocPress
 from kinegrade.problem.template.translated import Translated
@@ -119,26 +117,6 @@ def test_every_language_is_offered_and_no_other() -> None:
         assert 'unknown: "zn" - expected a language with a catalogue' in result.stderr
 
 
-def test_grades_for_a_system_that_only_the_command_line_knows_are_not_written(
-    marked: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    offered(monkeypatch, export, "system", "ilias")
-    output = tmp_path / "grades.csv"
-    result = run("export", marked / "MARKS", "--to", "ilias", "-o", output)
-    assert "'ilias'" in repr(result.exception)
-    assert not output.exists()
-
-
-def test_a_quiz_for_a_system_that_only_the_command_line_knows_is_not_written(
-    small_class: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    offered(monkeypatch, quiz, "system", "qti30")
-    output = tmp_path / "quiz.zip"
-    result = run("quiz", small_class / "EXAM", "--to", "qti30", "-o", output)
-    assert "'qti30'" in repr(result.exception)
-    assert not output.exists()
-
-
 def test_feedback_in_a_form_that_only_the_command_line_knows_is_not_written(
     marked: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -161,12 +139,6 @@ def test_a_typesetter_that_only_the_banks_know_prints_nothing(
 def test_a_kind_of_file_that_no_press_writes_is_refused() -> None:
     with pytest.raises(TypesetError, match="odt: not a kind of file that papers are written in"):
         PandocPress().also(cast("Any", None), "odt")
-
-
-def test_what_the_command_line_offers_is_what_there_is() -> None:
-    assert set(choices(quiz, "system").choices) == set(WRITERS)
-    assert set(choices(grade, "source").choices) == set(DIALECTS)
-    assert tuple(choices(export, "system").choices) == SYSTEMS
 
 
 def sentence(text: str) -> str:

@@ -6,19 +6,20 @@ from __future__ import annotations
 
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, assert_never, get_args
+from typing import TYPE_CHECKING
 
 import click
 
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.help import command
 from kinegrade.cli.language_choice import LanguageChoice
+from kinegrade.cli.late_choice import LateChoice
 from kinegrade.cli.options import FILE, FORCE, finish_with_complaints, refusing
 from kinegrade.cli.terminal import refuse_usage, refuse_value, say
 from kinegrade.language.message import Message, Quoted, list_plainly
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
 
     from kinegrade.errors import Problem
     from kinegrade.language import Language
@@ -26,8 +27,13 @@ if TYPE_CHECKING:
     from kinegrade.lms.grades.grades import ClassGrades
     from kinegrade.marks_folder.folder import MarksFolder
 
-GradeSystem = Literal["moodle", "canvas", "blackboard", "brightspace", "sakai", "edx", "generic"]
-SYSTEMS = (*get_args(GradeSystem), "xlsx")
+_WORKBOOK = "xlsx"  # no system's file: everything in one spreadsheet
+
+
+def _list_systems() -> Iterable[str]:
+    from kinegrade.lms.grades.systems import SYSTEMS
+
+    return (*SYSTEMS, _WORKBOOK)
 
 
 @command()
@@ -35,7 +41,7 @@ SYSTEMS = (*get_args(GradeSystem), "xlsx")
 @click.option(
     "--to",
     "system",
-    type=click.Choice(SYSTEMS),
+    type=LateChoice(_list_systems),
     required=True,
 )
 @click.option(
@@ -100,7 +106,7 @@ SYSTEMS = (*get_args(GradeSystem), "xlsx")
 def export(
     *,
     marks: Path,
-    system: GradeSystem | Literal["xlsx"],
+    system: str,
     output: Path,
     into: Path | None,
     columns: tuple[str, ...],
@@ -116,13 +122,15 @@ def export(
     force: bool,
 ) -> None:
     """Write the grades of MARKS as a learning management system takes them."""
+    from kinegrade.lms.grades.systems import SYSTEMS
     from kinegrade.marks_folder.folder import open_marks
 
-    if language is not None and system != "generic":
+    dialect = None if system == _WORKBOOK else SYSTEMS[system]
+    if language is not None and not (dialect and dialect.speaks):
         raise refuse_usage(Message("terminal.no-headers"))
     expect_folders((marks, "MARKS"), (exam, "EXAM"))
     folder = open_marks(marks)
-    if system == "xlsx":
+    if dialect is None:
         if into is not None:
             raise refuse_usage(Message("terminal.no-into"))
         _write_workbook(folder, output, force=force)
@@ -135,11 +143,13 @@ def export(
     named = _read_columns(columns, grades, per_question=per_question)
     most = _read_maximum(maximum)
     _write(
-        _choose_dialect(system, language or grades.language),
+        dialect,
         grades,
         into,
         output,
-        ExportOptions(by, named, title.strip(), per_question, feedback, ungraded, scale, most),
+        ExportOptions(
+            by, named, title.strip(), per_question, feedback, ungraded, scale, most, language
+        ),
         force=force,
     )
 
@@ -179,29 +189,6 @@ def _write(
     exported = Message("terminal.exported", file=str(output), count=students, system=dialect.name)
     say(Message("terminal.left-alone", exported=exported, count=absent) if absent else exported)
     finish_with_complaints([complaint.fault for complaint in complaints])
-
-
-def _choose_dialect(system: GradeSystem, language: Language) -> Dialect:
-    match system:
-        case "moodle":
-            from kinegrade.lms.grades.moodle import MOODLE as dialect
-        case "canvas":
-            from kinegrade.lms.grades.canvas import CANVAS as dialect
-        case "blackboard":
-            from kinegrade.lms.grades.blackboard import BLACKBOARD as dialect
-        case "brightspace":
-            from kinegrade.lms.grades.brightspace import BRIGHTSPACE as dialect
-        case "sakai":
-            from kinegrade.lms.grades.sakai import SAKAI as dialect
-        case "edx":
-            from kinegrade.lms.grades.edx import EDX as dialect
-        case "generic":
-            from kinegrade.lms.grades.generic import generic
-
-            dialect = generic(language)
-        case _:
-            assert_never(system)
-    return dialect
 
 
 def _read_columns(

@@ -11,6 +11,7 @@ import click
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.help import command
 from kinegrade.cli.language_choice import LanguageChoice
+from kinegrade.cli.late_choice import LateChoice
 from kinegrade.cli.options import FILE, FORCE, JOBS, LANGUAGE, finish_with_complaints, refusing
 from kinegrade.cli.terminal import say, terminal_words
 from kinegrade.language.catalogue import open_catalogue
@@ -26,6 +27,13 @@ if TYPE_CHECKING:
     from kinegrade.reports.feedback.folder import Press, Text
 
     FeedbackForm = Literal["pdf", "html", "md"]
+
+
+def _list_sources() -> Iterable[str]:
+    from kinegrade.lms.responses.detection import DIALECTS
+
+    return DIALECTS
+
 
 _EXAM_LANGUAGE = click.option(
     "--lang",
@@ -47,7 +55,7 @@ _EXAM_LANGUAGE = click.option(
 @click.option(
     "--from",
     "source",
-    type=click.Choice(["moodle", "canvas", "google-forms", "ms-forms", "wjx", "sheet"]),
+    type=LateChoice(_list_sources),
 )
 @click.option(
     "--encoding",

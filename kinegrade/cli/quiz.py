@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, assert_never, get_args
+from typing import TYPE_CHECKING
 
 import click
 
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.help import command
 from kinegrade.cli.language_choice import LanguageChoice
+from kinegrade.cli.late_choice import LateChoice
 from kinegrade.cli.options import (
     FILE,
     FORCE,
@@ -23,15 +24,17 @@ from kinegrade.cli.terminal import say
 from kinegrade.language.message import Message
 
 if TYPE_CHECKING:
-    from fractions import Fraction
+    from collections.abc import Iterable
 
     from kinegrade.language import Language
     from kinegrade.lms.quiz.moodle.questions import Form
-    from kinegrade.lms.quiz.writers import Writer
     from kinegrade.problem.template.template import Method
 
-QuizSystem = Literal["moodle-xml", "qti12", "qti21", "blackboard"]
-SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
+
+def _list_formats() -> Iterable[str]:
+    from kinegrade.lms.quiz.formats import FORMATS
+
+    return FORMATS
 
 
 @command()
@@ -39,7 +42,7 @@ SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
 @click.option(
     "--to",
     "system",
-    type=click.Choice(SYSTEMS),
+    type=LateChoice(_list_formats),
     required=True,
 )
 @click.option(
@@ -95,7 +98,7 @@ SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
 def quiz(
     *,
     exam: Path,
-    system: QuizSystem,
+    system: str,
     output: Path,
     variants: int | None,
     form: Form,
@@ -115,11 +118,12 @@ def quiz(
     from kinegrade.exam.quiz.paper import QuizWishes
     from kinegrade.exam.quiz.quiz import read_quiz
     from kinegrade.exam.quiz.variants import variants_stored
+    from kinegrade.lms.quiz.formats import FileWishes, choose_writer
     from kinegrade.processes.executor import open_executor
 
     expect_folders((exam, "EXAM"))
     limit = None if megabytes is None else Fraction(str(megabytes))
-    writer = _writer_of(system, form, limit)
+    writer = choose_writer(system, FileWishes(form, limit))
     wishes = QuizWishes(
         mistakes, None if credit is None else Fraction(str(credit)) / 100, solutions, method
     )
@@ -138,26 +142,3 @@ def quiz(
     say(Message("terminal.quiz-written", file=str(output)))
     say(Message("terminal.marked-there"))
     finish_with_complaints(tuple(remarks))
-
-
-def _writer_of(system: QuizSystem, form: Form, megabytes: Fraction | None) -> Writer:
-    """What writes for a system as it is wished. Raises ExportError for parts of anything but
-    Moodle's XML.
-    """
-    from functools import partial
-
-    from kinegrade.errors import ExportError
-    from kinegrade.lms.quiz.moodle import file as moodle_xml
-    from kinegrade.lms.quiz.writers import WRITERS
-
-    match system:
-        case "moodle-xml":
-            if megabytes is None:
-                return partial(moodle_xml.write, form=form)
-            return partial(moodle_xml.write_parts, megabytes=megabytes, form=form)
-        case "qti12" | "qti21" | "blackboard":
-            if megabytes is not None:
-                raise ExportError(Message("terminal.no-split", system=system))
-            return WRITERS[system]
-        case _:
-            assert_never(system)

@@ -10,14 +10,14 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
-from kinegrade.cli.export import SYSTEMS
 from kinegrade.files.csv_writing import write_csv
+from kinegrade.lms.grades.systems import SYSTEMS
 from kinegrade.marks_folder.layout import KEPT
 from tests.lms.marked_folder import STUDENTS, write_exam, write_marks
 from tests.small_class import kinegrade
 
 ABSENT = "0012347"
-FRESH = [name for name in SYSTEMS if name not in ("blackboard", "edx", "xlsx")]
+FRESH = [name for name in SYSTEMS if name not in ("blackboard", "edx")]
 
 
 def with_status(marks: Path, statuses: Mapping[str, str]) -> Path:

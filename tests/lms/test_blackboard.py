@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TableError
-from kinegrade.lms.grades.blackboard import BLACKBOARD
 from kinegrade.lms.grades.dialect import ExportOptions
+from kinegrade.lms.grades.systems.blackboard import BLACKBOARD
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh
 

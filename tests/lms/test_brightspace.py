@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TableError
-from kinegrade.lms.grades.brightspace import BRIGHTSPACE
 from kinegrade.lms.grades.dialect import ExportOptions
+from kinegrade.lms.grades.systems.brightspace import BRIGHTSPACE
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh
 

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TableError
-from kinegrade.lms.grades.canvas import CANVAS
 from kinegrade.lms.grades.dialect import ExportOptions
+from kinegrade.lms.grades.systems.canvas import CANVAS
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh, write_exam, write_marks

@@ -8,7 +8,7 @@ import pytest
 
 from kinegrade.errors import TableError
 from kinegrade.lms.grades.dialect import ExportOptions
-from kinegrade.lms.grades.edx import EDX
+from kinegrade.lms.grades.systems.edx import EDX
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh
 

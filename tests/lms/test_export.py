@@ -8,7 +8,7 @@ import pytest
 from click.testing import Result
 from openpyxl import load_workbook
 
-from kinegrade.cli.export import SYSTEMS
+from kinegrade.lms.grades.systems import SYSTEMS
 from tests.lms.marked_folder import write_exam, write_marks
 from tests.small_class import kinegrade
 
@@ -23,7 +23,9 @@ def export(folder: Path, *arguments: str | Path) -> Result:
     return kinegrade("export", marks, "-o", folder / "out.csv", *arguments)
 
 
-@pytest.mark.parametrize("system", [name for name in SYSTEMS if name not in ("blackboard", "edx")])
+@pytest.mark.parametrize(
+    "system", [name for name in (*SYSTEMS, "xlsx") if name not in ("blackboard", "edx")]
+)
 def test_every_system_gets_a_file_from_scratch(tmp_path: Path, system: str) -> None:
     result = export(tmp_path, "--to", system, "--exam", tmp_path / "EXAM")
     assert (result.exit_code, result.stdout) == (0, "")

@@ -10,12 +10,12 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.cli.export import SYSTEMS
+from kinegrade.lms.grades.systems import SYSTEMS
 from tests.grading.marked_folder import RIGHT, mark_class
 from tests.lms.marked_folder import write_exam, write_marks
 from tests.small_class import kinegrade
 
-WITH_TITLES = [name for name in SYSTEMS if name not in ("blackboard", "edx", "xlsx")]
+WITH_TITLES = [name for name in SYSTEMS if name not in ("blackboard", "edx")]
 SIGNS = ["=", "+", "-", "@", "＝"]
 ODD_IDS = {"0012345": "=7", "0012346": "+8", "0012347": "-9", "0012348": "@1"}
 

@@ -11,14 +11,16 @@ import pytest
 from kinegrade.errors import TableError
 from kinegrade.language import Language
 from kinegrade.lms.grades.dialect import ExportOptions
-from kinegrade.lms.grades.generic import generic
+from kinegrade.lms.grades.systems.generic import GENERIC
 from tests.golden_files import Hold
 from tests.lms.marked_folder import filled, fresh, write_exam, write_marks
 from tests.small_class import kinegrade
 
+CHINESE = ExportOptions(language=Language("zh"))
+
 
 def test_the_golden_file(tmp_path: Path, hold: Hold) -> None:
-    text = fresh(tmp_path, generic(Language("zh"))).text
+    text = fresh(tmp_path, GENERIC, CHINESE).text
     hold("lms/generic.csv", text)
     assert text.startswith("\ufeff学号,姓名,成绩,评语\n0012345,王伟,8.25,")
 
@@ -54,7 +56,9 @@ def test_a_language_is_refused_where_it_would_do_nothing(tmp_path: Path) -> None
 
 def test_by_question_and_email(tmp_path: Path) -> None:
     text = fresh(
-        tmp_path, generic(Language("zh")), ExportOptions(by=("email",), per_question=True)
+        tmp_path,
+        GENERIC,
+        ExportOptions(by=("email",), per_question=True, language=Language("zh")),
     ).text
     assert text.splitlines()[:2] == [
         "\ufeff邮箱,姓名,成绩 q1,成绩 q2",
@@ -67,16 +71,16 @@ def test_what_cannot_be_had_is_refused(tmp_path: Path) -> None:
         TableError,
         match="the generic sheet does not identify students by login .* choose one of: id, email",
     ):
-        fresh(tmp_path, generic(Language("zh")), ExportOptions(by=("login",)))
+        fresh(tmp_path, GENERIC, ExportOptions(by=("login",)))
     with pytest.raises(
         TableError, match="--by: id, email - expected one key for a new file - choose one"
     ):
-        fresh(tmp_path, generic(Language("zh")), ExportOptions(by=("id", "email")))
+        fresh(tmp_path, GENERIC, ExportOptions(by=("id", "email")))
     with pytest.raises(
         TableError, match="--feedback: the generic sheet takes none with --per-question"
     ):
-        fresh(tmp_path, generic(Language("zh")), ExportOptions(feedback=True, per_question=True))
+        fresh(tmp_path, GENERIC, ExportOptions(feedback=True, per_question=True))
     with pytest.raises(
         TableError, match="--into: the generic sheet has no file to be filled in - exp"
     ):
-        filled(tmp_path, generic(Language("zh")), "学号,成绩\n0012345,\n")
+        filled(tmp_path, GENERIC, "学号,成绩\n0012345,\n")

@@ -12,7 +12,7 @@ from kinegrade.errors import TableError
 from kinegrade.lms.grades.dialect import ExportOptions
 from kinegrade.lms.grades.fill_in import fill_in
 from kinegrade.lms.grades.grades import read_grades
-from kinegrade.lms.grades.moodle import MOODLE
+from kinegrade.lms.grades.systems.moodle import MOODLE
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.lms.marked_folder import changed, filled, write_marks
 

@@ -9,10 +9,10 @@ import pytest
 
 from kinegrade.errors import TableError
 from kinegrade.language import Language
-from kinegrade.lms.grades.brightspace import BRIGHTSPACE
 from kinegrade.lms.grades.dialect import ExportOptions
-from kinegrade.lms.grades.generic import generic
-from kinegrade.lms.grades.sakai import SAKAI
+from kinegrade.lms.grades.systems.brightspace import BRIGHTSPACE
+from kinegrade.lms.grades.systems.generic import GENERIC
+from kinegrade.lms.grades.systems.sakai import SAKAI
 from tests.lms.marked_folder import changed, filled, fresh, grades_of
 
 ITEMS = "Student ID,Name,Midterm [20],Midterm q1 [7],Midterm q2 [3]\n0012345,x,,,\n"
@@ -37,7 +37,7 @@ def test_scaling_needs_a_maximum(tmp_path: Path) -> None:
     with pytest.raises(
         TableError, match='"成绩": states no maximum - expected one to scale to - give the item'
     ):
-        fresh(tmp_path, generic(Language("zh")), ExportOptions(scale=True))
+        fresh(tmp_path, GENERIC, ExportOptions(scale=True, language=Language("zh")))
 
 
 def test_questions_go_to_the_items_of_their_titles(tmp_path: Path) -> None:

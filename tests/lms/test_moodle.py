@@ -14,7 +14,8 @@ from kinegrade.files.tables import parse_table
 from kinegrade.lms.grades.dialect import ExportOptions
 from kinegrade.lms.grades.fill_in import fill_in
 from kinegrade.lms.grades.grades import read_grades
-from kinegrade.lms.grades.moodle import MOODLE, export
+from kinegrade.lms.grades.moodle import export
+from kinegrade.lms.grades.systems.moodle import MOODLE
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh, write_marks

@@ -10,7 +10,7 @@ import pytest
 
 from kinegrade.errors import TableError
 from kinegrade.lms.grades.dialect import ExportOptions
-from kinegrade.lms.grades.sakai import SAKAI
+from kinegrade.lms.grades.systems.sakai import SAKAI
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh
 

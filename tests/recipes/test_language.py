@@ -5,18 +5,15 @@ each of its steps left out, one by one, is refused by name.
 from __future__ import annotations
 
 import csv
-import os
 import re
 import shutil
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from babel.messages.catalog import Message
 
-import kinegrade
 from tests.language.catalogue_faults import (
     NOUN,
     find_catalogue_faults,
@@ -26,8 +23,8 @@ from tests.language.catalogue_faults import (
 from tests.language.update import update_language, write_catalogue
 from tests.problem.crank import crank_text
 from tests.problem.test_languages import ONLY_ENGLISH
+from tests.recipes.recipe import copy_package, run
 
-PACKAGE = Path(kinegrade.__file__).parent
 NEW = "qq"
 MARK = "Qq"  # begins every text of the language
 LETTERS = re.compile(r"[A-Za-z]{2}")
@@ -54,8 +51,7 @@ v_y = "{MARK} along y"
 @pytest.fixture(scope="module")
 def room(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the package with the new language in all steps, and an exam's files."""
-    folder = tmp_path_factory.mktemp("language")
-    shutil.copytree(PACKAGE, folder / "kinegrade", ignore=shutil.ignore_patterns("__pycache__"))
+    folder = copy_package(tmp_path_factory.mktemp("language"))
     begin_catalogue(folder)
     translate_catalogue(folder)
     (folder / "bank.toml").write_text(BANK.format(new=NEW, mark=MARK), encoding="utf-8")
@@ -103,18 +99,6 @@ def marked(text: str) -> str:
 def faults(folder: Path) -> list[str]:
     """Step 4."""
     return list(find_catalogue_faults(catalogues(folder) / NEW, catalogues(folder) / "en"))
-
-
-def run(folder: Path, *arguments: object, **environment: str) -> subprocess.CompletedProcess[str]:
-    """kinegrade as the copy has it."""
-    return subprocess.run(
-        [sys.executable, "-m", "kinegrade", *map(str, arguments)],
-        cwd=folder,
-        env={**os.environ, "PYTHONPATH": str(folder), **environment},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
 
 
 def generate(folder: Path, *more: object) -> subprocess.CompletedProcess[str]:

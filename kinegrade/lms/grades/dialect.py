@@ -1,8 +1,7 @@
 """What the grade files of a learning management system look like: one frozen table for each system,
 no code.
 
-The tables are in `moodle`, `canvas`, `blackboard`, `brightspace`, `sakai`, `edx` and `generic`;
-`fill_in` reads and `from_scratch` writes by them.
+The tables are in `systems`; `fill_in` reads and `from_scratch` writes by them.
 """
 
 from __future__ import annotations
@@ -13,6 +12,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Literal
 
+from kinegrade.language import Language
 from kinegrade.language.message import Message, Text
 
 Field = Literal["id", "login", "email"]
@@ -89,14 +89,14 @@ class Download:
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A column of a new file: its header with {title} and {maximum}, and `text`, a prefix or a
-    fixed content.
+    """A column of a new file: its header with {title} and {maximum}, or an entry of the catalogues,
+    and `text`, a prefix or a fixed content.
 
     The text of a feedback column is "html" where the system shows feedback as a web page. A column
     of keys may `also` hold those of other fields.
     """
 
-    header: str
+    header: Text
     role: Role
     text: str = ""
     also: tuple[Field, ...] = ()
@@ -119,7 +119,7 @@ class NewFile:
 
     columns: tuple[Column, ...]
     key: Field
-    title: str = ""
+    title: Text = ""
     keeps_keys: bool = False
     quotes_all: bool = False
     mark: bool = False
@@ -138,6 +138,12 @@ class Dialect:
     downloads: tuple[Download, ...] = ()
     new_file: NewFile | None = None
 
+    @property
+    def speaks(self) -> bool:
+        """Whether a new file has headers in the language of the exam."""
+        columns = () if self.new_file is None else self.new_file.columns
+        return any(isinstance(column.header, Message) for column in columns)
+
 
 @dataclass(frozen=True, slots=True)
 class ExportOptions:
@@ -146,7 +152,7 @@ class ExportOptions:
     `by` are the fields to match or to write, empty for the system's default; `columns` the headers
     by item, the total's under ""; `feedback` None where the system decides; `maximum` the item's
     maximum in the system, to which grades are scaled; `scale` scales to the maximum that the file
-    states.
+    states; `language` that of translated headers, None for the exam's.
     """
 
     by: tuple[Field, ...] = ()
@@ -157,3 +163,4 @@ class ExportOptions:
     ungraded: bool = False
     scale: bool = False
     maximum: Fraction | None = None
+    language: Language | None = None

@@ -16,6 +16,7 @@ from kinegrade.errors import Problem, TableError
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.files.csv_writing import neutralise, write_csv_text
 from kinegrade.files.tables import Complaint
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Quoted, list_plainly
 from kinegrade.lms.grades.cells import BYTE_ORDER_MARK
 from kinegrade.lms.grades.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
@@ -101,7 +102,8 @@ def _plan(
     key = options.by[0] if options.by else layout.key
     # A spreadsheet that opens the file would run a title such as =1+1. A header from --column is a
     # key and stays as it is.
-    title = neutralise(options.title or layout.title or grades.title)
+    words = open_catalogue(options.language or grades.language)
+    title = neutralise(options.title or words.write(layout.title) or grades.title)
     items = items_of(grades, options)
     headers = {item: options.columns.get(item, "") for item in items}
     faults: list[Problem] = list(_find_title_faults(dialect, layout, title, headers))
@@ -114,31 +116,29 @@ def _plan(
     faults += [
         Message("grades.several-maxima", title=Quoted(item_title(title, item)))
         for item in items
-        if len(maxima[item]) > 1 and _states(layout)
+        if len(maxima[item]) > 1 and _states_maximum(layout)
     ]
     if faults:
         raise TableError(*dict.fromkeys(faults))
     kept = [column for column in layout.columns if _is_kept(column, layout, key, options)]
     columns: list[tuple[Column, str, str]] = []
     for column in kept:
-        graded = items if column.role == "grade" else ()
+        header, graded = words.write(column.header), items if column.role == "grade" else ()
         columns += [
-            (column, headers.get(item) or _write_grades(column, title, item, maxima), item)
+            (column, headers.get(item) or _write_grades(header, title, item, maxima), item)
             for item in graded
         ]
-        columns += [] if graded else [(column, _write_header(column, title, set()), TOTAL)]
+        columns += [] if graded else [(column, _write_header(header, title, set()), TOTAL)]
     return _Plan(dialect, layout, tuple(columns), targets, key, grades.questions)
 
 
-def _write_grades(
-    column: Column, title: str, item: str, maxima: Mapping[str, set[Fraction]]
-) -> str:
-    return _write_header(column, item_title(title, item), maxima.get(item, set()))
+def _write_grades(header: str, title: str, item: str, maxima: Mapping[str, set[Fraction]]) -> str:
+    return _write_header(header, item_title(title, item), maxima.get(item, set()))
 
 
-def _write_header(column: Column, title: str, maxima: set[Fraction]) -> str:
+def _write_header(header: str, title: str, maxima: set[Fraction]) -> str:
     maximum = write_amount(min(maxima, default=Fraction(0)))
-    return column.header.replace("{maximum}", maximum).replace("{title}", title)
+    return header.replace("{maximum}", maximum).replace("{title}", title)
 
 
 def _find_title_faults(
@@ -190,8 +190,9 @@ def _find_maximum(
     return {target} if target is not None else {each.out_of[item] for each in students}
 
 
-def _states(layout: NewFile) -> bool:
-    return any("{maximum}" in column.header for column in layout.columns)
+def _states_maximum(layout: NewFile) -> bool:
+    headers = (column.header for column in layout.columns)
+    return any(isinstance(header, str) and "{maximum}" in header for header in headers)
 
 
 def _is_kept(column: Column, layout: NewFile, key: Field, options: ExportOptions) -> bool:

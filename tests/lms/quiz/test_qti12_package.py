@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from kinegrade.errors import ExportError, OutputError
 from kinegrade.exam.quiz.document import Quiz, QuizPaper
 from kinegrade.lms.quiz.blackboard import file as blackboard
+from kinegrade.lms.quiz.formats import Writer
 from kinegrade.lms.quiz.packaging import make_stable_name
 from kinegrade.lms.quiz.qti12 import package as qti12
 from kinegrade.lms.quiz.qti21 import package as qti21
-from kinegrade.lms.quiz.writers import Writer
 from tests.lms.quiz import a_quiz
 
 WRITERS = (qti12.write, qti21.write, blackboard.write)

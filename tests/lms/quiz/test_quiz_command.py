@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
-from kinegrade.cli.quiz import SYSTEMS, quiz
-from kinegrade.lms.quiz.writers import WRITERS
+from kinegrade.cli.quiz import quiz
+from kinegrade.lms.quiz.formats import FORMATS
 from tests.lms.quiz.moodle_rules import faults, read
 
 
@@ -22,11 +22,7 @@ def put(*arguments: str | Path) -> Result:
     return result
 
 
-def test_every_form_has_its_writer() -> None:
-    assert tuple(WRITERS) == SYSTEMS
-
-
-@pytest.mark.parametrize("system", SYSTEMS)
+@pytest.mark.parametrize("system", FORMATS)
 def test_every_form_is_written(small_class: Path, tmp_path: Path, system: str) -> None:
     target = tmp_path / "quiz"
     result = put(small_class / "EXAM", "--to", system, "-o", target, "--no-mistakes")
@@ -120,7 +116,7 @@ def test_refusals_are_one_line_and_leave_nothing(small_class: Path, tmp_path: Pa
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("system", SYSTEMS)
+@pytest.mark.parametrize("system", FORMATS)
 def test_a_place_that_cannot_hold_a_file_is_named_in_one_line(
     small_class: Path, tmp_path: Path, system: str
 ) -> None:
