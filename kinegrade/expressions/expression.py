@@ -30,6 +30,7 @@ from kinegrade.expressions.faults import (
 )
 from kinegrade.language.message import Message, Quoted, Text
 from kinegrade.numbers.angle import Inexact
+from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.surd import MAX_HEIGHT, Surd, height
 
 MAX_LENGTH = 400
@@ -245,7 +246,7 @@ def evaluate(
     tree: Expression,
     values: Mapping[str, Any],
     functions: Mapping[str, Callable[..., Any]],
-    arithmetic: Any,
+    arithmetic: Arithmetic,
 ) -> Any:
     """The value of the tree; `values` gives the known names, `functions` what may be called.
 
@@ -299,7 +300,7 @@ def _call_function(
         raise ExpressionError(Message("expression.zero-in-function", function=name)) from error
 
 
-def _raise_power(base: Any, exponent: Expression, arithmetic: Any) -> Any:
+def _raise_power(base: Any, exponent: Expression, arithmetic: Arithmetic) -> Any:
     """base ** whole number, at most MAX_POWER in size. Raises Inexact where the digits would grow
     without bound.
     """
@@ -356,7 +357,7 @@ def is_literal_zero(tree: Expression) -> bool:
     return isinstance(tree, Operation) and tree.left == Number(fmpq(0))
 
 
-def make_elementary_functions(arithmetic: Any) -> dict[str, Callable[..., Any]]:
+def make_elementary_functions(arithmetic: Arithmetic) -> dict[str, Callable[..., Any]]:
     """The functions of numbers and angles, in one arithmetic."""
 
     def tangent(angle: Any) -> Any:

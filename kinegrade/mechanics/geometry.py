@@ -17,6 +17,7 @@ from kinegrade.errors import ExpressionError, MechanismError
 from kinegrade.language.message import Fault, Message, Text, list_plainly
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.text import write_decimal
 
 Branch = str
@@ -40,7 +41,7 @@ class Round:
 
 
 def make_constructions(
-    arithmetic: Any, points: Mapping[str, Vector]
+    arithmetic: Arithmetic, points: Mapping[str, Vector]
 ) -> dict[str, Callable[..., Any]]:
     """The constructions by name; `points` gives names for error messages and is read only when one
     is written.
@@ -69,7 +70,7 @@ class Constructions:
     branches.
     """
 
-    arithmetic: Any
+    arithmetic: Arithmetic
     points: Mapping[str, Vector]
 
     def polar(self, centre: Vector, radius: Any, angle: Any) -> Vector:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from kinegrade.errors import AtInfinity, MechanismError
 from kinegrade.language.message import Fault, Message
@@ -24,6 +23,7 @@ from kinegrade.mechanics.refusal import describe_looseness, explain_refusal, fin
 from kinegrade.mechanics.relations import add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.elimination import Contradiction, Singular
+from kinegrade.numbers.number import Arithmetic, Number
 
 
 @dataclass(frozen=True)
@@ -40,13 +40,13 @@ class Motion:
         """Positions, m."""
         return self.frames.mechanism.points
 
-    def omega(self, body: str, of: str = GROUND) -> Any:
+    def omega(self, body: str, of: str = GROUND) -> Number:
         """Angular velocity of a body, rad/s, counter-clockwise positive; relative to the body
         `of`.
         """
         return _find_turning_rate(self.rates, body) - _find_turning_rate(self.rates, of)
 
-    def alpha(self, body: str, of: str = GROUND) -> Any:
+    def alpha(self, body: str, of: str = GROUND) -> Number:
         """Angular acceleration of a body, rad/s^2, counter-clockwise positive; relative to the body
         `of`.
         """
@@ -80,7 +80,7 @@ class Motion:
         composed = self.acceleration(point, frame) + self.coriolis(point, body, frame)
         return self.acceleration(point, body) - composed
 
-    def pole(self, body: str, arithmetic: Any) -> Vector:
+    def pole(self, body: str, arithmetic: Arithmetic) -> Vector:
         """Velocity pole of a body, m. Raises AtInfinity when the body does not turn."""
         base = self.frames.bases[body].point
         rate = self.omega(body)
@@ -90,15 +90,15 @@ class Motion:
         return self.points[base] + arm
 
 
-class _Undriven(dict[Rate, Any]):
+class _Undriven(dict[Rate, Number]):
     """The rates of a mechanism without a driver: none is known, and reading one is an error."""
 
-    def __missing__(self, rate: Rate) -> Any:
+    def __missing__(self, rate: Rate) -> Number:
         what, do = Message("mechanics.undriven"), Message("mechanics.give-input")
         raise MechanismError(Fault("", what, do=do))
 
 
-def pose_mechanism(mechanism: Mechanism, arithmetic: Any) -> Motion:
+def pose_mechanism(mechanism: Mechanism, arithmetic: Arithmetic) -> Motion:
     """A mechanism whose positions alone are wanted. Raises MechanismError when it does not fit
     together.
     """
@@ -107,7 +107,7 @@ def pose_mechanism(mechanism: Mechanism, arithmetic: Any) -> Motion:
     return Motion(build_frames(mechanism, arithmetic), Plan(()), _Undriven(), _Undriven())
 
 
-def solve_motion(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None) -> Motion:
+def solve_motion(mechanism: Mechanism, arithmetic: Arithmetic, plan: Plan | None = None) -> Motion:
     """The motion of a mechanism; a given `plan` saves the search for one, and is replaced where it
     does not fit.
 
@@ -133,7 +133,9 @@ def solve_motion(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None
         raise explain_refusal(frames, equations, sides, arithmetic) from None
 
 
-def _run_plan(plan: Plan, frames: Frames, equations: plans.Equations, arithmetic: Any) -> Motion:
+def _run_plan(
+    plan: Plan, frames: Frames, equations: plans.Equations, arithmetic: Arithmetic
+) -> Motion:
     """Run the plan for velocities, then for accelerations."""
     relations = frames.relations
     rates = plans.run_steps(plan, equations, lambda i: relations[i].velocity_side(), arithmetic)
@@ -153,7 +155,7 @@ def _require_all_related(frames: Frames) -> None:
         raise MechanismError(describe_looseness(frames, []))
 
 
-def _find_turning_rate(rates: Rates, body: str) -> Any:
+def _find_turning_rate(rates: Rates, body: str) -> Number:
     """The angular rate of a body among `rates`; the ground has none, and for a particle it is an
     error.
     """

@@ -14,6 +14,7 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Number
 
 
 def describe_structure(motion: Motion) -> Hashable:
@@ -125,7 +126,7 @@ def stack_vectors(vectors: Sequence[Vector]) -> Any:
     )
 
 
-def stack_numbers(numbers: Sequence[float]) -> Any:
+def stack_numbers(numbers: Sequence[Number]) -> Any:
     """Doubles as an array; numbers that are equal in all, down to the sign of a zero, as one
     double.
     """

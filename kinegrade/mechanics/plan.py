@@ -11,13 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
 
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Relation
 from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.number import Number, Solver
 
-Row = Mapping[Rate, Any]
+Row = Mapping[Rate, Number]
 Equations = Sequence[Sequence[Row]]
 _MAX_TOGETHER = 3
 
@@ -39,7 +39,7 @@ class Plan:
     steps: tuple[Step, ...]
 
 
-def find_plan(relations: Sequence[Relation], equations: Equations, arithmetic: Any) -> Plan:
+def find_plan(relations: Sequence[Relation], equations: Equations, arithmetic: Solver) -> Plan:
     """The plan at this configuration. Raises Singular when the relations leave something
     undetermined.
     """
@@ -61,7 +61,7 @@ def _find_determined(
     equations: Equations,
     pending: Sequence[int],
     known: set[Rate],
-    arithmetic: Any,
+    arithmetic: Solver,
 ) -> Iterator[Step]:
     """The sets of pending relations that determine their unknowns, the smallest first."""
     open_rates = {
@@ -76,7 +76,7 @@ def _find_determined(
             yield Step(group, unknowns)
 
 
-def _has_full_rank(rows: Sequence[Row], unknowns: Sequence[Rate], arithmetic: Any) -> bool:
+def _has_full_rank(rows: Sequence[Row], unknowns: Sequence[Rate], arithmetic: Solver) -> bool:
     """Whether the rows determine the unknowns."""
     if not unknowns:
         return True
@@ -88,13 +88,13 @@ def _has_full_rank(rows: Sequence[Row], unknowns: Sequence[Rate], arithmetic: An
 
 
 def run_steps(
-    plan: Plan, equations: Equations, right: Callable[[int], Sequence[Any]], arithmetic: Any
-) -> dict[Rate, Any]:
+    plan: Plan, equations: Equations, right: Callable[[int], Sequence[Number]], arithmetic: Solver
+) -> dict[Rate, Number]:
     """The rates that the plan gives; `right` gives a relation's right-hand sides.
 
     Raises Singular at a dead point of a step, Contradiction when surplus equations do not agree.
     """
-    rates: dict[Rate, Any] = {}
+    rates: dict[Rate, Number] = {}
     for step in plan.steps:
         rows = [row for index in step.relations for row in equations[index]]
         sides = [

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 from kinegrade.mechanics.joints import GROUND
+from kinegrade.numbers.number import Number
 
 RateKind = Literal["turning", "sliding", "circling", "free-x", "free-y", "added-x", "added-y"]
 
@@ -34,7 +35,7 @@ class Rate(NamedTuple):
         return self.kind in ("sliding", "circling")
 
 
-Rates = Mapping[Rate, Any]
+Rates = Mapping[Rate, Number]
 
 
 @cache

@@ -11,14 +11,16 @@ rates.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, Literal, assert_never
+from typing import Literal, assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.joints import GROUND, Joint
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Number
 
 Kind = Literal["rotation", "sliding", "arc"]
 
@@ -109,9 +111,9 @@ class Relation:
     left: Chain = ()
     right: Chain = ()
     along: Vector | None = None
-    turning: tuple[tuple[Rate, Any], ...] = ()
-    velocity: Any = 0
-    acceleration: Any = 0
+    turning: tuple[tuple[Rate, Number], ...] = ()
+    velocity: Number = 0
+    acceleration: Number = 0
     frame: str = GROUND
     source: Joint | Driver | None = None
 
@@ -127,7 +129,7 @@ class Relation:
         ]
         return tuple(dict.fromkeys(rates))
 
-    def equations(self) -> list[dict[Rate, Any]]:
+    def equations(self) -> list[dict[Rate, Number]]:
         """The coefficients of the rates, one dict for each scalar equation."""
         vectors: dict[Rate, Vector] = {}
         for side, chain in ((1, self.left), (-1, self.right)):
@@ -148,11 +150,11 @@ class Relation:
             row[rate] = row[rate] + factor if rate in row else factor
         return [row]
 
-    def velocity_side(self) -> list[Any]:
+    def velocity_side(self) -> list[Number]:
         """The right-hand sides of the equations for velocities."""
         return [0, 0] if self.is_vector else [self.velocity]
 
-    def acceleration_side(self, rates: Rates) -> list[Any]:
+    def acceleration_side(self, rates: Rates) -> list[Number]:
         """The right-hand sides of the equations for accelerations: imposed minus what the
         velocities decide.
         """
@@ -175,7 +177,7 @@ class Relation:
         return coriolis
 
 
-def add_vectors(vectors: Any) -> Vector:
+def add_vectors(vectors: Iterable[Vector]) -> Vector:
     """The sum of vectors, zero if there are none."""
     result = Vector(0, 0)
     for vector in vectors:

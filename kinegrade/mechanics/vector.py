@@ -8,12 +8,18 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from kinegrade.numbers.number import Number
+
+# A `Number` of the arithmetic that is worked in. Who draws has a mechanism in doubles and takes
+# components for doubles, which no protocol of all numbers would allow
+Component = Any
+
 
 class Vector(NamedTuple):
     """A vector or a point of the plane; components in any one arithmetic."""
 
-    x: Any
-    y: Any
+    x: Component
+    y: Component
 
     def __add__(self, other: Vector) -> Vector:  # type: ignore[override]
         return Vector(self.x + other.x, self.y + other.y)
@@ -24,22 +30,22 @@ class Vector(NamedTuple):
     def __neg__(self) -> Vector:
         return Vector(-self.x, -self.y)
 
-    def __mul__(self, factor: Any) -> Vector:
+    def __mul__(self, factor: Number) -> Vector:  # type: ignore[override]
         if isinstance(factor, Vector):
             return NotImplemented
         return Vector(self.x * factor, self.y * factor)
 
-    def __rmul__(self, factor: Any) -> Vector:
-        return self * factor  # type: ignore[no-any-return]
+    def __rmul__(self, factor: Number) -> Vector:  # type: ignore[override]
+        return self * factor
 
-    def __truediv__(self, divisor: Any) -> Vector:
+    def __truediv__(self, divisor: Number) -> Vector:
         return Vector(self.x / divisor, self.y / divisor)
 
-    def dot(self, other: Vector) -> Any:
+    def dot(self, other: Vector) -> Component:
         """Scalar product."""
         return self.x * other.x + self.y * other.y
 
-    def cross(self, other: Vector) -> Any:
+    def cross(self, other: Vector) -> Component:
         """The out-of-plane component of the vector product, counter-clockwise positive."""
         return self.x * other.y - self.y * other.x
 
@@ -47,6 +53,6 @@ class Vector(NamedTuple):
         """The vector turned by 90 degrees counter-clockwise (k x self)."""
         return Vector(-self.y, self.x)
 
-    def squared(self) -> Any:
+    def squared(self) -> Component:
         """Square of the length."""
         return self.x * self.x + self.y * self.y

@@ -91,13 +91,19 @@ class VectorEquation:
 
     def coefficient(self, rate: Rate) -> Vector:
         """The vector that an unknown rate multiplies when everything stands on the left."""
-        left = add_vectors(part.coefficient for part in self.left if part.unknown == rate)
-        return left - add_vectors(part.coefficient for part in self.right if part.unknown == rate)
+        return _add_coefficients(self.left, rate) - _add_coefficients(self.right, rate)
 
     @property
     def compositions(self) -> tuple[Part, ...]:
         """The relative parts, one for each composition of motions."""
         return tuple(part for part in self.parts if part.role == "relative" and part.part != "n")
+
+
+def _add_coefficients(parts: Sequence[Part], rate: str) -> Vector:
+    """The vector that an unknown rate multiplies in some parts."""
+    return add_vectors(
+        part.coefficient for part in parts if part.unknown == rate and part.coefficient is not None
+    )
 
 
 def write_vector_equation(

@@ -2,26 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Any
 
-
-class Rooted(Protocol):
-    """What a magnitude needs of an arithmetic: a test for zero, and square roots."""
-
-    def is_zero(self, number: Any) -> bool:
-        """Whether a number is zero."""
-
-    def sqrt(self, number: Any) -> Any:
-        """The positive square root."""
+from kinegrade.numbers.number import Number, Rooted
 
 
 class Magnitude:
     """Gives an arithmetic its `magnitude`."""
 
-    def magnitude(self: Rooted, x: Any, y: Any) -> Any:
+    def magnitude(self: Rooted, x: Any, y: Any) -> Number:
         """The length of the vector (x, y); along an axis without a root, which the field might not
         have.
         """
         if self.is_zero(x):
-            return abs(y)
+            return abs(y)  # type: ignore[no-any-return]
         return abs(x) if self.is_zero(y) else self.sqrt(x * x + y * y)

@@ -40,6 +40,7 @@ from kinegrade.mechanics.joints import (
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.surd import MAX_HEIGHT, Surd, height
 from kinegrade.problem.template.sentences import DriverSentence, JointSentence
 from kinegrade.problem.template.template import Parameter, Template
@@ -54,7 +55,7 @@ class Assembly:
     functions: Mapping[str, Callable[..., Any]]
 
 
-def read_parameter(parameter: Parameter, tree: Expression, arithmetic: Any) -> Any:
+def read_parameter(parameter: Parameter, tree: Expression, arithmetic: Arithmetic) -> Any:
     """A parameter in SI from an expression in its unit; degrees may also be given as an angle like
     atan(3/4).
 
@@ -85,7 +86,7 @@ def _read_radians(value: Any) -> Any:
 def assemble(
     template: Template,
     given: Mapping[str, Any],
-    arithmetic: Any,
+    arithmetic: Arithmetic,
     put_down: Callable[[Vector], Vector] = lambda point: point,
 ) -> Assembly:
     """The mechanism at `given` (parameters in SI). Raises MechanismError, ExpressionError with the
@@ -162,7 +163,7 @@ class _Parts:
     values: Mapping[str, Any]
     functions: Mapping[str, Callable[..., Any]]
     points: Mapping[str, Vector]
-    arithmetic: Any
+    arithmetic: Arithmetic
 
     def value(self, tree: Expression) -> Any:
         """The value of an expression, which may name points."""

@@ -20,6 +20,7 @@ from kinegrade.mechanics.geometry import Round
 from kinegrade.mechanics.motion import solve_motion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.assemble import assemble
 from kinegrade.problem.quantities import BodyName
 from kinegrade.problem.template.template import Template
@@ -46,7 +47,7 @@ class Centrodes:
     plan: Plan | None
     known: dict[tuple[str, str], Round] = field(default_factory=dict)
 
-    def functions(self, arithmetic: Any) -> dict[str, Callable[..., Any]]:
+    def functions(self, arithmetic: Arithmetic) -> dict[str, Callable[..., Any]]:
         """The functions of centrodes that a quantity may call."""
         return {
             "circle_of_poles": lambda body, angle: self.circle(body, angle, arithmetic),
@@ -54,7 +55,7 @@ class Centrodes:
             "centre": lambda circle: circle.centre,
         }
 
-    def circle(self, body: Any, angle: Any, arithmetic: Any) -> Round:
+    def circle(self, body: Any, angle: Any, arithmetic: Arithmetic) -> Round:
         """The circle on which the pole of `body` moves while the parameter `angle` changes.
 
         Raises MechanismError when fewer than four configurations can be reached, or the curve is
@@ -69,7 +70,7 @@ class Centrodes:
         centre = Vector(arithmetic.embed(found.centre.x), arithmetic.embed(found.centre.y))
         return Round(centre, arithmetic.embed(found.radius))
 
-    def find(self, body: str, parameter: str, arithmetic: Any) -> Round:
+    def find(self, body: str, parameter: str, arithmetic: Arithmetic) -> Round:
         """The circle through three poles, a fourth of which lies on it."""
         poles = list(islice(self.poles(body, parameter, arithmetic), 4))
         if len(poles) < 4:
@@ -90,7 +91,7 @@ class Centrodes:
                 return name
         raise ExpressionError(Message("template.poles-by-an-angle"))
 
-    def poles(self, body: str, parameter: str, arithmetic: Any) -> Iterator[Vector]:
+    def poles(self, body: str, parameter: str, arithmetic: Arithmetic) -> Iterator[Vector]:
         """The poles at the instant and at the neighbouring configurations that can be reached."""
         for step in _STEPS:
             changed = self.values[parameter] + arithmetic.turns(fmpq(step, 12))
@@ -103,7 +104,7 @@ class Centrodes:
                 continue
 
 
-def find_circle(first: Vector, second: Vector, third: Vector, arithmetic: Any) -> Round:
+def find_circle(first: Vector, second: Vector, third: Vector, arithmetic: Arithmetic) -> Round:
     """The circle through three points. Raises MechanismError when they lie on one line."""
     across, along = second - first, third - first
     area = across.cross(along) * 2

@@ -10,6 +10,7 @@ from typing import Any, assert_never
 from kinegrade.errors import ExpressionError
 from kinegrade.expressions.expression import Operation, evaluate, make_elementary_functions
 from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.solving import find_parameter_values, read_values, solve_certified
 from kinegrade.problem.template.template import Condition, Relation, Template, Wording
 
@@ -28,7 +29,7 @@ def condition_holds(template: Template, condition: Condition, given: Mapping[str
     """
     trees = read_values(template, given)
 
-    def decide(arithmetic: Any) -> bool:
+    def decide(arithmetic: Arithmetic) -> bool:
         values = {**find_parameter_values(template, trees, arithmetic), "pi": arithmetic.turns(1)}
         room = evaluate(
             Operation("-", condition.right, condition.left),

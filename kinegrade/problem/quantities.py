@@ -24,6 +24,7 @@ from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Arithmetic
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,7 @@ def find_body_names(mechanism: Mechanism) -> dict[str, Any]:
     return {name: BodyName(name) for name in names if name not in mechanism.points}
 
 
-def make_quantities(motion: Motion, arithmetic: Any) -> dict[str, Callable[..., Any]]:
+def make_quantities(motion: Motion, arithmetic: Arithmetic) -> dict[str, Callable[..., Any]]:
     """The functions of a motion by name."""
     ask = Quantities(motion, arithmetic)
     return {
@@ -67,7 +68,7 @@ class Quantities:
     """
 
     motion: Motion
-    arithmetic: Any
+    arithmetic: Arithmetic
 
     def point(self, place: Vector) -> str:
         """The name of a point."""

@@ -30,6 +30,7 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.balls import PRECISIONS, Balls, Undecided
 from kinegrade.numbers.field import Field
+from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.surd import Surd
 from kinegrade.problem.assemble import Assembly, assemble, read_parameter
 from kinegrade.problem.centrode import Centrodes
@@ -57,7 +58,7 @@ class Solution:
     answers: Mapping[str, Quantity]
     assembly: Assembly
     motion: Motion
-    arithmetic: Any
+    arithmetic: Arithmetic
 
     @cached_property
     def doubles(self) -> MotionInDoubles:
@@ -161,7 +162,7 @@ def _read_cached(text: str) -> Expression:
 
 
 def find_parameter_values(
-    template: Template, trees: Mapping[str, Expression], arithmetic: Any
+    template: Template, trees: Mapping[str, Expression], arithmetic: Arithmetic
 ) -> dict[str, Any]:
     """All parameters in SI. Raises TemplateError with every value that is no number (roots of
     negative numbers, unknown names), Inexact where the exact field does not hold them.
@@ -203,7 +204,7 @@ def _solve_in(
     trees: Mapping[str, Expression],
     asks: Iterable[Ask],
     plan: Plan | None,
-    arithmetic: Any,
+    arithmetic: Arithmetic,
 ) -> Solution:
     """Solve in one arithmetic. Raises Inexact or Undecided when another is needed."""
     values = find_parameter_values(template, trees, arithmetic)
@@ -230,7 +231,7 @@ def _solve_in(
 
 
 def _answer_ask(
-    ask: Ask, assembly: Assembly, motion: Motion, circles: Centrodes, arithmetic: Any
+    ask: Ask, assembly: Assembly, motion: Motion, circles: Centrodes, arithmetic: Arithmetic
 ) -> Quantity:
     """The answer of one ask; roots that it alone needs stay out of the others' field."""
     forked = arithmetic.fork()

@@ -23,6 +23,7 @@ from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
+from kinegrade.numbers.number import Arithmetic
 from kinegrade.students.followed_terms import (
     OwnFrames,
     Place,
@@ -89,7 +90,7 @@ class OwnValue:
 
 
 def follow_values(
-    frames: Frames, plan: Plan, values: Sequence[OwnValue], arithmetic: Any
+    frames: Frames, plan: Plan, values: Sequence[OwnValue], arithmetic: Arithmetic
 ) -> FollowedMotion:
     """The motion with the student's values substituted; a value that cannot be is left out, and the
     motion is as without it.

@@ -16,6 +16,7 @@ from kinegrade.expressions.expression import Call, Expression, Name, Number, Ope
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
+from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.quantities import Quantities, make_quantities
 from kinegrade.students.followed import FollowedMotion
 from kinegrade.students.followed_terms import Share
@@ -56,7 +57,7 @@ class _OwnQuantities(Quantities):
         return velocity
 
 
-def make_functions(motion: FollowedMotion, arithmetic: Any) -> dict[str, Callable[..., Any]]:
+def make_functions(motion: FollowedMotion, arithmetic: Arithmetic) -> dict[str, Callable[..., Any]]:
     """The functions of a quantity, read off such a motion."""
     reader = _OwnQuantities(motion, arithmetic)
     return {

@@ -16,11 +16,19 @@ from flint import arb, fmpq
 from kinegrade.expressions.expression import Call, Expression, Name, walk
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.students.mistake_names import MistakeName
 
 Givens = Mapping[str, Any]  # parameters in SI
+
+_Reading = Callable[[Template, Givens, Arithmetic], Givens]
+
+
+def _take_as_given(template: Template, values: Givens, arithmetic: Arithmetic) -> Givens:
+    """The parameters as they are."""
+    return values
 
 
 @dataclass(frozen=True)
@@ -34,24 +42,24 @@ class Mistake:
 
     identifier: MistakeName | Literal[""]  # "" for working without a mistake
     shares: Mapping[str, Any] = field(default_factory=dict)
-    givens: Callable[[Template, Givens, Any], Givens] = lambda template, values, arithmetic: values
+    givens: _Reading = _take_as_given
     other_branch: bool = False
     plain_lengths: bool = False
 
 
-def _complement_angles(template: Template, values: Givens, arithmetic: Any) -> Givens:
+def _complement_angles(template: Template, values: Givens, arithmetic: Arithmetic) -> Givens:
     """Every given angle counted from the other axis, which swaps its sine and its cosine."""
     quarter = arithmetic.turns(fmpq(1, 2))
     return {**values, **{name: quarter - values[name] for name in template.angles}}
 
 
-def take_degrees_as_radians(template: Template, values: Givens, arithmetic: Any) -> Givens:
+def take_degrees_as_radians(template: Template, values: Givens, arithmetic: Arithmetic) -> Givens:
     """Every angle given in degrees with its number taken for radians."""
     names = [name for name, parameter in template.parameters.items() if parameter.unit.degrees]
     return {**values, **{name: _count_degrees(values[name], arithmetic) for name in names}}
 
 
-def _count_degrees(angle: Any, arithmetic: Any) -> Any:
+def _count_degrees(angle: Any, arithmetic: Arithmetic) -> Any:
     """How many degrees an angle has. Raises Inexact in the exact field, where a number of radians
     is no angle.
     """
@@ -60,12 +68,12 @@ def _count_degrees(angle: Any, arithmetic: Any) -> Any:
     return angle * 180 / (arb.pi() if isinstance(angle, arb) else arithmetic.turns(1))
 
 
-def _take_diameters(template: Template, values: Givens, arithmetic: Any) -> Givens:
+def _take_diameters(template: Template, values: Givens, arithmetic: Arithmetic) -> Givens:
     """Every given radius of a circle doubled."""
     return {**values, **{name: values[name] * 2 for name in _find_radii(template)}}
 
 
-def _take_plain_rates(template: Template, values: Givens, arithmetic: Any) -> Givens:
+def _take_plain_rates(template: Template, values: Givens, arithmetic: Arithmetic) -> Givens:
     """Angular rates given in revolutions or radians per minute with their number taken for radians
     per second.
     """
@@ -78,7 +86,7 @@ def _take_plain_rates(template: Template, values: Givens, arithmetic: Any) -> Gi
     }
 
 
-def _take_plain_lengths(template: Template, values: Givens, arithmetic: Any) -> Givens:
+def _take_plain_lengths(template: Template, values: Givens, arithmetic: Arithmetic) -> Givens:
     """Lengths, velocities and accelerations with the number that is given, whatever its unit."""
     return {
         **values,

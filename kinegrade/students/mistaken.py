@@ -23,6 +23,7 @@ from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Chain, Relation, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.number import Arithmetic
 from kinegrade.students.slips import (
     MistakenFrames,
     Slips,
@@ -90,7 +91,7 @@ class Unsuspecting:
     each other.
     """
 
-    arithmetic: Any
+    arithmetic: Arithmetic
 
     def solve(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
         """The unknowns; surplus equations are projected on them. Raises Singular."""
@@ -136,7 +137,12 @@ def _sum_products(left: Sequence[Any], right: Sequence[Any]) -> Any:
 
 
 def make_mistaken_motion(
-    mechanism: Mechanism, arithmetic: Any, plan: Plan, slips: Slips, *, perturbed: bool = False
+    mechanism: Mechanism,
+    arithmetic: Arithmetic,
+    plan: Plan,
+    slips: Slips,
+    *,
+    perturbed: bool = False,
 ) -> MistakenMotion:
     """The motion with the slips made. Raises Singular where a step determines nothing,
     MechanismError.
@@ -199,7 +205,7 @@ class _Velocities:
 
     frames: MistakenFrames
     slips: Slips
-    arithmetic: Any
+    arithmetic: Arithmetic
 
     def run(self, plan: Plan) -> dict[Rate, Any]:
         """The rates, rad/s and m/s, step by step."""

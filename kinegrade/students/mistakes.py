@@ -25,6 +25,7 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.floats import Floats
+from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.assemble import Assembly, assemble, read_parameter
 from kinegrade.problem.centrode import Centrodes, find_circle
 from kinegrade.problem.quantities import find_body_names, make_quantities
@@ -45,7 +46,7 @@ _SHARES = tuple(field.name for field in fields(Slips))
 class _Misread:
     """An arithmetic in which the other one of two common points is chosen where `other` holds."""
 
-    arithmetic: Any
+    arithmetic: Arithmetic
     other: Any
 
     def __getattr__(self, name: str) -> Any:
@@ -72,7 +73,7 @@ class Way:
 
 
 def _solve_mistaken(
-    template: Template, way: Way, plan: Plan, arithmetic: Any, *, perturbed: bool = False
+    template: Template, way: Way, plan: Plan, arithmetic: Arithmetic, *, perturbed: bool = False
 ) -> _Reader:
     """The motion as it comes out that way, to be read off; `perturbed` as `mistaken` takes it.
 
@@ -94,7 +95,7 @@ def _solve_mistaken(
 
 
 def work_out(
-    template: Template, asks: Mapping[str, Ask], way: Way, plan: Plan, arithmetic: Any
+    template: Template, asks: Mapping[str, Ask], way: Way, plan: Plan, arithmetic: Arithmetic
 ) -> dict[str, Any]:
     """The answers in the asks' units, without those that the mistake leaves without a value. Raises
     as `_solve_mistaken`.
@@ -110,7 +111,7 @@ class CloseCentrodes(Centrodes):
     the curve.
     """
 
-    def find(self, body: str, parameter: str, arithmetic: Any) -> Round:
+    def find(self, body: str, parameter: str, arithmetic: Arithmetic) -> Round:
         """The circle through the poles at the instant and 3 degrees to both sides of it; NaN where
         out of reach.
         """
@@ -133,7 +134,7 @@ class _Reader:
     centrodes: Centrodes
     plain_lengths: Any
 
-    def answer(self, ask: Ask, arithmetic: Any) -> Any:
+    def answer(self, ask: Ask, arithmetic: Arithmetic) -> Any:
         """The answer of one ask, None where there is no value."""
         forked = arithmetic.fork()
         values = {**find_body_names(self.assembly.mechanism), **self.assembly.values}
@@ -148,7 +149,7 @@ class _Reader:
             return None
         return self._in_unit(number, ask, arithmetic)
 
-    def _in_unit(self, number: Any, ask: Ask, arithmetic: Any) -> Any:
+    def _in_unit(self, number: Any, ask: Ask, arithmetic: Arithmetic) -> Any:
         """A number of SI as it is written in the ask's unit; a length as it stands where no unit
         was thought of.
         """
@@ -166,7 +167,7 @@ class _Reader:
 
 
 def choose_way(
-    mistake: Mistake, template: Template, values: Mapping[str, Any], arithmetic: Any
+    mistake: Mistake, template: Template, values: Mapping[str, Any], arithmetic: Arithmetic
 ) -> Way:
     """The way of one mistake at the parameters `values` (SI), for `work_out` in any arithmetic."""
     shares = {name: arithmetic.number(share) for name, share in mistake.shares.items()}
