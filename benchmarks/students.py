@@ -15,7 +15,6 @@ from typing import Any
 
 from benchmarks.simulated_class import FIGURES, Answer, SimulatedClass
 from kinegrade.errors import KinegradeError
-from kinegrade.mechanics.doubles import convert_to_doubles
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.rounding import Rounded, Sparing
 from kinegrade.problem.solving import Solution
@@ -74,7 +73,7 @@ class Vague(Moody):
 
 def arms(solution: Solution, rounded: Rounded) -> Mapping[str, float]:
     """Worked by arms: positions stay in the calculator."""
-    return work_by_arms(solution, convert_to_doubles(solution.motion), rounded)
+    return work_by_arms(solution, solution.motion.map(float), rounded)
 
 
 def honest_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answers]]:

@@ -16,7 +16,6 @@ from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.setting.key_record import make_key_line
 from kinegrade.figure.back_ends.typst import write_typst
 from kinegrade.figure.sketch import sketch
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.html.solution import write_blocks
 from kinegrade.press.sheet import SolutionSheet
 from kinegrade.press.typst.paper import write_paper_source
@@ -88,5 +87,5 @@ def test_a_figure_for_the_typesetter(hold: Hold) -> None:
     motion = solve_template(template, {"r": "1/5", "k": "2", "phi": "45"}, ()).motion
     hold(
         "slider-crank.typ",
-        write_typst(sketch(convert_to_floats(motion.frames.mechanism), template.figure)),
+        write_typst(sketch(motion.frames.mechanism.map(float), template.figure)),
     )

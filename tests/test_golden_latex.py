@@ -14,7 +14,6 @@ from kinegrade.figure.back_ends.tikz import write_tikz
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.latex.document import write_document
 from kinegrade.press.latex.key import write_key_body
 from kinegrade.press.latex.paper import write_paper_body
@@ -51,5 +50,5 @@ def test_a_figure_for_latex(hold: Hold) -> None:
     motion = solve_template(template, {"r": "1/5", "k": "2", "phi": "45"}, ()).motion
     hold(
         "slider-crank.tex",
-        write_tikz(sketch(convert_to_floats(motion.frames.mechanism), template.figure)),
+        write_tikz(sketch(motion.frames.mechanism.map(float), template.figure)),
     )

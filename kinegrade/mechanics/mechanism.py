@@ -4,12 +4,14 @@ them.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, is_dataclass, replace
+from typing import Any
 
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.joints import Joint
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Number
 
 
 @dataclass(frozen=True)
@@ -35,3 +37,28 @@ class Mechanism:
     def body(self, name: str) -> Body:
         """The moving body of that name."""
         return next(body for body in self.bodies if body.name == name)
+
+    def map(self, number: Callable[[Number], Number]) -> Mechanism:
+        """The mechanism with `number` applied to every number of its points, joints and
+        drivers.
+        """
+        return Mechanism(
+            {name: point.map(number) for name, point in self.points.items()},
+            self.bodies,
+            tuple(_map_part(joint, number) for joint in self.joints),
+            tuple(_map_part(driver, number) for driver in self.drivers),
+        )
+
+
+def _map_part(part: Any, number: Callable[[Number], Number]) -> Any:
+    """A joint, a driver, or a part of one: a vector, a line or a circle; names stay as they are."""
+    match part:
+        case Vector():
+            return part.map(number)
+        case str() | bool() | tuple():
+            return part
+        case _ if is_dataclass(part) and not isinstance(part, type):
+            parts = {each.name: getattr(part, each.name) for each in fields(part)}
+            return replace(part, **{name: _map_part(each, number) for name, each in parts.items()})
+        case _:
+            return number(part)

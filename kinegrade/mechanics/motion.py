@@ -7,28 +7,31 @@ up), counter-clockwise positive.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 
 from kinegrade.errors import AtInfinity, MechanismError
 from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.configuration import require_assembled
-from kinegrade.mechanics.frames import Frames, build_frames
+from kinegrade.mechanics.frames import Base, Frames, build_frames
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.refusal import describe_looseness, explain_refusal, find_unrelated
-from kinegrade.mechanics.relations import add_vectors
+from kinegrade.mechanics.relations import add_vectors, map_chain
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.elimination import Contradiction, Singular
 from kinegrade.numbers.number import Arithmetic, Number
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Motion:
-    """All rates (rad/s, m/s) and their changes (rad/s^2, m/s^2), and what follows from them."""
+    """All rates (rad/s, m/s) and their changes (rad/s^2, m/s^2), and what follows from them.
+
+    Compared by identity, so that results found for a motion can be cached.
+    """
 
     frames: Frames
     plan: Plan
@@ -88,6 +91,31 @@ class Motion:
             raise AtInfinity(Message("mechanics.pole-at-infinity", body=body))
         arm: Vector = self.velocity(base, body).turned() / rate
         return self.points[base] + arm
+
+    def map(self, number: Callable[[Number], Number]) -> Motion:
+        """The motion with `number` applied to every number of its points, chains, relations and
+        rates: in another arithmetic. Joints and drivers keep their numbers, as the relations
+        contain everything that they state.
+        """
+        frames = _map_frames(self.frames, number)
+        if not self.plan.steps:  # a pose, of which no rate is known
+            return replace(self, frames=frames)
+        rates, changes = (
+            {name: number(rate) for name, rate in found.items()}
+            for found in (self.rates, self.changes)
+        )
+        return replace(self, frames=frames, rates=rates, changes=changes)
+
+
+def _map_frames(frames: Frames, number: Callable[[Number], Number]) -> Frames:
+    """The frames with `number` applied to their points, chains and relations."""
+    points = {name: point.map(number) for name, point in frames.mechanism.points.items()}
+    bases = {
+        name: Base(base.point, map_chain(base.chain, number), base.joint)
+        for name, base in frames.bases.items()
+    }
+    relations = tuple(relation.map(number) for relation in frames.relations)
+    return Frames(replace(frames.mechanism, points=points), bases, relations)
 
 
 class _Undriven(dict[Rate, Number]):

@@ -11,7 +11,7 @@ rates.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Literal, assert_never
 
@@ -91,6 +91,11 @@ class Term:
         """The term's acceleration, m/s^2, from the rates and their changes."""
         tangential: Vector = self.coefficient() * changes[self.rate]
         return tangential + self.remainder(rates)
+
+    def map(self, number: Callable[[Number], Number]) -> Term:
+        """The term with `number` applied to its vector."""
+        vector = self.vector.map(number)
+        return Term(self.kind, self.rate, vector, self.point, self.base, self.frame)
 
 
 Chain = tuple[Term, ...]
@@ -175,6 +180,25 @@ class Relation:
         )
         coriolis: Vector = relative.turned() * (rates[make_turning(self.frame)] * 2)
         return coriolis
+
+    def map(self, number: Callable[[Number], Number]) -> Relation:
+        """The relation with `number` applied to all that it states; its source stays as it is."""
+        return Relation(
+            self.origin,
+            map_chain(self.left, number),
+            map_chain(self.right, number),
+            None if self.along is None else self.along.map(number),
+            tuple((rate, number(factor)) for rate, factor in self.turning),
+            number(self.velocity),
+            number(self.acceleration),
+            self.frame,
+            self.source,
+        )
+
+
+def map_chain(chain: Chain, number: Callable[[Number], Number]) -> Chain:
+    """The terms with `number` applied to their vectors."""
+    return tuple(term.map(number) for term in chain)
 
 
 def add_vectors(vectors: Iterable[Vector]) -> Vector:

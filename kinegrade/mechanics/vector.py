@@ -6,6 +6,7 @@ arithmetics.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from kinegrade.numbers.number import Number
@@ -56,3 +57,7 @@ class Vector(NamedTuple):
     def squared(self) -> Component:
         """Square of the length."""
         return self.x * self.x + self.y * self.y
+
+    def map(self, number: Callable[[Number], Number]) -> Vector:
+        """The vector with `number` applied to its components."""
+        return Vector(number(self.x), number(self.y))

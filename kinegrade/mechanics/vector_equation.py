@@ -99,7 +99,7 @@ class VectorEquation:
         return tuple(part for part in self.parts if part.role == "relative" and part.part != "n")
 
 
-def _add_coefficients(parts: Sequence[Part], rate: str) -> Vector:
+def _add_coefficients(parts: Sequence[Part], rate: Rate) -> Vector:
     """The vector that an unknown rate multiplies in some parts."""
     return add_vectors(
         part.coefficient for part in parts if part.unknown == rate and part.coefficient is not None

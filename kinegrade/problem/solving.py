@@ -24,7 +24,6 @@ from kinegrade.errors import (
 from kinegrade.expressions.expression import Expression, evaluate, read_expression
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, Quoted
-from kinegrade.mechanics.doubles import MotionInDoubles, convert_to_doubles
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.angle import Angle, Inexact
@@ -61,9 +60,9 @@ class Solution:
     arithmetic: Arithmetic
 
     @cached_property
-    def doubles(self) -> MotionInDoubles:
+    def doubles(self) -> Motion:
         """The motion in doubles: for scales, and for working it out again by hand."""
-        return convert_to_doubles(self.motion)
+        return self.motion.map(float)
 
     def __getitem__(self, ask: str) -> Quantity:
         """The answer of an ask."""

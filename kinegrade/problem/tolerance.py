@@ -7,14 +7,14 @@ from fractions import Fraction
 from functools import lru_cache
 from math import floor, log10
 
-from kinegrade.mechanics.doubles import MotionInDoubles
+from kinegrade.mechanics.motion import Motion
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.numbers.units import Unit
 from kinegrade.problem.scale import find_scale
 
 
 def find_effective_tolerance(
-    tolerance: Tolerance, value: float, unit: Unit, motion: MotionInDoubles
+    tolerance: Tolerance, value: float, unit: Unit, motion: Motion
 ) -> Tolerance:
     """The tolerance for an answer of `value` units: where it is zero or next to it, the rule's
     share of the mechanism's scale is allowed. Next to zero means smaller than that.
@@ -26,7 +26,7 @@ def find_effective_tolerance(
 
 
 @lru_cache(maxsize=1024)
-def find_scale_of_mechanism(motion: MotionInDoubles, unit: Unit) -> Fraction:
+def find_scale_of_mechanism(motion: Motion, unit: Unit) -> Fraction:
     """The mechanism's scale in a unit, to two significant figures."""
     return round_to_two_figures(find_scale(motion, unit))
 

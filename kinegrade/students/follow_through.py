@@ -17,7 +17,6 @@ from typing import Any
 from kinegrade.errors import KinegradeError
 from kinegrade.expressions.expression import Call, Expression, evaluate
 from kinegrade.mechanics import plan as plans
-from kinegrade.mechanics.doubles import convert_to_doubles
 from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan
@@ -152,9 +151,7 @@ class Follower:
     @cached_property
     def still(self) -> Motion:
         """The relations of the instance in doubles, with no rate known."""
-        return convert_to_doubles(
-            Motion(build_frames(self.assembly.mechanism, Doubles()), Plan(()), {}, {})
-        )
+        return Motion(build_frames(self.assembly.mechanism, Doubles()), Plan(()), {}, {}).map(float)
 
     @cached_property
     def plan(self) -> Plan:

@@ -30,7 +30,6 @@ from kinegrade.expressions.expression import (
     walk,
 )
 from kinegrade.language.message import Message
-from kinegrade.mechanics.doubles import MotionInDoubles, convert_vector
 from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.mechanics.motion import Motion
@@ -156,9 +155,7 @@ def list_carried_figures(aims: Mapping[str, Target]) -> list[tuple[int, bool]]:
     ]
 
 
-def find_target(
-    ask: Ask, answer: Quantity, tolerance: Tolerance, motion: MotionInDoubles
-) -> Target:
+def find_target(ask: Ask, answer: Quantity, tolerance: Tolerance, motion: Motion) -> Target:
     """What is right for one ask of an instance; `motion` gives the scale next to zero."""
     exact = convert_number(answer.number)
     if isinstance(answer.number, Angle) and ask.unit.degrees:
@@ -282,7 +279,7 @@ def convert_value(value: Any) -> Any:
     """A value that expressions may name, in doubles: a number, a point or a word."""
     if isinstance(value, str):
         return value
-    return convert_vector(value) if isinstance(value, Vector) else convert_number(value)
+    return value.map(float) if isinstance(value, Vector) else convert_number(value)
 
 
 def convert_number(number: Any) -> Any:

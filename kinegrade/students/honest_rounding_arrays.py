@@ -18,7 +18,6 @@ from numpy.typing import NDArray
 
 from kinegrade.expressions.expression import Expression, Operation, walk
 from kinegrade.mechanics.motion_arrays import (
-    describe_structure,
     stack_motions,
     stack_numbers,
     stack_vectors,
@@ -53,10 +52,12 @@ class _Instance:
 
     @property
     def kind(self) -> Hashable:
-        """What instances that are worked out together have in common."""
+        """What instances that are worked out together have in common; the motions of one template
+        that have one plan differ in their numbers alone.
+        """
         figures = tuple((name, aim.figures) for name, aim in self.targets.items())
         return (
-            describe_structure(self.solution.doubles),
+            self.solution.motion.plan,
             tuple(self.solution.assembly.values),
             figures,
         )

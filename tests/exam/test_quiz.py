@@ -29,7 +29,6 @@ from kinegrade.exam.quiz.source import read_quiz_source
 from kinegrade.exam.roster.roster import read_roster
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.language import Language
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.library.library import find_template_names, load_template
@@ -116,7 +115,7 @@ def test_what_is_shown_needs_no_solving(name: str) -> None:
     assert write_statement(template, shown.parameters, "en") == write_statement(
         template, solution.parameters, "en"
     )
-    assert shown.mechanism == convert_to_floats(solution.assembly.mechanism)
+    assert shown.mechanism == solution.assembly.mechanism.map(float)
 
 
 def test_identifiers_are_stable_and_tell_nothing_of_the_secret(small_class: Path) -> None:

@@ -18,7 +18,6 @@ from kinegrade.figure.vectors.pole_construction import (
     _shorten_normal,
     draw_pole_construction,
 )
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.hints import Turning
@@ -96,7 +95,7 @@ def test_a_normal_is_seen_beyond_the_bar_on_which_it_lies() -> None:
 def wheel(points: str, **velocities: Vector) -> Scene:
     """A rolling wheel with its contact C as pole, and velocities of points of it."""
     template = load_template("rolling-wheel-pole-acceleration")
-    mechanism = convert_to_floats(solve_template(template, {}).assembly.mechanism)
+    mechanism = solve_template(template, {}).assembly.mechanism.map(float)
     pole = Pole("P", mechanism.points["C"])
     rays = [
         PointArrow(f"v_{point}", mechanism.points[point], velocities[point]) for point in points

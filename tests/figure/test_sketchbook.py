@@ -11,7 +11,6 @@ from kinegrade.figure.scene import Scene
 from kinegrade.figure.similar_mechanisms import Subject
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.sketchbook import sketch_once
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 
@@ -23,7 +22,7 @@ def test_a_figure_from_the_book_is_the_figure(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     template = load_template(name)
-    mechanism = convert_to_floats(solve_template(template, {}, []).assembly.mechanism)
+    mechanism = solve_template(template, {}, []).assembly.mechanism.map(float)
     expected = sketch(mechanism, template.figure)
     assert sketch_once(tmp_path, mechanism, template.figure) == expected
     assert len(list(tmp_path.iterdir())) == 1

@@ -20,7 +20,6 @@ from kinegrade.figure.vectors.mechanism import (
     draw_with_vectors,
     place_arrows,
 )
-from kinegrade.mechanics.numeric import convert_to_floats, convert_value
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Turning
 from kinegrade.problem.template.library.library import find_template_names, load_template
@@ -108,7 +107,7 @@ def test_velocities_and_accelerations_of_shipped_templates_are_clear(name: str) 
     motion = drawn(draw_filter(template), 1)[0].solution.motion
     if not motion.rates:
         pytest.skip("a problem of pose alone")
-    mechanism = convert_to_floats(motion.frames.mechanism)
+    mechanism = motion.frames.mechanism.map(float)
     for letter, vector, rate in (
         ("v", motion.velocity, motion.omega),
         ("a", motion.acceleration, motion.alpha),
@@ -116,7 +115,7 @@ def test_velocities_and_accelerations_of_shipped_templates_are_clear(name: str) 
         bodies = {point: body.name for body in mechanism.bodies for point in body.points}
         arrows = [
             PointArrow(
-                f"{letter}_{{{point}}}", mechanism.points[point], convert_value(vector(point, body))
+                f"{letter}_{{{point}}}", mechanism.points[point], vector(point, body).map(float)
             )
             for point, body in bodies.items()
         ]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 from flint import fmpq
 
-from kinegrade.mechanics.doubles import convert_to_doubles
 from kinegrade.mechanics.drivers import Rotation
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -40,7 +39,7 @@ def slotted_rocker() -> Motion:
 
 def test_doubles_say_what_the_exact_motion_says() -> None:
     exact = slotted_rocker()
-    doubles = convert_to_doubles(exact)
+    doubles = exact.map(float)
     assert doubles.rates == {name: float(rate) for name, rate in exact.rates.items()}
     for body in ("crank", "rocker"):
         found, expected = doubles.acceleration("A", body), exact.acceleration("A", body)
@@ -49,7 +48,7 @@ def test_doubles_say_what_the_exact_motion_says() -> None:
 
 def test_with_all_figures_the_plan_gives_the_exact_motion_again() -> None:
     exact = slotted_rocker()
-    worked = solve_by_hand(convert_to_doubles(exact), Rounded(14))
+    worked = solve_by_hand(exact.map(float), Rounded(14))
     assert worked.rates == pytest.approx(
         {name: float(rate) for name, rate in exact.rates.items()}, rel=1e-12
     )
@@ -59,7 +58,7 @@ def test_with_all_figures_the_plan_gives_the_exact_motion_again() -> None:
 
 
 def test_every_rate_and_every_term_is_written_down() -> None:
-    worked = solve_by_hand(convert_to_doubles(slotted_rocker()), Rounded(3))
+    worked = solve_by_hand(slotted_rocker().map(float), Rounded(3))
     assert worked.omega("rocker") == 0.31  # 2 * 0.09 / 0.58 = 0.31034
     assert worked.velocity("A", "rocker") == (-0.093, 0.217)  # 0.31 * 0.3, 0.31 * 0.7
     rate = Rate("circling", "slider", "A", "rocker")
@@ -74,7 +73,7 @@ def test_every_rate_and_every_term_is_written_down() -> None:
 
 
 def test_a_relative_motion_that_was_solved_for_is_no_difference_of_rounded_vectors() -> None:
-    worked = solve_by_hand(convert_to_doubles(slotted_rocker()), Rounded(2))
+    worked = solve_by_hand(slotted_rocker().map(float), Rounded(2))
     (rate,) = (rate for name, rate in worked.rates.items() if name.kind == "sliding")
     relative = worked.relative_velocity("A", "crank", "rocker")
     assert relative == pytest.approx((0.7 * rate, 0.3 * rate), rel=0.05)
@@ -88,4 +87,4 @@ def test_a_relative_motion_that_was_solved_for_is_no_difference_of_rounded_vecto
 
 def test_a_pose_has_nothing_to_be_worked_out() -> None:
     still = pose_mechanism(slotted_rocker().frames.mechanism, Field())
-    assert solve_by_hand(convert_to_doubles(still), Rounded(3)).rates == {}
+    assert solve_by_hand(still.map(float), Rounded(3)).rates == {}

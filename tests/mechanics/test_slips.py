@@ -13,7 +13,6 @@ from flint import fmpq
 from kinegrade.mechanics.joints import GROUND, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import solve_motion
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.floats import Floats
@@ -98,7 +97,7 @@ def test_one_run_of_arrays_gives_what_single_runs_give() -> None:
     _, mechanism = slot()
     plan = solve_motion(mechanism, Field()).plan
     motion = make_mistaken_motion(
-        convert_to_floats(mechanism),
+        mechanism.map(float),
         Floats(),
         plan,
         Slips(

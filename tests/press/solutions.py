@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from kinegrade.figure.scene import BOLD, FIRM, Label, Scene, Strokes
 from kinegrade.figure.sketch import sketch
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.mechanics.vector import Vector
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.problem.solving import solve_template
@@ -29,7 +28,7 @@ def mechanism_scene() -> Scene:
     """The slider-crank to scale."""
     template = load_template("slider-crank")
     solution = solve_template(template, {})
-    return sketch(convert_to_floats(solution.assembly.mechanism), template.figure)
+    return sketch(solution.assembly.mechanism.map(float), template.figure)
 
 
 def polygon_scene() -> Scene:

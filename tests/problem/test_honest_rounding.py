@@ -11,7 +11,6 @@ from math import isclose, radians
 import pytest
 
 from kinegrade.draws.examining import Refused, examine
-from kinegrade.mechanics.doubles import convert_to_doubles
 from kinegrade.numbers.rounding import Rounded, Sparing
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.problem.solving import Solution, solve_template
@@ -56,13 +55,13 @@ def test_by_coordinates_the_point_is_written_down_and_used_further() -> None:
 
 def test_by_arms_the_point_stays_in_the_calculator() -> None:
     solution = solved(crank(), h="1.2345", omega="1")
-    found = work_by_arms(solution, convert_to_doubles(solution.motion), Rounded(3))
+    found = work_by_arms(solution, solution.motion.map(float), Rounded(3))
     assert found == {"v_x": -1.23, "v_y": 1.57}  # sqrt(4 - 1.2345 squared) = 1.5735
 
 
 def test_sparingly_only_the_solved_rate_is_written_down() -> None:
     solution = solved(crank(), h="1.2345", omega="1.2345")
-    found = work_by_arms(solution, convert_to_doubles(solution.motion), Sparing(3))
+    found = work_by_arms(solution, solution.motion.map(float), Sparing(3))
     assert found["v_x"] == pytest.approx(-1.23 * 1.2345, rel=1e-14)
 
 
@@ -203,7 +202,7 @@ def test_whoever_rounds_nothing_finds_the_exact_answers(name: str) -> None:
             )
         except Refused:
             continue
-        motion = convert_to_doubles(solution.motion)
+        motion = solution.motion.map(float)
         for worked in (
             work_by_coordinates(solution, all_figures),
             work_by_arms(solution, motion, all_figures),
@@ -221,7 +220,7 @@ def test_whoever_rounds_nothing_finds_the_exact_answers(name: str) -> None:
 def test_accepted_draws_leave_every_honest_student_right() -> None:
     template = load_template("slotted-bar-between-two-rods")
     for solution in (one.solution for one in drawn(draw_filter(template), 12)):
-        motion = convert_to_doubles(solution.motion)
+        motion = solution.motion.map(float)
         aims = {
             ask: find_target(template.asks[ask], answer, ONE_PER_CENT, motion)
             for ask, answer in solution.answers.items()

@@ -16,7 +16,6 @@ import pytest
 import kinegrade
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.language import Language
-from kinegrade.mechanics.doubles import convert_to_doubles
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.tolerance import ONE_PER_CENT
 from kinegrade.problem.solving import (
@@ -241,7 +240,7 @@ def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None
         for ask in template.asked():
             answer = solution[ask]
             allowed = find_effective_tolerance(
-                ONE_PER_CENT, answer.value, answer.measure, convert_to_doubles(solution.motion)
+                ONE_PER_CENT, answer.value, answer.measure, solution.motion.map(float)
             )
             low, high = allowed.interval(Fraction(answer.value))
             for mistake, value in answer.mistakes.items():

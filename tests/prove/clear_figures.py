@@ -10,7 +10,6 @@ from pathlib import Path
 
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import HEIGHT, WIDTH, sketch
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.problem.solving import Solution
 from kinegrade.worked.document import Pictures
 from kinegrade.worked.solution import write_worked_solution
@@ -22,7 +21,7 @@ def hold(seed: int, _: Path) -> None:
     """Draw the figure and the pictures of the instance of a seed."""
     solution = seeded_solution(seed)
     template = solution.template
-    mechanism = convert_to_floats(solution.motion.frames.mechanism)
+    mechanism = solution.motion.frames.mechanism.map(float)
     figure = sketch(mechanism, template.figure)
     assert figure.width <= WIDTH, template.name
     assert figure.height <= HEIGHT, template.name

@@ -20,7 +20,6 @@ from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimals_of_prose
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.legible import make_legible
 from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure
 from kinegrade.press.typst.press import TypstPress
@@ -138,7 +137,7 @@ def _write_faults(error: KinegradeError, language: Language) -> tuple[str, ...]:
 def _draw_figure(solution: Solution, language: Language) -> GalleryFigure:
     """The figure of an instance with the values drawn."""
     template = solution.template
-    figure = sketch(convert_to_floats(solution.assembly.mechanism), template.figure)
+    figure = sketch(solution.assembly.mechanism.map(float), template.figure)
     givens = (
         Given(template.parameters[name].symbol, write_with_unit(quantity))
         for name, quantity in solution.parameters.items()

@@ -15,7 +15,6 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.paper_parts import write_points_text
 from kinegrade.press.sheet import (
     AnswerRow,
@@ -89,7 +88,7 @@ def _lay_out_set_question(
     number: int, question: SetQuestion, language: Language, figure: Sketcher
 ) -> QuestionSheet:
     template, solution = question.question.template, question.drawn.solution
-    mechanism = convert_to_floats(solution.assembly.mechanism)
+    mechanism = solution.assembly.mechanism.map(float)
     asked = ((template.asks[entry.ask.name], entry.ask.points) for entry in question.asks)
     rows = tuple(
         _mention_turns(make_answer_row(ask, points, language), ask, language)

@@ -31,7 +31,6 @@ from kinegrade.exam.quiz.source import QuizSource
 from kinegrade.exam.quiz.words import AskRule, count_digits_to_type, write_marking_rules
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.press.html.solution import write_blocks
 from kinegrade.problem.assemble import assemble
 from kinegrade.problem.quantity import express_in_unit
@@ -160,7 +159,7 @@ def show_instance(template: Template, given: Mapping[str, str]) -> ShownInstance
             name: express_in_unit(name, value, template.parameters[name].unit)
             for name, value in known.items()
         }
-        mechanism = convert_to_floats(assemble(template, values, arithmetic).mechanism)
+        mechanism = assemble(template, values, arithmetic).mechanism.map(float)
         return ShownInstance(template, parameters, mechanism)
 
     return solve_certified(work)

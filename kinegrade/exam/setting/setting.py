@@ -14,7 +14,7 @@ from kinegrade.draws.deck import Combination, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.roster.roster import Student
-from kinegrade.mechanics.doubles import MotionInDoubles
+from kinegrade.mechanics.motion import Motion
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution
@@ -127,9 +127,7 @@ def set_drawn(question: BankQuestion, drawn: Drawn) -> SetQuestion:
     return SetQuestion(question, drawn, asks)
 
 
-def _set_ask(
-    question: BankQuestion, ask: BankAsk, answer: Quantity, motion: MotionInDoubles
-) -> SetAsk:
+def _set_ask(question: BankQuestion, ask: BankAsk, answer: Quantity, motion: Motion) -> SetAsk:
     """An ask with its answer; `motion` gives the mechanism's scale, which sets the tolerance if the
     answer is close to zero.
     """

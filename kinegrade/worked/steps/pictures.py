@@ -13,7 +13,6 @@ from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construct
 from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints import GROUND, Roll
-from kinegrade.mechanics.numeric import convert_to_floats
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector import Vector
@@ -34,7 +33,7 @@ from kinegrade.worked.words.solution_case import LETTERS, Case
 
 def draw_mechanism(case: Case) -> Picture:
     """The mechanism with the letters of its points."""
-    mechanism = convert_to_floats(case.motion.frames.mechanism)
+    mechanism = case.motion.frames.mechanism.map(float)
     scene = draw_with_vectors(mechanism, case.template.figure, ())
     return Picture(scene, case.write(Message("solution.picture-mechanism")))
 
@@ -86,7 +85,7 @@ def draw_given(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Pict
                     )
                 )
     if found or arrows:
-        mechanism = convert_to_floats(case.motion.frames.mechanism)
+        mechanism = case.motion.frames.mechanism.map(float)
         scene = draw_with_vectors(mechanism, case.template.figure, arrows, found)
         yield Pictures((Picture(scene, _name_picture(level, case)),))
 
@@ -109,7 +108,7 @@ def _draw_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
         return
     found = _find_turnings(step.unknowns, case, stage.level)
     if found:
-        mechanism = convert_to_floats(case.motion.frames.mechanism)
+        mechanism = case.motion.frames.mechanism.map(float)
         scene = draw_with_vectors(mechanism, case.template.figure, (), found)
         yield Pictures((Picture(scene, _name_picture(stage.level, case)),))
 
@@ -130,7 +129,7 @@ def draw_answer(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
             arrow.at: arrow for ask in asked for arrow in _find_asked_arrows(ask, level, case)
         }
         if arrows:
-            mechanism = convert_to_floats(case.motion.frames.mechanism)
+            mechanism = case.motion.frames.mechanism.map(float)
             scene = draw_with_vectors(mechanism, case.template.figure, tuple(arrows.values()))
             caption = Message(f"solution.picture-points-{level}")
             pictures.append(Picture(scene, case.write(caption)))
@@ -168,7 +167,7 @@ def _draw_vectors(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
     gives.
     """
     case = stage.case
-    mechanism = convert_to_floats(case.motion.frames.mechanism)
+    mechanism = case.motion.frames.mechanism.map(float)
     arrows = {
         (arrow.symbol, arrow.at): arrow
         for equation in equations
@@ -230,7 +229,7 @@ def _draw_equation(equation: VectorEquation, stage: Stage) -> Picture:
 
 def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
     """The construction of a pole from the velocities of points of the body."""
-    mechanism = convert_to_floats(case.motion.frames.mechanism)
+    mechanism = case.motion.frames.mechanism.map(float)
     still = case.arithmetic.is_zero(case.motion.omega(body))
     at = None if still else _make_floats(case.motion.pole(body, case.arithmetic))
     rotation = next(iter(_find_turnings([make_turning(body)], case, "velocity")), None)
