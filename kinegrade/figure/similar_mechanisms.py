@@ -20,9 +20,8 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints, Moving, Turning
 
-_DECIMALS = (
-    10  # of a mechanism of unit size: far above rounding of floats, far below what a printer shows
-)
+# Of a mechanism of unit size: far above rounding of floats, far below what a printer shows
+_DECIMALS = 10
 
 
 @dataclass(frozen=True)

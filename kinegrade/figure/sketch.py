@@ -10,16 +10,16 @@ from functools import lru_cache
 
 from kinegrade.figure.marks.angles import draw_least_legs, mark_angles
 from kinegrade.figure.marks.dimensions import mark_lengths
-from kinegrade.figure.marks.motions import find_pivot, mark_motions, mark_rotations
+from kinegrade.figure.marks.motions import mark_motions
 from kinegrade.figure.marks.names import label_bodies, label_points
 from kinegrade.figure.marks.radii import mark_radii
+from kinegrade.figure.marks.rotations import add_rotation
 from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, fit_scene, measure_span
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish, list_spots_around
-from kinegrade.figure.plane import length
 from kinegrade.figure.scene import THIN, Primitive, Scene, Strokes, find_common_box
 from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
 from kinegrade.figure.symbols import draw_arrowhead
@@ -28,19 +28,12 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints, Moving, Turning
 
 _SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a first estimate
-_WRITING = (
-    4.0,
-    5.6,
-)  # millimetres, across and upward, that marks and labels usually take beside the symbols
+# Millimetres, across and upward, that marks and labels usually take beside the symbols
+_WRITING = (4.0, 5.6)
 _ARROWS = 6.6, 2.2  # millimetres that straight arrows usually take beside the symbols
 _AXES = 0.0, 4.4  # millimetres that a frame of axes usually takes at the side
-_USUAL, _FURTHER = (
-    4,
-    1.2,
-)  # marks that fit within WRITING, and the millimetres that each further one takes
-_LETTERED = (
-    8.0  # millimetres about a pivot within which the arrow of a rotation keeps clear of letters
-)
+# Marks that fit within WRITING, and the millimetres that each further one takes
+_USUAL, _FURTHER = (4, 1.2)
 PLAIN = FigureHints()
 
 
@@ -104,11 +97,7 @@ def _place_bound_marks(
             layout = layout.marked(arcs, to_come)
     for given in hints.arrows:
         if isinstance(given, Turning):
-            pivot = find_pivot(paper, given.body, drawing)
-            close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < _LETTERED]
-            layout = layout.marked(
-                mark_rotations(paper, given, drawing), layout.written(close).labels
-            )
+            layout = add_rotation(layout, paper, given, drawing, named)
     for distance in hints.lengths:
         layout = layout.marked(mark_lengths(paper.points, distance, layout.obstacles))
     for straight in hints.arrows:

@@ -7,16 +7,7 @@ from __future__ import annotations
 from math import ceil, cos, pi, sin
 
 from kinegrade.figure.plane import angle_of, length, polar, unit
-from kinegrade.figure.scene import (
-    BOLD,
-    FIRM,
-    THIN,
-    Bow,
-    Disc,
-    Outline,
-    Primitive,
-    Strokes,
-)
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
 PIN = 0.85  # radius of a pin's circle
@@ -25,10 +16,8 @@ BLOCK_LENGTH, _BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, _BAR_WIDTH = 1.9, 3.5
 _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 RACK_DEPTH = 1.8  # from the pitch line of a rack to its back
-STAND, TALL_STAND = (
-    3.6,
-    5.2,
-)  # height of a fixed pin's stand; taller where a sleeve turns about the pin
+# Height of a fixed pin's stand; taller where a sleeve turns about the pin
+STAND, TALL_STAND = (3.6, 5.2)
 HEAD_LENGTH, _HEAD_WIDTH = 2.0, 1.1
 
 

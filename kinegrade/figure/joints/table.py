@@ -10,11 +10,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import assert_never
 
-from kinegrade.figure.joints.profiles import (
-    find_arc_symbol,
-    find_mesh_symbol,
-    find_touch_symbol,
-)
+from kinegrade.figure.joints.profiles import find_arc_symbol, find_mesh_symbol, find_touch_symbol
 from kinegrade.figure.joints.slides import find_sleeve_symbol, find_slide_symbol
 from kinegrade.figure.joints.symbol import Symbol
 from kinegrade.mechanics.joints import (

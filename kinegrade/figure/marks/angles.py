@@ -21,17 +21,8 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import TURN, Angle
 
 _SMALLEST_ANGLE = pi / 180  # an angle below one degree shows no arc
-_RADII = (
-    7.0,
-    6.2,
-    5.5,
-    4.5,
-    8.5,
-    10.0,
-    12.0,
-    14.0,
-    3.2,
-)  # millimetres, the preferred radius first
+# Millimetres, the preferred radius first
+_RADII = (7.0, 6.2, 5.5, 4.5, 8.5, 10.0, 12.0, 14.0, 3.2)
 _SHARE = 0.45  # largest radius of an arc over the distance to the next point on a side
 _BEYOND = 2.5  # millimetres that a thin line along a side continues beyond the arc
 

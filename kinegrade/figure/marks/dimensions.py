@@ -18,23 +18,11 @@ from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length, Projection
 
-_OFFSETS = (
-    5.5,
-    -5.5,
-    8.0,
-    -8.0,
-    10.5,
-    -10.5,
-    13.0,
-    -13.0,
-    16.0,
-    -16.0,
-)  # millimetres, of dimension lines
+# Millimetres, of dimension lines
+_OFFSETS = (5.5, -5.5, 8.0, -8.0, 10.5, -10.5, 13.0, -13.0, 16.0, -16.0)
 _LEAVING = 2.2  # millimetres by which an extension line may overlap what is drawn at its point
-_LEADERS = (
-    6.0,
-    9.0,
-)  # millimetres, of the leader from a symbol to a bar with no room next to it
+# Millimetres, of the leader from a symbol to a bar with no room next to it
+_LEADERS = (6.0, 9.0)
 _TURNS = tuple(turn * pi / 6 for turn in range(12))
 _DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 

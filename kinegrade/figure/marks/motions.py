@@ -1,110 +1,21 @@
-"""Given motions as arrows: curved about a pivot or straight at a point, each with several
-alternatives.
-"""
+"""Given straight motions as arrows at a point, each with several alternatives."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi
 
-from kinegrade.figure.joints.drivers import MovingPoint, TurningBody, find_given_motion
-from kinegrade.figure.joints.symbol import find_fixed_pin
-from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.straight_parts import Bar
-from kinegrade.figure.placing.mark import Mark, chords, direction
+from kinegrade.figure.joints.drivers import MovingPoint, find_given_motion
+from kinegrade.figure.placing.mark import Mark, direction
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Wish, list_spots_along_arc, list_spots_beside
-from kinegrade.figure.plane import angle_of, length, mean, shorter_way, unit
-from kinegrade.figure.scene import THIN, Bow, Primitive
-from kinegrade.figure.symbols import PIN, draw_arrow, draw_curved_arrow
+from kinegrade.figure.placing.place import Wish, list_spots_beside
+from kinegrade.figure.plane import mean, unit
+from kinegrade.figure.scene import Primitive
+from kinegrade.figure.symbols import PIN, draw_arrow
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.template.hints import TURN, Moving, Sense, Turning
+from kinegrade.problem.template.hints import Moving
 
 _ARROW = 9.0  # millimetres, length of the arrow of a straight motion
-_TURNING_RADII = (5.0, 6.5, 8.0, 10.0)  # millimetres, of the arrow of a rotation about its pivot
-TURNING_ARC = 6.5  # millimetres, length of that arrow
-TWELFTHS = tuple(index * pi / 6 for index in range(12))
-
-
-def mark_rotations(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> list[Mark]:
-    """Arrows about the pivot of a body, the preferred one close to it, where the body leaves it."""
-    centre = find_pivot(mechanism, hint.body, drawing)
-    sense = TURN[hint.sense or _find_imposed_sense(mechanism, hint.body)]
-    crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
-    found: list[Mark] = []
-    for radius in (
-        *_TURNING_RADII,
-        *(rim.radius + 2.0 for rim in drawing.rims if rim.body == hint.body),
-    ):
-        span = TURNING_ARC / radius * sense
-        for angle in TWELFTHS:
-            demerit = 1.5 * abs(radius - _TURNING_RADII[0]) + 2.5 * abs(shorter_way(angle - crank))
-            found.append(
-                TurningArrow(
-                    Bow(centre, radius, angle - span / 2, span, THIN), hint.symbol, demerit
-                )
-            )
-    return found
-
-
-@dataclass(frozen=True)
-class TurningArrow:
-    """A curved arrow along an arc."""
-
-    bow: Bow
-    symbol: str
-    demerit: float
-    shared: bool = False
-
-    def path(self) -> tuple[Segment, ...]:
-        """The arc."""
-        return chords(self.bow)
-
-    def wish(self) -> Wish:
-        """Along the arc."""
-        return list_spots_along_arc(self.symbol, self.bow)
-
-    def primitives(self) -> tuple[Primitive, ...]:
-        """The arc and its arrowhead."""
-        return draw_curved_arrow(self.bow.centre, self.bow.radius, self.bow.start, self.bow.sweep)
-
-
-def _find_crank_direction(
-    mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing
-) -> float:
-    """The direction in which a body extends from its pivot; up when it extends in none."""
-    points = [mechanism.points[name] for name in mechanism.body(body).points]
-    points += [
-        end
-        for part in drawing.parts
-        if isinstance(part, Bar) and part.body == body
-        for end in part.free
-    ]
-    far = max(points, key=lambda point: length(point - centre))
-    return angle_of(far - centre) if length(far - centre) > 1.0 else pi / 2
-
-
-def find_pivot(mechanism: Mechanism, body: str, drawing: Drawing) -> Vector:
-    """Where a body's rotation is marked: its fixed pin, else its circle's centre, else the mean of
-    its points.
-    """
-    pin = find_fixed_pin(drawing.symbols, body)
-    if pin is not None:
-        return mechanism.points[pin]
-    for rim in drawing.rims:
-        if rim.body == body:
-            return rim.at
-    return mean(mechanism.points[name] for name in mechanism.body(body).points)
-
-
-def _find_imposed_sense(mechanism: Mechanism, body: str) -> Sense:
-    """The sense in which a driver turns the body; counter-clockwise when none does."""
-    for driver in mechanism.drivers:
-        motion = find_given_motion(mechanism.points, driver)
-        if isinstance(motion, TurningBody) and motion.body == body:
-            return motion.sense
-    return "ccw"
 
 
 def mark_motions(mechanism: Mechanism, hint: Moving) -> list[Mark]:

@@ -16,9 +16,8 @@ from kinegrade.figure.symbols import STAND, TALL_STAND, draw_knife_edge, draw_pi
 from kinegrade.mechanics.joints import GROUND, Line
 from kinegrade.mechanics.vector import Vector
 
-_STAND_ROOM = (
-    0.85  # radians between a stand's axis and a bar at which the bar is clear of its hatching
-)
+# Radians between a stand's axis and a bar at which the bar is clear of its hatching
+_STAND_ROOM = 0.85
 
 
 def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:

@@ -15,11 +15,8 @@ from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.place import Wish, measure_crowding, place_label
 from kinegrade.figure.scene import Label, Primitive
 
-_BATCHES = (
-    4,
-    12,
-    36,
-)  # alternatives of a mark that are judged together: usually one of the first is accepted
+# Alternatives of a mark that are judged together: usually one of the first is accepted
+_BATCHES = (4, 12, 36)
 
 
 @dataclass(frozen=True)

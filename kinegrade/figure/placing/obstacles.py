@@ -16,31 +16,27 @@ from itertools import pairwise
 from math import hypot
 from typing import assert_never
 
-from kinegrade.figure.scene import (
-    BOLD,
-    THIN,
-    Bow,
-    Disc,
-    Label,
-    Outline,
-    Primitive,
-    Strokes,
+from kinegrade.figure.placing.crossing import (
+    SAME_AXIS,
+    Numbers,
+    crosses_box,
+    encircles_box,
+    invert_step,
+    make_strip,
+    meets_line,
+    meets_ring,
+    resolve,
 )
+from kinegrade.figure.scene import BOLD, THIN, Bow, Disc, Label, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
 Segment = tuple[Vector, Vector]
-_Numbers = tuple[float, ...]
 Bounds = tuple[float, float, float, float]  # left, bottom, right, top
-Boxed = tuple[float, float, float, float, _Numbers]  # its bounds, then its numbers
+Boxed = tuple[float, float, float, float, Numbers]  # its bounds, then its numbers
 
 COST_LABEL, COST_BOLD, COST_FIRM, COST_THIN = 1000.0, 100.0, 10.0, 4.0
-_TOUCH = 1e-6  # millimetres by which two things may overlap and still only touch
-_ROOM, _SHARED_ROOM = (
-    0.8,
-    0.6,
-)  # millimetres to be kept free on either side of a mark; less for thin lines
-_LEAST = 1e-9  # millimetres: a shorter step counts as this one
-_SAME_AXIS = 0.05  # millimetres within which two lines count as one
+# Millimetres to be kept free on either side of a mark; less for thin lines
+_ROOM, _SHARED_ROOM = (0.8, 0.6)
 _CORNER = 1.5  # times half its width: how far a pen's corners reach at any angle, and a little more
 
 
@@ -88,10 +84,10 @@ class Obstacles:
         for _, _, _, _, (start_x, start_y, _, _, pace_x, pace_y, pen, cost) in _find_near(
             self.lines, box
         ):
-            if _crosses((start_x - x, pace_x, wide + pen), (start_y - y, pace_y, high + pen)):
+            if crosses_box((start_x - x, pace_x, wide + pen), (start_y - y, pace_y, high + pen)):
                 total += cost
         for _, _, _, _, (centre_x, centre_y, inner, outer, cost) in _find_near(self.rings, box):
-            if _encircles(centre_x - x, centre_y - y, (wide, high), inner, outer):
+            if encircles_box(centre_x - x, centre_y - y, (wide, high), inner, outer):
                 total += cost
         return total
 
@@ -106,17 +102,17 @@ class Obstacles:
         half = _SHARED_ROOM if shared else _ROOM
         across, upward = zip(*(point for piece in path for point in piece), strict=True)
         box = (min(across) - half, min(upward) - half, max(across) + half, max(upward) + half)
-        strips = [_strip(start, end, half) for start, end in path]
+        strips = [make_strip(start, end, half) for start, end in path]
         lines, rings = (
             [thing[-1] for thing in _find_near(things, box)] for things in (self.lines, self.rings)
         )
-        return sum(
+        met = [
             line[-1]
             for line in lines
-            if any(_strip_crosses(strip, line, shared) for strip in strips)
-        ) + sum(
-            ring[-1] for ring in rings if any(_strip_encircles(strip, ring) for strip in strips)
-        )
+            if any(meets_line(strip, line, shared and line[-1] <= COST_THIN) for strip in strips)
+        ]
+        met += [ring[-1] for ring in rings if any(meets_ring(strip, ring) for strip in strips)]
+        return sum(met)
 
     def joins(self, start: Vector, end: Vector, gap: float) -> bool:
         """Whether a straight line is drawn between two points, to within a gap at either end."""
@@ -125,9 +121,9 @@ class Obstacles:
             return False
         toward = (end - start) / size
         for _, _, _, _, (x, y, dx, dy, _, _, _, _) in self.lines:
-            near, near_off = _turn(x - start.x, y - start.y, *toward)
-            far, far_off = _turn(x + dx - start.x, y + dy - start.y, *toward)
-            on_axis = abs(near_off) < _SAME_AXIS and abs(far_off) < _SAME_AXIS
+            near, near_off = resolve(x - start.x, y - start.y, *toward)
+            far, far_off = resolve(x + dx - start.x, y + dy - start.y, *toward)
+            on_axis = abs(near_off) < SAME_AXIS and abs(far_off) < SAME_AXIS
             if on_axis and abs(min(near, far)) <= gap and abs(max(near, far) - size) <= gap:
                 return True
         return False
@@ -141,79 +137,6 @@ def _find_near(things: Sequence[Boxed], box: Bounds) -> list[Boxed]:
         for thing in things
         if thing[0] <= right and thing[2] >= left and thing[1] <= top and thing[3] >= bottom
     ]
-
-
-def _strip(start: Vector, end: Vector, half: float) -> _Numbers:
-    """A strip about a straight piece: its centre x, y, its direction x, y, half its length and half
-    its width.
-    """
-    (x, y), (to_x, to_y) = start, end
-    size = max(hypot(to_x - x, to_y - y), _TOUCH)
-    return ((x + to_x) / 2, (y + to_y) / 2, (to_x - x) / size, (to_y - y) / size, size / 2, half)
-
-
-def _strip_crosses(strip: _Numbers, line: _Numbers, shared: bool) -> bool:
-    """Whether a strip meets a line; one that may be shared does not meet a thin line on its
-    axis.
-    """
-    centre_x, centre_y, along, across, half_length, half_width = strip
-    x, y, dx, dy, _, _, pen, cost = line
-    start, off = _turn(x - centre_x, y - centre_y, along, across)
-    further, sideways = _turn(dx, dy, along, across)
-    if (
-        shared
-        and cost <= COST_THIN
-        and abs(off) <= _SAME_AXIS
-        and abs(off + sideways) <= _SAME_AXIS
-    ):
-        return False
-    return _crosses(
-        (off, _invert_step(sideways), half_width + pen),
-        (start, _invert_step(further), half_length + pen),
-    )
-
-
-def _strip_encircles(strip: _Numbers, ring: _Numbers) -> bool:
-    """Whether a strip meets a ring."""
-    centre_x, centre_y, along, across, half_length, half_width = strip
-    x, y, inner, outer, _ = ring
-    turned = _turn(x - centre_x, y - centre_y, along, across)
-    return _encircles(*turned, (half_length, half_width), inner, outer)
-
-
-def _invert_step(step: float) -> float:
-    """The negative inverse of a step; a step shorter than LEAST counts as LEAST."""
-    return -1.0 / (step if abs(step) >= _LEAST else _LEAST)
-
-
-def _crosses(across: _Numbers, upward: _Numbers) -> bool:
-    """Whether a line meets a box about the origin: it lies within both bands at the same time
-    (Liang and Barsky).
-
-    For either coordinate the start of the line, its pace, and half of the box.
-    """
-    x, pace_x, wide = across
-    middle, reach = x * pace_x, (wide - _TOUCH) * abs(pace_x)
-    if middle - reach > 1.0 or middle + reach < 0.0:
-        return False
-    y, pace_y, high = upward
-    level, rise = y * pace_y, (high - _TOUCH) * abs(pace_y)
-    return max(middle - reach, level - rise, 0.0) <= min(middle + reach, level + rise, 1.0)
-
-
-def _encircles(x: float, y: float, half: tuple[float, float], inner: float, outer: float) -> bool:
-    """Whether a ring meets a box about the origin, by the nearest point of the box and the
-    farthest.
-    """
-    away_x, away_y, wide, high = abs(x), abs(y), half[0] - _TOUCH, half[1] - _TOUCH
-    if max(away_x - wide, 0.0) ** 2 + max(away_y - high, 0.0) ** 2 > outer**2:
-        return False
-    return (away_x + wide) ** 2 + (away_y + high) ** 2 >= inner**2
-
-
-def _turn(x: float, y: float, along: float, across: float) -> tuple[float, float]:
-    """The components of a vector along and across a direction."""
-    return x * along + y * across, y * along - x * across
 
 
 def _label(label: Label) -> list[Boxed]:
@@ -247,7 +170,7 @@ def _make_line(start: Vector, end: Vector, pen: float, cost: float) -> Boxed:
         bottom - reach,
         right + reach,
         top + reach,
-        (x, y, dx, dy, _invert_step(dx), _invert_step(dy), pen, cost),
+        (x, y, dx, dy, invert_step(dx), invert_step(dy), pen, cost),
     )
 
 

@@ -18,9 +18,8 @@ from kinegrade.mechanics.vector import Vector
 Floats = NDArray[np.float64]
 
 CLEARANCE = 0.25  # millimetres kept free around a label
-_FARTHER = (
-    0.04  # cost of each later spot: a hundred of them weigh as much as covering one thin line
-)
+# Cost of each later spot: a hundred of them weigh as much as covering one thin line
+_FARTHER = 0.04
 _LABEL_WEIGHT = 3.0  # a symbol on a line is worse than a line across a line
 _AMBIGUOUS = 0.4  # millimetres by which a letter has to be nearer to its point than to any other
 _AT_ONCE = 16  # spots checked together; nearly always one of the first is free

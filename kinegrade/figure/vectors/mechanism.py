@@ -8,8 +8,8 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kinegrade.figure.marks.motions import find_pivot, mark_rotations
 from kinegrade.figure.marks.names import label_bodies, label_points
+from kinegrade.figure.marks.rotations import add_rotation
 from kinegrade.figure.mechanism.fitting import fit_scene
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
@@ -21,22 +21,12 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints, Turning
 
-LONGEST, CROWDED = (
-    16.0,
-    21.0,
-)  # millimetres, of the longest arrow; of one that starts at a point with more than FEW
+# Millimetres, of the longest arrow; of one that starts at a point with more than FEW
+LONGEST, CROWDED = (16.0, 21.0)
 _FEW = 3
 _SHORTEST = 1.2  # millimetres: a shorter arrow would not be visible and is left out
-_OFFSETS = (
-    1.5,
-    -1.5,
-    3.0,
-    -3.0,
-    4.5,
-)  # millimetres between arrows, or an arrow and a bar, on one line
-_LETTERED = (
-    8.0  # millimetres about a pivot within which the arrow of a rotation keeps clear of letters
-)
+# Millimetres between arrows, or an arrow and a bar, on one line
+_OFFSETS = (1.5, -1.5, 3.0, -3.0, 4.5)
 
 
 @dataclass(frozen=True)
@@ -113,24 +103,6 @@ def add_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
     return layout
 
 
-def _add_rotations(
-    layout: Layout,
-    paper: Mechanism,
-    turnings: Sequence[Turning],
-    drawing: Drawing,
-    hints: FigureHints,
-) -> Layout:
-    """The curved arrows, which keep clear of the letters still to be written at their pivots."""
-    named = tuple(label_points(paper, hints, drawing))
-    for turning in turnings:
-        pivot = find_pivot(paper, turning.body, drawing)
-        close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < _LETTERED]
-        layout = layout.marked(
-            mark_rotations(paper, turning, drawing), layout.written(close).labels
-        )
-    return layout
-
-
 def _compose(
     plain: BareMechanism, arrows: Sequence[PointArrow], turnings: Sequence[Turning], scale: float
 ) -> tuple[Primitive, ...]:
@@ -140,7 +112,8 @@ def _compose(
     paper, drawing = plain.at(scale)
     placed = place_arrows(arrows, scale, drawing)
     layout = add_arrows(Layout.of(drawing.primitives), placed, drawing)
-    layout = layout.written(label_points(paper, plain.hints, drawing))
-    layout = add_symbols(layout, placed)
-    layout = _add_rotations(layout, paper, turnings, drawing, plain.hints)
+    named = tuple(label_points(paper, plain.hints, drawing))
+    layout = add_symbols(layout.written(named), placed)
+    for turning in turnings:
+        layout = add_rotation(layout, paper, turning, drawing, named)
     return layout.written(label_bodies(paper, plain.hints, drawing)).primitives

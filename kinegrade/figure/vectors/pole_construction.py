@@ -9,15 +9,15 @@ from dataclasses import dataclass
 from itertools import combinations
 from math import pi
 
-from kinegrade.figure.marks.motions import TURNING_ARC, TWELFTHS, TurningArrow
 from kinegrade.figure.marks.names import label_bodies, label_points
+from kinegrade.figure.marks.rotations import list_turning_arrows
 from kinegrade.figure.mechanism.fitting import HEIGHT, fit_scene
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around
-from kinegrade.figure.plane import angle_of, length, mean, on_line, shorter_way, unit
-from kinegrade.figure.scene import THIN, Bow, Outline, Pen, Primitive, Scene, Strokes
+from kinegrade.figure.plane import angle_of, length, mean, on_line, unit
+from kinegrade.figure.scene import THIN, Outline, Pen, Primitive, Scene, Strokes
 from kinegrade.figure.symbols import draw_arrowhead, draw_dot
 from kinegrade.figure.vectors.arrows import VectorArrow
 from kinegrade.figure.vectors.mechanism import PointArrow, add_arrows, add_symbols, place_arrows
@@ -25,7 +25,7 @@ from kinegrade.figure.vectors.plain_mechanism import BareMechanism, find_bold_li
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.template.hints import TURN, FigureHints, Turning
+from kinegrade.problem.template.hints import FigureHints, Turning
 
 NORMAL = Pen(0.22, "dashed")
 TALL = 75.0  # millimetres a picture with a pole may be high
@@ -213,16 +213,6 @@ def _mark_rotation_about(
     centre: Vector, rotation: Turning, placed: Sequence[VectorArrow]
 ) -> list[Mark]:
     """Curved arrows about the pole, towards the points whose velocities are drawn first."""
-    sense = 1.0 if rotation.sense is None else TURN[rotation.sense]
     toward = angle_of(mean(arrow.start for arrow in placed) - centre) if placed else pi / 2
-    found: list[Mark] = []
-    for radius in _TURNING_RADII:
-        span = TURNING_ARC / radius * sense
-        for angle in TWELFTHS:
-            demerit = 1.5 * (radius - _TURNING_RADII[0]) + 1.0 * abs(shorter_way(angle - toward))
-            found.append(
-                TurningArrow(
-                    Bow(centre, radius, angle - span / 2, span, THIN), rotation.symbol, demerit
-                )
-            )
-    return found
+    sense = rotation.sense or "ccw"
+    return list_turning_arrows(rotation.symbol, sense, centre, _TURNING_RADII, toward, astray=1.0)

@@ -16,22 +16,10 @@ from kinegrade.figure.scene import Disc, Primitive, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
 from kinegrade.mechanics.vector import Vector
 
-_WIDE, _HIGH = (
-    52.0,
-    38.0,
-)  # millimetres that the polygon alone takes at most: the rest of a figure is for symbols
-ROUND = (
-    1.0,
-    1.2,
-    1.5,
-    2.0,
-    2.5,
-    3.0,
-    4.0,
-    5.0,
-    6.0,
-    8.0,
-)  # leading figures of a scale that is easy to state
+# Millimetres that the polygon alone takes at most: the rest of a figure is for symbols
+_WIDE, _HIGH = (52.0, 38.0)
+# Leading figures of a scale that is easy to state
+ROUND = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)
 _NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
 _OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
 _LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take

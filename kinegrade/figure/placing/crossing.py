@@ -1,0 +1,85 @@
+"""Whether lines, rings, boxes and strips meet, in plain numbers.
+
+A line is x, y of its start, the steps dx, dy to its end, their negative inverses, half of its pen's
+width and its cost. A ring is x, y, inner radius, outer radius and cost.
+"""
+
+from __future__ import annotations
+
+from math import hypot
+
+from kinegrade.mechanics.vector import Vector
+
+Numbers = tuple[float, ...]
+
+_TOUCH = 1e-6  # millimetres by which two things may overlap and still only touch
+SAME_AXIS = 0.05  # millimetres within which two lines count as one
+_LEAST = 1e-9  # millimetres: a shorter step counts as this one
+
+
+def make_strip(start: Vector, end: Vector, half: float) -> Numbers:
+    """A strip about a straight piece: its centre x, y, its direction x, y, half its length and half
+    its width.
+    """
+    (x, y), (to_x, to_y) = start, end
+    size = max(hypot(to_x - x, to_y - y), _TOUCH)
+    return ((x + to_x) / 2, (y + to_y) / 2, (to_x - x) / size, (to_y - y) / size, size / 2, half)
+
+
+def meets_line(strip: Numbers, line: Numbers, shared: bool) -> bool:
+    """Whether a strip meets a line; one that may be shared does not count on the strip's axis."""
+    centre_x, centre_y, along, across, half_length, half_width = strip
+    x, y, dx, dy, _, _, pen, _ = line
+    start, off = resolve(x - centre_x, y - centre_y, along, across)
+    further, sideways = resolve(dx, dy, along, across)
+    if shared and abs(off) <= SAME_AXIS and abs(off + sideways) <= SAME_AXIS:
+        return False
+    return crosses_box(
+        (off, invert_step(sideways), half_width + pen),
+        (start, invert_step(further), half_length + pen),
+    )
+
+
+def meets_ring(strip: Numbers, ring: Numbers) -> bool:
+    """Whether a strip meets a ring."""
+    centre_x, centre_y, along, across, half_length, half_width = strip
+    x, y, inner, outer, _ = ring
+    turned = resolve(x - centre_x, y - centre_y, along, across)
+    return encircles_box(*turned, (half_length, half_width), inner, outer)
+
+
+def invert_step(step: float) -> float:
+    """The negative inverse of a step; a step shorter than LEAST counts as LEAST."""
+    return -1.0 / (step if abs(step) >= _LEAST else _LEAST)
+
+
+def crosses_box(across: Numbers, upward: Numbers) -> bool:
+    """Whether a line meets a box about the origin: it lies within both bands at the same time
+    (Liang and Barsky).
+
+    For either coordinate the start of the line, its pace, and half of the box.
+    """
+    x, pace_x, wide = across
+    middle, reach = x * pace_x, (wide - _TOUCH) * abs(pace_x)
+    if middle - reach > 1.0 or middle + reach < 0.0:
+        return False
+    y, pace_y, high = upward
+    level, rise = y * pace_y, (high - _TOUCH) * abs(pace_y)
+    return max(middle - reach, level - rise, 0.0) <= min(middle + reach, level + rise, 1.0)
+
+
+def encircles_box(
+    x: float, y: float, half: tuple[float, float], inner: float, outer: float
+) -> bool:
+    """Whether a ring meets a box about the origin, by the nearest point of the box and the
+    farthest.
+    """
+    away_x, away_y, wide, high = abs(x), abs(y), half[0] - _TOUCH, half[1] - _TOUCH
+    if max(away_x - wide, 0.0) ** 2 + max(away_y - high, 0.0) ** 2 > outer**2:
+        return False
+    return (away_x + wide) ** 2 + (away_y + high) ** 2 >= inner**2
+
+
+def resolve(x: float, y: float, along: float, across: float) -> tuple[float, float]:
+    """The components of a vector along and across a direction."""
+    return x * along + y * across, y * along - x * across
