@@ -1,13 +1,15 @@
 """What every typesetter offers: papers, worked solutions and keys as PDF.
 
-There are two presses, `press.typst` and `press.latex`.
+There are two presses, `press.typst` and `press.latex`. A press that lacks a kind of sheet cannot be
+made.
 """
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Literal, Protocol
+from typing import Literal
 
 from kinegrade.language.message import Fault, Location, Message
 from kinegrade.press.sheet import KeyBook, Paper, SolutionSheet
@@ -32,17 +34,21 @@ def unprintable_character(where: Location, character: str) -> Fault:
     return Fault(where, Message("typesetting.no-font", character=character, code=code))
 
 
-class Press(Protocol):
+class Press(ABC):
     """Prints; every method raises TypesetError with all faults of the texts it is given."""
 
+    @abstractmethod
     def papers(self, papers: Mapping[str, Paper]) -> dict[str, Printout]:
         """Every paper, by its name."""
 
+    @abstractmethod
     def solutions(self, sheets: Mapping[str, SolutionSheet]) -> dict[str, Printout]:
         """Every student's worked solutions, by name."""
 
+    @abstractmethod
     def key(self, book: KeyBook) -> Printout:
         """The instructor's key."""
 
+    @abstractmethod
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print."""

@@ -66,7 +66,7 @@ def run_python(
     return subprocess.run(
         [sys.executable, *map(str, arguments)],
         cwd=folder,
-        env={**os.environ, "PYTHONPATH": str(folder), **environment},
+        env={**os.environ, "PYTHONPATH": str(folder), "TMPDIR": str(folder), **environment},
         capture_output=True,
         text=True,
         check=False,

@@ -35,7 +35,7 @@ from kinegrade.press.latex.xetex import (
 )
 from kinegrade.press.legible import make_owner_legible, make_owners_legible
 from kinegrade.press.places import ALL_PAPERS, ALL_SOLUTIONS, KEY
-from kinegrade.press.protocol import Printout
+from kinegrade.press.protocol import Press, Printout
 from kinegrade.press.sheet import KeyBook, Paper, PaperSize, SolutionSheet
 
 # TeX writes some things only on the first page of a run (its initial colour): this page, which is
@@ -68,7 +68,7 @@ _PAPERS: _Kind[Paper] = _Kind(ALL_PAPERS, write_paper_body, _read_paper_words)
 _SOLUTIONS: _Kind[SolutionSheet] = _Kind(ALL_SOLUTIONS, write_solution_body, _read_solution_words)
 
 
-class LatexPress:
+class LatexPress(Press):
     """Prints as `kinegrade.press.protocol` says; `paper_size` is "a4" or "letter"."""
 
     def __init__(self, paper_size: PaperSize = "a4") -> None:
@@ -90,12 +90,8 @@ class LatexPress:
 
     def key(self, book: KeyBook) -> Printout:
         """The instructor's key; names are printed and errors raised as by `papers`."""
-        named = make_owners_legible(book, self)
-        body, words = write_key_body(named), _read_paper_words(book.language)
-        with self._typeset([body], book.language, words, KEY) as (folder, _):
-            pdf = make_pdf(folder)
-        source = write_document([body], book.language, self._size, words, str(find_font_folder()))
-        return _make_printout("key", pdf, source, book.language)
+        body = write_key_body(make_owners_legible(book, self))
+        return self._print_one("key", body, book.language, KEY)
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print; raises TypesetError where
@@ -109,6 +105,14 @@ class LatexPress:
             missing = _find_missing(unknown)
             self._looked_at |= {character: character not in missing for character in unknown}
         return frozenset(character for character in characters if not self._looked_at[character])
+
+    def _print_one(self, name: str, body: str, language: Language, where: Location) -> Printout:
+        """One sheet for the instructor, with the fixed words of papers."""
+        words = _read_paper_words(language)
+        with self._typeset([body], language, words, where) as (folder, _):
+            pdf = make_pdf(folder)
+        source = write_document([body], language, self._size, words, str(find_font_folder()))
+        return _make_printout(name, pdf, source, language)
 
     def _print(self, sheets: Mapping[str, _Sheet], kind: _Kind[_Sheet]) -> dict[str, Printout]:
         owners = (text for sheet in sheets.values() for text in (sheet.name, sheet.student))

@@ -24,7 +24,7 @@ from kinegrade.language.typst_text import write_literal
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.legible import make_owner_legible, make_owners_legible
 from kinegrade.press.places import GALLERY, KEY, locate_paper, locate_question, locate_solutions
-from kinegrade.press.protocol import Printout, unprintable_character
+from kinegrade.press.protocol import Press, Printout, unprintable_character
 from kinegrade.press.sheet import Gallery, KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.press.typst.compiler import make_compiler
 from kinegrade.press.typst.gallery import write_gallery_source
@@ -43,7 +43,7 @@ _BOX = re.compile(r'the text `"(.*?)"` could not be displayed')
 _ESCAPE = re.compile(r"\\u\{([0-9a-f]+)\}")
 
 
-class TypstPress:
+class TypstPress(Press):
     """Prints as `kinegrade.press.protocol` says, and galleries; `paper_size` is "a4" or "letter".
 
     >>> TypstPress().unprintable(["Zoë", "张喆", "😀"])
