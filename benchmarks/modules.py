@@ -41,11 +41,22 @@ class File:
 
     def code_lines(self) -> int:
         """How many lines hold code: no blank lines, comments or docstrings."""
+        return len(self.lines_of_code())
+
+    def function_lengths(self) -> Iterator[int]:
+        """The lines of code of every function, from its `def` to its end."""
+        code = self.lines_of_code()
+        for function in self.functions():
+            last = function.end_lineno or 0
+            yield len(code.intersection(range(function.lineno, last + 1)))
+
+    def lines_of_code(self) -> set[int]:
+        """The lines that hold code."""
         lines: set[int] = set()
         for token in tokenize.generate_tokens(io.StringIO(self.text).readline):
             if token.type not in NO_CODE:
                 lines.update(range(token.start[0], token.end[0] + 1))
-        return len(lines - self.docstring_lines())
+        return lines - self.docstring_lines()
 
     def docstring_lines(self) -> set[int]:
         """The lines on which docstrings stand."""

@@ -45,6 +45,8 @@ FLOORS = {
     "lms": 12,
     "cli": 13,
 }
+# Messages are below the errors that hold them, all else in language/ is above these
+INSIDE = {"kinegrade.errors": "kinegrade.language.errors"}
 SIBLINGS = ("figure", "grading", "lms")
 LOBBY = {"kinegrade", "kinegrade.__main__"}  # the entrances, which call any floor
 GRADING_MAY_USE = {"kinegrade.exam.roster.roster", "kinegrade.exam.roster.student_ids"}
@@ -173,14 +175,32 @@ def test_nobody_imports_the_command_line() -> None:
     assert not [edge for edge in edges() if floor(edge[1]) == "cli" != floor(edge[0])]
 
 
-def test_no_module_imports_itself_by_way_of_others() -> None:
-    graph: dict[str, set[str]] = {module: set() for module in TREES}
-    for module, tree in TREES.items():
-        graph[module] = {target for target in imported(tree.body) if target in TREES} - {module}
-    try:
-        TopologicalSorter(graph).prepare()
-    except CycleError as error:
-        pytest.fail(f"a cycle of imports: {' <- '.join(error.args[1])}")
+def find_neighbours(importing: str, target: str) -> tuple[str, str, str] | None:
+    """The folder in which the ways to two modules part, and what they go through there; None for a
+    package and what is in it.
+    """
+    ways = [INSIDE.get(module, module).split(".") for module in (importing, target)]
+    for place, (above, below) in enumerate(zip(*ways, strict=False)):
+        if above != below:
+            return ".".join(ways[0][:place]), above, below
+    return None
+
+
+def test_no_file_and_no_room_imports_itself_by_way_of_others() -> None:
+    """In every folder the files and the rooms stand one above the other, whatever imports late or
+    for types alone.
+    """
+    graphs: dict[str, dict[str, set[str]]] = {}
+    for importing, target in edges():
+        neighbours = find_neighbours(importing, target)
+        if neighbours:
+            folder, above, below = neighbours
+            graphs.setdefault(folder, {}).setdefault(above, set()).add(below)
+    for folder, graph in graphs.items():
+        try:
+            TopologicalSorter(graph).prepare()
+        except CycleError as error:
+            pytest.fail(f"{folder}: a cycle of imports: {' <- '.join(error.args[1])}")
 
 
 def test_only_the_arithmetic_knows_the_library_of_numbers() -> None:

@@ -32,7 +32,7 @@ READ = """
 import resource, sys
 from pathlib import Path
 from kinegrade.errors import TableError
-from kinegrade.spreadsheet import read_workbook
+from kinegrade.files.spreadsheet import read_workbook
 try:
     read_workbook(Path(sys.argv[1]))
 except TableError as refusal:

@@ -7,7 +7,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from benchmarks.duplicates import duplicates
-from benchmarks.measures import PACKAGE, folder_sizes, measures
+from benchmarks.measures import PACKAGE, folder_lines, measure_all, measures
 from benchmarks.modules import read_package
 from benchmarks.unused import unused_names
 
@@ -39,16 +39,24 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
     (package / "one.py").write_text(TEXT, encoding="utf-8")
     (package / "two.py").write_text(f'LONG = "{"x" * 100}"\n', encoding="utf-8")
     found = {each.name: each.value for each in measures(read_package(package))}
-    assert found["modules"] == "2"
-    assert found["lines of code"] == "9"  # the import, 2, the class, 4, and the constant
-    assert found["lines of more than 100 columns"] == "1"
-    assert found["functions: most lines"] == "4"
-    assert found["functions of more than 6 parameters"] == "1"
-    assert found["folders of more than 20 files"] == "0"
-    assert found["uses of Any"] == "1"
+    assert found["modules"] == 2
+    assert found["lines of code"] == 9  # the import, 2, the class, 4, and the constant
+    assert found["lines of more than 100 columns"] == 1
+    assert found["modules of more than 250 lines"] == 0
+    assert found["functions: median lines"] == 3
+    assert found["functions: most lines"] == 4
+    assert found["functions of more than 6 parameters"] == 1
+    assert found["folders of more than 20 files"] == 0
+    assert found["uses of Any"] == 1
 
 
-CLEARED = ("figure", "lms", "mechanics", "numbers", "worked")  # `make measure` names the rest
+# What the rebuilding has not reached yet: it may come nearer, and not go away from it again
+FAR = {
+    "syntax nodes": 377_400,
+    "lines of code": 41_400,
+    "syntax nodes a line": 9.14,
+    "modules of more than 250 lines": 46,
+}
 COPIED = """
 def total(rows, key):
     found = [row[key] for row in rows if row[key] is not None]
@@ -88,10 +96,9 @@ def test_folders_are_measured_without_the_folders_in_them(tmp_path: Path) -> Non
     package = write_package(tmp_path, one="x = 1\ny = 2\n")
     (package / "room").mkdir()
     (package / "room" / "two.py").write_text("z = 3\n", encoding="utf-8")
-    found = [(size.name, size.value, size.aim) for size in folder_sizes(read_package(package))]
-    assert found == [
-        ("package/", "1 files", "2 lines of code"),
-        ("package/room/", "1 files", "1 lines of code"),
+    assert [" ".join(line.split()) for line in folder_lines(read_package(package))] == [
+        "package/ 1 files 2 lines of code",
+        "package/room/ 1 files 1 lines of code",
     ]
 
 
@@ -101,6 +108,6 @@ def test_what_nothing_uses_is_named(tmp_path: Path) -> None:
     assert unused_names(package) == ["package/words.py:3 forgotten: used nowhere"]
 
 
-def test_nothing_is_unused_in_the_folders_that_are_cleared() -> None:
-    cleared = tuple(f"kinegrade/{folder}/" for folder in CLEARED)
-    assert [line for line in unused_names(PACKAGE) if line.startswith(cleared)] == []
+def test_the_house_keeps_its_measures() -> None:
+    broken = [measure for measure in measure_all(read_package(PACKAGE)) if not measure.is_kept]
+    assert [each.line() for each in broken if each.value > FAR.get(each.name, each.most or 0)] == []

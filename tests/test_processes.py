@@ -204,7 +204,7 @@ def test_what_all_tasks_share_is_not_copied_for_this_process() -> None:
 STARTS = """
 import threading
 from multiprocessing import active_children
-from kinegrade.processes import open_executor
+from kinegrade.processes.executor import open_executor
 {before}
 if __name__ == "__main__":
     with open_executor(2, "test") as workers:
@@ -257,7 +257,7 @@ import signal
 signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGTERM])
 os.kill(os.getpid(), signal.SIGTERM)
 
-from kinegrade.worker_process import begin_work
+from kinegrade.processes.worker import begin_work
 
 begin_work()
 print("at work")
@@ -275,7 +275,7 @@ INTERRUPTED_WHILE_RESULTS_COME = """
 import sys
 import time
 
-from kinegrade.processes import map_in_order, open_executor
+from kinegrade.processes.executor import map_in_order, open_executor
 
 for delay in range(8):
     try:

@@ -13,9 +13,10 @@ from hypothesis import strategies as st
 from openpyxl import Workbook, load_workbook
 
 from kinegrade.errors import TableError
-from kinegrade.files import spreadsheet
-from kinegrade.files.spreadsheet import is_workbook, read_workbook
+from kinegrade.files import spreadsheet, workbook_inspection
+from kinegrade.files.spreadsheet import read_workbook
 from kinegrade.files.tables import Table
+from kinegrade.files.workbook_inspection import is_workbook
 from tests.said import said
 
 
@@ -221,7 +222,7 @@ def test_a_workbook_that_bursts_is_refused(tmp_path: Path, monkeypatch: pytest.M
         archive.writestr("xl/media/x.bin", bytes(2_000_000))  # a picture is not read
         archive.writestr("xl/x.xml", b" " * 1_000_000)
     read_workbook(path)
-    monkeypatch.setattr(spreadsheet, "_LARGEST", 1_000_000)
+    monkeypatch.setattr(workbook_inspection, "_LARGEST", 1_000_000)
     with pytest.raises(
         TableError, match=r"unpacks to 10\d+ bytes in \d+ parts - expected less than 1000000 - send"
     ):

@@ -14,43 +14,27 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
-from lzma import LZMAError
 from pathlib import Path
 from typing import Any
-from zipfile import BadZipFile, ZipFile
-from zlib import error as DeflateError
 
 from openpyxl import load_workbook
 
 from kinegrade.errors import TableError
 from kinegrade.files.tables import Complaint, Row, Table, shorten, trim
+from kinegrade.files.workbook_inspection import (
+    SAVE_AS_XLSX,
+    explain_damaged,
+    inspect_workbook,
+)
 from kinegrade.language.message import Fault, Message, Quoted
 
-_LARGEST = (
-    64_000_000  # bytes of XML, unpacked: a class of 10,000 with 40 answers each has 25 million
-)
-_MOST_TAGS = 2_000_000  # of sheets and their texts, four for a number: read in some seconds
-_MOST_STYLE_TAGS = 100_000  # of all else: a parser makes a large thing of each
 _MOST_ROWS = 100_000
 _MOST_CELLS = 2_000_000  # with the blank ones between filled ones
 _LONGEST_TEXT = 32_767  # characters in a cell: no spreadsheet program keeps more
 _MOST_CHARACTERS = 30_000_000  # in all cells: one long text may be named by many
 _LONGEST_NUMBER = 10**15  # spreadsheets keep fifteen digits
-_MOST_PARTS = 5_000
-_CHUNK = 1 << 20
-_OVERLAP = 16
-_ZIP = b"PK\x03\x04"
-_COMPOUND = b"\xd0\xcf\x11\xe0"
 _ZEROS = re.compile(r"0{2,}")  # the number format of ids that keep their leading zeros
 _TEXT_FORMULA = re.compile(r'=\s*"([^"]*)"')  # keeps the zeros of an id
-_FORMULA = re.compile(rb"<(?:\w+:)?f[ />]")
-_DOCUMENT_TYPE = b"<!DOCTYPE"
-_ENCODING = re.compile(rb"""^(?:\xef\xbb\xbf)?\s*<\?xml[^>]*\bencoding\s*=\s*["']([^"']*)""")
-_UTF_8 = (b"utf-8", b"utf8", b"us-ascii")
-_CELL_PART = re.compile(r"sheet|sharedstrings", re.IGNORECASE)
-_XLSX = Message("files.xlsx")
-_SAVE = Message("files.save-as-xlsx")
-_SEND_ALONE = Message("files.send-sheet-alone")
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,25 +59,21 @@ class _Room:
         self.characters = _MOST_CHARACTERS
 
 
-def is_workbook(path: Path) -> bool:
-    """Whether a file begins like a workbook, new or old, whatever its name."""
-    try:
-        with path.open("rb") as stream:
-            return stream.read(4) in (_ZIP, _COMPOUND)
-    except OSError:
-        return False
-
-
 def read_workbook(path: Path) -> Table:
     """The first visible filled sheet of a workbook; `Row.line` is the row's number there.
 
     Raises TableError if the file is missing, not an .xlsx workbook, empty, too large or hostile.
     """
-    has_formulas = _inspect(path)
+    has_formulas = inspect_workbook(path)
     name, lines, others = _read_sheet(path)
     if not lines:
         raise TableError(
-            Fault(path.name, Message("files.no-filled-sheet"), Message("files.column-names"), _SAVE)
+            Fault(
+                path.name,
+                Message("files.no-filled-sheet"),
+                Message("files.column-names"),
+                SAVE_AS_XLSX,
+            )
         )
     if has_formulas:
         lines = _note_formulas(path, name, lines)
@@ -112,85 +92,6 @@ def _pad(cells: Sequence[_Cell], width: int) -> tuple[str, ...]:
     return (*(cell.text for cell in cells), *[""] * (width - len(cells)))
 
 
-def _inspect(path: Path) -> bool:
-    """Whether the workbook has formulas. Raises TableError if the file is not a workbook, or
-    unpacks to too much.
-    """
-    try:
-        with path.open("rb") as stream:
-            beginning = stream.read(4)
-        if beginning == _COMPOUND:
-            raise TableError(Fault(path.name, Message("files.old-workbook"), _XLSX, _SAVE))
-        with ZipFile(path) as archive:
-            return _inspect_parts(path, archive)
-    except OSError as fault:
-        reason = Message("files.cannot-be-read", reason=str(fault.strerror))
-        expected, do = Message("files.a-workbook"), Message("files.check-the-name")
-        raise TableError(Fault(str(path), reason, expected, do)) from fault
-    except (BadZipFile, DeflateError, LZMAError) as fault:
-        raise TableError(Fault(path.name, Message("files.no-workbook"), _XLSX, _SAVE)) from fault
-    except (EOFError, NotImplementedError, RuntimeError, ValueError, ArithmeticError) as fault:
-        raise _explain_damaged(path, fault) from fault
-
-
-def _inspect_parts(path: Path, archive: ZipFile) -> bool:
-    parts = archive.infolist()
-    if not any(part.filename.endswith("workbook.xml") for part in parts):
-        raise TableError(Fault(path.name, Message("files.archive")))
-    size = sum(part.file_size for part in parts if _is_parsed(part.filename))
-    if size > _LARGEST or len(parts) > _MOST_PARTS:
-        what = Message("files.unpacks-to", size=size, parts=len(parts))
-        expected = Message("files.less-than", most=_LARGEST)
-        raise TableError(Fault(path.name, what, expected, _SEND_ALONE))
-    return _has_formulas(path, archive, [each.filename for each in parts])
-
-
-def _is_parsed(part: str) -> bool:
-    return part.endswith((".xml", ".rels"))
-
-
-def _has_formulas(path: Path, archive: ZipFile, parts: Sequence[str]) -> bool:
-    """Whether any part has formulas; counts what a parser would have to build before it does."""
-    has_formulas = False
-    room = {True: _MOST_TAGS, False: _MOST_STYLE_TAGS}
-    for part in filter(_is_parsed, parts):
-        cells = _CELL_PART.search(part) is not None
-        before = b""
-        for chunk in _read_chunks(archive, part):
-            piece = before + chunk
-            _refuse_foreign(path, part, piece, first=not before)
-            room[cells] -= chunk.count(b"<")
-            if room[cells] < 0:
-                raise _explain_too_many_tags(path, cells=cells)
-            has_formulas |= "sheet" in part and _FORMULA.search(piece) is not None
-            before = piece[-_OVERLAP:]
-    return has_formulas
-
-
-def _read_chunks(archive: ZipFile, part: str) -> Iterator[bytes]:
-    with archive.open(part) as stream:
-        while chunk := stream.read(_CHUNK):
-            yield chunk
-
-
-def _refuse_foreign(path: Path, part: str, piece: bytes, *, first: bool) -> None:
-    """Raises TableError for what no spreadsheet program writes and what could exhaust a parser."""
-    if _DOCUMENT_TYPE in piece:
-        what, expected = Message("files.document-type", part=part), Message("files.none-as-usual")
-        raise TableError(Fault(path.name, what, expected, _SAVE))
-    declared = _ENCODING.match(piece) if first else None
-    if b"\0" in piece or (declared and declared[1].lower() not in _UTF_8):
-        what = Message("files.part-not-utf-8", part=part)
-        raise TableError(Fault(path.name, what, Message("files.utf-8-as-usual"), _SAVE))
-
-
-def _explain_too_many_tags(path: Path, *, cells: bool) -> TableError:
-    if cells:
-        what = Message("files.too-many-tags", most=_MOST_TAGS)
-        return TableError(Fault(path.name, what, Message("files.a-class"), _SEND_ALONE))
-    return TableError(Fault(path.name, Message("files.too-many-styles", most=_MOST_STYLE_TAGS)))
-
-
 @contextmanager
 def _workbook(path: Path, *, values: bool) -> Iterator[Any]:
     """An open workbook; every error of its parser becomes one TableError."""
@@ -203,15 +104,10 @@ def _workbook(path: Path, *, values: bool) -> Iterator[Any]:
     except TableError:
         raise
     except Exception as fault:  # the parser may raise any exception for a damaged file
-        raise _explain_damaged(path, fault) from fault
+        raise explain_damaged(path, fault) from fault
     finally:
         if workbook is not None:
             workbook.close()
-
-
-def _explain_damaged(path: Path, fault: Exception) -> TableError:
-    reason = " ".join(str(fault).split())[:200] or type(fault).__name__
-    return TableError(Fault(path.name, Message("files.damaged", reason=reason), _XLSX, _SAVE))
 
 
 def _read_sheet(path: Path) -> tuple[str, list[_Line], list[str]]:
@@ -239,7 +135,7 @@ def _read_filled_lines(path: Path, sheet: Any, room: _Room) -> Iterator[_Line]:
         if longest > _LONGEST_TEXT or room.characters < 0:
             where = Message("files.sheet-row", file=path.name, sheet=sheet.title, row=line)
             what = Message("files.too-much-text", count=longest)
-            raise TableError(Fault(where, what, Message("files.answers"), _SAVE))
+            raise TableError(Fault(where, what, Message("files.answers"), SAVE_AS_XLSX))
         while cells and not trim(cells[-1].text) and not cells[-1].remark:
             cells.pop()
         if any(trim(cell.text) for cell in cells):

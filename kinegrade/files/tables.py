@@ -7,7 +7,6 @@ or a cell.
 
 from __future__ import annotations
 
-import codecs
 import csv
 import io
 import unicodedata
@@ -20,6 +19,7 @@ from typing import NamedTuple
 
 from kinegrade.errors import TableError
 from kinegrade.files.csv_writing import write_csv_text
+from kinegrade.files.decoding import CSV_FILE, Decoded, decode, name_encoding
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Text
@@ -33,26 +33,6 @@ _END = "\x00end of table"
 _MOST_STRAY_QUOTES = (
     20  # each takes a second reading of the rest; a file with more is read without quotation marks
 )
-_CONTROL_SHARE = 4  # a file of which more than a quarter is control characters is not text
-_CONTROLS = bytes(set(range(32)) - set(b"\t\n\r\f")) + b"\x7f"
-_MARKS = (
-    (codecs.BOM_UTF8, "UTF-8"),
-    (codecs.BOM_UTF32_LE, "UTF-32-LE"),  # before UTF-16, whose mark is its beginning
-    (codecs.BOM_UTF32_BE, "UTF-32-BE"),
-    (codecs.BOM_UTF16_LE, "UTF-16-LE"),
-    (codecs.BOM_UTF16_BE, "UTF-16-BE"),
-)
-STRANGE_UTF_8 = "UTF-8, backslashreplace"  # no encoding is recognised: bytes written out
-_OTHER_FORMATS = (
-    (b"PK\x03\x04", Message("files.is-spreadsheet-or-archive")),
-    (b"\xd0\xcf\x11\xe0", Message("files.is-spreadsheet")),
-    (b"%PDF", Message("files.is-pdf")),
-    (b"\x89PNG", Message("files.is-picture")),
-    (b"\xff\xd8\xff", Message("files.is-picture")),
-    (b"\x1f\x8b", Message("files.is-compressed")),
-)
-_CSV_FILE = Message("files.a-csv-file")
-_SEND_CSV = Message("files.save-as-csv")
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +95,7 @@ def read_table(path: Path, encoding: str | None = None) -> Table:
     except OSError as fault:
         reason = Message("files.cannot-be-read", reason=str(fault.strerror))
         do = Message("files.check-the-name")
-        raise TableError(Fault(str(path), reason, _CSV_FILE, do)) from fault
+        raise TableError(Fault(str(path), reason, CSV_FILE, do)) from fault
     return parse_table(content, path.name, encoding)
 
 
@@ -126,12 +106,8 @@ def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table
     >>> parse_table(b"student;x\\n007;0,5\\n", "a.csv").rows
     (Row(line=2, cells=('007', '0,5')),)
     """
-    declared = _decode_declared(content, file, encoding)
-    if declared is None:
-        _refuse_other_formats(content, file)
-    text, encoding, complaints = (
-        (declared, str(encoding), []) if declared is not None else _decode(content, file)
-    )
+    decoded = decode(content, file, encoding)
+    text = decoded.text
     with _cells_of_any_size(text):
         separator, width = _find_separator(text)
         records, stray_quotes = _read_records(text, separator, width)
@@ -139,9 +115,12 @@ def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table
     if not filled:
         raise TableError(Fault(file, Message("files.empty-table")))
     header, *rows = filled
-    complaints += [_complain_of_stray_quote(file, line) for line in stray_quotes]
-    complaints += _find_ragged(rows, len(header.cells), file)
-    return Table(file, header.cells, tuple(rows), encoding, separator, tuple(complaints))
+    complaints = (
+        *_complain_of_encoding(file, decoded),
+        *(_complain_of_stray_quote(file, line) for line in stray_quotes),
+        *_find_ragged(rows, len(header.cells), file),
+    )
+    return Table(file, header.cells, tuple(rows), decoded.encoding, separator, complaints)
 
 
 def trim(text: str) -> str:
@@ -187,86 +166,6 @@ def shorten(text: str) -> str:
     if len(text) <= _SHOWN_CHARACTERS:
         return text
     return f"{text[:_SHOWN_CHARACTERS]}… ({_SHOWN_CHARACTERS}/{len(text)})"
-
-
-def _refuse_other_formats(content: bytes, file: str) -> None:
-    kinds = [kind for beginning, kind in _OTHER_FORMATS if content.startswith(beginning)]
-    sample = content[:65536]
-    controls = len(sample) - len(sample.translate(None, _CONTROLS))
-    if (
-        not kinds
-        and _find_byte_order_mark(content) is None
-        and controls * _CONTROL_SHARE > len(sample)
-    ):
-        kinds = [Message("files.is-not-text")]
-    if kinds:
-        raise TableError(Fault(file, kinds[0], _CSV_FILE, _SEND_CSV))
-
-
-def _find_byte_order_mark(content: bytes) -> tuple[bytes, str] | None:
-    return next((pair for pair in _MARKS if content.startswith(pair[0])), None)
-
-
-def _decode_declared(content: bytes, file: str, encoding: str | None) -> str | None:
-    """The text in the encoding that was declared; None where none was, or where a mark or UTF-8
-    says otherwise.
-    """
-    if encoding is None or _find_byte_order_mark(content):
-        return None
-    try:
-        content.decode("utf-8")
-        if b"\0" not in content:
-            return None
-    except UnicodeDecodeError:
-        pass
-    try:
-        return content.decode(encoding)
-    except (LookupError, UnicodeError) as fault:
-        what = Message("files.not-in-declared", encoding=encoding, reason=str(fault))
-        expected, do = Message("files.text"), Message("files.declare-right")
-        raise TableError(Fault(file, what, expected, do)) from fault
-
-
-def _decode(content: bytes, file: str) -> tuple[str, str, list[Complaint]]:
-    mark, encoding = _find_byte_order_mark(content) or (b"", "UTF-8")
-    body = content[len(mark) :]
-    try:
-        return body.decode(encoding), encoding, []
-    except UnicodeDecodeError as fault:
-        line = body.count(b"\n", 0, fault.start) + 1
-        shown = fault.object[fault.start : fault.start + 8].hex(" ")
-    text, assumed = (
-        _decode_assumed(body) if not mark else (body.decode(encoding, "backslashreplace"), encoding)
-    )
-    problem = Message("files.not-valid", encoding=encoding, bytes=shown)
-    done = Message("files.read-as", encoding=name_encoding(assumed))
-    return text, assumed, [Complaint(file, line, "", "", problem, done)]
-
-
-def _decode_assumed(body: bytes) -> tuple[str, str]:
-    """The text and its encoding: what most spreadsheets in China and Europe write if not UTF-8."""
-    for encoding, is_likely in (("GB18030", _is_chinese), ("Windows-1252", bool)):
-        try:
-            text = body.decode(encoding)
-        except UnicodeDecodeError:
-            continue
-        if is_likely(text):
-            return text, encoding
-    return body.decode("utf-8", "backslashreplace"), STRANGE_UTF_8
-
-
-def name_encoding(encoding: str) -> Text:
-    """The encoding of a table as messages name it."""
-    return Message("files.strange-utf-8") if encoding == STRANGE_UTF_8 else encoding
-
-
-def _is_chinese(text: str) -> bool:
-    """Whether most characters beyond ASCII are the common ones of GB 2312; a Western text gives
-    rare ones.
-    """
-    beyond = [character for character in text if not character.isascii()]
-    common = "".join(beyond).encode("gb2312", "ignore").decode("gb2312")
-    return 2 * len(common) > len(beyond)
 
 
 @contextmanager
@@ -344,6 +243,14 @@ def _is_strict(lines: list[str], separator: str) -> bool:
     except csv.Error:
         return False
     return True
+
+
+def _complain_of_encoding(file: str, decoded: Decoded) -> Iterator[Complaint]:
+    misread = decoded.misread
+    if misread:
+        problem = Message("files.not-valid", encoding=misread.encoding, bytes=misread.shown)
+        done = Message("files.read-as", encoding=name_encoding(decoded.encoding))
+        yield Complaint(file, misread.line, "", "", problem, done)
 
 
 def _complain_of_stray_quote(file: str, line: int) -> Complaint:

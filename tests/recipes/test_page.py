@@ -48,7 +48,7 @@ LAYOUT = """#let seats(sheet) = {
   for student in sheet.students [+ #student]
 }
 """
-LATEX = """from kinegrade.language.latex_text import write_plain
+LATEX = """from kinegrade.language.math.latex_text import write_plain
 from kinegrade.language.prose.latex import write_line
 
 
