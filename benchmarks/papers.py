@@ -27,7 +27,7 @@ from kinegrade.exam.bank.bank import find_bank, read_bank
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.printing.pages import lay_out_paper
-from kinegrade.exam.roster.roster import read_roster
+from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.setting import SetPaper
 
@@ -115,7 +115,7 @@ def one_job_each(folder: Path, count: int) -> float:
     """The median time of the whole job for one student, after one to warm up."""
     bank, place = read_bank(find_bank(Path(BANK)), SEED), folder / "ordinary"
     place.mkdir()
-    roster = read_roster(class_of(folder, STUDENTS))
+    roster = Roster.read(class_of(folder, STUDENTS))
     papers = deal_exam(bank, roster, FromWords(SEED)).papers()
     return seconds(lambda: ordinary_job(bank, papers, place), count)
 

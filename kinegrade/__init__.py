@@ -3,23 +3,80 @@
 >>> import kinegrade
 >>> kinegrade.template("slider-crank").solve(r="1/5", phi=60)["v_B"].exact
 '2*sqrt(3)/15'
+
+The names below are all that is meant for programs and notebooks; the command line is made of them.
+Each is loaded when it is first used. What they refuse raises KinegradeError, whose text is what the
+terminal says.
 """
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from kinegrade.problem.problem import Problem
+    from kinegrade.errors import KinegradeError
+    from kinegrade.exam.generating.options import GenerateOptions
+    from kinegrade.exam.roster.roster import Roster
+    from kinegrade.lms.grades.dialect import ExportOptions
+    from kinegrade.public.bank import Bank
+    from kinegrade.public.exporting import export
+    from kinegrade.public.generating import add_students, generate, open_exam
+    from kinegrade.public.marking import GradeOptions, grade, open_marks
+    from kinegrade.public.problem import template
+    from kinegrade.public.quizzes import QuizOptions, quiz
+    from kinegrade.public.sheets import FeedbackOptions, feedback, report
 
 __version__ = "0.1.0"
-__all__ = ["__version__", "template"]
+__all__ = [
+    "Bank",
+    "ExportOptions",
+    "FeedbackOptions",
+    "GenerateOptions",
+    "GradeOptions",
+    "KinegradeError",
+    "QuizOptions",
+    "Roster",
+    "__version__",
+    "add_students",
+    "export",
+    "feedback",
+    "generate",
+    "grade",
+    "open_exam",
+    "open_marks",
+    "quiz",
+    "report",
+    "template",
+]
+_HOMES = {
+    "Bank": "public.bank",
+    "ExportOptions": "lms.grades.dialect",
+    "FeedbackOptions": "public.sheets",
+    "GenerateOptions": "exam.generating.options",
+    "GradeOptions": "public.marking",
+    "KinegradeError": "errors",
+    "QuizOptions": "public.quizzes",
+    "Roster": "exam.roster.roster",
+    "add_students": "public.generating",
+    "export": "public.exporting",
+    "feedback": "public.sheets",
+    "generate": "public.generating",
+    "grade": "public.marking",
+    "open_exam": "public.generating",
+    "open_marks": "public.marking",
+    "quiz": "public.quizzes",
+    "report": "public.sheets",
+    "template": "public.problem",
+}
 
 
-def template(name: str) -> Problem:
-    """The problem with that name (see `kinegrade list`), or from that path of a template file.
-    Raises TemplateError.
-    """
-    from kinegrade.problem.problem import Problem
+def __getattr__(name: str) -> object:
+    """A public name, loaded when it is first used. Raises AttributeError for another one."""
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
 
-    return Problem.load(name)
+
+def __dir__() -> list[str]:
+    return __all__

@@ -94,8 +94,16 @@ class FieldError(KinegradeError):
         return type(self), (self.what, self.expected, self.do)
 
 
+class OptionError(KinegradeError):
+    """An option has a value that is none of those it may have, or contradicts another option."""
+
+
 class TemplateError(KinegradeError):
     """A template file, or a value given for one of its parameters, is faulty."""
+
+
+class NoSuchAsk(TemplateError, KeyError):
+    """An answer is looked up by a name that the template does not ask for."""
 
 
 class MechanismError(KinegradeError):

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 import click
 from click.core import ParameterSource
 
-from kinegrade.cli.folders import expect_folders
+import kinegrade
 from kinegrade.cli.help import command
 from kinegrade.cli.options import (
     FILE,
@@ -17,21 +17,15 @@ from kinegrade.cli.options import (
     JOBS,
     LANGUAGE,
     METHOD,
+    finish,
     finish_with_complaints,
     refusing,
     require_writable,
     show_progress,
 )
-from kinegrade.cli.terminal import refuse_usage, say, say_of
+from kinegrade.cli.terminal import refuse_usage, say
 from kinegrade.language.message import Message, list_plainly
-
-if TYPE_CHECKING:
-    from kinegrade.exam.folder.exam_secret import SecretWish
-    from kinegrade.exam.generating.generate import Generated
-    from kinegrade.language import Language
-    from kinegrade.press.protocol import Engine
-    from kinegrade.press.sheet import PaperSize
-    from kinegrade.problem.template.template import Method
+from kinegrade.public.folders import expect_folders
 
 _WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "strict", "force")
 
@@ -48,13 +42,11 @@ _WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "stric
 )
 @click.option(
     "--seed",
-    "label",
     callback=require_writable,
     metavar="LABEL",
 )
 @click.option(
     "--reproducible",
-    "words",
     callback=require_writable,
     metavar="WORDS",
 )
@@ -105,21 +97,11 @@ def generate(
     bank: Path,
     roster: Path,
     output: Path,
-    label: str | None,
-    words: str | None,
-    new_numbers: bool,
-    share_with_group: bool,
     late: Path | None,
-    language: Language,
-    paper_size: PaperSize,
-    engine: Engine | None,
-    solutions: bool,
-    method: Method | None,
-    also: tuple[str, ...],
-    jobs: int,
+    language: str,
     allow_odd_ids: bool,
-    strict: bool,
     force: bool,
+    **options: Any,
 ) -> None:
     """Draw, solve and typeset an exam for every student of ROSTER (CSV: student, name).
 
@@ -128,56 +110,21 @@ def generate(
     papers copies what students may have. With --add, late students get papers of an EXAM that
     exists: no other paper, solution or key changes, and answers typed into EXAM stay.
     """
-    from kinegrade.exam.bank.bank import find_bank, read_blueprint
-    from kinegrade.exam.generating.generate import PRIVATE, SHARED_WITH_GROUP, Place, Printing
-    from kinegrade.exam.generating.generate import generate as write_exam
-    from kinegrade.exam.printing.printing import Extras
-    from kinegrade.exam.roster.roster import read_roster
-
     if late is not None:
-        _add(output, bank, roster, late, odd_ids=allow_odd_ids, strict=strict, jobs=jobs)
-        return
-    written = write_exam(
-        read_blueprint(find_bank(bank)),
-        read_roster(roster, odd_ids=allow_odd_ids),
-        Place(output, force, SHARED_WITH_GROUP if share_with_group else PRIVATE),
-        _read_wish(label, words, new=new_numbers),
-        language,
-        strict=strict,
-        printing=Printing(paper_size, engine, jobs),
-        extras=Extras(solutions, method, tuple(dict.fromkeys(also))),
-        progress=show_progress,
-    )
-    if written.dealt.secret.guessable:
-        kept = Message("terminal.keeps-words", exam=str(output))
-        say(kept if words is None else Message("terminal.words-cost"))
-    _say(written, output)
-    finish_with_complaints(written.complaints)
-
-
-def _add(
-    exam: Path, bank: Path, roster: Path, late: Path, *, odd_ids: bool, strict: bool, jobs: int
-) -> None:
-    """Add the students of LATE to an exam. Raises UsageError where something is wanted otherwise
-    than the exam has it.
-    """
-    from kinegrade.exam.bank.bank import find_bank, read_blueprint
-    from kinegrade.exam.generating.adding import add_students
-    from kinegrade.exam.roster.roster import read_roster
-
-    _expect_no_other_wishes()
-    expect_folders((exam, "EXAM"))
-    added = add_students(
-        exam,
-        read_blueprint(find_bank(bank)),
-        read_roster(roster, odd_ids=odd_ids),
-        read_roster(late, odd_ids=odd_ids),
-        strict=strict,
-        jobs=jobs,
-        progress=show_progress,
-    )
-    say_of(exam, added.summary)
-    finish_with_complaints(added.complaints)
+        _expect_no_other_wishes()
+        expect_folders((output, "EXAM"))
+    asked = kinegrade.Bank.read(bank)
+    students = kinegrade.Roster.read(roster, odd_ids=allow_odd_ids)
+    wishes = kinegrade.GenerateOptions(progress=show_progress, **options)
+    if late is None:
+        finish(
+            kinegrade.generate(
+                asked, students, output, language=language, force=force, options=wishes
+            )
+        )
+    else:
+        newcomers = kinegrade.Roster.read(late, odd_ids=allow_odd_ids)
+        finish(kinegrade.add_students(output, asked, students, newcomers, options=wishes))
 
 
 def _expect_no_other_wishes() -> None:
@@ -191,40 +138,6 @@ def _expect_no_other_wishes() -> None:
     ]
     if given:
         raise refuse_usage(Message("terminal.add-alone", options=list_plainly(given)))
-
-
-def _read_wish(label: str | None, words: str | None, *, new: bool) -> SecretWish:
-    """What the numbers are to be drawn from.
-
-    Raises UsageError where two things are wanted that exclude each other.
-    """
-    from kinegrade.exam.folder.exam_secret import SecretWish
-
-    if label is not None and words is not None:
-        raise refuse_usage(Message("terminal.seed-or-words"))
-    return SecretWish(label, words, new)
-
-
-def _say(written: Generated, output: Path) -> None:
-    from kinegrade.draws.deal import count_reasons
-
-    for question, template in written.drawn.items():
-        say(Message("terminal.drawn", question=question, template=template))
-    refusals = written.dealt.refusals()
-    for question, combinations in written.dealt.combinations().items():
-        say(
-            Message(
-                "terminal.combinations",
-                question=question,
-                count=combinations,
-                refused=count_reasons(refusals[question]),
-            )
-        )
-    if written.changes is not None:
-        say_of(output, written.changes.summary)
-    for remark in written.remarks:
-        say_of(output, remark)
-    say(Message("terminal.generated", exam=str(output), count=written.papers))
 
 
 @command()
@@ -242,11 +155,9 @@ def papers(exam: Path, output: Path, *, force: bool) -> None:
     """Copy from EXAM what students may have: everybody's paper as PDF, and for Word and the browser
     where it exists.
     """
-    from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.exam.printing.handout import hand_out
 
-    expect_folders((exam, "EXAM"))
-    count = hand_out(open_exam(exam), output, force=force)
+    count = hand_out(kinegrade.open_exam(exam), output, force=force)
     say(Message("terminal.handed-out", folder=str(output), count=count))
 
 
@@ -269,14 +180,12 @@ def paper(exam: Path, student: str, output: Path | None, *, solution: bool, forc
     """Print the paper of one STUDENT again, by id, as EXAM keeps it: byte for byte the one that
     this version of kinegrade generated.
     """
-    from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.exam.printing.reprint import reprint
     from kinegrade.files.output import write_file
 
     if output is None and sys.stdout.isatty():
         raise refuse_usage(Message("terminal.pdf"))
-    expect_folders((exam, "EXAM"))
-    again = reprint(open_exam(exam), student)
+    again = reprint(kinegrade.open_exam(exam), student)
     pages = again.solution() if solution else again.pages()
     if output is None:
         click.echo(pages, nl=False)

@@ -9,15 +9,18 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import wraps
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from kinegrade.cli.folders import expect_own_place
 from kinegrade.cli.language_choice import LanguageChoice
 from kinegrade.cli.terminal import refuse_value, say, terminal_words, write_line
 from kinegrade.errors import KinegradeError, OutputError, Problem
 from kinegrade.language.message import Message
+from kinegrade.public.folders import expect_own_place
+
+if TYPE_CHECKING:
+    from kinegrade.public.outcome import Outcome
 
 #: Done, with complaints for a person to look at.
 COMPLAINTS = 1
@@ -102,6 +105,13 @@ def _whole_output() -> Iterator[None]:
 def full_output(fault: OSError) -> Message:
     """That standard output takes no more."""
     return Message("terminal.full-output", reason=str(fault.strerror))
+
+
+def finish(outcome: Outcome) -> None:
+    """Say on standard error what was done; with any complaints, end with status 1."""
+    for note in outcome.notes:
+        say(note)
+    finish_with_complaints(outcome.complaints)
 
 
 def finish_with_complaints(complaints: Sequence[Problem]) -> None:

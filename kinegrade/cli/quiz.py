@@ -2,33 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from kinegrade.cli.folders import expect_folders
+import kinegrade
 from kinegrade.cli.help import command
 from kinegrade.cli.language_choice import LanguageChoice
 from kinegrade.cli.late_choice import LateChoice
-from kinegrade.cli.options import (
-    FILE,
-    FORCE,
-    JOBS,
-    METHOD,
-    finish_with_complaints,
-    refusing,
-    show_progress,
-)
-from kinegrade.cli.terminal import say
-from kinegrade.language.message import Message
+from kinegrade.cli.options import FILE, FORCE, JOBS, METHOD, finish, refusing, show_progress
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from kinegrade.language import Language
-    from kinegrade.lms.quiz.moodle.questions import Form
-    from kinegrade.problem.template.template import Method
 
 
 def _list_formats() -> Iterable[str]:
@@ -100,45 +88,15 @@ def quiz(
     exam: Path,
     system: str,
     output: Path,
-    variants: int | None,
-    form: Form,
-    megabytes: float | None,
-    mistakes: bool,
-    credit: float | None,
-    solutions: bool,
-    method: Method | None,
     language: Language | None,
-    jobs: int,
+    credit: float | None,
     force: bool,
+    **options: Any,
 ) -> None:
     """Write the papers of EXAM as a quiz that a learning management system imports."""
-    from fractions import Fraction
-
-    from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.exam.quiz.paper import QuizWishes
-    from kinegrade.exam.quiz.quiz import read_quiz
-    from kinegrade.exam.quiz.variants import variants_stored
-    from kinegrade.lms.quiz.formats import FileWishes, choose_writer
-    from kinegrade.processes.executor import open_executor
-
-    expect_folders((exam, "EXAM"))
-    limit = None if megabytes is None else Fraction(str(megabytes))
-    writer = choose_writer(system, FileWishes(form, limit))
-    wishes = QuizWishes(
-        mistakes, None if credit is None else Fraction(str(credit)) / 100, solutions, method
+    share = None if credit is None else Fraction(str(credit)) / 100
+    wishes = kinegrade.QuizOptions(credit=share, progress=show_progress, **options)
+    folder = kinegrade.open_exam(exam)
+    finish(
+        kinegrade.quiz(folder, output, to=system, language=language, force=force, options=wishes)
     )
-    folder = open_exam(exam)
-    with open_executor(jobs, "quiz") as workers:
-        put = read_quiz(
-            folder,
-            language,
-            variants=variants,
-            wishes=wishes,
-            workers=workers,
-            progress=show_progress,
-        )
-        with variants_stored(folder, variants or 0):
-            remarks = writer(put, output, force=force)
-    say(Message("terminal.quiz-written", file=str(output)))
-    say(Message("terminal.marked-there"))
-    finish_with_complaints(tuple(remarks))

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import click
 
-from kinegrade.cli.folders import expect_folders
+import kinegrade
 from kinegrade.cli.help import command
 from kinegrade.cli.options import FILE, FORCE, refusing
 from kinegrade.cli.terminal import say
+from kinegrade.public.folders import expect_folders
 
 
 @command()
@@ -35,15 +36,13 @@ def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool)
     """Find wrong answers that fit another student's paper, more of them than chance explains: a
     hint, no verdict.
     """
-    from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.files.output import write_file
-    from kinegrade.marks_folder.folder import open_marks
     from kinegrade.reports.sharing.report import describe_sharing, write_sharing_csv
     from kinegrade.reports.sharing.sharing import find_sharing
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
-    folder = open_exam(exam)
-    found = find_sharing(folder, open_marks(marks), level / 100)
+    folder = kinegrade.open_exam(exam)
+    found = find_sharing(folder, kinegrade.open_marks(marks), level / 100)
     write_file(output, write_sharing_csv(found, folder.language), force=force)
     for sentence in describe_sharing(found):
         say(sentence)

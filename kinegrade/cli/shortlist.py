@@ -11,13 +11,14 @@ from typing import assert_never
 from kinegrade.errors import Problem
 from kinegrade.files.tables import Complaint
 from kinegrade.language.message import Message, Text
+from kinegrade.marks_folder.layout import COMPLAINTS
 
 _SHOWN = 10  # of a kind
 _PARTICULARS = re.compile(r'"[^"]*"|[-+0-9.,/^*√π()]*[0-9][-+0-9.,/^*√π()]*')
 
 
-def shorten_list(complaints: Sequence[Complaint], file: Path) -> tuple[Problem, ...]:
-    """The complaints in their order, at most SHOWN of each kind; `file` has all of them.
+def shorten_list(complaints: Sequence[Complaint], marks: Path) -> tuple[Problem, ...]:
+    """The complaints in their order, at most SHOWN of each kind; the folder `marks` has all.
 
     Complaints are of one kind if they say the same about different cells, students or numbers.
     """
@@ -35,7 +36,7 @@ def shorten_list(complaints: Sequence[Complaint], file: Path) -> tuple[Problem, 
                     "terminal.more-alike",
                     count=len(each) - _SHOWN,
                     first=each[0].fault,
-                    file=str(file),
+                    file=str(marks / COMPLAINTS.name),
                 )
             )
     return tuple(shown)

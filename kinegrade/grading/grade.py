@@ -5,8 +5,8 @@ grade`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from types import MappingProxyType
 from typing import assert_never
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
@@ -30,47 +30,61 @@ from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.processes.garbage_collection import bulk_work
 
 Export = Callable[[MarksFolder], str]  # a marks folder -> the text of another file in it
-_NO_EXPORTS: Mapping[str, Export] = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class MarkingWishes:
+    """How a class is marked.
+
+    `exports` names the files for other systems that also go into the folder, such as
+    `{"moodle.csv": kinegrade.lms.grades.moodle.export}`. `decimal` declares the decimal mark of the
+    sheet. `policy` is a file, copied into the folder; `never_lower` is an earlier marking whose
+    totals are kept where they are higher; `follows` works out what follows from wrong answers. A
+    marking in which most answers fit other papers is refused, unless `own_papers` confirms that
+    they belong to the students' own.
+    """
+
+    exports: Mapping[str, Export] = field(default_factory=dict)
+    decimal: DecimalMark | None = None
+    policy: Path | None = None
+    never_lower: MarksFolder | None = None
+    follows: Follows | None = None
+    own_papers: bool = False
+
+
+_PLAIN = MarkingWishes()
 
 
 def grade(
     exam: ExamFolder,
     answers: Path | Table | Sequence[AnswerFile],
     output: Path,
+    wishes: MarkingWishes = _PLAIN,
     *,
     force: bool = False,
-    exports: Mapping[str, Export] = _NO_EXPORTS,
-    decimal: DecimalMark | None = None,
-    policy: Path | None = None,
-    never_lower: MarksFolder | None = None,
-    follows: Follows | None = None,
-    own_papers: bool = False,
 ) -> ClassGrades:
     """Writes the folder `output`, whole or not at all, and gives all grades and complaints.
 
     `answers` is an answer sheet, as a file or a table, or the files of one class as
-    `kinegrade.lms.responses` reads them. `exports` names the files for other systems that also go
-    into the folder, such as `{"moodle.csv": kinegrade.lms.grades.moodle.export}`. `decimal`
-    declares the decimal mark of the sheet. `policy` is a file, copied into the folder;
-    `never_lower` is an earlier marking whose totals are kept where they are higher; `follows` works
-    out what follows from wrong answers. A marking in which most answers fit other papers is
-    refused, unless `own_papers` confirms that they belong to the students' own. Raises ExamError,
-    PolicyError, TableError, OutputError.
+    `kinegrade.lms.responses` reads them. Raises ExamError, PolicyError, TableError, OutputError.
     """
-    written = output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force)
+    contents = *FILES, *wishes.exports
+    written = output_folder(output, marker=MARKER, contents=contents, force=force)
     with bulk_work(), written as path:
         folder, files = MarksWriter(path, exam.language), _read_files(answers)
-        sheet, rules = class_sheet(files, exam), _choose_policy(exam, policy)
+        sheet, rules = class_sheet(files, exam), _choose_policy(exam, wishes.policy)
         pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
         accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
-        blocks = mark_blocks(exam, sheet, decimal, rules, accepted, follows=follows, pool=pool)
+        blocks = mark_blocks(
+            exam, sheet, wishes.decimal, rules, accepted, follows=wishes.follows, pool=pool
+        )
         grades = collect_grades(exam, sheet, write_marks(folder, others.watched(blocks)))
-        if not own_papers:
+        if not wishes.own_papers:
             others.refuse(exam, ", ".join(each.table.file for each in files))
-        grades = _write_totals(folder, grades, never_lower)
+        grades = _write_totals(folder, grades, wishes.never_lower)
         folder.policy(rules.text)
         folder.printed(exam.printed_orders())
-        _write_exports(path, exports)
+        _write_exports(path, wishes.exports)
     return grades
 
 

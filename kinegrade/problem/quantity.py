@@ -36,6 +36,10 @@ class Quantity:
         default=None, compare=False, repr=False
     )
 
+    def __str__(self) -> str:
+        short = self.exact is not None and len(self.exact) <= LONGEST_CLOSED_FORM
+        return f"{self.name} = {self.exact if short else self.decimal(10)} {self.measure.printed}"
+
     @property
     def unit(self) -> str:
         """The unit as text, "m/s^2"."""

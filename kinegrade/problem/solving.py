@@ -4,7 +4,7 @@ else.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -17,6 +17,7 @@ from kinegrade.errors import (
     ExpressionError,
     KinegradeError,
     MechanismError,
+    NoSuchAsk,
     Problem,
     TemplateError,
     suggest,
@@ -46,10 +47,10 @@ _CERTIFIED = (
 )
 
 
-@dataclass(frozen=True)
-class Solution:
+@dataclass(frozen=True, eq=False, repr=False)
+class Solution(Mapping[str, Quantity]):
     """An instance solved: its parameters and answers in their units, and the motion they come
-    from.
+    from. It maps the names of what is asked to the answers, and equals any mapping of equal ones.
     """
 
     template: Template
@@ -65,8 +66,19 @@ class Solution:
         return self.motion.map(float)
 
     def __getitem__(self, ask: str) -> Quantity:
-        """The answer of an ask."""
+        """The answer of an ask. Raises NoSuchAsk, a KeyError."""
+        if ask not in self.answers:
+            raise NoSuchAsk(Fault(self.template.name, _explain_no_ask(ask, self.answers)))
         return self.answers[ask]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.answers)
+
+    def __len__(self) -> int:
+        return len(self.answers)
+
+    def __repr__(self) -> str:
+        return f"<{self.template.name}: {', '.join(map(str, self.answers.values()))}>"
 
 
 @dataclass(frozen=True)
@@ -184,7 +196,7 @@ def _require_asks(template: Template, asks: Iterable[str] | None) -> tuple[Ask, 
     """The asks named, or all. Raises TemplateError for unknown ones."""
     chosen = tuple(template.asks if asks is None else asks)
     unknown = [
-        Fault(template.name, _explain_no_ask(name, template))
+        Fault(template.name, _explain_no_ask(name, template.asks))
         for name in chosen
         if name not in template.asks
     ]
@@ -193,8 +205,8 @@ def _require_asks(template: Template, asks: Iterable[str] | None) -> tuple[Ask, 
     return tuple(template.asks[name] for name in chosen)
 
 
-def _explain_no_ask(name: str, template: Template) -> Message:
-    hint = suggest(name, template.asks)
+def _explain_no_ask(name: str, known: Iterable[str]) -> Message:
+    hint = suggest(name, known)
     return Message("template.no-ask", name=Quoted(name), hint=hint)
 
 

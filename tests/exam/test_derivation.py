@@ -17,7 +17,7 @@ from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.folder.records import KeyQuestion, StatedTolerance
-from kinegrade.exam.roster.roster import read_roster
+from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.derivation import derive_question
 from kinegrade.exam.setting.key_record import make_key_question
@@ -42,7 +42,7 @@ def bank(tmp_path_factory: pytest.TempPathFactory) -> Bank:
 def kept(bank: Bank, tmp_path_factory: pytest.TempPathFactory) -> tuple[KeyQuestion, ...]:
     """The questions of the first paper as a folder keeps them."""
     folder = write_class(tmp_path_factory.mktemp("roster"))
-    setting = deal_exam(bank, read_roster(folder / "roster.csv", odd_ids=True), FromWords("spring"))
+    setting = deal_exam(bank, Roster.read(folder / "roster.csv", odd_ids=True), FromWords("spring"))
     paper = next(iter(setting.papers()))
     return tuple(make_key_question(question, {}) for question in paper.questions)
 

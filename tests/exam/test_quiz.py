@@ -26,7 +26,7 @@ from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizPaper
 from kinegrade.exam.quiz.paper import QuizWishes, make_quiz_paper, show_instance
 from kinegrade.exam.quiz.quiz import PLAIN, read_quiz
 from kinegrade.exam.quiz.source import read_quiz_source
-from kinegrade.exam.roster.roster import read_roster
+from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
@@ -97,7 +97,7 @@ def test_every_number_is_the_one_by_which_marks_are_decided(small_class: Path) -
 def test_statements_and_figures_are_those_of_the_paper(small_class: Path) -> None:
     bank = read_bank(small_class / "bank.toml")
     setting = deal_exam(
-        bank, read_roster(small_class / "roster.csv", odd_ids=True), FromWords("spring")
+        bank, Roster.read(small_class / "roster.csv", odd_ids=True), FromWords("spring")
     )
     for paper, put in zip(setting.papers(), papers(small_class / "EXAM"), strict=True):
         page = lay_out_paper(bank, paper, "en")

@@ -13,7 +13,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Key, Paper
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.files.tables import parse_table
-from kinegrade.grading.grade import grade
+from kinegrade.grading.grade import MarkingWishes, grade
 from kinegrade.grading.marks import Mark, Marks, mark
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.policy import AS_PRINTED, Policy
@@ -118,7 +118,8 @@ def regraded(exam: Path, name: str, policy: str | None = None, before: Path | No
         open_exam(exam),
         exam.parent / "answers.csv",
         marks,
-        policy=None if policy is None else file,
-        never_lower=before and MarksFolder(before),
+        MarkingWishes(
+            policy=None if policy is None else file, never_lower=before and MarksFolder(before)
+        ),
     )
     return marks

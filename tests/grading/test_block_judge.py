@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.files.tables import parse_table
 from kinegrade.grading import marks as marking
-from kinegrade.grading.grade import grade
+from kinegrade.grading.grade import MarkingWishes, grade
 from kinegrade.grading.judging.follow import Follows, Own
 from kinegrade.grading.marks import Mark, mark
 from kinegrade.grading.policy.accepted import alternatives
@@ -194,8 +194,7 @@ def test_the_size_of_blocks_changes_nothing(
             open_exam(tmp_path),
             tmp_path / "answers.csv",
             folder,
-            policy=tmp_path / "policy.toml",
-            follows=Follows(one_and_a_half),
+            MarkingWishes(policy=tmp_path / "policy.toml", follows=Follows(one_and_a_half)),
         )
         texts.append({file.name: file.read_bytes() for file in folder.iterdir()})
     assert texts[0] == texts[1] == texts[2]

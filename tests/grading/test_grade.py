@@ -12,7 +12,7 @@ import pytest
 
 from kinegrade.errors import ExamError, OutputError, TableError
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.grading.grade import grade
+from kinegrade.grading.grade import MarkingWishes, grade
 from kinegrade.grading.marks import ClassGrades, Grade
 from kinegrade.lms.grades import moodle
 from kinegrade.numbers.amounts import write_amount
@@ -37,8 +37,8 @@ def marked(exam: Path, content: str | bytes, *, force: bool = False) -> ClassGra
         open_exam(exam),
         answers,
         exam.parent / "MARKS",
+        MarkingWishes(exports={"moodle.csv": moodle.export}),
         force=force,
-        exports={"moodle.csv": moodle.export},
     )
 
 
@@ -276,7 +276,7 @@ def test_a_student_s_own_answers_or_a_declaration_say_what_a_comma_is(exam_folde
         open_exam(exam_folder),
         exam_folder.parent / "answers.csv",
         exam_folder.parent / "AGAIN",
-        decimal="comma",
+        MarkingWishes(decimal="comma"),
     )
     assert [verdicts(exam_folder, student, "AGAIN")[0] for student in ("007", "0012")] == [
         "right",

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from kinegrade.errors import PolicyError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.keys import Key
+from kinegrade.grading.grade import MarkingWishes
 from kinegrade.grading.grade import grade as mark_class
 from kinegrade.grading.judging.decision import decide
 from kinegrade.grading.judging.judge import judge
@@ -478,7 +479,7 @@ def test_a_file_that_is_no_policy_is_refused_and_leaves_nothing(
             open_exam(exam_folder),
             exam_folder.parent / "answers.csv",
             exam_folder.parent / "MARKS",
-            policy=file,
+            MarkingWishes(policy=file),
         )
     assert str(caught.value) == f"{file}: {reason}"
     assert not (exam_folder.parent / "MARKS").exists()

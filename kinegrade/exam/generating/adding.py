@@ -19,9 +19,10 @@ from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.generating.added_answers import write_grown_answers
 from kinegrade.exam.generating.exam_files import write_blank_workbook, write_head, write_papers
-from kinegrade.exam.generating.generate import PRIVATE, SHARED_WITH_GROUP, Progress, require_none
+from kinegrade.exam.generating.generate import require_none
 from kinegrade.exam.generating.grown_class import LateClass, late_class, require_same_sources
 from kinegrade.exam.generating.hand_work import digest_editable, find_edited, refuse_edited
+from kinegrade.exam.generating.options import PRIVATE, SHARED_WITH_GROUP, GenerateOptions
 from kinegrade.exam.generating.replaced_exam import read_replaced, required_secret
 from kinegrade.exam.printing.class_printing import CHUNK, print_class
 from kinegrade.exam.printing.handout import KINDS
@@ -66,16 +67,13 @@ def add_students(
     blueprint: Blueprint,
     roster: Roster,
     late: Roster,
-    *,
-    strict: bool = False,
-    jobs: int = 1,
-    progress: Progress = lambda papers, count: papers,
+    options: GenerateOptions,
 ) -> Added:
     """Add the students of `late` to the exam folder at `path`, which was generated from that
     blueprint for the students of that roster.
 
-    Papers are printed as those of the folder were. What would be a complaint is refused where
-    `strict`. Raises KinegradeError; then nothing is written.
+    Papers are printed as those of the folder were; of the options only `strict`, `jobs` and
+    `progress` matter. Raises KinegradeError; then nothing is written.
     """
     exam = open_exam(path)
     kept = KeptExam(exam)
@@ -84,18 +82,18 @@ def add_students(
     run = _run(exam, kept)
     require_tools(run.extras)
     old = read_replaced(exam)
-    jobs = max(min(jobs, len(students.together) // CHUNK), 1)
+    jobs = max(min(options.jobs, len(students.together) // CHUNK), 1)
     with bulk_work(), _folder(exam) as folder, open_executor(jobs, "generate") as workers:
         press = run.press_order.press()
         whole = Roster(students.together, (), late.file)
         dealt = deal_exam(run.bank, whole, required_secret(exam), workers, old.kept)
         said: tuple[Problem, ...] = (*roster_complaints(students.late, press), *dealt.shortages())
-        require_none(said if strict else ())
+        require_none(said if options.strict else ())
         _copy(exam, folder)
         with closing(
             print_class(run, replace(dealt, roster=students.late), workers, jobs)
         ) as papers:
-            results = progress(papers, len(students.late.students))
+            results = options.progress(papers, len(students.late.students))
             earlier = _keys(kept)
             newcomers = students.late.students
             keys = write_papers(folder, run, press, newcomers, results, earlier=earlier)

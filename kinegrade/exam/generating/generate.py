@@ -6,20 +6,16 @@ and says so.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import AbstractContextManager, closing
+from collections.abc import Mapping
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
 from kinegrade.errors import Problem, TableError
 from kinegrade.exam.bank.blueprint import Bank, Blueprint
 from kinegrade.exam.bank.texts import require_bank_language
-from kinegrade.exam.folder.contents import (
-    CONTENTS,
-    FOR_STUDENTS,
-    HEAD,
-)
-from kinegrade.exam.folder.exam_secret import ExamSecret, SecretWish
+from kinegrade.exam.folder.contents import CONTENTS, HEAD
+from kinegrade.exam.folder.exam_secret import ExamSecret
 from kinegrade.exam.folder.records import ExamHead, KeyLine
 from kinegrade.exam.generating.exam_files import (
     source_files,
@@ -31,6 +27,7 @@ from kinegrade.exam.generating.exam_files import (
     write_sources,
 )
 from kinegrade.exam.generating.hand_work import digest_editable
+from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.replaced_exam import (
     PaperChanges,
     ReplacedExam,
@@ -39,23 +36,16 @@ from kinegrade.exam.generating.replaced_exam import (
 )
 from kinegrade.exam.printing.class_printing import CHUNK, print_class
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
-from kinegrade.exam.printing.printing import Extras, PressOrder, Printed, PrintRun, require_tools
+from kinegrade.exam.printing.printing import PrintRun, require_tools
 from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
-from kinegrade.files.output import Access, output_folder
+from kinegrade.files.output import output_folder
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message
-from kinegrade.press.protocol import Engine
-from kinegrade.press.sheet import PaperSize
 from kinegrade.processes.executor import open_executor
 from kinegrade.processes.garbage_collection import bulk_work
-
-PRIVATE = Access(0o700, 0o600, FOR_STUDENTS)
-SHARED_WITH_GROUP = Access(0o750, 0o640, FOR_STUDENTS)
-_PLAIN = Extras()
-Progress = Callable[[Iterator[Printed], int], Iterator[Printed]]
 
 
 @dataclass(frozen=True)
@@ -79,79 +69,40 @@ class Generated:
         return len(self.dealt.roster.students)
 
 
-@dataclass(frozen=True)
-class Place:
-    """Where the exam folder goes, whether it may replace one that stands there, and who may read
-    it.
-    """
-
-    path: Path
-    force: bool = False
-    access: Access = PRIVATE
-
-    def folder(self) -> AbstractContextManager[Path]:
-        """A hidden folder to write into, which becomes the exam folder at the end.
-
-        Raises OutputError.
-        """
-        return output_folder(
-            self.path, marker=HEAD, contents=CONTENTS, force=self.force, access=self.access
-        )
-
-
-@dataclass(frozen=True)
-class Printing:
-    """How papers are printed: by up to `jobs` processes; the engine is the bank's unless one is
-    given.
-    """
-
-    paper_size: PaperSize = "a4"
-    engine: Engine | None = None
-    jobs: int = 1
-
-    def order(self, bank: Bank) -> PressOrder:
-        """The press for an exam."""
-        return PressOrder(self.engine or bank.engine, self.paper_size)
-
-
-_ORDINARY = Printing()
-
-
 def generate(
     blueprint: Blueprint,
     roster: Roster,
-    place: Place,
-    wish: SecretWish,
+    output: Path,
     language: Language,
+    options: GenerateOptions,
     *,
-    strict: bool = False,
-    printing: Printing = _ORDINARY,
-    extras: Extras = _PLAIN,
-    progress: Progress = lambda papers, count: papers,
+    force: bool = False,
 ) -> Generated:
-    """Write an exam folder at `place`.
+    """Write an exam folder at `output`, where `force` may replace one.
 
-    `wish` says what its numbers are drawn from: those of a folder that is replaced stay as they
-    are. `extras` says what is written beside papers and key; what would be a complaint is refused
-    where `strict`. Raises KinegradeError; then nothing is written.
+    Raises KinegradeError; then nothing is written.
     """
+    wish, extras = options.wish, options.extras
     require_tools(extras)
-    old = replaced_exam(place.path, new_numbers=wish.new) if place.force else None
+    old = replaced_exam(output, new_numbers=wish.new) if force else None
     secret = wish.secret(None if old is None else old.secret)
     bank = blueprint.bank(secret.drawing)
     require_bank_language(bank, language)
     sources = {**source_files(bank), **translation_files(bank, known_languages())}
-    jobs = max(min(printing.jobs, len(roster.students) // CHUNK), 1)
-    with bulk_work(), place.folder() as folder, open_executor(jobs, "generate") as workers:
-        order = printing.order(bank)
+    jobs = max(min(options.jobs, len(roster.students) // CHUNK), 1)
+    written = output_folder(
+        output, marker=HEAD, contents=CONTENTS, force=force, access=options.access
+    )
+    with bulk_work(), written as folder, open_executor(jobs, "generate") as workers:
+        order = options.press_order(bank)
         press = order.press()
         kept = {} if wish.new else _find_kept_papers(old, secret)
         dealt = deal_exam(bank, roster, secret, workers, kept)
         said: tuple[Problem, ...] = (*roster_complaints(roster, press), *dealt.shortages())
-        require_none(said if strict else ())
+        require_none(said if options.strict else ())
         run = PrintRun(bank, language, order, extras)
         with closing(print_class(run, dealt, workers, jobs)) as papers:
-            results = progress(papers, len(roster.students))
+            results = options.progress(papers, len(roster.students))
             keys = write_papers(folder, run, press, roster.students, results)
         write_sources(sources, folder)
         _write_rest(make_exam_head(dealt, map(candidate, roster.students, keys), run), folder)

@@ -1,6 +1,6 @@
 """The class: who gets a paper.
 
-`read_roster` is called by `generate`. Columns `student` and `name`, optionally `email`, by any of
+`Roster.read` reads one. Columns `student` and `name`, optionally `email`, by any of
 their usual names, in any order; other columns are ignored. Ids are texts: leading zeros and case
 are kept.
 """
@@ -12,6 +12,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
+from os import PathLike
 from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 from unicodedata import normalize
@@ -64,6 +65,21 @@ class Roster:
     complaints: tuple[Complaint, ...]
     file: str = field(default="roster", compare=False)
 
+    @classmethod
+    def read(cls, path: str | PathLike[str], *, odd_ids: bool = False) -> Roster:
+        """Reads a roster file; raises TableError with all its faults at once.
+
+        Ids that a spreadsheet would take for a formula are a fault too, unless `odd_ids` are
+        wanted: they are keys, so they stand as they are in every table that is written.
+
+        >>> [student.name for student in Roster.read("roster.csv").students]
+        ['Ann', 'Ben']
+        >>> Roster.read("bank.toml")
+        Traceback (most recent call last):
+        kinegrade.errors.TableError: bank.toml: ...
+        """
+        return _make_roster(read_table(Path(path)), odd_ids=odd_ids)
+
 
 def list_column_names(column: Column) -> tuple[str, ...]:
     """The names that a column may have, in small letters, the best first: those of English, then
@@ -75,17 +91,8 @@ def list_column_names(column: Column) -> tuple[str, ...]:
     return list_preferred_spellings(Message(f"roster.columns-{column}"))
 
 
-def read_roster(path: Path, *, odd_ids: bool = False) -> Roster:
-    """Reads a roster file; raises TableError with all its faults at once.
-
-    Ids that a spreadsheet would take for a formula are a fault too, unless `odd_ids` are wanted:
-    they are keys, so they stand as they are in every table that is written.
-    """
-    return _make_roster(read_table(path), odd_ids=odd_ids)
-
-
 def parse_roster(content: bytes, file: str, *, odd_ids: bool = False) -> Roster:
-    """Reads the bytes of a roster as `read_roster` does; `file` is its name in messages. Raises
+    """Reads the bytes of a roster as `Roster.read` does; `file` is its name in messages. Raises
     TableError.
 
     >>> parse_roster(b"name,ID\\nAnn,007\\n", "roster.csv").students[0].student

@@ -10,9 +10,9 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from os import PathLike
 from typing import Literal
 
-from kinegrade.language import Language
 from kinegrade.language.message import Message, Text
 
 Field = Literal["id", "login", "email"]
@@ -149,7 +149,7 @@ class Dialect:
 class ExportOptions:
     """What the instructor asks for.
 
-    `by` are the fields to match or to write, empty for the system's default; `columns` the headers
+    `into` is a downloaded file to be filled in, in place of a new one. `by` are the fields to match or to write, empty for the system's default; `columns` the headers
     by item, the total's under ""; `feedback` None where the system decides; `maximum` the item's
     maximum in the system, to which grades are scaled; `scale` scales to the maximum that the file
     states; `language` that of translated headers, None for the exam's.
@@ -162,5 +162,6 @@ class ExportOptions:
     feedback: bool | None = None
     ungraded: bool = False
     scale: bool = False
-    maximum: Fraction | None = None
-    language: Language | None = None
+    maximum: Fraction | int | None = None
+    language: str | None = None
+    into: str | PathLike[str] | None = None

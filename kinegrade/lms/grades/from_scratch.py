@@ -17,6 +17,7 @@ from kinegrade.exam.folder.contents import HEAD
 from kinegrade.files.csv_writing import neutralise, write_csv_text
 from kinegrade.files.tables import Complaint
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.known import read_language
 from kinegrade.language.message import Message, Quoted, list_plainly
 from kinegrade.lms.grades.cells import BYTE_ORDER_MARK
 from kinegrade.lms.grades.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
@@ -102,7 +103,8 @@ def _plan(
     key = options.by[0] if options.by else layout.key
     # A spreadsheet that opens the file would run a title such as =1+1. A header from --column is a
     # key and stays as it is.
-    words = open_catalogue(options.language or grades.language)
+    language = grades.language if options.language is None else read_language(options.language)
+    words = open_catalogue(language)
     title = neutralise(options.title or words.write(layout.title) or grades.title)
     items = items_of(grades, options)
     headers = {item: options.columns.get(item, "") for item in items}

@@ -21,7 +21,7 @@ def target_maximum(stated: Fraction | None, options: ExportOptions) -> Fraction 
     states; otherwise None.
     """
     if options.maximum is not None:
-        return options.maximum
+        return Fraction(options.maximum)
     return stated if options.scale else None
 
 
@@ -52,7 +52,8 @@ def _explain_scale(
     stated: Fraction | None, others: Sequence[Fraction], options: ExportOptions
 ) -> Iterator[Message]:
     """Why grades cannot be scaled, or must be: `others` are maxima that the file does not state."""
-    target, maximum = target_maximum(stated, options), options.maximum
+    target = target_maximum(stated, options)
+    maximum = None if options.maximum is None else Fraction(options.maximum)
     if maximum is not None and stated not in (None, maximum):
         yield Message("grades.other-maximum", stated=_show(stated), maximum=_show(maximum))
     elif options.scale and target is None:

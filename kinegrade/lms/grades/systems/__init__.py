@@ -26,3 +26,5 @@ SYSTEMS: Mapping[str, Dialect] = {
     "edx": EDX,
     "generic": GENERIC,
 }
+WORKBOOK = "xlsx"  # no system's file: everything in one spreadsheet
+GRADE_FILES = (*SYSTEMS, WORKBOOK)

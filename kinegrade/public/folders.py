@@ -1,5 +1,5 @@
-"""Whether the folders on the command line are what they are given for: an exam, or marks, or a
-place to write at.
+"""Whether the folders that are given are what they are given for: an exam, or marks, or a place to
+write at.
 """
 
 from __future__ import annotations

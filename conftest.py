@@ -1,0 +1,50 @@
+"""What the examples in docstrings find: a bank, a roster, an exam and its marks, in a folder of
+their own.
+"""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+import kinegrade
+
+_AT_WORK = ("kinegrade.public.", "kinegrade.exam.roster.roster")  # modules whose examples need them
+_BANK = """title = "Quiz"
+course = "Mechanics"
+
+[[questions]]
+template = "slider-crank"
+asks = { v_B = 2 }
+"""
+
+
+@pytest.fixture(scope="session")
+def _class_at_work(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with bank.toml, roster.csv, late.csv, answers.csv, EXAM and MARKS."""
+    folder = tmp_path_factory.mktemp("examples")
+    (folder / "bank.toml").write_text(_BANK, encoding="utf-8")
+    (folder / "roster.csv").write_text("student,name\n007,Ann\n0012,Ben\n", encoding="utf-8")
+    (folder / "late.csv").write_text("student,name\n0013,Cleo\n", encoding="utf-8")
+    bank = kinegrade.Bank.read(folder / "bank.toml")
+    roster = kinegrade.Roster.read(folder / "roster.csv")
+    exam = kinegrade.generate(bank, roster, folder / "EXAM").exam
+    right = exam.line_of("007").questions[0].asks["v_B"].decimal
+    (folder / "answers.csv").write_text(f"student,q1.v_B\n007,{right}\n", encoding="utf-8")
+    kinegrade.grade(exam, folder / "answers.csv", folder / "MARKS")
+    return folder
+
+
+@pytest.fixture(autouse=True)
+def _examples_at_work(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run the examples of the public names in a copy of that folder."""
+    if not isinstance(request.node, pytest.DoctestItem):
+        return
+    if not request.node.name.startswith(_AT_WORK):
+        return
+    folder = request.getfixturevalue("tmp_path") / "work"
+    shutil.copytree(request.getfixturevalue("_class_at_work"), folder)
+    monkeypatch.chdir(folder)
+    request.getfixturevalue("doctest_namespace")["kinegrade"] = kinegrade

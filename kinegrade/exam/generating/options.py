@@ -1,0 +1,69 @@
+"""How an exam is generated, as an instructor asks for it: the options of `kinegrade generate`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.folder.contents import FOR_STUDENTS
+from kinegrade.exam.folder.exam_secret import SecretWish
+from kinegrade.exam.printing.printing import Extras, PressOrder, Printed
+from kinegrade.files.output import Access
+from kinegrade.press.protocol import Engine
+from kinegrade.press.sheet import PaperSize
+from kinegrade.problem.template.template import Method
+
+PRIVATE = Access(0o700, 0o600, FOR_STUDENTS)
+SHARED_WITH_GROUP = Access(0o750, 0o640, FOR_STUDENTS)
+Progress = Callable[[Iterator[Printed], int], Iterator[Printed]]
+
+
+def _as_they_come(papers: Iterator[Printed], count: int) -> Iterator[Printed]:
+    return papers
+
+
+@dataclass(frozen=True)
+class GenerateOptions:
+    """How an exam is generated.
+
+    Its numbers are drawn from a random secret into which `seed`, a label, is mixed, or from the
+    words of `reproducible` alone; with `new_numbers`, a folder that is replaced does not keep its
+    numbers. `share_with_group` lets the user's group read the folder. `engine` is the bank's unless
+    one is given. `solutions` writes worked solutions, by `method` where several serve; `also` names
+    the other kinds of files in which papers are wanted. What would be a complaint is refused where
+    `strict`. Papers are printed by up to `jobs` processes; `progress` is given them one after
+    another, and their number.
+    """
+
+    seed: str | None = None
+    reproducible: str | None = None
+    new_numbers: bool = False
+    share_with_group: bool = False
+    paper_size: PaperSize = "a4"
+    engine: Engine | None = None
+    solutions: bool = True
+    method: Method | None = None
+    also: tuple[str, ...] = ()
+    strict: bool = False
+    jobs: int = 1
+    progress: Progress = _as_they_come
+
+    @property
+    def wish(self) -> SecretWish:
+        """What the numbers are drawn from."""
+        return SecretWish(self.seed, self.reproducible, self.new_numbers)
+
+    @property
+    def access(self) -> Access:
+        """Who may read the exam folder."""
+        return SHARED_WITH_GROUP if self.share_with_group else PRIVATE
+
+    @property
+    def extras(self) -> Extras:
+        """What is written beside papers and key."""
+        return Extras(self.solutions, self.method, tuple(dict.fromkeys(self.also)))
+
+    def press_order(self, bank: Bank) -> PressOrder:
+        """The press for an exam."""
+        return PressOrder(self.engine or bank.engine, self.paper_size)

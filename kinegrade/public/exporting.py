@@ -1,0 +1,111 @@
+"""`kinegrade.export`: marks in the grade file of a learning management system, or in one
+spreadsheet.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from os import PathLike
+from pathlib import Path
+
+from kinegrade.errors import OptionError, Problem
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.files.output import write_file
+from kinegrade.language.message import Message, Part, Quoted, list_plainly
+from kinegrade.lms.grades.dialect import Dialect, ExportOptions
+from kinegrade.lms.grades.fill_in import fill_in
+from kinegrade.lms.grades.from_scratch import new_file
+from kinegrade.lms.grades.grades import ClassGrades, read_grades
+from kinegrade.lms.grades.systems import GRADE_FILES, SYSTEMS, WORKBOOK
+from kinegrade.lms.workbook import workbook
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.public.folders import expect_own_place
+from kinegrade.public.options import require_known, require_word
+from kinegrade.public.outcome import Outcome
+
+_ORDINARY = ExportOptions()
+
+
+def export(
+    marks: MarksFolder,
+    output: str | PathLike[str],
+    *,
+    to: str,
+    exam: ExamFolder | None = None,
+    force: bool = False,
+    options: ExportOptions = _ORDINARY,
+) -> Outcome:
+    """Write the grades of a class as a learning management system takes them, as `kinegrade export`
+    does; `to="xlsx"` is one spreadsheet with everything.
+
+    E-mail addresses and the title come from the exam. Raises KinegradeError.
+
+    >>> print(export(kinegrade.open_marks("MARKS"), "moodle.csv", to="moodle"))
+    moodle.csv: grades of 1 student for Moodle; 1 handed in nothing and is left alone
+    >>> export(kinegrade.open_marks("MARKS"), "grades.csv", to="modle")
+    Traceback (most recent call last):
+    kinegrade.errors.OptionError: to: unknown: "modle" - did you mean "moodle"? ...
+    """
+    place = Path(output)
+    expect_own_place(place)
+    require_word("to", to, GRADE_FILES)
+    require_known(options)
+    if options.language is not None and not (to in SYSTEMS and SYSTEMS[to].speaks):
+        raise OptionError(Message("terminal.no-headers"))
+    if to == WORKBOOK:
+        if options.into is not None:
+            raise OptionError(Message("terminal.no-into"))
+        write_file(place, workbook(marks), force=force)
+        return Outcome(place)
+    grades = read_grades(marks, exam)
+    _require_sense(options, grades)
+    options = replace(options, title=options.title.strip())
+    made = _make_file(SYSTEMS[to], grades, options)
+    write_file(place, made.content, force=force)
+    return Outcome(place, (*made.notes, _tell(made, place, grades, options)), made.complaints)
+
+
+@dataclass(frozen=True, slots=True)
+class _Made:
+    """The content of a file, how many students have a grade in it, and what is to be said of it."""
+
+    dialect: Dialect
+    content: bytes
+    students: int
+    complaints: tuple[Problem, ...]
+    notes: tuple[Problem, ...] = ()
+
+
+def _make_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> _Made:
+    if options.into is None:
+        new = new_file(dialect, grades, options)
+        complaints = tuple(complaint.fault for complaint in new.complaints)
+        return _Made(dialect, new.text.encode(), new.students, complaints)
+    filled = fill_in(dialect, grades, Path(options.into), options)
+    complaints = tuple(complaint.fault for complaint in filled.complaints)
+    return _Made(dialect, filled.content, filled.students, complaints, filled.notes)
+
+
+def _tell(made: _Made, place: Path, grades: ClassGrades, options: ExportOptions) -> Part:
+    """How many students were exported, and how many were not."""
+    absent = len(grades.students) - len(grades.exported(ungraded=options.ungraded))
+    exported = Message(
+        "terminal.exported", file=str(place), count=made.students, system=made.dialect.name
+    )
+    if not absent:
+        return exported
+    return Message("terminal.left-alone", exported=exported, count=absent)
+
+
+def _require_sense(options: ExportOptions, grades: ClassGrades) -> None:
+    """Raises OptionError for a maximum that is not above zero, and for headers of items that are
+    not exported.
+    """
+    if options.maximum is not None and options.maximum <= 0:
+        raise OptionError(Message("terminal.maximum", text=Quoted(str(options.maximum))))
+    items = grades.questions if options.per_question else ("",)
+    for item in options.columns:
+        if item not in items:
+            known = list_plainly(grades.questions)
+            text = Quoted(f"{item}={options.columns[item]}")
+            raise OptionError(Message("terminal.question-header", text=text, known=known))

@@ -1,0 +1,124 @@
+"""`kinegrade.generate` and `kinegrade.open_exam`: an exam folder, written and opened."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from os import PathLike
+from pathlib import Path
+
+from kinegrade.draws.deal import count_reasons
+from kinegrade.errors import OptionError
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.exam_folder import open_exam as open_folder
+from kinegrade.exam.generating.adding import add_students as add_to_exam
+from kinegrade.exam.generating.generate import Generated as Written
+from kinegrade.exam.generating.generate import generate as write_exam
+from kinegrade.exam.generating.options import GenerateOptions
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.language.message import Message
+from kinegrade.public.bank import Bank
+from kinegrade.public.folders import expect_folders, expect_own_place
+from kinegrade.public.options import find_language, require_known
+from kinegrade.public.outcome import Outcome
+
+_ORDINARY = GenerateOptions()
+
+
+@dataclass(frozen=True, repr=False)
+class Generated(Outcome):
+    """An exam folder was written."""
+
+    @cached_property
+    def exam(self) -> ExamFolder:
+        """The folder, opened."""
+        return open_exam(self.path)
+
+
+def generate(
+    bank: Bank,
+    roster: Roster,
+    output: str | PathLike[str],
+    *,
+    language: str = "en",
+    force: bool = False,
+    options: GenerateOptions = _ORDINARY,
+) -> Generated:
+    """Draw, solve and typeset an exam for every student of a roster, as `kinegrade generate` does.
+
+    `output` is the exam folder, which is written whole or not at all; with `force` it may replace
+    one. Raises KinegradeError.
+
+    >>> bank, roster = Bank.read("bank.toml"), Roster.read("roster.csv")
+    >>> generate(bank, roster, "SPRING", options=GenerateOptions(solutions=False)).exam.students
+    ('007', '0012')
+    >>> generate(bank, roster, "SPRING")
+    Traceback (most recent call last):
+    kinegrade.errors.OutputError: SPRING: already exists - ...
+    """
+    place = Path(output)
+    expect_own_place(place)
+    require_known(options)
+    if options.seed is not None and options.reproducible is not None:
+        raise OptionError(Message("terminal.seed-or-words"))
+    chosen = find_language(language)
+    written = write_exam(bank.blueprint, roster, place, chosen, options, force=force)
+    return Generated(place, tuple(_list_notes(written, place, options)), written.complaints)
+
+
+def add_students(
+    exam: str | PathLike[str],
+    bank: Bank,
+    roster: Roster,
+    late: Roster,
+    *,
+    options: GenerateOptions = _ORDINARY,
+) -> Generated:
+    """Give late students papers of the exam folder at `exam`, which was generated from that bank
+    for the students of that roster, as `kinegrade generate --add` does.
+
+    No other paper, solution or key changes. Of the options only `strict`, `jobs` and `progress`
+    matter. Raises KinegradeError.
+
+    >>> bank, roster = kinegrade.Bank.read("bank.toml"), kinegrade.Roster.read("roster.csv")
+    >>> add_students("EXAM", bank, roster, kinegrade.Roster.read("late.csv"))
+    EXAM: 1 paper added, 2 stay as they are
+    >>> add_students("EXAM", bank, roster, kinegrade.Roster.read("late.csv"))
+    Traceback (most recent call last):
+    kinegrade.errors.TableError: ...
+    """
+    expect_folders((Path(exam), "EXAM"))
+    added = add_to_exam(Path(exam), bank.blueprint, roster, late, options)
+    note = Message("terminal.of", where=str(exam), what=added.summary)
+    return Generated(Path(exam), (note,), added.complaints)
+
+
+def open_exam(path: str | PathLike[str]) -> ExamFolder:
+    """The exam folder there. Raises ExamError with all faults of its head, TableError for a folder
+    of marks.
+
+    >>> open_exam("EXAM").questions
+    ('q1',)
+    >>> open_exam("MARKS")
+    Traceback (most recent call last):
+    kinegrade.errors.TableError: MARKS: you gave MARKS where EXAM is expected - ...
+    """
+    expect_folders((Path(path), "EXAM"))
+    return open_folder(Path(path))
+
+
+def _list_notes(written: Written, place: Path, options: GenerateOptions) -> Iterator[Message]:
+    if written.dealt.secret.guessable:
+        kept = Message("terminal.keeps-words", exam=str(place))
+        yield kept if options.reproducible is None else Message("terminal.words-cost")
+    for question, template in written.drawn.items():
+        yield Message("terminal.drawn", question=question, template=template)
+    refusals = written.dealt.refusals()
+    for question, count in written.dealt.combinations().items():
+        refused = count_reasons(refusals[question])
+        yield Message("terminal.combinations", question=question, count=count, refused=refused)
+    changes = () if written.changes is None else (written.changes.summary,)
+    for what in (*changes, *written.remarks):
+        yield Message("terminal.of", where=str(place), what=what)
+    yield Message("terminal.generated", exam=str(place), count=written.papers)

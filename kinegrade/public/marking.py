@@ -1,0 +1,157 @@
+"""`kinegrade.grade` and `kinegrade.open_marks`: a marks folder, written and opened."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from os import PathLike
+from pathlib import Path
+from typing import Literal
+
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.follow_through import FollowThrough
+from kinegrade.grading.grade import MarkingWishes
+from kinegrade.grading.grade import grade as mark_class
+from kinegrade.grading.judging.follow import Follows
+from kinegrade.grading.marks import ClassGrades
+from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
+from kinegrade.language.message import Message, Part
+from kinegrade.lms.grades import moodle
+from kinegrade.lms.responses.class_files import ReadingWishes, read_class
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.folder import open_marks as open_folder
+from kinegrade.marks_folder.layout import KEPT
+from kinegrade.public.folders import expect_folders, expect_own_place
+from kinegrade.public.options import require_known
+from kinegrade.public.outcome import Outcome
+
+
+def _in_silence(assumption: Part) -> None:
+    pass
+
+
+@dataclass(frozen=True)
+class GradeOptions:
+    """How answers are read and marked.
+
+    They come from `source`, which is detected where it is None; `encoding` is that of a CSV file
+    that is not UTF-8, `decimal` the decimal mark where cells leave it open. With `unfinished`,
+    attempts that were not handed in count too; with `own_papers`, students answered their own
+    papers although most answers fit others. `policy` is a file of other rules; `never_lower` an
+    earlier marking whose totals stand where they are higher. `assuming` is given each assumption as
+    soon as it is made, before anything is marked.
+    """
+
+    source: str | None = None
+    encoding: str | None = None
+    unfinished: bool = False
+    decimal: DecimalMark | None = None
+    policy: str | PathLike[str] | None = None
+    never_lower: MarksFolder | None = None
+    own_papers: bool = False
+    assuming: Callable[[Part], None] = _in_silence
+
+    @property
+    def reading(self) -> ReadingWishes:
+        """How files are read."""
+        attempts: Literal["all", "finished"] = "all" if self.unfinished else "finished"
+        return ReadingWishes(self.source, attempts, self.encoding, self.own_papers)
+
+    def marking(self, exam: ExamFolder) -> MarkingWishes:
+        """How answers are marked."""
+        return MarkingWishes(
+            {"moodle.csv": moodle.export},
+            self.decimal,
+            None if self.policy is None else Path(self.policy),
+            self.never_lower,
+            _choose_following(exam),
+            self.own_papers,
+        )
+
+
+_ORDINARY = GradeOptions()
+
+
+@dataclass(frozen=True, repr=False)
+class Graded(Outcome):
+    """A marks folder was written; `grades` are its totals and complaints in full, `assumed` what
+    was taken for granted in reading the answers.
+    """
+
+    grades: ClassGrades = field(kw_only=True)
+    assumed: tuple[Part, ...] = ()
+
+    @cached_property
+    def marks(self) -> MarksFolder:
+        """The folder, opened."""
+        return open_marks(self.path)
+
+    def said(self) -> Iterator[Part]:
+        """The assumptions, the notes, the complaints."""
+        yield from self.assumed
+        yield from super().said()
+
+
+def grade(
+    exam: ExamFolder,
+    answers: str | PathLike[str] | Sequence[str | PathLike[str]],
+    output: str | PathLike[str],
+    *,
+    force: bool = False,
+    options: GradeOptions = _ORDINARY,
+) -> Graded:
+    """Mark a class by its answer sheet, a download from a learning management system, or several
+    such files, as `kinegrade grade` does.
+
+    `output` is the marks folder, which is written whole or not at all; with `force` it may replace
+    one. Raises KinegradeError.
+
+    >>> exam = kinegrade.open_exam("EXAM")
+    >>> [grade.total for grade in grade(exam, "answers.csv", "AGAIN").grades.grades]
+    [Fraction(2, 1), Fraction(0, 1)]
+    >>> grade(exam, "absent.csv", "OTHER")
+    Traceback (most recent call last):
+    kinegrade.errors.TableError: absent.csv: cannot be read ...
+    """
+    place = Path(output)
+    expect_own_place(place)
+    require_known(options)
+    files = [answers] if isinstance(answers, str | PathLike) else answers
+    read = read_class([Path(file) for file in files], exam, options.reading)
+    for assumption in read.assumed:
+        options.assuming(assumption)
+    grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
+    written = tuple(_list_written(grades, place, kept=options.never_lower is not None))
+    complaints = tuple(complaint.fault for complaint in grades.complaints)
+    return Graded(place, written, complaints, grades=grades, assumed=read.assumed)
+
+
+def open_marks(path: str | PathLike[str]) -> MarksFolder:
+    """The marks folder there. Raises TableError where its totals contradict its marks, and for
+    anything else.
+
+    >>> [student.total for student in open_marks("MARKS").totals.students]
+    [Fraction(2, 1), Fraction(0, 1)]
+    >>> open_marks("EXAM")
+    Traceback (most recent call last):
+    kinegrade.errors.TableError: EXAM: you gave EXAM where MARKS is expected - ...
+    """
+    expect_folders((Path(path), "MARKS"))
+    return open_folder(Path(path))
+
+
+def _choose_following(exam: ExamFolder) -> Follows:
+    follow_through = FollowThrough(exam)
+    return Follows(follow_through, follow_through.in_plan_order)
+
+
+def _list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[Message]:
+    """What was written, one line each."""
+    complaints = Message("terminal.complaints", count=len(marks.complaints))
+    yield Message(
+        "terminal.marked", folder=str(output), count=len(marks.grades), complaints=complaints
+    )
+    if kept:
+        who = sum(each.kept is not None for each in marks.grades)
+        yield Message("terminal.kept-totals", file=str(output / KEPT.name), count=who)

@@ -1,0 +1,105 @@
+"""`kinegrade.quiz`: the papers of an exam as a quiz for a learning management system."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from os import PathLike
+from pathlib import Path
+
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.quiz.document import QuizPaper
+from kinegrade.exam.quiz.paper import QuizWishes
+from kinegrade.exam.quiz.quiz import Progress, read_quiz
+from kinegrade.exam.quiz.variants import variants_stored
+from kinegrade.language.message import Message
+from kinegrade.lms.quiz.formats import FORMATS, FileWishes, choose_writer
+from kinegrade.lms.quiz.moodle.questions import Form
+from kinegrade.problem.template.template import Method
+from kinegrade.processes.executor import open_executor
+from kinegrade.public.folders import expect_own_place
+from kinegrade.public.options import find_language, require_known, require_word
+from kinegrade.public.outcome import Outcome
+
+
+def _as_they_come(papers: Iterator[QuizPaper], count: int) -> Iterator[QuizPaper]:
+    return papers
+
+
+@dataclass(frozen=True)
+class QuizOptions:
+    """What a quiz holds.
+
+    Every student's paper, or a pool of the first `variants` papers for all students. `form` is that
+    of Moodle's questions; `megabytes` splits Moodle's file into several. With `mistakes` known
+    mistakes are named and earn the share `credit`, by default the bank's; `solutions` adds worked
+    solutions, by `method` where several serve. Papers are made by up to `jobs` processes;
+    `progress` is given them one after another, and their number.
+    """
+
+    variants: int | None = None
+    form: Form = "cloze"
+    megabytes: Fraction | float | None = None
+    mistakes: bool = True
+    credit: Fraction | None = None
+    solutions: bool = False
+    method: Method | None = None
+    jobs: int = 1
+    progress: Progress = _as_they_come
+
+    @property
+    def wishes(self) -> QuizWishes:
+        """What the questions are to hold."""
+        return QuizWishes(self.mistakes, self.credit, self.solutions, self.method)
+
+    @property
+    def file(self) -> FileWishes:
+        """How the file is to be written."""
+        limit = None if self.megabytes is None else Fraction(str(self.megabytes))
+        return FileWishes(self.form, limit)
+
+
+_ORDINARY = QuizOptions()
+
+
+def quiz(
+    exam: ExamFolder,
+    output: str | PathLike[str],
+    *,
+    to: str,
+    language: str | None = None,
+    force: bool = False,
+    options: QuizOptions = _ORDINARY,
+) -> Outcome:
+    """Write the papers of an exam as a quiz that a learning management system imports, as
+    `kinegrade quiz` does; in the papers' language unless another one is wanted.
+
+    The file gives the key away. Raises KinegradeError.
+
+    >>> exam = kinegrade.open_exam("EXAM")
+    >>> quiz(exam, "quiz.zip", to="qti12").path.name
+    'quiz.zip'
+    >>> quiz(exam, "quiz.xml", to="moodle")
+    Traceback (most recent call last):
+    kinegrade.errors.OptionError: to: unknown: "moodle" - did you mean "moodle-xml"? ...
+    """
+    place = Path(output)
+    expect_own_place(place)
+    require_word("to", to, FORMATS)
+    require_known(options)
+    chosen = None if language is None else find_language(language)
+    writer = choose_writer(to, options.file)
+    with open_executor(options.jobs, "quiz") as workers:
+        put = read_quiz(
+            exam,
+            chosen,
+            variants=options.variants,
+            wishes=options.wishes,
+            workers=workers,
+            progress=options.progress,
+        )
+        with variants_stored(exam, options.variants or 0):
+            remarks = writer(put, place, force=force)
+    written = Message("terminal.quiz-written", file=str(place))
+    return Outcome(place, (written, Message("terminal.marked-there")), tuple(remarks))

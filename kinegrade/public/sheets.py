@@ -1,0 +1,115 @@
+"""`kinegrade.feedback` and `kinegrade.report`: a sheet for every student, a page on the class."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Literal, assert_never
+
+from kinegrade.exam.exam_wording import read_exam_wording
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.files.output import write_file
+from kinegrade.language.message import Message
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.press.typst.feedback import print_feedback
+from kinegrade.processes.executor import open_executor
+from kinegrade.public.folders import expect_own_place
+from kinegrade.public.options import find_language, require_known
+from kinegrade.public.outcome import Outcome
+from kinegrade.reports.classes.page import class_report
+from kinegrade.reports.feedback.folder import FeedbackWishes, Press, Text, write_feedback
+
+FeedbackForm = Literal["pdf", "html", "md"]
+
+
+@dataclass(frozen=True)
+class FeedbackOptions:
+    """What students get: sheets in a `form`, with the worked solutions or without, by default as
+    the bank says; made by up to `jobs` processes.
+    """
+
+    form: FeedbackForm = "pdf"
+    solutions: bool | None = None
+    jobs: int = 1
+
+
+_ORDINARY = FeedbackOptions()
+
+
+def feedback(
+    exam: ExamFolder,
+    marks: MarksFolder,
+    output: str | PathLike[str],
+    *,
+    language: str | None = None,
+    force: bool = False,
+    options: FeedbackOptions = _ORDINARY,
+) -> Outcome:
+    """Write each student a sheet: answers, right answers, what probably went wrong; as `kinegrade
+    feedback` does, in the papers' language unless another one is wanted.
+
+    Raises KinegradeError; then nothing is written.
+
+    >>> exam, marks = kinegrade.open_exam("EXAM"), kinegrade.open_marks("MARKS")
+    >>> feedback(exam, marks, "FEEDBACK", options=FeedbackOptions(form="md"))
+    FEEDBACK: 2 sheets; FEEDBACK/feedback.csv says which is whose
+    >>> feedback(exam, marks, "FEEDBACK", language="fr")
+    Traceback (most recent call last):
+    kinegrade.errors.OptionError: language: unknown: "fr" - known here: de, en, zh
+    """
+    place = Path(output)
+    expect_own_place(place)
+    require_known(options)
+    solutions = exam.head.solutions if options.solutions is None else options.solutions
+    chosen = exam.language if language is None else find_language(language)
+    if solutions:
+        KeptExam(exam).require_no_contradiction()
+    wishes = FeedbackWishes(_choose_form(options.form), chosen, solutions, force)
+    wording = read_exam_wording(exam, chosen)
+    with open_executor(options.jobs, "feedback") as workers:
+        count = write_feedback(exam, marks, place, wording, wishes, workers=workers)
+    index = str(place / "feedback.csv")
+    return Outcome(
+        place, (Message("terminal.feedback", folder=str(place), count=count, index=index),)
+    )
+
+
+def report(
+    exam: ExamFolder,
+    marks: MarksFolder,
+    output: str | PathLike[str],
+    *,
+    language: str | None = None,
+    force: bool = False,
+) -> Outcome:
+    """Write a page on the class: distribution, how hard each ask was, where points were lost; as
+    `kinegrade report` does, in the papers' language unless another one is wanted.
+
+    Raises KinegradeError.
+
+    >>> exam, marks = kinegrade.open_exam("EXAM"), kinegrade.open_marks("MARKS")
+    >>> report(exam, marks, "report.html").path.suffix
+    '.html'
+    >>> report(exam, marks, "report.html")
+    Traceback (most recent call last):
+    kinegrade.errors.OutputError: report.html: already exists - ...
+    """
+    place = Path(output)
+    expect_own_place(place)
+    chosen = exam.language if language is None else find_language(language)
+    page = class_report(marks, exam, read_exam_wording(exam, chosen), chosen)
+    write_file(place, page.encode("utf-8", "backslashreplace"), force=force)
+    return Outcome(place)
+
+
+def _choose_form(form: FeedbackForm) -> Text | Press:
+    """What makes the sheets of a form."""
+    match form:
+        case "pdf":
+            return print_feedback
+        case "html" | "md":
+            return form
+        case _:
+            assert_never(form)
