@@ -11,16 +11,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain
-from math import isfinite
+from math import isfinite, nan
 from pathlib import Path
 from typing import NamedTuple
 
 import msgspec
 
 from kinegrade.errors import ExamError, FieldError, Problem
-from kinegrade.exam.folder.exact_keys import read_mistakes
+from kinegrade.exam.folder.exact_keys import read_mistakes as read_exact_mistakes
 from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line
-from kinegrade.exam.folder.keys import Ask, StatedKey
+from kinegrade.exam.folder.keys import Ask, Keys, StatedKey
 from kinegrade.exam.folder.numbers import RATIONAL
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.numbers.tolerance import Tolerance
@@ -110,7 +110,7 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
         except (msgspec.MsgspecError, ValueError):
             pass
         try:
-            return read_mistakes(_exactly_decoded(written))
+            return read_exact_mistakes(_exactly_decoded(written))
         except FieldError as fault:
             raise self._explain(ask, fault.faults[0]) from fault
         except ValueError as fault:
@@ -122,7 +122,7 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
         return explain_broken(self.place.file, [self.place.locate(found)])
 
 
-def read_stated_mistakes(
+def _read_stated_mistakes(
     asks: Sequence[tuple[StatedKeys, int]],
 ) -> Sequence[Mapping[str, float | Fraction]]:
     """The mistakes of these asks, decoded at once. Raises ExamError as `StatedKeys.mistakes`
@@ -137,3 +137,23 @@ def read_stated_mistakes(
     except (msgspec.MsgspecError, ValueError):
         pass
     return [keys.mistakes(ask) for keys, ask in asks]
+
+
+def read_centres(keys: Keys) -> Sequence[float]:
+    """The right answers in double precision; NaN where a number of turns is right too."""
+    if isinstance(keys, StatedKeys):
+        return keys.centres
+    return [nan if key.period else float(key.value) for key in keys]
+
+
+def read_rules(keys: Keys) -> tuple[Tolerance, ...]:
+    """The rule of each ask; where papers share all of them, the same object."""
+    return keys.terms.rules if isinstance(keys, StatedKeys) else tuple(key.rule for key in keys)
+
+
+def read_mistakes(asks: Sequence[tuple[Keys, int]]) -> Sequence[Mapping[str, float | Fraction]]:
+    """What mistakes lead to in these asks. Raises ExamError as `StatedKeys.mistakes` does."""
+    stated = [(keys, ask) for keys, ask in asks if isinstance(keys, StatedKeys)]
+    if len(stated) == len(asks):
+        return _read_stated_mistakes(stated)
+    return [keys[ask].mistakes for keys, ask in asks]

@@ -1,4 +1,5 @@
-"""The answers of many students, judged: the verdict and the share of the points for each.
+"""The fast twin of a list of `judging.decision.Decision`: the verdict and the share of the points
+for each answer of many students.
 
 `block_judge` makes such blocks and `marks` works with them. They hold lists rather than an object
 for each answer, because a large class gives a million answers.
@@ -19,6 +20,8 @@ from kinegrade.language.message import Text
 
 Row = tuple[Paper, Entry]
 NO_SHARE, FULL_SHARE = 0, 1  # indices into `JudgedBlock.credits`
+_RIGHT: tuple[Kind, int] = ("right", FULL_SHARE)
+_WRONG: tuple[Kind, int] = ("wrong", NO_SHARE)
 USUAL_CREDITS = 2  # the length of `credits` if every answer has all or nothing
 
 
@@ -49,14 +52,13 @@ class JudgedBlock:
         (self.by_policy.add if verdict.by_policy else self.by_policy.discard)(place)
         self._set_share(place, share)
 
-    def put_mistakes(
-        self, place: int, mistakes: tuple[str, ...], reason: str, share: Fraction
+    def put_compared(
+        self, places: Sequence[int], right: Sequence[bool], reasons: Sequence[str]
     ) -> None:
-        """Sets that these mistakes lead to an answer."""
-        self.kinds[place], self.reasons[place] = "mistake", reason
-        self.mistakes[place] = mistakes
-        self.by_policy.discard(place)
-        self._set_share(place, share)
+        """Sets answers that are right or wrong by the key, each for its reason."""
+        for place, is_right, reason in zip(places, right, reasons, strict=True):
+            self.kinds[place], self.shares[place] = _RIGHT if is_right else _WRONG
+            self.reasons[place] = reason
 
     def _set_share(self, place: int, share: Fraction) -> None:
         if not share:

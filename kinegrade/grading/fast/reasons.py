@@ -1,5 +1,5 @@
-"""The reasons of many verdicts at once, in a language: in the same words as `judge` and `decision`
-give them one by one, filled in with many numbers in a single step.
+"""The fast twin of the reasons of `judging.judge.judge` and `judging.decision.decide`: the same
+words in a language, filled in with many numbers in a single step.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
-"""All cells of many rows read at once: plain numbers in bulk, all other cells by `answers.read`.
+"""The fast twin of `typed.answers.read`: all cells of many rows read at once, plain numbers in bulk
+and all other cells by `read`.
 
-`block_judge` uses it. A cell is plain if `answers.read` would take its digits as they stand,
-whatever else is in the file.
+`block_judge` uses it. A cell is plain if `read` would take its digits as they stand, whatever else
+is in the file.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import msgspec
 import numpy as np
 
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.grading.fast.comparison import Numbers
+from kinegrade.grading.fast.bounds import Numbers
 from kinegrade.grading.typed.answers import PLAIN, Reading, read
 from kinegrade.grading.typed.decimal_style import FileStyle
 from kinegrade.grading.typed.number_text import DecimalStyle

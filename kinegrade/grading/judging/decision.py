@@ -8,7 +8,7 @@ key, the accepted answers in their order, the mistakes, the right number in a wr
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import assert_never
@@ -21,6 +21,7 @@ from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Message, Text, list_plainly
 
 Decision = tuple[Verdict, Fraction]  # what the answer is, and its share of the points
+MistakeRank = tuple[Fraction, Fraction | float, str]
 _FULL, _NONE = Fraction(1), Fraction(0)
 
 
@@ -41,9 +42,10 @@ def decide(
         return _mention_rule(verdict, ruling), _FULL
     match reading.kind:
         case "number":
+            mistaken = find_mistaken(reading, now, ruling)
             found = [
                 *_find_accepted(reading, now, ruling, others),
-                *_find_mistaken(reading, now, ruling),
+                *([] if mistaken is None else [mistaken]),
             ]
         case "wrong unit":
             found = list(_judge_bare_number(reading, now, ruling, reread))
@@ -99,24 +101,34 @@ def _find_accepted(
             yield Verdict("accepted", reason), other.accepted.credit
 
 
-def _find_mistaken(reading: Reading, key: Key, ruling: Ruling) -> Iterable[Decision]:
-    """The mistakes that lead to this answer, the nearest first; each one names the others."""
+def find_mistaken(reading: Reading, key: Key, ruling: Ruling) -> Decision | None:
+    """The mistake that leads to this answer, by its rank where several do; it names the others."""
     value = reading.value or Fraction(0)
-    likely = [
-        (abs(wrong - value), name)
-        for name, wrong in key.mistakes.items()
-        if _may_agree(value, wrong, key)
-    ]
-    verdicts = {
-        name: judge(reading, ruling.beside(key, key.mistakes[name])) for _, name in sorted(likely)
-    }
-    leading = {
-        name: verdict.comparison for name, verdict in verdicts.items() if verdict.kind == "right"
-    }
-    for name, comparison in leading.items():
-        mistakes = (name, *sorted(leading.keys() - {name}))
-        verdict = Verdict("mistake", explain_mistakes(mistakes, comparison), mistakes=mistakes)
-        yield verdict, ruling.mistakes.get(name, _NONE)
+    leading: dict[str, Text] = {}
+    for name, wrong in key.mistakes.items():
+        if _may_agree(value, wrong, key):
+            verdict = judge(reading, ruling.beside(key, wrong))
+            if verdict.kind == "right":
+                leading[name] = verdict.comparison
+    if not leading:
+        return None
+
+    def rank(name: str) -> MistakeRank:
+        return rank_mistake(name, abs(key.mistakes[name] - value), ruling.mistakes)
+
+    best, *others = sorted(leading, key=rank)
+    mistakes = (best, *sorted(others))
+    verdict = Verdict("mistake", explain_mistakes(mistakes, leading[best]), mistakes=mistakes)
+    return verdict, ruling.mistakes.get(best, _NONE)
+
+
+def rank_mistake(
+    name: str, difference: Fraction | float, shares: Mapping[str, Fraction]
+) -> MistakeRank:
+    """The sort key of mistakes that lead to one answer: first the one with the best credit, of
+    equals the nearest, then the first by name.
+    """
+    return -shares.get(name, _NONE), difference, name
 
 
 def explain_mistakes(mistakes: tuple[str, ...], comparison: Text) -> Message:

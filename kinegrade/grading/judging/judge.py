@@ -1,6 +1,6 @@
 """Right or wrong: one reading compared with one key.
 
-`judge` is pure; `bulk_comparison` gives the same verdicts for thousands of answers wherever double
+`judge` is pure; `fast.comparison` gives the same verdicts for thousands of answers wherever double
 precision suffices. The rule is the one printed on the paper: an answer is right if it differs from
 the key by at most the tolerance, exactly the tolerance included, and agrees with it to the
 significant figures that are asked for.

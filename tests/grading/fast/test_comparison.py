@@ -1,0 +1,65 @@
+"""The contracts of `fast.comparison` and `fast.reasons` with `judging.judge`."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinegrade.exam.folder.keys import Key
+from kinegrade.grading.fast.bounds import tabulate_rules
+from kinegrade.grading.fast.comparison import compare
+from kinegrade.grading.fast.reasons import read_reasons
+from kinegrade.grading.judging.judge import judge
+from kinegrade.grading.typed.answers import read
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message
+from kinegrade.numbers.tolerance import Tolerance
+from tests.grading.fast.rule_cases import RULES, VALUES, typed_numbers
+
+Case = tuple[Tolerance, Fraction, str]
+
+
+@st.composite
+def cases(draw: st.DrawFn) -> Case:
+    """A rule, the right answer, and what was typed."""
+    rule, right = draw(RULES), draw(VALUES)
+    return rule, right, draw(typed_numbers(right, rule))
+
+
+@given(
+    st.lists(cases(), min_size=10, max_size=30),
+    st.booleans(),
+    st.sampled_from(["en", "zh", "de"]),
+)
+def test_what_is_certain_is_what_judging_one_by_one_says(
+    several: list[Case], by_policy: bool, language: str
+) -> None:
+    rules, rights, typed = zip(*several, strict=True)
+    values, centres = (np.array([float(each) for each in numbers]) for numbers in (typed, rights))
+    found = compare(values, centres, tabulate_rules([rules]))
+    places = np.flatnonzero(found.certain)
+    reasons = found.reasons(places, read_reasons(Language(language), by_policy=by_policy))
+    said = dict(zip(places.tolist(), reasons, strict=True))
+    words = open_catalogue(Language(language))
+    for place, (rule, right, number) in enumerate(several):
+        verdict = judge(read(number, "1"), Key(right, rule))
+        if found.decided[place]:
+            assert found.right[place] == (verdict.kind == "right")
+        if place in said:
+            reason = verdict.reason
+            expected = Message("marking.by-policy", reason=reason) if by_policy else reason
+            assert said[place] == words.write(expected)
+
+
+@pytest.mark.parametrize(
+    ("rule", "typed"),
+    [(Tolerance(Fraction(1, 100)), "1.25"), (Tolerance(figures=3), "1.226"), (Tolerance(), "7")],
+)
+def test_an_ordinary_answer_is_certain(rule: Tolerance, typed: str) -> None:
+    values, centres = np.array([float(typed)]), np.array([1.2304])
+    assert compare(values, centres, tabulate_rules([(rule,)])).certain.all()

@@ -1,0 +1,65 @@
+"""The contract of `fast.mistaken` with `judging.decision.find_mistaken`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinegrade.exam.folder.keys import Key
+from kinegrade.grading.fast.bounds import tabulate_rules
+from kinegrade.grading.fast.mistaken import Mistakes, find_best
+from kinegrade.grading.fast.reasons import write_mistakes
+from kinegrade.grading.judging.decision import find_mistaken
+from kinegrade.grading.policy.policy import Ruling
+from kinegrade.grading.typed.answers import read
+from kinegrade.language import ENGLISH
+from kinegrade.numbers.tolerance import Tolerance
+from tests.grading.fast.rule_cases import RULES, VALUES, typed_numbers
+from tests.said import said
+
+NAMES = ("sense-reversed", "coriolis-dropped", "wrong-pole", "=odd")
+# Several mistakes at one place, next to each other, within the tolerance of each other, and apart
+FACTORS = st.sampled_from([Fraction(1), Fraction(1), Fraction(1003, 1000), 1 + Fraction(1, 10**12)])
+CREDITS = st.dictionaries(st.sampled_from(NAMES), st.sampled_from([Fraction(1, 2), Fraction(1, 4)]))
+
+
+@st.composite
+def answers(draw: st.DrawFn) -> tuple[Key, str]:
+    """A key with mistakes, and what a student typed, as a rule what one of them leads to."""
+    rule, wrong = draw(RULES), draw(VALUES)
+    names = draw(st.lists(st.sampled_from(NAMES), min_size=1, unique=True))
+    # As in key.jsonl: to double precision
+    mistakes = {name: Fraction(repr(float(wrong * draw(FACTORS)))) for name in names}
+    return Key(1000 + wrong, rule, None, mistakes), draw(typed_numbers(wrong, rule))
+
+
+@given(answers(), CREDITS)
+def test_the_best_mistake_is_the_one_that_deciding_exactly_finds(
+    answer: tuple[Key, str], credits: Mapping[str, Fraction]
+) -> None:
+    key, typed = answer
+    expected = find_mistaken(read(typed, "1"), key, Ruling(mistakes=credits))
+    mistakes = Mistakes.of([0], [key.mistakes])
+    rules = tabulate_rules([(key.rule,)])
+    found = dict(mistakes.leading(np.array([float(typed)]), rules, ENGLISH))
+    ways = found.get(0, [])
+    if expected is not None:
+        assert set(expected[0].mistakes) <= {way.name for way in ways}
+    best = find_best(ways, credits) if ways else None
+    if best is not None:
+        names = (best.name, *sorted(way.name for way in ways if way is not best))
+        assert expected is not None
+        assert (names, credits.get(best.name, 0)) == (expected[0].mistakes, expected[1])
+        assert write_mistakes(names, best.comparison, ENGLISH) == said(expected[0].reason)
+
+
+def test_a_single_mistake_is_certain() -> None:
+    mistakes = Mistakes.of([1], [{"wrong-pole": 2.5}])
+    rules = tabulate_rules([(Tolerance(), Tolerance(Fraction(1, 100)))])
+    ((place, ways),) = mistakes.leading(np.array([9.0, 2.51]), rules, ENGLISH)
+    best = find_best(ways, {})
+    assert (place, best and best.name) == (1, "wrong-pole")
