@@ -29,6 +29,7 @@ _SEPARATORS = ",;\t"
 _BLANKS = f"{_SEPARATORS} "
 INVISIBLE = "\ufeff\u200b\u200c\u200d\u200e\u200f\u2060"
 _SURROUNDING = "".join(chr(code) for code in range(0x3001) if chr(code).isspace()) + INVISIBLE
+_DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d "
 _END = "\x00end of table"
 _MOST_STRAY_QUOTES = (
     20  # each takes a second reading of the rest; a file with more is read without quotation marks
@@ -130,6 +131,15 @@ def trim(text: str) -> str:
     '007'
     """
     return text.strip(_SURROUNDING)
+
+
+def is_answered(cell: str) -> bool:
+    """Whether anything but blanks and dashes was typed.
+
+    >>> is_answered("0"), is_answered(" - ")
+    (True, False)
+    """
+    return cell[:1].isalnum() or bool(trim(cell).strip(_DASHES))
 
 
 def make_header_key(text: str) -> str:

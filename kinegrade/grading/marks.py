@@ -15,14 +15,13 @@ from types import MappingProxyType
 from typing import assert_never
 
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting, list_questions
-from kinegrade.files.tables import Complaint, shorten, trim
+from kinegrade.files.tables import Complaint, is_answered, shorten, trim
 from kinegrade.grading.fast.block_judge import BlockJudge
 from kinegrade.grading.fast.judged_block import USUAL_CREDITS, JudgedBlock, Row
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.judging.judge import Verdict
 from kinegrade.grading.policy.accepted import Alternatives
 from kinegrade.grading.policy.policy import AS_PRINTED, Policy
-from kinegrade.grading.sheets.class_sheet import is_answered
 from kinegrade.grading.sheets.pool import Pool
 from kinegrade.grading.sheets.sheet import Entry, Sheet, find_repeated
 from kinegrade.grading.typed.answers import Reading

@@ -10,14 +10,13 @@ from pathlib import Path
 
 from kinegrade.errors import TableError
 from kinegrade.files.csv_writing import restore
-from kinegrade.files.tables import trim
+from kinegrade.files.tables import is_answered
 from kinegrade.language.message import Message, Quoted
 from kinegrade.marks_folder.cells import Record, explain_edited, read_amount, read_records
 from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import StudentSums
 from kinegrade.numbers.amounts import add_amounts
 
-_DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d"
 _Line = tuple[int, Record]
 
 
@@ -46,15 +45,11 @@ def _find_sums(student: str, lines: Iterable[_Line], path: Path) -> StudentSums:
     for line, (_, question, _, response, _, _, _, got, possible, *_) in lines:
         points[question].append(read_amount(got, path, line, "points"))
         out_of[question].append(read_amount(possible, path, line, "out_of"))
-        answered = answered or _is_answer(response)
+        answered = answered or is_answered(restore(response))
     counts = {question: len(amounts) for question, amounts in points.items()}
     return StudentSums(
         line, student, _sum_by_question(points), _sum_by_question(out_of), counts, answered
     )
-
-
-def _is_answer(response: str) -> bool:
-    return bool(response) and bool(trim(restore(response)).strip(f"{_DASHES} "))
 
 
 def _sum_by_question(amounts: Mapping[str, Sequence[Fraction]]) -> Mapping[str, Fraction]:

@@ -108,6 +108,8 @@ def make_student_key(student: str) -> str:
     >>> make_student_key("\\uff10\\uff10\\uff17 ")
     '007'
     """
+    if student.isascii() and student.isalnum():  # as most ids are
+        return student
     return trim(normalize("NFKC", student))
 
 

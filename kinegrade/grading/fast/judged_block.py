@@ -20,8 +20,6 @@ from kinegrade.language.message import Text
 
 Row = tuple[Paper, Entry]
 NO_SHARE, FULL_SHARE = 0, 1  # indices into `JudgedBlock.credits`
-_RIGHT: tuple[Kind, int] = ("right", FULL_SHARE)
-_WRONG: tuple[Kind, int] = ("wrong", NO_SHARE)
 USUAL_CREDITS = 2  # the length of `credits` if every answer has all or nothing
 
 
@@ -57,7 +55,10 @@ class JudgedBlock:
     ) -> None:
         """Sets answers that are right or wrong by the key, each for its reason."""
         for place, is_right, reason in zip(places, right, reasons, strict=True):
-            self.kinds[place], self.shares[place] = _RIGHT if is_right else _WRONG
+            if is_right:
+                self.kinds[place], self.shares[place] = "right", FULL_SHARE
+            else:
+                self.kinds[place], self.shares[place] = "wrong", NO_SHARE
             self.reasons[place] = reason
 
     def _set_share(self, place: int, share: Fraction) -> None:

@@ -13,11 +13,10 @@ from functools import reduce
 
 from kinegrade.exam.folder.keys import Sitting
 from kinegrade.files.answer_file import AnswerFile, LeftOut
-from kinegrade.files.tables import Complaint, Table, shorten, trim
+from kinegrade.files.tables import Complaint, Table, is_answered, shorten, trim
 from kinegrade.grading.sheets.sheet import Entry, Part, Place, Sheet, read_part
 from kinegrade.language.message import Message, Quoted
 
-_DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d "
 _Entries = Mapping[str, tuple[Entry, ...]]
 
 
@@ -53,15 +52,6 @@ def class_sheet(files: Sequence[AnswerFile], exam: Sitting) -> Sheet:
         {student: entries.get(student, nothing) for student in exam.students},
         tuple(complaints),
     )
-
-
-def is_answered(cell: str) -> bool:
-    """Whether anything but blanks and dashes was typed.
-
-    >>> is_answered("0"), is_answered(" - ")
-    (True, False)
-    """
-    return bool(cell) and bool(trim(cell).strip(_DASHES))
 
 
 def _join(parts: Sequence[Part]) -> tuple[_Entries, list[Complaint]]:

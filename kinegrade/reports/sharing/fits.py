@@ -9,15 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinegrade.exam.folder.keys import Key
-
-Numbers: TypeAlias = NDArray[np.float64]
-Places: TypeAlias = NDArray[np.intp]
+from kinegrade.grading.fast.bounds import Numbers, Places, tabulate_rules
 
 
 @dataclass(frozen=True)
@@ -58,33 +55,17 @@ def find_windows(keys: Sequence[Key], *, mistakes: bool) -> Windows:
     Tolerances are those printed on the papers.
     """
     found = [
-        (place, float(value), *room)
-        for place, (key, room) in enumerate(zip(keys, map(_find_room, keys), strict=True))
+        (place, float(value))
+        for place, key in enumerate(keys)
         for value in (key.value, *(key.mistakes.values() if mistakes else ()))
     ]
-    table = np.array(found, dtype=np.float64).reshape(len(found), 5)
-    paper, value = table[:, 0].astype(np.intp), table[:, 1]
-    low, high = _find_bounds(value, *table[:, 2:].T)
+    paper = np.array([place for place, _ in found], dtype=np.intp)
+    value = np.array([number for _, number in found], dtype=np.float64)
+    bounds = tabulate_rules([tuple(key.rule for key in keys)]).at(paper).bounds(value)
+    low, high = bounds.low, bounds.high
     proper = (low > 0) | (high < 0)
     period = float(max((key.period or 0 for key in keys), default=0))
     return _unroll(paper[proper], value[proper], low[proper], high[proper], period)
-
-
-def _find_room(key: Key) -> tuple[float, float, float]:
-    """Relative and absolute tolerance, and the significant figures asked for, 0 for none."""
-    return float(key.rule.relative), float(key.rule.absolute), float(key.rule.figures or 0)
-
-
-def _find_bounds(
-    value: Numbers, relative: Numbers, absolute: Numbers, figures: Numbers
-) -> tuple[Numbers, Numbers]:
-    """The smallest and the largest number that fit each value."""
-    size = np.abs(value)
-    room = np.maximum(relative * size, absolute)
-    unit = 10.0 ** (np.floor(np.log10(np.where(size > 0, size, 1.0))) + 1 - figures)
-    agreeing = np.where(figures > 0, np.round(value / unit) * unit, value)
-    half = np.where(figures > 0, unit / 2, 0.0)
-    return np.minimum(value - room, agreeing - half), np.maximum(value + room, agreeing + half)
 
 
 def _unroll(paper: Places, value: Numbers, low: Numbers, high: Numbers, period: float) -> Windows:
