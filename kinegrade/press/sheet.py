@@ -1,8 +1,8 @@
 """What stands on the pages of an exam, of its key and of a gallery of templates, free of any
 typesetter.
 
-The exam's setting, the gallery and a quiz fill these values; each typesetter has its layouts of
-them. Three kinds of text:
+The setting of an exam, the gallery, a quiz and the feedback fill these values; each typesetter has
+its layouts of them. Three kinds of text:
 
 * plain: printed as it is, whatever characters it holds (names, course, codes, units like "m/s^2");
 * prose: Markdown with `$...$` LaTeX math (statements, titles, meanings, rules, givens);
@@ -158,6 +158,58 @@ class SolutionSheet:
     name: str
     code: str
     questions: tuple[WorkedQuestion, ...]
+
+
+@dataclass(frozen=True)
+class FeedbackRow:
+    """One ask. `remark` is prose for the student, `guess` is whether the remark is a guess;
+    `reason` is the note made on reading the cell.
+    """
+
+    symbol: str  # math
+    meaning: str  # prose
+    typed: str  # plain, as are the next four
+    read_as: str  # how it was read; "" where nothing was, or exactly what was typed
+    right: str
+    verdict: str
+    points: str
+    remark: str  # prose
+    guess: bool
+    reason: str  # plain
+
+
+@dataclass(frozen=True)
+class FeedbackQuestion:
+    """One question, in its place on the paper."""
+
+    heading: str  # plain
+    title: str  # prose
+    points: str  # plain, "4 / 7"
+    rows: tuple[FeedbackRow, ...]
+
+
+@dataclass(frozen=True)
+class FeedbackSheet:
+    """One student's sheet in a language, plain text except for its questions; `solution` is the
+    name of a file beside it, or "".
+    """
+
+    language: Language
+    course: str
+    title: str
+    date: str
+    student: str
+    name: str
+    code: str
+    total: str
+    kept: bool  # whether the total is a higher one from an earlier marking
+    questions: tuple[FeedbackQuestion, ...]
+    solution: str = ""
+
+    @property
+    def guesses(self) -> bool:
+        """Whether any remark is a guess."""
+        return any(row.guess for question in self.questions for row in question.rows)
 
 
 @dataclass(frozen=True)

@@ -16,9 +16,9 @@ from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Part
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.press.html.short_texts import write_prose_html, write_symbol_html
 from kinegrade.reports.classes.page import class_report
 from kinegrade.reports.classes.tally import ClassTally, tally
-from kinegrade.reports.math_html import write_prose_html, write_symbol_html
 from tests.grading.marked_folder import RIGHT, Answers, Page, mark_class
 
 WRONG = ("99", "99", "99")

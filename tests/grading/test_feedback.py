@@ -19,16 +19,12 @@ from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.judging.hints import Hint, find_hint
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.press.html.feedback import write_feedback_html
+from kinegrade.press.markdown.feedback import write_feedback_markdown
+from kinegrade.press.sheet import FeedbackRow, FeedbackSheet
 from kinegrade.reports.classes.tally import tally
-from kinegrade.reports.feedback.feedback import (
-    FeedbackRow,
-    FeedbackSheet,
-    make_feedback_sheets,
-    write_right,
-)
+from kinegrade.reports.feedback.feedback import make_feedback_sheets, write_right
 from kinegrade.reports.feedback.folder import FeedbackWishes, Text, write_feedback
-from kinegrade.reports.feedback.html import write_feedback_html
-from kinegrade.reports.feedback.markdown import write_feedback_markdown
 from kinegrade.reports.paper_record import PaperRecords, RightAnswer
 from tests.grading.marked_folder import RIGHT, Page, mark_class
 

@@ -1,16 +1,13 @@
 """Feedback sheets as PDF, by the embedded Typst, each followed by the worked solution if wanted.
 
-`kinegrade.reports.feedback.feedback` makes the sheets; the protocols here say which parts of them
-are printed.
+`kinegrade.reports.feedback.feedback` makes the sheets.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import Protocol
 
-from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.message import Location, Message
@@ -18,74 +15,12 @@ from kinegrade.language.prose.typst import write_line
 from kinegrade.press.join import join_pages
 from kinegrade.press.legible import make_legible
 from kinegrade.press.places import locate_part
-from kinegrade.press.sheet import PaperSize
+from kinegrade.press.sheet import FeedbackQuestion, FeedbackRow, FeedbackSheet, PaperSize
 from kinegrade.press.typst.layout_call import Sheet, write_formula, write_layout_call
 from kinegrade.press.typst.press import TypstPress
 
 _ROW_TEXTS = ("typed", "read_as", "right", "verdict", "points", "reason")
 _SHEET_TEXTS = ("course", "title", "date", "student", "name", "code", "total")
-
-
-class _Row(Protocol):
-    """One ask: `symbol` is math, `meaning` and `remark` are prose; the texts of `_ROW_TEXTS` are
-    plain.
-    """
-
-    @property
-    def symbol(self) -> str:
-        """Math."""
-
-    @property
-    def meaning(self) -> str:
-        """Prose: what is asked for."""
-
-    @property
-    def remark(self) -> str:
-        """Prose: what probably went wrong; "" for nothing."""
-
-
-class _Question(Protocol):
-    """One question: `heading` and `points` are plain, `title` is prose."""
-
-    @property
-    def heading(self) -> str:
-        """Plain: which question it is."""
-
-    @property
-    def title(self) -> str:
-        """Prose."""
-
-    @property
-    def points(self) -> str:
-        """Plain: points out of points."""
-
-    @property
-    def rows(self) -> Sequence[_Row]:
-        """One for each ask."""
-
-
-class FeedbackSheet(Protocol):
-    """One student's sheet; the texts of `_SHEET_TEXTS` are plain."""
-
-    @property
-    def language(self) -> Language:
-        """Of its words."""
-
-    @property
-    def code(self) -> str:
-        """The code of the paper."""
-
-    @property
-    def kept(self) -> bool:
-        """Whether the total is one from an earlier marking."""
-
-    @property
-    def guesses(self) -> bool:
-        """Whether some remark is a guess."""
-
-    @property
-    def questions(self) -> Sequence[_Question]:
-        """In the order of the paper."""
 
 
 def print_feedback(sheet: FeedbackSheet, solution: bytes | None = None) -> bytes:
@@ -137,7 +72,7 @@ def _write_feedback_source(
     return write_layout_call("feedback", {**parts, **_texts(sheet, _SHEET_TEXTS, missing), **said})
 
 
-def _write_question(question: _Question, missing: frozenset[str]) -> Sheet:
+def _write_question(question: FeedbackQuestion, missing: frozenset[str]) -> Sheet:
     parts = gather(
         title=lambda: write_line(question.title, locate_part(question.heading, "title")),
         rows=lambda: convert_each(
@@ -147,7 +82,7 @@ def _write_question(question: _Question, missing: frozenset[str]) -> Sheet:
     return parts | {"heading": question.heading, "points": question.points}
 
 
-def _write_row(row: _Row, where: Location, missing: frozenset[str]) -> Sheet:
+def _write_row(row: FeedbackRow, where: Location, missing: frozenset[str]) -> Sheet:
     parts = gather(
         symbol=lambda: write_formula(row.symbol, locate_part(where, "symbol")),
         meaning=lambda: write_line(row.meaning, locate_part(where, "meaning")),

@@ -14,6 +14,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message, Text
+from kinegrade.press.html.short_texts import write_symbol_html
 from kinegrade.question_numbers import find_bank_number
 from kinegrade.reports.classes.equal_hardness import (
     ENOUGH,
@@ -33,7 +34,6 @@ from kinegrade.reports.classes.figures import (
 from kinegrade.reports.classes.item_statistics import Summary, summarise
 from kinegrade.reports.classes.plots import write_box_plot
 from kinegrade.reports.classes.tally import ClassTally
-from kinegrade.reports.math_html import write_symbol_html
 
 _Page = dict[str, Any]  # the values a layout reads
 _SIGNIFICANT = 0.05

@@ -20,6 +20,8 @@ from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.message import Listing, Message, list_plainly, list_statements
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import COMPLAINTS
+from kinegrade.press.html.filled_page import load_layout
+from kinegrade.press.html.short_texts import write_symbol_html
 from kinegrade.question_numbers import find_bank_number
 from kinegrade.reports.classes.equal_hardness import ENOUGH
 from kinegrade.reports.classes.figures import (
@@ -41,8 +43,6 @@ from kinegrade.reports.classes.item_statistics import (
 from kinegrade.reports.classes.plots import write_bar, write_histogram_plot, write_stacked_bar
 from kinegrade.reports.classes.tally import ClassTally, tally
 from kinegrade.reports.classes.words import describe_reason, name_verdict
-from kinegrade.reports.html_layout import load_layout
-from kinegrade.reports.math_html import write_symbol_html
 
 _Page = dict[str, Any]  # the values a layout reads
 _HARD, _EASY, _FLAT = 0.3, 0.9, 0.1

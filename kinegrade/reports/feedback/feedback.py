@@ -1,16 +1,14 @@
 """What one student gets to read: their answers, the right answers, what probably went wrong, and
 the points.
 
-`make_feedback_sheets` makes the sheets of a class one by one; `feedback_html`, `feedback_markdown`
-and `kinegrade.press.typst.feedback` (PDF) print them. Three kinds of text, as in an exam: plain,
-prose (Markdown with `$...$` LaTeX math), math (LaTeX).
+`make_feedback_sheets` makes the sheets of a class one by one; the press prints them, as HTML,
+Markdown and PDF.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from decimal import Context, Decimal
 from fractions import Fraction
 from itertools import groupby
@@ -28,6 +26,7 @@ from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.numbers.amounts import PLACES, write_amount
+from kinegrade.press.sheet import FeedbackQuestion, FeedbackRow, FeedbackSheet
 from kinegrade.question_numbers import find_other_number
 from kinegrade.reports.feedback.remarks import make_remark, name_verdict
 from kinegrade.reports.paper_record import PaperRecord, PaperRecords, RightAnswer
@@ -35,58 +34,6 @@ from kinegrade.reports.paper_record import PaperRecord, PaperRecords, RightAnswe
 _LONGEST_TYPED = 80  # characters: the rest of a longer cell adds nothing
 _LONGEST_EXACT = 32
 _CLOSED_FORM = re.compile(r"(?:[-+*/() 0-9]|sqrt|pi)+")
-
-
-@dataclass(frozen=True)
-class FeedbackRow:
-    """One ask. `remark` is prose for the student, `guess` is whether the remark is a guess;
-    `reason` is the note made on reading the cell.
-    """
-
-    symbol: str  # math
-    meaning: str  # prose
-    typed: str  # plain, as are the next four
-    read_as: str  # how it was read; "" where nothing was, or exactly what was typed
-    right: str
-    verdict: str
-    points: str
-    remark: str  # prose
-    guess: bool
-    reason: str  # plain
-
-
-@dataclass(frozen=True)
-class FeedbackQuestion:
-    """One question, in its place on the paper."""
-
-    heading: str  # plain
-    title: str  # prose
-    points: str  # plain, "4 / 7"
-    rows: tuple[FeedbackRow, ...]
-
-
-@dataclass(frozen=True)
-class FeedbackSheet:
-    """One student's sheet in a language, plain text except for its questions; `solution` is the
-    name of a file beside it, or "".
-    """
-
-    language: Language
-    course: str
-    title: str
-    date: str
-    student: str
-    name: str
-    code: str
-    total: str
-    kept: bool  # whether the total is a higher one from an earlier marking
-    questions: tuple[FeedbackQuestion, ...]
-    solution: str = ""
-
-    @property
-    def guesses(self) -> bool:
-        """Whether any remark is a guess."""
-        return any(row.guess for question in self.questions for row in question.rows)
 
 
 def make_feedback_sheets(

@@ -23,10 +23,11 @@ from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.press.html.feedback import write_feedback_html
+from kinegrade.press.markdown.feedback import write_feedback_markdown
+from kinegrade.press.sheet import FeedbackSheet
 from kinegrade.processes.executor import THIS_PROCESS, map_in_order, split_in_parts
-from kinegrade.reports.feedback.feedback import FeedbackSheet, make_feedback_sheets
-from kinegrade.reports.feedback.html import write_feedback_html
-from kinegrade.reports.feedback.markdown import write_feedback_markdown
+from kinegrade.reports.feedback.feedback import make_feedback_sheets
 
 Text = Literal["html", "md"]
 # The sheet as PDF, a solution behind it where there is one

@@ -30,13 +30,14 @@ from numpy.typing import NDArray
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Exam, Examinee
+from kinegrade.grading.fast.bounds import Numbers
 from kinegrade.grading.sheets.pool import make_exam_as_put
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.cells import explain_edited
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import MarkedAnswer
-from kinegrade.reports.sharing.fits import Numbers, Windows, find_windows
+from kinegrade.reports.sharing.fits import Windows, find_windows
 
 _LEVEL = 0.01
 MOST = 1000  # pairs reported; the most striking ones

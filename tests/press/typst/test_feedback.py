@@ -18,8 +18,9 @@ from kinegrade.errors import TypesetError
 from kinegrade.exam.exam_wording import ExamWording, read_exam_wording
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.press.sheet import FeedbackSheet
 from kinegrade.press.typst.feedback import FeedbackPress
-from kinegrade.reports.feedback.feedback import FeedbackSheet, make_feedback_sheets
+from kinegrade.reports.feedback.feedback import make_feedback_sheets
 from kinegrade.reports.feedback.folder import FeedbackWishes, write_feedback
 from tests.grading.marked_folder import RIGHT, mark_class
 

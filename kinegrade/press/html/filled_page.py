@@ -8,13 +8,13 @@ from importlib.resources import files
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 from markupsafe import Markup
 
-from kinegrade.reports.math_html import write_prose_html, write_symbol_html
+from kinegrade.press.html.short_texts import write_prose_html, write_symbol_html
 
 
 @cache
 def load_layout(name: str) -> Template:
-    """A layout from this package; it may call `css(FILE)` and the filters `prose` and `symbol`."""
-    folder = files("kinegrade.reports") / "layouts"
+    """A layout of this room; it may call `css(FILE)` and the filters `prose` and `symbol`."""
+    folder = files("kinegrade.press.html") / "layouts"
     environment = Environment(
         loader=FileSystemLoader(str(folder)),
         autoescape=True,

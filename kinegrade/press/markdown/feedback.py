@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from urllib.parse import quote
 
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.reports.feedback.feedback import FeedbackQuestion, FeedbackRow, FeedbackSheet
+from kinegrade.press.sheet import FeedbackQuestion, FeedbackRow, FeedbackSheet
 
 _SPECIAL = re.compile(
     r"([\\`*_\[\]<>#|$&~^@]|(?<=[A-Za-z]):(?=//)|(?<=www)\.|!(?=\[)|^[-+=])", re.IGNORECASE

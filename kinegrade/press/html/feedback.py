@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.reports.feedback.feedback import FeedbackSheet
-from kinegrade.reports.html_layout import load_layout
+from kinegrade.press.html.filled_page import load_layout
+from kinegrade.press.sheet import FeedbackSheet
 
 
 def write_feedback_html(sheet: FeedbackSheet) -> str:
