@@ -20,7 +20,15 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.refusal import describe_looseness, explain_refusal, find_unrelated
-from kinegrade.mechanics.relations import add_vectors, map_chain
+from kinegrade.mechanics.relations import (
+    PLAIN,
+    Chain,
+    Reading,
+    Term,
+    add_vectors,
+    compose_coriolis,
+    map_chain,
+)
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.elimination import Contradiction, Singular
 from kinegrade.numbers.number import Arithmetic, Number
@@ -37,6 +45,7 @@ class Motion:
     plan: Plan
     rates: Rates
     changes: Rates
+    reading: Reading = PLAIN
 
     @property
     def points(self) -> Mapping[str, Vector]:
@@ -47,39 +56,61 @@ class Motion:
         """Angular velocity of a body, rad/s, counter-clockwise positive; relative to the body
         `of`.
         """
-        return _find_turning_rate(self.rates, body) - _find_turning_rate(self.rates, of)
+        return self._difference(self.rates, body, of)
 
     def alpha(self, body: str, of: str = GROUND) -> Number:
         """Angular acceleration of a body, rad/s^2, counter-clockwise positive; relative to the body
         `of`.
         """
-        return _find_turning_rate(self.changes, body) - _find_turning_rate(self.changes, of)
+        return self._difference(self.changes, body, of)
+
+    def _difference(self, rates: Rates, body: str, of: str) -> Number:
+        """How fast a body turns relative to another one."""
+        rate = _find_turning_rate(rates, body)
+        return rate if of == GROUND else rate - self.reading.carried(_find_turning_rate(rates, of))
+
+    def chain(self, body: str, point: str) -> Chain:
+        """The terms that are taken for the motion of `point` as a point of `body`."""
+        return self.reading.chain(self.frames.chain(body, point))
 
     def velocity(self, point: str, body: str) -> Vector:
         """Velocity of the point of `body` that is at `point`, m/s (transport velocity, if another
         passes there).
         """
-        return add_vectors(term.velocity(self.rates) for term in self.frames.chain(body, point))
+        return self._sum_velocities(body, point, whole=True)
+
+    def _sum_velocities(self, body: str, point: str, *, whole: bool) -> Vector:
+        """The sum of the terms that are taken for a velocity."""
+        chain = self.reading.velocity_chain(self.chain(body, point), whole=whole)
+        return add_vectors(term.velocity(self.rates, self.reading) for term in chain)
 
     def acceleration(self, point: str, body: str) -> Vector:
         """Acceleration of the point of `body` that is at `point`, m/s^2."""
         return add_vectors(
-            term.acceleration(self.rates, self.changes) for term in self.frames.chain(body, point)
+            term.acceleration(self.rates, self.changes, self.reading)
+            for term in self.chain(body, point)
         )
 
     def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
         """Velocity of `point` of `body` relative to the moving body `frame`: v_r = v_a - v_e."""
-        return self.velocity(point, body) - self.velocity(point, frame)
+        term = self.reading.find_relative(point, frame)
+        if term:
+            return term.velocity(self.rates, self.reading)
+        absolute, transport = (
+            self._sum_velocities(name, point, whole=False) for name in (body, frame)
+        )
+        return absolute - transport
 
     def coriolis(self, point: str, body: str, frame: str) -> Vector:
         """Coriolis acceleration 2 omega_e x v_r of `point` of `body` relative to `frame`, m/s^2."""
-        acceleration: Vector = self.relative_velocity(point, body, frame).turned() * (
-            self.omega(frame) * 2
-        )
-        return acceleration
+        relative = self.relative_velocity(point, body, frame)
+        return self.reading.coriolis(point, frame, compose_coriolis(relative, self.omega(frame)))
 
     def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
         """Acceleration of `point` of `body` relative to `frame`: a_r = a_a - a_e - a_C."""
+        term = self.reading.find_relative(point, frame)
+        if term:
+            return term.relative_acceleration(self.rates, self.changes, self.reading)
         composed = self.acceleration(point, frame) + self.coriolis(point, body, frame)
         return self.acceleration(point, body) - composed
 
@@ -89,8 +120,7 @@ class Motion:
         rate = self.omega(body)
         if arithmetic.is_zero(rate):
             raise AtInfinity(Message("mechanics.pole-at-infinity", body=body))
-        arm: Vector = self.velocity(base, body).turned() / rate
-        return self.points[base] + arm
+        return self.points[base] + self.velocity(base, body).turned() / rate
 
     def map(self, number: Callable[[Number], Number]) -> Motion:
         """The motion with `number` applied to every number of its points, chains, relations and
@@ -105,6 +135,17 @@ class Motion:
             for found in (self.rates, self.changes)
         )
         return replace(self, frames=frames, rates=rates, changes=changes)
+
+
+def find_relative_terms(frames: Frames) -> dict[tuple[str, str], Term]:
+    """The terms of relative motions that relations and chains contain, each by its point and the
+    body relative to which it moves.
+    """
+    sides = [side for relation in frames.relations for side in (relation.left, relation.right)]
+    chains = (*sides, *(base.chain for base in frames.bases.values()))
+    return {
+        (term.point, term.frame): term for chain in chains for term in chain if term.frame != GROUND
+    }
 
 
 def _map_frames(frames: Frames, number: Callable[[Number], Number]) -> Frames:
@@ -165,14 +206,12 @@ def _run_plan(
     plan: Plan, frames: Frames, equations: plans.Equations, arithmetic: Arithmetic
 ) -> Motion:
     """Run the plan for velocities, then for accelerations."""
-    relations = frames.relations
-    rates = plans.run_steps(plan, equations, lambda i: relations[i].velocity_side(), arithmetic)
+    sides = [relation.velocity_side() for relation in frames.relations]
+    rates = plans.run_steps(plan, equations, sides, arithmetic)
+    sides = [relation.acceleration_side(rates) for relation in frames.relations]
     try:
-        changes = plans.run_steps(
-            plan, equations, lambda i: relations[i].acceleration_side(rates), arithmetic
-        )
+        changes = plans.run_steps(plan, equations, sides, arithmetic)
     except Contradiction:
-        sides = [relation.acceleration_side(rates) for relation in relations]
         raise explain_refusal(frames, equations, sides, arithmetic) from None
     return Motion(frames, plan, rates, changes)
 

@@ -8,7 +8,7 @@ arithmetic, for velocities and then, with the same coefficients, for acceleratio
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -88,7 +88,7 @@ def _has_full_rank(rows: Sequence[Row], unknowns: Sequence[Rate], arithmetic: So
 
 
 def run_steps(
-    plan: Plan, equations: Equations, right: Callable[[int], Sequence[Number]], arithmetic: Solver
+    plan: Plan, equations: Equations, right: Sequence[Sequence[Number]], arithmetic: Solver
 ) -> dict[Rate, Number]:
     """The rates that the plan gives; `right` gives a relation's right-hand sides.
 
@@ -96,15 +96,29 @@ def run_steps(
     """
     rates: dict[Rate, Number] = {}
     for step in plan.steps:
-        rows = [row for index in step.relations for row in equations[index]]
-        sides = [
-            side - sum((row[rate] * rates[rate] for rate in row if rate in rates), 0)
-            for row, side in zip(rows, (s for i in step.relations for s in right(i)), strict=True)
-        ]
-        if step.unknowns:
-            matrix = [[row.get(rate, 0) for rate in step.unknowns] for row in rows]
-            rates.update(zip(step.unknowns, arithmetic.solve(matrix, sides), strict=True))
-        else:
-            for side in sides:
-                arithmetic.require_zero(side)
+        rates.update(solve_step(step, equations, right, rates, arithmetic))
     return rates
+
+
+def solve_step(
+    step: Step,
+    equations: Equations,
+    right: Sequence[Sequence[Number]],
+    known: Mapping[Rate, Number],
+    arithmetic: Solver,
+) -> dict[Rate, Number]:
+    """The rates that one step gives from those that are known; a surplus relation is checked.
+
+    Raises as `run_steps`.
+    """
+    rows = [row for index in step.relations for row in equations[index]]
+    sides = [
+        side - sum((row[rate] * known[rate] for rate in row if rate in known), 0)
+        for row, side in zip(rows, (s for i in step.relations for s in right[i]), strict=True)
+    ]
+    if step.unknowns:
+        matrix = [[row.get(rate, 0) for rate in step.unknowns] for row in rows]
+        return dict(zip(step.unknowns, arithmetic.solve(matrix, sides), strict=True))
+    for side in sides:
+        arithmetic.require_zero(side)
+    return {}

@@ -5,6 +5,9 @@ or `v_a = v_e + v_r`, each term a vector times one unknown rate. A joint that cl
 two chains. The same relations hold for accelerations, with the part of each term that the
 velocities decide: centripetal and Coriolis.
 
+A `Reading` says what is taken of the terms by a student who makes a mistake, goes on from a value
+of their own, or rounds.
+
 `build_frames` is called by `motion`; `plan` decides in which order the relations determine the
 rates.
 """
@@ -12,8 +15,8 @@ rates.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
-from typing import Literal, assert_never
+from dataclasses import dataclass, replace
+from typing import Literal, TypeAlias, assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers import Driver
@@ -23,6 +26,67 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 
 Kind = Literal["rotation", "sliding", "arc"]
+Chain: TypeAlias = "tuple[Term, ...]"
+Turning = tuple[tuple[Rate, Number], ...]
+
+
+class Reading:
+    """What is taken of the terms and relations of a motion: here all of them, as they are.
+
+    Vectors in m/s and m/s^2; chains and relations as the joints and drivers state them.
+    """
+
+    def chain(self, chain: Chain) -> Chain:
+        """The terms that are taken for the motion of a point."""
+        return chain
+
+    def velocity_chain(self, chain: Chain, *, whole: bool) -> Chain:
+        """The terms, of those taken for the motion of a point, that are taken for its velocity; the
+        `whole` one, or one of two of which the difference is taken.
+        """
+        return chain
+
+    def turning(self, relation: Relation) -> Turning:
+        """The rates that turn in a relation, with the factors that are taken."""
+        return relation.turning
+
+    def relation(self, relation: Relation) -> Relation:
+        """The relation as it is taken."""
+        left, right = self.chain(relation.left), self.chain(relation.right)
+        return replace(relation, left=left, right=right, turning=self.turning(relation))
+
+    def write(self, vector: Vector) -> Vector:
+        """What is written down of a vector that a term gives."""
+        return vector
+
+    def normal(self, rate: Rate, point: str, base: str, normal: Vector) -> Vector:
+        """What is taken of the normal acceleration of `point` about `base`, which has the
+        `rate`.
+        """
+        return normal
+
+    def coriolis(self, point: str, frame: str, coriolis: Vector) -> Vector:
+        """What is taken of the Coriolis acceleration of `point` relative to the body `frame`."""
+        return coriolis
+
+    def add_parts(self, normal: Vector, tangential: Vector, coriolis: Vector) -> Vector:
+        """The acceleration of which these are the parts; what the velocities decide is one sum."""
+        return tangential + (normal + coriolis)
+
+    def carried(self, rate: Number) -> Number:
+        """What is taken of the rate of a body, rad/s or rad/s^2, relative to which another one's
+        is asked for.
+        """
+        return rate
+
+    def find_relative(self, point: str, frame: str) -> Term | None:
+        """The term by which the motion of `point` relative to the body `frame` was solved for; None
+        where it is found as a difference.
+        """
+        return None
+
+
+PLAIN = Reading()
 
 
 @dataclass(frozen=True)
@@ -56,12 +120,11 @@ class Term:
             case _:
                 assert_never(self.kind)
 
-    def velocity(self, rates: Rates) -> Vector:
+    def velocity(self, rates: Rates, reading: Reading = PLAIN) -> Vector:
         """The term's velocity, m/s."""
-        velocity: Vector = self.coefficient() * rates[self.rate]
-        return velocity
+        return reading.write(self.coefficient() * rates[self.rate])
 
-    def normal(self, rates: Rates) -> Vector:
+    def normal(self, rates: Rates, reading: Reading = PLAIN) -> Vector:
         """The centripetal part of the term's acceleration, m/s^2: towards the base point or the
         centre.
         """
@@ -69,36 +132,47 @@ class Term:
             case "sliding":
                 return Vector(0, 0)
             case "rotation" | "arc":
-                centripetal: Vector = self.vector * (-rates[self.rate] * rates[self.rate])
-                return centripetal
+                centripetal = self.vector * (-rates[self.rate] * rates[self.rate])
+                taken = reading.normal(self.rate, self.point, self.base, centripetal)
+                return reading.write(taken)
             case _:
                 assert_never(self.kind)
 
-    def coriolis(self, rates: Rates) -> Vector:
+    def coriolis(self, rates: Rates, reading: Reading = PLAIN) -> Vector:
         """The Coriolis part 2 omega x v_r of the term's acceleration, m/s^2; zero for the rotation
         of a body.
         """
         if self.kind == "rotation" or self.frame == GROUND:
             return Vector(0, 0)
-        coriolis: Vector = self.velocity(rates).turned() * (rates[make_turning(self.frame)] * 2)
-        return coriolis
+        coriolis = compose_coriolis(self.velocity(rates, reading), rates[make_turning(self.frame)])
+        return reading.write(reading.coriolis(self.point, self.frame, coriolis))
 
-    def remainder(self, rates: Rates) -> Vector:
+    def remainder(self, rates: Rates, reading: Reading = PLAIN) -> Vector:
         """The whole part of the term's acceleration that the velocities decide."""
-        return self.normal(rates) + self.coriolis(rates)
+        return self.normal(rates, reading) + self.coriolis(rates, reading)
 
-    def acceleration(self, rates: Rates, changes: Rates) -> Vector:
+    def tangential(self, changes: Rates, reading: Reading = PLAIN) -> Vector:
+        """The part of the term's acceleration along its velocity, m/s^2."""
+        return reading.write(self.coefficient() * changes[self.rate])
+
+    def relative_acceleration(
+        self, rates: Rates, changes: Rates, reading: Reading = PLAIN
+    ) -> Vector:
+        """The term's acceleration relative to `frame`, m/s^2: its normal and tangential parts."""
+        return self.normal(rates, reading) + self.tangential(changes, reading)
+
+    def acceleration(self, rates: Rates, changes: Rates, reading: Reading = PLAIN) -> Vector:
         """The term's acceleration, m/s^2, from the rates and their changes."""
-        tangential: Vector = self.coefficient() * changes[self.rate]
-        return tangential + self.remainder(rates)
+        return reading.add_parts(
+            self.normal(rates, reading),
+            self.tangential(changes, reading),
+            self.coriolis(rates, reading),
+        )
 
     def map(self, number: Callable[[Number], Number]) -> Term:
         """The term with `number` applied to its vector."""
         vector = self.vector.map(number)
         return Term(self.kind, self.rate, vector, self.point, self.base, self.frame)
-
-
-Chain = tuple[Term, ...]
 
 
 @dataclass(frozen=True)
@@ -116,7 +190,7 @@ class Relation:
     left: Chain = ()
     right: Chain = ()
     along: Vector | None = None
-    turning: tuple[tuple[Rate, Number], ...] = ()
+    turning: Turning = ()
     velocity: Number = 0
     acceleration: Number = 0
     frame: str = GROUND
@@ -159,27 +233,28 @@ class Relation:
         """The right-hand sides of the equations for velocities."""
         return [0, 0] if self.is_vector else [self.velocity]
 
-    def acceleration_side(self, rates: Rates) -> list[Number]:
+    def acceleration_side(self, rates: Rates, reading: Reading = PLAIN) -> list[Number]:
         """The right-hand sides of the equations for accelerations: imposed minus what the
         velocities decide.
         """
-        decided = add_vectors(term.remainder(rates) for term in self.left)
-        decided = decided - add_vectors(term.remainder(rates) for term in self.right)
+        decided = add_vectors(term.remainder(rates, reading) for term in self.left)
+        decided = decided - add_vectors(term.remainder(rates, reading) for term in self.right)
         if self.is_vector:
             return [-decided.x, -decided.y]
         if self.along is None:
             return [self.acceleration]
         if self.frame != GROUND:
-            decided = decided - self.imposed_coriolis(rates)
+            decided = decided - self._imposed_coriolis(rates, reading)
         return [self.acceleration - self.along.dot(decided)]
 
-    def imposed_coriolis(self, rates: Rates) -> Vector:
+    def _imposed_coriolis(self, rates: Rates, reading: Reading) -> Vector:
         """The Coriolis acceleration 2 omega x v_r of the motion relative to `frame`, m/s^2."""
-        relative = add_vectors(t.velocity(rates) for t in self.left) - add_vectors(
-            t.velocity(rates) for t in self.right
+        relative = add_vectors(t.velocity(rates, reading) for t in self.left) - add_vectors(
+            t.velocity(rates, reading) for t in self.right
         )
-        coriolis: Vector = relative.turned() * (rates[make_turning(self.frame)] * 2)
-        return coriolis
+        point = self.left[-1].point if self.left else ""
+        coriolis = compose_coriolis(relative, rates[make_turning(self.frame)])
+        return reading.coriolis(point, self.frame, coriolis)
 
     def map(self, number: Callable[[Number], Number]) -> Relation:
         """The relation with `number` applied to all that it states; its source stays as it is."""
@@ -194,6 +269,11 @@ class Relation:
             self.frame,
             self.source,
         )
+
+
+def compose_coriolis(relative: Vector, omega: Number) -> Vector:
+    """The Coriolis acceleration 2 omega x v_r, m/s^2."""
+    return relative.turned() * (omega * 2)
 
 
 def map_chain(chain: Chain, number: Callable[[Number], Number]) -> Chain:

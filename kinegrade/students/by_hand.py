@@ -8,94 +8,46 @@ the acceleration.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
-from functools import cached_property
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 from kinegrade.mechanics import plan as plans
-from kinegrade.mechanics.frames import Base, Frames, build_chain
-from kinegrade.mechanics.motion import Motion
-from kinegrade.mechanics.rates import Rates
-from kinegrade.mechanics.relations import Chain, Relation, Term
+from kinegrade.mechanics.motion import Motion, find_relative_terms
+from kinegrade.mechanics.relations import Chain, Reading, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.rounding import Rounded
 
 
 @dataclass(frozen=True)
-class WrittenTerm(Term):
-    """A term whose vectors are written down."""
+class WrittenReading(Reading):
+    """The terms as they are written down: arms, velocities and the parts of accelerations.
 
-    rounded: Rounded = field(kw_only=True)
-
-    def velocity(self, rates: Rates) -> Vector:
-        """The term's velocity as it is written down, m/s."""
-        return write_down(super().velocity(rates), self.rounded)
-
-    def normal(self, rates: Rates) -> Vector:
-        """The centripetal part of its acceleration as it is written down, m/s^2."""
-        return write_down(super().normal(rates), self.rounded)
-
-    def coriolis(self, rates: Rates) -> Vector:
-        """The Coriolis part of its acceleration as it is written down, m/s^2."""
-        return write_down(super().coriolis(rates), self.rounded)
-
-    def acceleration(self, rates: Rates, changes: Rates) -> Vector:
-        """The term's acceleration, m/s^2: the sum of its written parts."""
-        return self.in_frame(rates, changes) + self.coriolis(rates)
-
-    def in_frame(self, rates: Rates, changes: Rates) -> Vector:
-        """The acceleration relative to the frame, m/s^2: the written normal and tangential
-        parts.
-        """
-        tangential: Vector = self.coefficient() * changes[self.rate]
-        return self.normal(rates) + write_down(tangential, self.rounded)
-
-
-@dataclass(frozen=True)
-class _WrittenFrames(Frames):
-    """Chains and relations whose terms are written down."""
-
-    rounded: Rounded = field(kw_only=True)
-
-    def chain(self, body: str, point: str) -> Chain:
-        """The written terms whose sum is the velocity of `point`, taken as a point of `body`."""
-        return _write_chain(build_chain(self.mechanism, self.bases, body, point), self.rounded)
-
-    @cached_property
-    def relative(self) -> dict[tuple[str, str], WrittenTerm]:
-        """The relative motions that the plan solves for: of a point relative to a body."""
-        return {(term.point, term.frame): term for term in self.terms()}
-
-    def terms(self) -> Iterator[WrittenTerm]:
-        """All terms of relations and bases."""
-        chains = [side for relation in self.relations for side in (relation.left, relation.right)]
-        for terms in (*chains, *(base.chain for base in self.bases.values())):
-            yield from (
-                term for term in terms if isinstance(term, WrittenTerm) and term.kind != "rotation"
-            )
-
-
-@dataclass(frozen=True)
-class _WrittenMotion(Motion):
-    """A motion by hand: a relative motion that was solved for is not found again as a
-    difference.
+    `relative` has the relative motions that the plan solves for, which are not found again as
+    differences: of a point relative to a body.
     """
 
-    frames: _WrittenFrames
+    rounded: Rounded
+    relative: Mapping[tuple[str, str], Term]
 
-    def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
-        """Velocity of `point` of `body` relative to the moving body `frame`, m/s."""
-        term = self.frames.relative.get((point, frame))
-        return term.velocity(self.rates) if term else super().relative_velocity(point, body, frame)
+    def chain(self, chain: Chain) -> Chain:
+        """The terms with their arms written down."""
+        return tuple(map(self._write_arm, chain))
 
-    def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
-        """Acceleration of `point` of `body` relative to `frame`, m/s^2."""
-        term = self.frames.relative.get((point, frame))
-        return (
-            term.in_frame(self.rates, self.changes)
-            if term
-            else super().relative_acceleration(point, body, frame)
-        )
+    def _write_arm(self, term: Term) -> Term:
+        return replace(term, vector=self.write(term.vector))
+
+    def write(self, vector: Vector) -> Vector:
+        """The vector as it is written down."""
+        return write_down(vector, self.rounded)
+
+    def add_parts(self, normal: Vector, tangential: Vector, coriolis: Vector) -> Vector:
+        """The parts added up one after the other, as they are written down."""
+        return normal + tangential + coriolis
+
+    def find_relative(self, point: str, frame: str) -> Term | None:
+        """The term of a relative motion that the plan solves for, its arm written down."""
+        term = self.relative.get((point, frame))
+        return term and self._write_arm(term)
 
 
 def solve_by_hand(motion: Motion, rounded: Rounded) -> Motion:
@@ -106,56 +58,14 @@ def solve_by_hand(motion: Motion, rounded: Rounded) -> Motion:
     """
     if not motion.plan.steps:
         return motion
-    relations = tuple(_write_relation(relation, rounded) for relation in motion.frames.relations)
-    bases = {
-        name: Base(base.point, _write_chain(base.chain, rounded), base.joint)
-        for name, base in motion.frames.bases.items()
-    }
+    reading = WrittenReading(rounded, find_relative_terms(motion.frames))
+    relations = [reading.relation(relation) for relation in motion.frames.relations]
     equations = [relation.equations() for relation in relations]
-    rates = plans.run_steps(
-        motion.plan, equations, lambda index: relations[index].velocity_side(), rounded
-    )
-    changes = plans.run_steps(
-        motion.plan, equations, lambda index: relations[index].acceleration_side(rates), rounded
-    )
-    return _WrittenMotion(
-        _WrittenFrames(motion.frames.mechanism, bases, relations, rounded=rounded),
-        motion.plan,
-        rates,
-        changes,
-    )
-
-
-def _write_relation(relation: Relation, rounded: Rounded) -> Relation:
-    """The relation with its terms written down."""
-    return Relation(
-        relation.origin,
-        _write_chain(relation.left, rounded),
-        _write_chain(relation.right, rounded),
-        relation.along,
-        relation.turning,
-        relation.velocity,
-        relation.acceleration,
-        relation.frame,
-    )
-
-
-def _write_chain(terms: Chain, rounded: Rounded) -> Chain:
-    """The terms with their arms written down."""
-    return tuple(
-        term
-        if isinstance(term, WrittenTerm)
-        else WrittenTerm(
-            term.kind,
-            term.rate,
-            write_down(term.vector, rounded),
-            term.point,
-            term.base,
-            term.frame,
-            rounded=rounded,
-        )
-        for term in terms
-    )
+    sides = [relation.velocity_side() for relation in relations]
+    rates = plans.run_steps(motion.plan, equations, sides, rounded)
+    sides = [relation.acceleration_side(rates, reading) for relation in relations]
+    changes = plans.run_steps(motion.plan, equations, sides, rounded)
+    return Motion(motion.frames, motion.plan, rates, changes, reading)
 
 
 def write_down(vector: Vector, rounded: Rounded) -> Vector:

@@ -24,8 +24,7 @@ from kinegrade.numbers.doubles import Doubles
 from kinegrade.problem.assemble import Assembly, assemble
 from kinegrade.problem.quantities import Quantities, find_body_names
 from kinegrade.problem.template.template import Ask, Template
-from kinegrade.students.followed import FollowedMotion, OwnValue
-from kinegrade.students.followed import follow_values as followed_motion
+from kinegrade.students.followed import OwnValue, follow_values
 from kinegrade.students.followed_quantities import (
     LEVELS,
     find_motion_calls,
@@ -123,11 +122,11 @@ class Follower:
         )
 
     @cached_property
-    def right_motion(self) -> FollowedMotion | None:
+    def right_motion(self) -> Motion | None:
         """The motion as it is, None where there is none."""
         return self.motion({})
 
-    def motion(self, answers: Mapping[str, float]) -> FollowedMotion | None:
+    def motion(self, answers: Mapping[str, float]) -> Motion | None:
         """The motion with the student's answers put in; None where it cannot be solved."""
         if not self.template.scheme.drivers:
             return None
@@ -139,7 +138,7 @@ class Follower:
                     for name in answers
                     for value in self._student_values(self.template.asks[name], answers[name])
                 ]
-                return followed_motion(self.still.frames, self.plan, values, doubles)
+                return follow_values(self.still.frames, self.plan, values, doubles)
             except (KinegradeError, ArithmeticError):
                 return None
 
@@ -162,12 +161,8 @@ class Follower:
         equations = [relation.equations() for relation in relations]
         if self.suggested is not None:
             try:
-                plans.run_steps(
-                    self.suggested,
-                    equations,
-                    lambda index: relations[index].velocity_side(),
-                    Doubles(),
-                )
+                sides = [relation.velocity_side() for relation in relations]
+                plans.run_steps(self.suggested, equations, sides, Doubles())
             except ArithmeticError:
                 pass
             else:
@@ -228,7 +223,7 @@ class Follower:
         body = self.names[bodies[0]] if bodies else None
         return Quantities(self.still, Doubles()).owner(point, body), point
 
-    def read(self, ask: Ask, motion: FollowedMotion) -> float | None:
+    def read(self, ask: Ask, motion: Motion) -> float | None:
         """An answer read off a motion, None where the motion does not determine it (yet)."""
         doubles = Doubles()
         functions = {**self.fixed, **make_functions(motion, doubles)}

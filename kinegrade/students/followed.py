@@ -8,10 +8,9 @@ stay, and all later steps use it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeVar, assert_never
 
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
@@ -19,57 +18,25 @@ from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.joints import Parallel
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan, Step
-from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.rates import Rate, Rates
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.numbers.number import Arithmetic
+from kinegrade.numbers.number import Arithmetic, Number
 from kinegrade.students.followed_terms import (
-    OwnFrames,
+    FollowedReading,
     Place,
     Share,
     make_offsets,
-    open_frames,
-    open_relations,
+    read_to_follow,
+    write_relations,
 )
-from kinegrade.students.mistaken import Unsuspecting
+from kinegrade.students.unsuspecting import Unsuspecting
 
 _NOTHING = 1e-12  # relative: anything smaller is rounding
 _SAME = 1e-9  # relative: how near a reading must come to the student's value
 _STRAIGHT = 1e-4  # relative: the largest miss of one step along a tangent, to be refined
 _NEARBY = 1e-3  # relative: how far a number is changed to see what depends on it
-
-
-@dataclass(frozen=True)
-class FollowedMotion(Motion):
-    """A motion while the student's values are substituted, and after; its rates and changes are
-    those determined so far.
-    """
-
-    frames: OwnFrames
-
-    def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
-        """Velocity of `point` of `body` relative to the moving body `frame`, m/s: as solved for, if
-        it was.
-        """
-        term = self.frames.relative.get((point, frame))
-        return term.velocity(self.rates) if term else super().relative_velocity(point, body, frame)
-
-    def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
-        """Acceleration of `point` of `body` relative to `frame`, m/s^2: as solved for, if it
-        was.
-        """
-        term = self.frames.relative.get((point, frame))
-        if term is None:
-            return super().relative_acceleration(point, body, frame)
-        tangential: Vector = term.coefficient() * self.changes[term.rate]
-        return tangential + term.normal(self.rates)
-
-    def coriolis(self, point: str, body: str, frame: str) -> Vector:
-        """Coriolis acceleration of `point` of `body` relative to `frame`, m/s^2."""
-        share = Share("coriolis", point, frame).find(self.rates)
-        coriolis: Vector = super().coriolis(point, body, frame) * share
-        return coriolis
 
 
 @dataclass(frozen=True)
@@ -82,150 +49,149 @@ class OwnValue:
     None for angular and for relative motions.
     """
 
-    read: Callable[[FollowedMotion], float | None]
+    read: Callable[[Motion], float | None]
     value: float
     level: Level
     place: Place | None = None
     part: Share | None = None
 
 
+_Key = TypeVar("_Key", bound=Hashable)
+
+
 def follow_values(
     frames: Frames, plan: Plan, values: Sequence[OwnValue], arithmetic: Arithmetic
-) -> FollowedMotion:
+) -> Motion:
     """The motion with the student's values substituted; a value that cannot be is left out, and the
     motion is as without it.
 
     Raises Singular where a step determines nothing.
     """
     places = tuple(dict.fromkeys(value.place for value in values if value.place))
-    extended = open_frames(frames, plan, places)
-    rates, changes = (
-        {name: 0.0 for place in places for name in make_offsets(place)} for _ in range(2)
-    )
-    run = _Run(
-        FollowedMotion(extended, plan, rates, changes),
-        open_relations(extended, plan),
-        rates,
-        changes,
-        Unsuspecting(arithmetic),
-    )
-    run.velocities([value for value in values if value.level == "velocity"])
+    reading = read_to_follow(frames, plan, places)
+    relations = write_relations(frames, plan, reading)
+    none = {rate: 0.0 for place in places for rate in make_offsets(place)}
+    motion = Motion(frames, plan, none, none, reading)
+    solver = Unsuspecting(arithmetic)
+    sides = [relation.velocity_side() for relation in relations]
+    run = _Run(motion, "velocity", relations, sides, solver)
+    motion = run.follow([value for value in values if value.level == "velocity"])
     accelerations = [value for value in values if value.level == "acceleration"]
-    run.parts([value for value in accelerations if value.part])
-    run.accelerations([value for value in accelerations if not value.part])
-    return run.motion
+    motion = _put_in_parts(motion, reading, [value for value in accelerations if value.part])
+    sides = [relation.acceleration_side(motion.rates, motion.reading) for relation in relations]
+    run = _Run(motion, "acceleration", relations, sides, solver)
+    return run.follow([value for value in accelerations if not value.part])
+
+
+def _put_in_parts(motion: Motion, reading: FollowedReading, values: Iterable[OwnValue]) -> Motion:
+    """The motion with the values of Coriolis and normal parts, which the velocities decide."""
+
+    def take(shares: Mapping[Share, Number]) -> Motion:
+        return replace(motion, reading=replace(reading, shares=shares))
+
+    shares: Mapping[Share, Number] = {}
+    for value in values:
+        if value.part:
+            open_shares = {value.part: 1.0, **shares}
+            shares = _move(take, value, open_shares, {value.part: _NEARBY})
+    return take(shares)
 
 
 @dataclass(frozen=True)
 class _Run:
-    """A run of a plan: the rates and changes found so far, which are also those of `motion`."""
+    """A run of a plan for velocities or accelerations, from a motion in which they are not known
+    yet; `sides` are the right-hand sides of the relations.
+    """
 
-    motion: FollowedMotion
+    motion: Motion
+    level: Level
     relations: Sequence[Relation]
-    rates: dict[Any, Any]
-    changes: dict[Any, Any]
-    arithmetic: Unsuspecting
+    sides: Sequence[Sequence[Number]]
+    solver: Unsuspecting
 
-    @cached_property
-    def equations(self) -> plans.Equations:
-        """The coefficients of all relations."""
-        return [relation.equations() for relation in self.relations]
-
-    def velocities(self, values: Sequence[OwnValue]) -> None:
-        """Follow the plan for velocities."""
-        self._follow(self.rates, lambda index: self.relations[index].velocity_side(), values)
-
-    def accelerations(self, values: Sequence[OwnValue]) -> None:
-        """Follow the plan for accelerations."""
-        self._follow(
-            self.changes, lambda index: self.relations[index].acceleration_side(self.rates), values
-        )
-
-    def _follow(
-        self,
-        found: dict[Any, Any],
-        right: Callable[[int], Sequence[Any]],
-        values: Iterable[OwnValue],
-    ) -> None:
-        """Run step by step, substituting each student's value as soon as it is determined. Raises
-        Singular.
+    def follow(self, values: Iterable[OwnValue]) -> Motion:
+        """The motion found step by step, with each student's value substituted as soon as it is
+        determined. Raises Singular.
         """
-        waiting = list(values)
+        equations = [relation.equations() for relation in self.relations]
+        found, waiting = self._known, list(values)
         for step in self.motion.plan.steps:
             if step.unknowns:
-                sides = {
-                    index: [
-                        side - sum(row[rate] * found[rate] for rate in row if rate in found)
-                        for row, side in zip(self.equations[index], right(index), strict=True)
-                    ]
-                    for index in step.relations
-                }
-                found.update(
-                    plans.run_steps(
-                        Plan((step,)), self.equations, sides.__getitem__, self.arithmetic
-                    )
-                )
-            ready = [value for value in waiting if value.read(self.motion) is not None]
+                solved = plans.solve_step(step, equations, self.sides, found, self.solver)
+                found = {**found, **solved}
+            motion = self._take(found)
+            ready = [value for value in waiting if value.read(motion) is not None]
             waiting = [value for value in waiting if value not in ready]
             for value in ready:
-                self._put_in(value, found, step)
+                found = self._put_in(value, found, step)
+        return self._take(found)
 
-    def parts(self, values: Iterable[OwnValue]) -> None:
-        """Substitute the values of Coriolis and normal parts, which the velocities decide."""
-        for value in values:
-            self.rates.setdefault(value.part, 1.0)
-            _move_rates(self.motion, value, self.rates, {value.part: _NEARBY})
+    @property
+    def _known(self) -> Rates:
+        """The rates, or their changes, that are known before the first step."""
+        match self.level:
+            case "velocity":
+                return self.motion.rates
+            case "acceleration":
+                return self.motion.changes
+            case _:
+                assert_never(self.level)
 
-    def _put_in(self, wanted: OwnValue, found: dict[Any, Any], step: Step) -> None:
-        """Substitute a student's value for what the step determines it by."""
+    def _take(self, found: Rates) -> Motion:
+        """The motion with the rates, or the changes, that are found."""
+        match self.level:
+            case "velocity":
+                return replace(self.motion, rates=found)
+            case "acceleration":
+                return replace(self.motion, changes=found)
+            case _:
+                assert_never(self.level)
+
+    def _put_in(self, wanted: OwnValue, found: Rates, step: Step) -> Rates:
+        """What is found, with a student's value substituted for what the step determines it by."""
         rate = None if self._is_given(step) else self._one_rate(wanted, found, step)
         if rate is not None:
-            _move_rates(self.motion, wanted, found, {rate: _choose_reach(found, rate)})
-        elif wanted.place:
-            body, point = wanted.place
-            vector = (
-                self.motion.velocity(point, body)
-                if found is self.rates
-                else self.motion.acceleration(point, body)
-            )
-            _move_rates(
-                self.motion,
-                wanted,
-                found,
-                dict.fromkeys(make_offsets(wanted.place), _NEARBY * max(map(abs, vector))),
-            )
+            return _move(self._take, wanted, found, {rate: _choose_reach(found, rate)})
+        if not wanted.place:
+            return found
+        reach = _NEARBY * max(map(abs, self._read_vector(wanted.place, found)))
+        return _move(self._take, wanted, found, dict.fromkeys(make_offsets(wanted.place), reach))
 
-    def _one_rate(self, wanted: OwnValue, found: dict[Any, Any], step: Step) -> Rate | None:
+    def _read_vector(self, place: Place, found: Rates) -> Vector:
+        """The velocity or acceleration of a point."""
+        body, point = place
+        motion = self._take(found)
+        match self.level:
+            case "velocity":
+                return motion.velocity(point, body)
+            case "acceleration":
+                return motion.acceleration(point, body)
+            case _:
+                assert_never(self.level)
+
+    def _one_rate(self, wanted: OwnValue, found: Rates, step: Step) -> Rate | None:
         """The one rate of the step that the student's value depends on; for a point only if no
         other rate moves it.
         """
         if wanted.place and not self._moves_by_one(wanted.place):
             return None
-        now = abs(wanted.read(self.motion) or 0.0)
+        now = _measure(wanted, self._take(found))
+        reaches = {rate: _choose_reach(found, rate) for rate in step.unknowns}
         rates = [
             rate
-            for rate in step.unknowns
-            if abs(_measure_slope(self.motion, wanted, found, rate, _choose_reach(found, rate)))
-            * _choose_reach(found, rate)
-            > _NOTHING * now
+            for rate, reach in reaches.items()
+            if abs(_measure_slope(self._take, wanted, found, rate, reach)) * reach
+            > _NOTHING * abs(now)
         ]
-        if len(rates) != 1 or (
-            wanted.place and self.without(wanted, found, rates[0]) > _SAME * now
-        ):
+        if len(rates) != 1:
             return None
-        return rates[0]
+        without = _measure(wanted, self._take({**found, rates[0]: 0.0})) if wanted.place else 0.0
+        return None if abs(without) > _SAME * abs(now) else rates[0]
 
     def _moves_by_one(self, place: Place) -> bool:
         """Whether one rate alone determines the motion of a point."""
         added = make_offsets(place)
-        return sum(term.rate not in added for term in self.motion.frames.chain(*place)) == 1
-
-    def without(self, wanted: OwnValue, found: dict[Any, Any], rate: Rate) -> float:
-        """The absolute value of the student's quantity with a rate set to zero."""
-        kept, found[rate] = found[rate], 0.0
-        size = abs(wanted.read(self.motion) or 0.0)
-        found[rate] = kept
-        return size
+        return sum(term.rate not in added for term in self.motion.chain(*place)) == 1
 
     def _is_given(self, step: Step) -> bool:
         """Whether a step only states what is given."""
@@ -235,50 +201,61 @@ class _Run:
         )
 
 
-def _choose_reach(found: dict[Any, Any], rate: Rate) -> float:
+def _choose_reach(found: Rates, rate: Rate) -> float:
     """How far to change a rate to see what depends on it."""
     return _NEARBY * float(abs(found[rate]) or max(map(abs, found.values())) or 1.0)
 
 
+def _measure(wanted: OwnValue, motion: Motion) -> float:
+    """The student's quantity in a motion, 0 where it has none."""
+    return wanted.read(motion) or 0.0
+
+
 def _measure_slope(
-    motion: FollowedMotion, wanted: OwnValue, found: dict[Any, Any], rate: Rate, reach: float
+    take: Callable[[Mapping[_Key, Number]], Motion],
+    wanted: OwnValue,
+    found: Mapping[_Key, Number],
+    changed: _Key,
+    reach: float,
 ) -> float:
-    """The derivative of the student's quantity with respect to a rate."""
-    kept = found[rate]
-    found[rate] = kept + reach
-    above = wanted.read(motion) or 0.0
-    found[rate] = kept - reach
-    below = wanted.read(motion) or 0.0
-    found[rate] = kept
-    return (above - below) / (2 * reach) if reach else 0.0
-
-
-def _move_rates(
-    motion: FollowedMotion, wanted: OwnValue, found: dict[Any, Any], reaches: dict[Any, float]
-) -> None:
-    """Change some rates, by as little as possible, so that the student's quantity has the student's
-    value.
-
-    They stay unchanged where the quantity is not linear in them: an angle, or a magnitude that
-    cannot be negative.
+    """The derivative of the student's quantity with respect to one of the numbers that are
+    found; `take` gives the motion with them.
     """
-    kept = {rate: found[rate] for rate in reaches}
-    start = wanted.read(motion) or 0.0
+    if not reach:
+        return 0.0
+    above, below = (
+        _measure(wanted, take({**found, changed: found[changed] + step}))
+        for step in (reach, -reach)
+    )
+    return (above - below) / (2 * reach)
+
+
+def _move(
+    take: Callable[[Mapping[_Key, Number]], Motion],
+    wanted: OwnValue,
+    found: Mapping[_Key, Number],
+    reaches: Mapping[_Key, float],
+) -> Mapping[_Key, Number]:
+    """What is found, with some numbers changed by as little as possible so that the student's
+    quantity has the student's value.
+
+    Unchanged where the quantity is not linear in them: an angle, or a magnitude that cannot be
+    negative.
+    """
+    start, moved = _measure(wanted, take(found)), found
     for tolerance in (_STRAIGHT, _SAME, _SAME):
-        missing = wanted.value - (wanted.read(motion) or 0.0)
+        missing = wanted.value - _measure(wanted, take(moved))
         if not abs(missing) > _NOTHING * abs(wanted.value):
-            return
+            return moved
         slopes = {
-            rate: _measure_slope(motion, wanted, found, rate, reach)
-            for rate, reach in reaches.items()
+            name: _measure_slope(take, wanted, moved, name, reach)
+            for name, reach in reaches.items()
         }
-        steepness = sum(each * each for each in slopes.values())
+        steepness = sum(slope * slope for slope in slopes.values())
         if steepness:
-            found.update(
-                {rate: found[rate] + missing * each / steepness for rate, each in slopes.items()}
-            )
-        if not abs(wanted.value - (wanted.read(motion) or 0.0)) <= tolerance * abs(
-            wanted.value - start
-        ):
-            found.update(kept)
-            return
+            steps = {name: missing * slope / steepness for name, slope in slopes.items()}
+            moved = {**moved, **{name: moved[name] + step for name, step in steps.items()}}
+        left = wanted.value - _measure(wanted, take(moved))
+        if not abs(left) <= tolerance * abs(wanted.value - start):
+            return found
+    return moved

@@ -14,11 +14,12 @@ from typing import Any, assert_never
 
 from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation
 from kinegrade.mechanics.mechanism import Body
+from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.quantities import Quantities, make_quantities
-from kinegrade.students.followed import FollowedMotion
 from kinegrade.students.followed_terms import Share
 
 _ROTATION = "rotation_velocity"
@@ -41,23 +42,19 @@ _MOTION = frozenset((*LEVELS, "pole", "circle_of_poles"))
 class _OwnQuantities(Quantities):
     """Reads quantities off a motion into which a student's values are put."""
 
-    motion: FollowedMotion
-
     def normal(self, place: Vector, base: Vector, body: Any) -> Vector:
         """Centripetal part of the acceleration of a point relative to a base point of the same
         body, as it is taken.
         """
-        share = Share("normal", self.point(place), self.point(base)).find(self.motion.rates)
-        taken: Vector = super().normal(place, base, body) * share
-        return taken
+        turning, normal = make_turning(self.body(body)), super().normal(place, base, body)
+        return self.motion.reading.normal(turning, self.point(place), self.point(base), normal)
 
     def rotation(self, place: Vector, base: Vector, body: Any) -> Vector:
         """Velocity of a point relative to a base point of the same body."""
-        velocity: Vector = (place - base).turned() * self.motion.omega(self.body(body))
-        return velocity
+        return (place - base).turned() * self.motion.omega(self.body(body))
 
 
-def make_functions(motion: FollowedMotion, arithmetic: Arithmetic) -> dict[str, Callable[..., Any]]:
+def make_functions(motion: Motion, arithmetic: Arithmetic) -> dict[str, Callable[..., Any]]:
     """The functions of a quantity, read off such a motion."""
     reader = _OwnQuantities(motion, arithmetic)
     return {

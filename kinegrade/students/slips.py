@@ -3,14 +3,14 @@
 A slip is a transformation of terms: each number of a `Slips` is the share that remains of
 something, 1 if correct and 0 if forgotten. Shares may be arrays, one entry for each way to go
 wrong, so that one run of the plan gives the results of many mistakes. `mistaken` runs the plan with
-them.
+them, `MistakenReading` takes the terms with them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, assert_never
+from typing import assert_never
 
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.frames import Frames
@@ -27,12 +27,14 @@ from kinegrade.mechanics.joints import (
     Sleeve,
     Slide,
 )
-from kinegrade.mechanics.rates import Rate, Rates, make_turning
-from kinegrade.mechanics.relations import Chain, Relation, Term
+from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.mechanics.relations import Chain, Reading, Relation, Term, Turning
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Number
 
+Share = Number  # or an array of them with an entry for each way to go wrong
 # (centre carried, centre of the circle it runs about): share of the distance
-Arms = Mapping[tuple[str, str], Any]
+Arms = Mapping[tuple[str, str], Share]
 
 
 @dataclass(frozen=True)
@@ -53,101 +55,93 @@ class Slips:
       it.
     """
 
-    coriolis: Any = 1
-    relative_normal: Any = 1
-    path_normal: Any = 1
-    meshing: Any = 1
-    carried: Any = 1
-    asked_relative: Any = 1
-    arm: Any = 1
-    pole: Any = 1
-    centre: Any = 1
-    relative: Any = 1
+    coriolis: Share = 1
+    relative_normal: Share = 1
+    path_normal: Share = 1
+    meshing: Share = 1
+    carried: Share = 1
+    asked_relative: Share = 1
+    arm: Share = 1
+    pole: Share = 1
+    centre: Share = 1
+    relative: Share = 1
 
 
 @dataclass(frozen=True)
-class _MistakenTerm(Term):
-    """A term of whose acceleration only a share of the normal and of the Coriolis part is taken."""
+class MistakenReading(Reading):
+    """The terms as a student takes them who makes the slips.
 
-    normal_share: Any = 1
-    coriolis_share: Any = 1
-
-    def normal(self, rates: Rates) -> Vector:
-        """The centripetal part that is taken, m/s^2."""
-        taken: Vector = super().normal(rates) * self.normal_share
-        return taken
-
-    def coriolis(self, rates: Rates) -> Vector:
-        """The Coriolis part that is taken, m/s^2."""
-        taken: Vector = super().coriolis(rates) * self.coriolis_share
-        return taken
-
-
-@dataclass(frozen=True)
-class _MistakenRelation(Relation):
-    """A relation that imposes a relative motion, of whose Coriolis acceleration only a share is
-    taken.
+    `arms` are the shares of the arms that carry wheels, `pinned` the rates of the bodies that turn
+    about a fixed pin, `centres` the centres of rolling bodies by their turning rates.
     """
-
-    coriolis_share: Any = 1
-
-    def imposed_coriolis(self, rates: Rates) -> Vector:
-        """The part of the Coriolis acceleration of the imposed relative motion that is taken,
-        m/s^2.
-        """
-        taken: Vector = super().imposed_coriolis(rates) * self.coriolis_share
-        return taken
-
-
-@dataclass(frozen=True)
-class MistakenFrames(Frames):
-    """The chains and relations of a student who makes the slips."""
 
     slips: Slips
     arms: Arms
+    pinned: frozenset[Rate]
+    centres: Mapping[Rate, str]
 
-    def chain(self, body: str, point: str) -> Chain:
-        """The terms of a point's motion, with the slips made."""
-        return _slip_in_chain(super().chain(body, point), self.slips, self.arms)
-
-
-def slip_in_frames(frames: Frames, slips: Slips) -> MistakenFrames:
-    """The frames with the slips made in every term and every relation."""
-    arms = dict(_find_carried_arms(frames, slips))
-    relations = tuple(_slip_in_relation(relation, slips, arms) for relation in frames.relations)
-    return MistakenFrames(frames.mechanism, frames.bases, relations, slips, arms)
-
-
-def _slip_in_chain(chain: Chain, slips: Slips, arms: Arms) -> Chain:
-    """The terms with the slips made; the first rotation of a chain is about a fixed pin."""
-    return tuple(
-        _slip_in_term(
-            term,
-            slips,
-            slips.relative_normal if place and term.kind == "rotation" else slips.path_normal,
-            arms,
+    def chain(self, chain: Chain) -> Chain:
+        """The terms with the shares of their arms."""
+        return tuple(
+            replace(term, vector=term.vector * self.arms[term.point, term.base])
+            if (term.point, term.base) in self.arms
+            else term
+            for term in chain
         )
-        for place, term in enumerate(chain)
+
+    def velocity_chain(self, chain: Chain, *, whole: bool) -> Chain:
+        """The terms of which a velocity is taken to consist: of a point of a rolling body without
+        the velocity of the centre; of a `whole` one without relative motions: the velocity of the
+        coincident point of the moving body.
+        """
+        last = chain[-1] if chain else None
+        about_centre = last is not None and len(chain) > 1 and self._turns_about_centre(last)
+        terms = []
+        for term in chain:
+            share = self.slips.centre if about_centre and term is not last else 1
+            if whole and term.frame != GROUND:
+                share = share * self.slips.relative
+            terms.append(term if is_right(share) else replace(term, vector=term.vector * share))
+        return tuple(terms)
+
+    def _turns_about_centre(self, term: Term) -> bool:
+        """Whether a term is the rotation of a rolling body about its centre."""
+        return term.kind == "rotation" and self.centres.get(term.rate) == term.base
+
+    def turning(self, relation: Relation) -> Turning:
+        """The rates that turn, with the slips made in their factors."""
+        return _slip_in_turning(relation, self.slips)
+
+    def normal(self, rate: Rate, point: str, base: str, normal: Vector) -> Vector:
+        """The share of a normal acceleration, on a path or relative to a base point."""
+        on_path = rate.kind != "turning" or rate in self.pinned
+        return normal * (self.slips.path_normal if on_path else self.slips.relative_normal)
+
+    def coriolis(self, point: str, frame: str, coriolis: Vector) -> Vector:
+        """The share of a Coriolis acceleration."""
+        return coriolis * self.slips.coriolis
+
+    def carried(self, rate: Number) -> Number:
+        """The share of the rate of a body relative to which another one's is asked for."""
+        return rate * self.slips.asked_relative
+
+
+def read_with_slips(frames: Frames, slips: Slips) -> MistakenReading:
+    """The reading of a mechanism's terms in which the slips are made."""
+    return MistakenReading(
+        slips,
+        dict(_find_carried_arms(frames, slips)),
+        frozenset(make_turning(name) for name, base in frames.bases.items() if not base.chain),
+        _find_rolling_centres(frames),
     )
 
 
-def _slip_in_term(term: Term, slips: Slips, normal_share: Any, arms: Arms) -> Term:
-    """A term with the slips made."""
-    share = arms.get((term.point, term.base))
-    vector = term.vector if share is None else term.vector * share
-    return _MistakenTerm(
-        term.kind,
-        term.rate,
-        vector,
-        term.point,
-        term.base,
-        term.frame,
-        normal_share,
-        slips.coriolis,
-    )
+def is_right(share: Share) -> bool:
+    """Whether a share is 1, in all ways to go wrong."""
+    return isinstance(share, int) and share == 1
 
 
-def _find_carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str], Any]]:
+def _find_carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str], Share]]:
     """For each wheel that runs on a circle the share taken of the distance of the two centres: of
     r1 in r1 + r2.
     """
@@ -158,23 +152,7 @@ def _find_carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str
             yield (joint.circle.centre, joint.on.centre), share
 
 
-def _slip_in_relation(relation: Relation, slips: Slips, arms: Arms) -> Relation:
-    """A relation with the slips made in its chains and in its turning rates."""
-    return _MistakenRelation(
-        relation.origin,
-        _slip_in_chain(relation.left, slips, arms),
-        _slip_in_chain(relation.right, slips, arms),
-        relation.along,
-        _slip_in_turning(relation, slips),
-        relation.velocity,
-        relation.acceleration,
-        relation.frame,
-        relation.source,
-        slips.coriolis,
-    )
-
-
-def _slip_in_turning(relation: Relation, slips: Slips) -> tuple[tuple[Rate, Any], ...]:
+def _slip_in_turning(relation: Relation, slips: Slips) -> Turning:
     """The factors of the turning rates with the slips made."""
     match relation.source:
         case Roll(on=on):
@@ -197,7 +175,7 @@ def _slip_in_turning(relation: Relation, slips: Slips) -> tuple[tuple[Rate, Any]
             assert_never(relation.source)
 
 
-def _slip_in_carrying(relation: Relation, of: str, slips: Slips) -> tuple[tuple[Rate, Any], ...]:
+def _slip_in_carrying(relation: Relation, of: str, slips: Slips) -> Turning:
     """The factors of the turning rates where only part of the rotation of the body `of` is taken
     into account.
     """
@@ -209,7 +187,7 @@ def _slip_in_carrying(relation: Relation, of: str, slips: Slips) -> tuple[tuple[
     )
 
 
-def _slip_in_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[tuple[Rate, Any]]:
+def _slip_in_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[tuple[Rate, Number]]:
     """The centre's rate and the slip at the contact: -r/(R + r), with -r inside; a forgotten r
     leaves -r/R.
     """
@@ -220,7 +198,7 @@ def _slip_in_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[t
         yield rate, {make_turning(roll.body): slip, make_turning(roll.of): -slip}.get(rate, factor)
 
 
-def _slip_in_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[Rate, Any], ...]:
+def _slip_in_meshing(mesh: Mesh, slips: Slips) -> Turning:
     """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), c the share of the carrier's rotation that
     is taken into account.
     """
@@ -232,7 +210,7 @@ def _slip_in_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[Rate, Any], ...]:
         (mesh.of, other),
         (mesh.carrier, -radius * thought[0] - other * thought[1]),
     ]
-    rates: dict[Rate, Any] = {}
+    rates: dict[Rate, Number] = {}
     for body, factor in factors:
         if body != GROUND:
             rates[make_turning(body)] = (
@@ -241,36 +219,7 @@ def _slip_in_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[Rate, Any], ...]:
     return tuple(rates.items())
 
 
-def find_velocity_chain(
-    chain: Chain, slips: Slips, rolling: Mapping[Rate, str], whole: bool = False
-) -> Chain:
-    """The terms that are taken for a velocity: of a rolling body (its centre by its rate) without
-    the velocity of the centre.
-
-    `whole` leaves out relative motions as well: the velocity of the coincident point of the moving
-    body.
-    """
-    last = chain[-1] if chain else None
-    about_centre = (
-        last is not None
-        and len(chain) > 1
-        and last.kind == "rotation"
-        and rolling.get(last.rate) == last.base
-    )
-    terms = []
-    for term in chain:
-        share = slips.centre if about_centre and term is not last else 1
-        if whole and term.frame != GROUND:
-            share = share * slips.relative
-        terms.append(
-            term
-            if isinstance(share, int) and share == 1
-            else replace(term, vector=term.vector * share)
-        )
-    return tuple(terms)
-
-
-def find_rolling_centres(frames: Frames) -> dict[Rate, str]:
+def _find_rolling_centres(frames: Frames) -> dict[Rate, str]:
     """For each rolling body the point that is its centre, by the body's turning rate."""
     return {
         make_turning(joint.body): joint.circle.centre

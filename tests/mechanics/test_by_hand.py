@@ -10,10 +10,11 @@ from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.rounding import Rounded
-from kinegrade.students.by_hand import WrittenTerm, solve_by_hand
+from kinegrade.students.by_hand import WrittenReading, solve_by_hand
 
 
 def slotted_rocker() -> Motion:
@@ -62,12 +63,14 @@ def test_every_rate_and_every_term_is_written_down() -> None:
     assert worked.omega("rocker") == 0.31  # 2 * 0.09 / 0.58 = 0.31034
     assert worked.velocity("A", "rocker") == (-0.093, 0.217)  # 0.31 * 0.3, 0.31 * 0.7
     rate = Rate("circling", "slider", "A", "rocker")
-    term = WrittenTerm("arc", rate, Vector(0.123, 0.456), "A", "O", "rocker", rounded=Rounded(2))
+    reading = WrittenReading(Rounded(2), {})
+    term = Term("arc", rate, Vector(0.123, 0.456), "A", "O", "rocker")
+    assert [each.vector for each in reading.chain((term,))] == [(0.12, 0.46)]
     rates = {rate: 1.5, make_turning("rocker"): 0.31}
-    assert term.velocity(rates) == (-0.68, 0.18)  # -0.684, 0.1845
-    assert term.normal(rates) == (-0.28, -1.0)  # -0.27675, -1.026
-    assert term.coriolis(rates) == (-0.11, -0.42)  # 2 * 0.31 * (-0.18, -0.68)
-    assert term.acceleration(rates, {rate: 2.0}) == pytest.approx(
+    assert term.velocity(rates, reading) == (-0.68, 0.18)  # -0.684, 0.1845
+    assert term.normal(rates, reading) == (-0.28, -1.0)  # -0.27675, -1.026
+    assert term.coriolis(rates, reading) == (-0.11, -0.42)  # 2 * 0.31 * (-0.18, -0.68)
+    assert term.acceleration(rates, {rate: 2.0}, reading) == pytest.approx(
         (-0.28 - 0.91 - 0.11, -1.0 + 0.25 - 0.42)
     )
 

@@ -13,16 +13,17 @@ from kinegrade.mechanics.drivers import Rotation
 from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
+from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.floats import Floats
-from kinegrade.students.followed import FollowedMotion, OwnValue, follow_values
+from kinegrade.students.followed import OwnValue, follow_values
 from kinegrade.students.followed_terms import Share
 
 ROOT = sqrt(3)
 LEVEL = Line(Vector(0.0, 0.0), Vector(1.0, 0.0))
 SLOT = Line(Vector(-0.7, 0.0), Vector(0.7, 0.3))
-Read = Callable[[FollowedMotion], float]
+Read = Callable[[Motion], float]
 
 
 def slider_crank() -> Mechanism:
@@ -50,17 +51,17 @@ def slotted_rocker() -> Mechanism:
     )
 
 
-def follow(mechanism: Mechanism, *own: OwnValue) -> FollowedMotion:
+def follow(mechanism: Mechanism, *own: OwnValue) -> Motion:
     floats = Floats()
     frames = build_frames(mechanism, floats)
     equations = [relation.equations() for relation in frames.relations]
     return follow_values(frames, plans.find_plan(frames.relations, equations, floats), own, floats)
 
 
-def when(read: Read) -> Callable[[FollowedMotion], float | None]:
+def when(read: Read) -> Callable[[Motion], float | None]:
     """The reading, None as long as something of it is not determined."""
 
-    def determined(motion: FollowedMotion) -> float | None:
+    def determined(motion: Motion) -> float | None:
         try:
             return float(read(motion))
         except (KeyError, MechanismError):
@@ -71,6 +72,10 @@ def when(read: Read) -> Callable[[FollowedMotion], float | None]:
 
 def size(vector: Vector) -> float:
     return float(sqrt(vector.squared()))
+
+
+def normal_of_rod(motion: Motion) -> Vector:
+    return (motion.points["A"] - motion.points["B"]) * (motion.omega("AB") * motion.omega("AB"))
 
 
 def test_without_own_values_the_motion_is_the_right_one() -> None:
@@ -129,7 +134,7 @@ def test_the_rocker_goes_on_from_an_own_angular_velocity_and_an_own_coriolis_acc
         part=part,
     )
     motion = follow(slotted_rocker(), halved)
-    assert part.find(motion.rates) == pytest.approx(0.5)
+    assert size(motion.coriolis("A", "OA", "CA")) == pytest.approx(halved.value)
     assert motion.alpha("CA") == pytest.approx(-0.84 / 0.58 + 0.18 / 0.58 * 0.42 / 0.58)
     assert motion.omega("CA") == right.omega("CA")
 
@@ -138,7 +143,7 @@ def test_an_own_normal_part_leaves_the_angular_velocity_alone() -> None:
     # twice the normal part of AB: a_B = -2 omega^2 as if omega^2 were 2/9, although omega is 1/3
     part = Share("normal", "B", "A")
     own = OwnValue(
-        when(lambda m: ROOT * m.omega("AB") ** 2 * part.find(m.rates)),
+        when(lambda m: size(m.reading.normal(make_turning("AB"), "B", "A", normal_of_rod(m)))),
         2 * ROOT / 9,
         "acceleration",
         part=part,

@@ -12,18 +12,19 @@ from flint import fmpq
 
 from kinegrade.mechanics.joints import GROUND, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.motion import solve_motion
+from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.floats import Floats
-from kinegrade.students.mistaken import MistakenMotion, Unsuspecting, make_mistaken_motion
+from kinegrade.students.mistaken import make_mistaken_motion
 from kinegrade.students.slips import Slips
+from kinegrade.students.unsuspecting import Unsuspecting
 from tests.mechanics.writing import Paper
 
 X, Y = (1, 0), (0, 1)
 
 
-def slipped(mechanism: Mechanism, arithmetic: Any, **shares: Any) -> MistakenMotion:
+def slipped(mechanism: Mechanism, arithmetic: Any, **shares: Any) -> Motion:
     plan = solve_motion(mechanism, arithmetic).plan
     return make_mistaken_motion(mechanism, arithmetic, plan, Slips(**shares))
 

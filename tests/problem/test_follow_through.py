@@ -96,15 +96,18 @@ def asked_of(follower: Follower) -> Iterator[tuple[str, Any]]:
 
 def rates_asked_for(follower: Follower) -> dict[Rate, str]:
     """For the rates of the plan that an ask is about, and about nothing else, that ask."""
-    frames, found = follower.motion({}).frames, {}  # type: ignore[union-attr]
+    motion, found = follower.motion({}), {}
+    assert motion is not None
     for ask, call in asked_of(follower):
         parts = [find_name(argument) for argument in call.arguments]
         if call.function == "omega" and len(parts) == 1:
             found[make_turning(parts[0])] = ask
-        elif call.function == "relative_velocity" and (parts[0], parts[2]) in frames.relative:
-            found[frames.relative[parts[0], parts[2]].rate] = ask
+        elif call.function == "relative_velocity":
+            term = motion.reading.find_relative(parts[0], parts[2])
+            if term:
+                found[term.rate] = ask
         elif call.function == "velocity":
-            chain = frames.chain(*follower.place(call))  # type: ignore[misc]
+            chain = motion.chain(*follower.place(call))  # type: ignore[misc]
             if len(chain) == 1:
                 found[chain[0].rate] = ask
     return found
