@@ -25,7 +25,6 @@ from kinegrade.cli.options import (
 )
 from kinegrade.cli.terminal import refuse_usage, say
 from kinegrade.language.message import Message, list_plainly
-from kinegrade.public.folders import expect_folders
 
 _WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "strict", "force")
 
@@ -112,7 +111,6 @@ def generate(
     """
     if late is not None:
         _expect_no_other_wishes()
-        expect_folders((output, "EXAM"))
     asked = kinegrade.Bank.read(bank)
     students = kinegrade.Roster.read(roster, odd_ids=allow_odd_ids)
     wishes = kinegrade.GenerateOptions(progress=show_progress, **options)

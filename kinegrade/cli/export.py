@@ -18,7 +18,6 @@ from kinegrade.cli.late_choice import LateChoice
 from kinegrade.cli.options import FILE, FORCE, finish, refusing
 from kinegrade.cli.terminal import refuse_value
 from kinegrade.language.message import Message, Quoted, list_plainly
-from kinegrade.public.folders import expect_folders
 
 
 def _list_files() -> Iterable[str]:
@@ -106,6 +105,8 @@ def export(
     **options: Any,
 ) -> None:
     """Write the grades of MARKS as a learning management system takes them."""
+    from kinegrade.public.folders import expect_folders
+
     expect_folders((marks, "MARKS"), (exam, "EXAM"))
     marked = kinegrade.open_marks(marks)
     known = marked.totals.questions if options["per_question"] else ()

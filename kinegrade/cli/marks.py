@@ -12,6 +12,7 @@ import kinegrade
 from kinegrade.cli.help import command
 from kinegrade.cli.language_choice import LanguageChoice
 from kinegrade.cli.late_choice import LateChoice
+from kinegrade.cli.opening import open_both
 from kinegrade.cli.options import (
     FILE,
     FORCE,
@@ -23,7 +24,6 @@ from kinegrade.cli.options import (
 )
 from kinegrade.cli.terminal import say, terminal_words
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.public.folders import expect_folders
 
 if TYPE_CHECKING:
     from kinegrade.language import Language
@@ -100,6 +100,7 @@ def grade(
     typed.
     """
     from kinegrade.cli.shortlist import shorten_list
+    from kinegrade.public.folders import expect_folders
 
     expect_folders((exam, "EXAM"), (never_lower, "MARKS"))
     earlier = None if never_lower is None else kinegrade.open_marks(never_lower)
@@ -128,6 +129,7 @@ def diff(
     before: Path, after: Path, output: Path | None, language: Language, *, force: bool
 ) -> None:
     """Show how the marks in MARKS2 differ from those in MARKS1."""
+    from kinegrade.public.folders import expect_folders
     from kinegrade.reports.comparison import compare, write_comparison_csv, write_comparison_text
 
     expect_folders((before, "MARKS"), (after, "MARKS"))
@@ -159,8 +161,7 @@ def class_report(
     """Report on the class: distribution, how hard each ask was, where points were lost, whether
     papers were alike.
     """
-    expect_folders((exam, "EXAM"), (marks, "MARKS"))
-    marked, folder = kinegrade.open_marks(marks), kinegrade.open_exam(exam)
+    folder, marked = open_both(exam, marks)
     finish(kinegrade.report(folder, marked, output, language=language, force=force))
 
 
@@ -199,8 +200,7 @@ def feedback(
     **options: Any,
 ) -> None:
     """Write each student a sheet: answers, right answers, what probably went wrong."""
-    expect_folders((exam, "EXAM"), (marks, "MARKS"))
-    marked, folder = kinegrade.open_marks(marks), kinegrade.open_exam(exam)
+    folder, marked = open_both(exam, marks)
     wishes = kinegrade.FeedbackOptions(**options)
     finish(
         kinegrade.feedback(folder, marked, output, language=language, force=force, options=wishes)

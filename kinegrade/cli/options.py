@@ -17,7 +17,6 @@ from kinegrade.cli.language_choice import LanguageChoice
 from kinegrade.cli.terminal import refuse_value, say, terminal_words, write_line
 from kinegrade.errors import KinegradeError, OutputError, Problem
 from kinegrade.language.message import Message
-from kinegrade.public.folders import expect_own_place
 
 if TYPE_CHECKING:
     from kinegrade.public.outcome import Outcome
@@ -69,6 +68,8 @@ def refusing(command: Callable[..., None]) -> Callable[..., None]:
 
     @wraps(command)
     def run(*arguments: Any, **options: Any) -> None:
+        from kinegrade.public.folders import expect_own_place
+
         try:
             with _whole_output():
                 if isinstance(output := options.get("output"), Path):

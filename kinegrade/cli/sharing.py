@@ -6,11 +6,10 @@ from pathlib import Path
 
 import click
 
-import kinegrade
 from kinegrade.cli.help import command
+from kinegrade.cli.opening import open_both
 from kinegrade.cli.options import FILE, FORCE, refusing
 from kinegrade.cli.terminal import say
-from kinegrade.public.folders import expect_folders
 
 
 @command()
@@ -40,9 +39,8 @@ def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool)
     from kinegrade.reports.sharing.report import describe_sharing, write_sharing_csv
     from kinegrade.reports.sharing.sharing import find_sharing
 
-    expect_folders((exam, "EXAM"), (marks, "MARKS"))
-    folder = kinegrade.open_exam(exam)
-    found = find_sharing(folder, kinegrade.open_marks(marks), level / 100)
+    folder, marked = open_both(exam, marks)
+    found = find_sharing(folder, marked, level / 100)
     write_file(output, write_sharing_csv(found, folder.language), force=force)
     for sentence in describe_sharing(found):
         say(sentence)

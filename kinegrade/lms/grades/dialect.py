@@ -149,10 +149,11 @@ class Dialect:
 class ExportOptions:
     """What the instructor asks for.
 
-    `into` is a downloaded file to be filled in, in place of a new one. `by` are the fields to match or to write, empty for the system's default; `columns` the headers
-    by item, the total's under ""; `feedback` None where the system decides; `maximum` the item's
-    maximum in the system, to which grades are scaled; `scale` scales to the maximum that the file
-    states; `language` that of translated headers, None for the exam's.
+    `into` is a downloaded file to be filled in, in place of a new one. `by` are the fields to match
+    or to write, empty for the system's default; `columns` the headers by item, the total's under
+    ""; `feedback` None where the system decides; `maximum` the item's maximum in the system, to
+    which grades are scaled; `scale` scales to the maximum that the file states; `language` that of
+    translated headers, None for the exam's.
     """
 
     by: tuple[Field, ...] = ()
