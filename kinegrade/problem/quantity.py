@@ -6,13 +6,16 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import arb, fmpq
 
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.text import LATEX, write_angle, write_decimal, write_exact
 from kinegrade.numbers.units import Unit
+
+if TYPE_CHECKING:
+    from kinegrade.numbers.symbolic import SympyExpression
 
 CERTIFIED_DIGITS = 40
 LONGEST_CLOSED_FORM = (
@@ -76,6 +79,14 @@ class Quantity:
         if isinstance(self.number, Angle):
             return write_angle(self.number, self.measure.degrees, LATEX)
         return write_exact(self.number, LATEX)
+
+    def sympy(self) -> SympyExpression:
+        """The number as a sympy expression, in the same unit: exact, or a Float of the digits that
+        are certain where it is an enclosure; oo at infinity.
+        """
+        from kinegrade.numbers.symbolic import convert_to_sympy  # noqa: PLC0415  # takes 0.3 s
+
+        return convert_to_sympy(self.number, degrees=self.measure.degrees)
 
     @property
     def closed_form(self) -> str | None:

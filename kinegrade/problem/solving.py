@@ -68,7 +68,7 @@ class Solution(Mapping[str, Quantity]):
     def __getitem__(self, ask: str) -> Quantity:
         """The answer of an ask. Raises NoSuchAsk, a KeyError."""
         if ask not in self.answers:
-            raise NoSuchAsk(Fault(self.template.name, _explain_no_ask(ask, self.answers)))
+            raise NoSuchAsk(Fault(self.template.name, _explain_no_ask(str(ask), self.answers)))
         return self.answers[ask]
 
     def __iter__(self) -> Iterator[str]:
