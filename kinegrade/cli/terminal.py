@@ -19,11 +19,6 @@ def say(what: Part) -> None:
     click.echo(terminal_words().write(what), err=True)
 
 
-def say_of(where: object, what: Part) -> None:
-    """Say something of a file or a folder."""
-    say(Message("terminal.of", where=str(where), what=what))
-
-
 def write_line(what: Part) -> str:
     """Something to be said in one line."""
     return " ".join(terminal_words().write(what).split())

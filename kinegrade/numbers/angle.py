@@ -8,16 +8,23 @@ An angle keeps its components, and its cosine and sine are found only when asked
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from flint import arb, fmpq
 
 from kinegrade.numbers.surd import Real, enclose_at_precision
 
-if TYPE_CHECKING:
-    from kinegrade.numbers.field import Field
-
 Direction = tuple[Real, Real]
+
+
+class RootField(Protocol):
+    """A field that takes in the square roots that an angle's cosine and sine need."""
+
+    def sqrt(self, number: Real) -> Real:
+        """The positive square root."""
+
+    def sign(self, number: Real) -> int:
+        """-1, 0 or 1."""
 
 
 class Inexact(Exception):
@@ -70,7 +77,7 @@ class Angle:
     def __rtruediv__(self, number: Any) -> Any:
         raise Inexact  # a number over an angle
 
-    def direction(self, field: Field) -> Direction:
+    def direction(self, field: RootField) -> Direction:
         """(cosine, sine) in `field`; raises Inexact where they lie in no small field."""
         result = _multiple_of_pi(self.half_turns, field)
         for factor, (x, y) in self.parts:
@@ -99,7 +106,7 @@ def _compose(first: Direction, second: Direction) -> Direction:
     return first[0] * second[0] - first[1] * second[1], first[0] * second[1] + first[1] * second[0]
 
 
-def _power(direction: Direction, factor: Any, field: Field) -> Direction:
+def _power(direction: Direction, factor: Any, field: RootField) -> Direction:
     """The direction of `factor` times the angle of `direction`; factors with denominator 1 or 2."""
     if factor.q == 2:
         direction, factor = _halve(direction, field), factor * 2
@@ -113,14 +120,14 @@ def _power(direction: Direction, factor: Any, field: Field) -> Direction:
     return result
 
 
-def _halve(direction: Direction, field: Field) -> Direction:
+def _halve(direction: Direction, field: RootField) -> Direction:
     """The direction of half the angle in (-pi, pi] of `direction`."""
     cosine = field.sqrt((1 + direction[0]) / 2)
     sine = field.sqrt((1 - direction[0]) / 2)
     return cosine, -sine if field.sign(direction[1]) < 0 else sine
 
 
-def _multiple_of_pi(half_turns: Any, field: Field) -> Direction:
+def _multiple_of_pi(half_turns: Any, field: RootField) -> Direction:
     """(cosine, sine) of half_turns*pi for multiples of 15, 18 and 22.5 degrees; else Inexact."""
     degrees = half_turns * 180
     quarters = int((degrees / 90).floor())
@@ -130,7 +137,7 @@ def _multiple_of_pi(half_turns: Any, field: Field) -> Direction:
     return cosine, sine
 
 
-def _first_quadrant(degrees: Any, field: Field) -> Direction:
+def _first_quadrant(degrees: Any, field: RootField) -> Direction:
     """(cosine, sine) of an angle of 0 to 90 degrees."""
     if degrees > 45:
         cosine, sine = _first_quadrant(90 - degrees, field)

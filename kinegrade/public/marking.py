@@ -18,7 +18,8 @@ from kinegrade.grading.marks import ClassGrades
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.language.message import Message, Part
 from kinegrade.lms.grades import moodle
-from kinegrade.lms.responses.class_files import ReadingWishes, read_class
+from kinegrade.lms.responses.answer_table import ReadingWishes
+from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.folder import open_marks as open_folder
 from kinegrade.marks_folder.layout import KEPT

@@ -12,7 +12,7 @@ from typing import Any
 from openpyxl import Workbook
 
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.lms.responses.answer_table import Responses, read_responses
+from kinegrade.lms.responses.answer_table import ReadingWishes, Responses, read_responses
 from tests.said import said
 
 SAMPLES = Path(__file__).parent / "samples" / "moodle"
@@ -60,7 +60,7 @@ def responses(
         write_asks(folder)
     file = folder / "download.csv"
     file.write_bytes(content.encode() if isinstance(content, str) else content)
-    return read_responses(file, open_exam(exam), source, **options)
+    return read_responses(file, open_exam(exam), ReadingWishes(source, **options))
 
 
 def cells(read: Responses) -> list[tuple[str, ...]]:

@@ -9,8 +9,6 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TableError
-from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.lms.responses.answer_table import answer_table
 from tests.lms.response_files import cells, csv_text, responses, told, write_asks
 from tests.said import all_said, said
 
@@ -220,8 +218,3 @@ def test_a_wrong_declaration_is_refused(tmp_path: Path, content: bytes, declared
         TableError, match=rf"is not in the declared encoding {declared} \(.*\) - expected text"
     ):
         responses(tmp_path, content, encoding=declared)
-
-
-def test_the_table_alone_is_to_be_had_too(tmp_path: Path) -> None:
-    read = responses(tmp_path, form(("", "S9")))
-    assert answer_table(tmp_path / "download.csv", open_exam(tmp_path / "EXAM")) == read.table

@@ -68,40 +68,35 @@ class Responses:
         return self.answers.table
 
 
-def answer_table(
-    path: Path,
-    exam: ExamFolder,
-    source: str | None = None,
-    attempts: Attempts = "finished",
-    encoding: str | None = None,
-) -> Table:
-    """The answer sheet of `read_responses`, with the same errors."""
-    return read_responses(path, exam, source, attempts, encoding).table
+@dataclass(frozen=True, slots=True)
+class ReadingWishes:
+    """How files are read: the system they come from, detected where None; which attempts count; the
+    encoding of CSV files that are not UTF-8; whether students answered their own papers although a
+    pool was made.
+    """
+
+    source: str | None = None
+    attempts: Attempts = "finished"
+    encoding: str | None = None
+    own_papers: bool = False
+
+
+DETECTED = ReadingWishes()
 
 
 def read_responses(
-    path: Path,
-    exam: ExamFolder,
-    source: str | None = None,
-    attempts: Attempts = "finished",
-    encoding: str | None = None,
-    *,
-    own_papers: bool = False,
-    name: str = "",
+    path: Path, exam: ExamFolder, wishes: ReadingWishes = DETECTED, name: str = ""
 ) -> Responses:
-    """Reads a CSV file or workbook that was downloaded from `source`, one of SOURCES; detected
-    where None.
+    """Reads a CSV file or workbook that was downloaded from a system or a form.
 
-    Each attempt of a student is a row, in chronological order; `attempts` says whether unfinished
-    ones are included. `encoding` is that of a CSV file that is not UTF-8. Where a pool was made
-    from the exam, the questions answered in a quiz are recognised by it, unless `own_papers` says
-    that each student answered their own paper. `name` replaces the file's name in messages. Raises
-    TableError, ExamError.
+    Each attempt of a student is a row, in chronological order. Where a pool was made from the exam,
+    the questions answered in a quiz are recognised by it, unless each student answered their own
+    paper. `name` replaces the file's name in messages. Raises TableError, ExamError.
     """
-    table = read_workbook(path) if is_workbook(path) else read_table(path, encoding)
+    table = read_workbook(path) if is_workbook(path) else read_table(path, wishes.encoding)
     table = replace(table, file=name or table.file, rows=drop_headers(table))
-    system = detected(table) if source is None else _known(source, path)
-    typed = DIALECTS[system].read(table, exam.head, attempts)
+    system = detected(table) if wishes.source is None else _known(wishes.source, path)
+    typed = DIALECTS[system].read(table, exam.head, wishes.attempts)
     everybody = [*(each.row for each in typed.rows), *(each.row for each in typed.not_taken)]
     people = People(exam.head.students)
     columns = people.columns(everybody, typed.people, typed.named)
@@ -109,9 +104,9 @@ def read_responses(
         raise TableError(Fault(table.file, Message("responses.no-people")))
     found = people.find_all(everybody, table.header, columns)
     _refuse_another_class(table, everybody, columns, found, exam.head.students)
-    variants = None if own_papers or system not in _POOLED else pool_of(exam)
+    variants = None if wishes.own_papers or system not in _POOLED else pool_of(exam)
     answers = _answers(_Read(table, typed, columns, found), variants, exam)
-    assumed = _assumed(table, system, source, typed, columns)
+    assumed = _assumed(table, system, wishes.source, typed, columns)
     return Responses(answers, system, (*assumed, *_restored(table.file, found)))
 
 

@@ -12,21 +12,7 @@ from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.language.message import Fault, Message
-from kinegrade.lms.responses.answer_table import Assumption, read_responses
-from kinegrade.lms.responses.typed_rows import Attempts
-
-
-@dataclass(frozen=True, slots=True)
-class ReadingWishes:
-    """How files are read: the system they come from, detected where None; which attempts count; the
-    encoding of CSV files that are not UTF-8; whether students answered their own papers although a
-    pool was made.
-    """
-
-    source: str | None = None
-    attempts: Attempts = "finished"
-    encoding: str | None = None
-    own_papers: bool = False
+from kinegrade.lms.responses.answer_table import Assumption, ReadingWishes, read_responses
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,15 +27,7 @@ def read_class(paths: Sequence[Path], exam: ExamFolder, wishes: ReadingWishes) -
     """Reads the files of one class. Raises TableError, ExamError."""
     _refuse_one_file_twice(paths)
     read = [
-        read_responses(
-            path,
-            exam,
-            wishes.source,
-            wishes.attempts,
-            wishes.encoding,
-            own_papers=wishes.own_papers,
-            name=name,
-        )
+        read_responses(path, exam, wishes, name)
         for path, name in zip(paths, _told_apart(paths), strict=True)
     ]
     assumed = tuple(line for each in read for line in each.assumed)
