@@ -143,7 +143,7 @@ def read_centres(keys: Keys) -> Sequence[float]:
     """The right answers in double precision; NaN where a number of turns is right too."""
     if isinstance(keys, StatedKeys):
         return keys.centres
-    return [nan if key.period else float(key.value) for key in keys]
+    return [nan if key.period else float(Fraction(key.value)) for key in keys]
 
 
 def read_rules(keys: Keys) -> tuple[Tolerance, ...]:
