@@ -14,7 +14,6 @@ from typing import Any, assert_never
 from kinegrade.figure.joints.drivers import reduce_to_sense
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.plane import unit
-from kinegrade.mechanics.configuration import list_circles
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -52,7 +51,7 @@ def normalise_subject(mechanism: Mechanism, hints: FigureHints) -> tuple[Subject
 
 def _list_lengths(mechanism: Mechanism) -> list[float]:
     """All coordinates, and the radii of all circles."""
-    radii = [circle.radius for joint in mechanism.joints for circle in list_circles(joint)]
+    radii = [circle.radius for joint in mechanism.joints for circle in joint.list_circles()]
     return radii + [number for point in mechanism.points.values() for number in point]
 
 

@@ -10,19 +10,29 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 from itertools import combinations
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.frames import Frames, build_frames
-from kinegrade.mechanics.joints import Pin, Slide
+from kinegrade.mechanics.laws import (
+    Condition,
+    EqualRotation,
+    GuidedBody,
+    GuidedPoint,
+    SharedPoint,
+)
 from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.shapes import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.elimination import find_null_vectors
+from kinegrade.numbers.number import Arithmetic
 
 _PARTS = 9973  # points are moved by whole multiples of 1/PARTS metre, each by different ones
 
 
-def describe_dead_point(frames: Frames, bodies: Collection[str], arithmetic: Any) -> Message | None:
+def describe_dead_point(
+    frames: Frames, bodies: Collection[str], arithmetic: Arithmetic
+) -> Message | None:
     """What is in line at a dead point, such as "C, D and O6 are in line"; None where nothing is, or
     a body is loose.
 
@@ -33,21 +43,26 @@ def describe_dead_point(frames: Frames, bodies: Collection[str], arithmetic: Any
 
 
 def _find_alignments(
-    mechanism: Mechanism, bodies: Collection[str], arithmetic: Any
+    mechanism: Mechanism, bodies: Collection[str], arithmetic: Arithmetic
 ) -> Iterator[Message]:
     """Two bodies pinned together whose joints are in line, and a body at right angles to the line
     that guides it.
     """
     ends = {body: _list_joint_points(mechanism, body) for body in bodies}
-    pins = (joint for joint in mechanism.joints if isinstance(joint, Pin))
-    for pin in pins:
-        for first, second in combinations([body for body in pin.bodies if body in ends], 2):
+    for shared in mechanism.shared_points:
+        for first, second in combinations([body for body in shared.bodies if body in ends], 2):
             yield from _find_aligned_chains(
-                mechanism, ends[first], pin.point, ends[second], arithmetic
+                mechanism, ends[first], shared.point, ends[second], arithmetic
             )
-    for joint in mechanism.joints:
-        if isinstance(joint, Slide) and joint.body in ends:
-            yield from _find_right_angles(mechanism, joint, ends[joint.body], arithmetic)
+    for condition in mechanism.list_conditions():
+        match condition:
+            case GuidedPoint(point=point, body=body, track=Line() as slot, in_slot=True):
+                joints = ends.get(body, ())
+                yield from _find_right_angles(mechanism, point, slot, joints, arithmetic)
+            case GuidedPoint() | GuidedBody() | SharedPoint() | EqualRotation():
+                pass  # no pin in a straight slot
+            case _:
+                assert_never(condition)
 
 
 def _find_aligned_chains(
@@ -55,7 +70,7 @@ def _find_aligned_chains(
     first: Collection[str],
     middle: str,
     second: Collection[str],
-    arithmetic: Any,
+    arithmetic: Arithmetic,
 ) -> Iterator[Message]:
     """Joints of two bodies that are in line with the pin between these."""
     points = mechanism.points
@@ -67,28 +82,35 @@ def _find_aligned_chains(
 
 
 def _find_right_angles(
-    mechanism: Mechanism, joint: Slide, ends: Collection[str], arithmetic: Any
+    mechanism: Mechanism, point: str, slot: Line, ends: Collection[str], arithmetic: Arithmetic
 ) -> Iterator[Message]:
-    """A body that stands at right angles to the line on which its point slides."""
+    """A body, with its joints at `ends`, that stands at right angles to the slot of its point."""
     for end in ends:
-        arm: Vector = mechanism.points[end] - mechanism.points[joint.point]
-        if end != joint.point and arithmetic.is_zero(arm.dot(joint.line.direction)):
-            arm_name = f"{end}{joint.point}"
-            yield Message("mechanics.at-right-angles", arm=arm_name, point=joint.point)
+        arm: Vector = mechanism.points[end] - mechanism.points[point]
+        if end != point and arithmetic.is_zero(arm.dot(slot.direction)):
+            yield Message("mechanics.at-right-angles", arm=f"{end}{point}", point=point)
 
 
 def _list_joint_points(mechanism: Mechanism, body: str) -> tuple[str, ...]:
     """The points at which a body is pinned or guided."""
-    found = [
-        joint.point
-        for joint in mechanism.joints
-        if (isinstance(joint, Pin) and body in joint.bodies)
-        or (isinstance(joint, Slide) and joint.body == body)
-    ]
-    return tuple(dict.fromkeys(found))
+    found = (_find_joint_point(condition, body) for condition in mechanism.list_conditions())
+    return tuple(dict.fromkeys(point for point in found if point is not None))
 
 
-def _is_determined_elsewhere(mechanism: Mechanism, arithmetic: Any) -> bool:
+def _find_joint_point(condition: Condition, body: str) -> str | None:
+    """The point at which a condition pins or guides a body; None where it does not."""
+    match condition:
+        case SharedPoint(point=point, bodies=bodies):
+            return point if body in bodies else None
+        case GuidedPoint(point=point, body=guided, in_slot=in_slot):
+            return point if in_slot and body == guided else None
+        case GuidedBody() | EqualRotation():
+            return None
+        case _:
+            assert_never(condition)
+
+
+def _is_determined_elsewhere(mechanism: Mechanism, arithmetic: Arithmetic) -> bool:
     """Whether the relations determine the motion when every point lies a little elsewhere."""
     moved = {
         name: Vector(
@@ -107,6 +129,6 @@ def _is_determined_elsewhere(mechanism: Mechanism, arithmetic: Any) -> bool:
     return not find_null_vectors(rows, len(rates), arithmetic.is_zero)
 
 
-def make_numeral(entry: Any, arithmetic: Any) -> Any:
+def make_numeral(entry: Any, arithmetic: Arithmetic) -> Any:
     """An entry as a number of the arithmetic: plain integers would divide into floats."""
     return arithmetic.number(entry) if isinstance(entry, int) else entry

@@ -15,7 +15,7 @@ from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError, MechanismError
 from kinegrade.language.message import Fault, Message, Text, list_plainly
-from kinegrade.mechanics.joints import Line
+from kinegrade.mechanics.shapes import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.text import write_decimal

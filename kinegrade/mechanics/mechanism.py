@@ -4,12 +4,15 @@ them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import cached_property
 from typing import Any
 
 from kinegrade.mechanics.drivers import Driver
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints import Joint
+from kinegrade.mechanics.laws import Condition, EqualRotation, SharedPoint, select_shared
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 
@@ -37,6 +40,34 @@ class Mechanism:
     def body(self, name: str) -> Body:
         """The moving body of that name."""
         return next(body for body in self.bodies if body.name == name)
+
+    def list_conditions(self) -> Iterator[Condition]:
+        """What the joints hold, guide and keep parallel, in their order."""
+        return (condition for joint in self.joints for condition in joint.conditions)
+
+    @cached_property
+    def shared_points(self) -> tuple[SharedPoint, ...]:
+        """The points at which bodies are pinned together."""
+        return select_shared(self.list_conditions())
+
+    def find_pivots(self) -> dict[str, str]:
+        """The fixed point of each body that is pinned to the ground."""
+        return {
+            body: shared.point
+            for shared in reversed(self.shared_points)
+            if GROUND in shared.bodies
+            for body in shared.bodies
+            if body != GROUND
+        }
+
+    @cached_property
+    def held_parallel(self) -> frozenset[str]:
+        """The bodies that a joint does nothing else with but keep them from turning."""
+        return frozenset(
+            condition.body
+            for condition in self.list_conditions()
+            if isinstance(condition, EqualRotation) and condition.is_sole and condition.of == GROUND
+        )
 
     def map(self, number: Callable[[Number], Number]) -> Mechanism:
         """The mechanism with `number` applied to every number of its points, joints and

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Literal, NamedTuple
 
-from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.numbers.number import Number
 
 RateKind = Literal["turning", "sliding", "circling", "free-x", "free-y", "added-x", "added-y"]

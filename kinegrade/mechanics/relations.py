@@ -19,15 +19,15 @@ from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias, assert_never
 
 from kinegrade.language.message import Message
-from kinegrade.mechanics.drivers import Driver
-from kinegrade.mechanics.joints import GROUND, Joint
+from kinegrade.mechanics.element import Element
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import Law, Turning
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 
 Kind = Literal["rotation", "sliding", "arc"]
 Chain: TypeAlias = "tuple[Term, ...]"
-Turning = tuple[tuple[Rate, Number], ...]
 
 
 class Reading:
@@ -180,13 +180,12 @@ class Relation:
     """left chain = right chain (two equations), or their difference along a vector plus turning
     rates = imposed.
 
-    `origin` names the joint or driver that states it, in messages; `source` is that joint or
-    driver.
+    `element` is the joint or driver that states it, `source` the law by which it holds.
     `frame` is the body relative to which a component is imposed: its rotation adds the Coriolis
     acceleration of the relative motion.
     """
 
-    origin: Message
+    element: Element
     left: Chain = ()
     right: Chain = ()
     along: Vector | None = None
@@ -194,7 +193,13 @@ class Relation:
     velocity: Number = 0
     acceleration: Number = 0
     frame: str = GROUND
-    source: Joint | Driver | None = None
+    source: Law | None = None
+
+    @property
+    def origin(self) -> Message:
+        """The relation, as messages name it."""
+        name = self.element.describe()
+        return self.source.describe(name) if self.source else name
 
     @property
     def is_vector(self) -> bool:
@@ -259,7 +264,7 @@ class Relation:
     def map(self, number: Callable[[Number], Number]) -> Relation:
         """The relation with `number` applied to all that it states; its source stays as it is."""
         return Relation(
-            self.origin,
+            self.element,
             map_chain(self.left, number),
             map_chain(self.right, number),
             None if self.along is None else self.along.map(number),

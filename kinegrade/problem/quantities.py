@@ -20,7 +20,7 @@ from typing import Any
 
 from kinegrade.errors import ExpressionError
 from kinegrade.language.message import Message, Quoted, list_all
-from kinegrade.mechanics.joints import GROUND, Pin
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.vector import Vector
@@ -92,11 +92,8 @@ class Quantities:
             return self.body(body)
         mechanism = self.motion.frames.mechanism
         owners = [other.name for other in mechanism.bodies if point in other.points]
-        pins = [
-            joint.bodies
-            for joint in mechanism.joints
-            if isinstance(joint, Pin) and joint.point == point
-        ]
+        shared = mechanism.shared_points
+        pins = [pin.bodies for pin in shared if pin.point == point]
         if not owners:
             body = mechanism.bodies[0].name
             raise ExpressionError(Message("template.point-of-no-body", point=point, body=body))

@@ -13,9 +13,7 @@ from dataclasses import dataclass, replace
 from typing import TypeVar, assert_never
 
 from kinegrade.mechanics import plan as plans
-from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.frames import Frames
-from kinegrade.mechanics.joints import Parallel
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan, Step
 from kinegrade.mechanics.rates import Rate, Rates
@@ -195,10 +193,8 @@ class _Run:
 
     def _is_given(self, step: Step) -> bool:
         """Whether a step only states what is given."""
-        sources = (self.relations[index].source for index in step.relations)
-        return all(
-            isinstance(source, (Rotation, Component, Circulation, Parallel)) for source in sources
-        )
+        laws = (self.relations[index].source for index in step.relations)
+        return all(law is not None and law.is_given for law in laws)
 
 
 def _choose_reach(found: Rates, rate: Rate) -> float:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.frames import Frames, build_frames
-from kinegrade.mechanics.joints import GROUND, Parallel, Pin
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan, Step
@@ -56,11 +56,7 @@ def make_mistaken_motion(
 
 def _perturb_rates(mechanism: Mechanism, rates: Rates) -> Iterator[tuple[Rate, Number]]:
     """Perturbed rates: those of translating bodies are zero, and no others."""
-    still = {
-        make_turning(joint.body)
-        for joint in mechanism.joints
-        if isinstance(joint, Parallel) and joint.of == GROUND
-    }
+    still = {make_turning(body) for body in mechanism.held_parallel}
     for place, (name, rate) in enumerate(rates.items()):
         yield name, rate if name in still else rate * 2 + place + 1
 
@@ -216,7 +212,7 @@ class _Velocities:
 
 def _find_pivots(mechanism: Mechanism) -> dict[str, dict[str, Vector]]:
     """For each body in plane motion the bodies that it is pinned to, with their fixed pivots."""
-    pins = [joint for joint in mechanism.joints if isinstance(joint, Pin)]
+    pins, held = mechanism.shared_points, mechanism.held_parallel
     fixed = {
         name: mechanism.points[pin.point]
         for pin in pins
@@ -226,9 +222,7 @@ def _find_pivots(mechanism: Mechanism) -> dict[str, dict[str, Vector]]:
     plane = [
         body.name
         for body in mechanism.bodies
-        if body.name not in fixed
-        and not body.particle
-        and Parallel(body.name, GROUND) not in mechanism.joints
+        if body.name not in fixed and not body.particle and body.name not in held
     ]
     return {
         body: {

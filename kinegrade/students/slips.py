@@ -12,23 +12,23 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import assert_never
 
-from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.frames import Frames
-from kinegrade.mechanics.joints import (
-    GROUND,
-    Arc,
-    Circle,
-    Contact,
-    Line,
-    Mesh,
-    Parallel,
-    Pin,
-    Roll,
-    Sleeve,
-    Slide,
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import (
+    EqualPitchSpeed,
+    EqualRotation,
+    GuidedPoint,
+    ImposedCircling,
+    ImposedMotion,
+    ImposedRotation,
+    NoSlip,
+    SharedPoint,
+    Shares,
+    Turning,
 )
 from kinegrade.mechanics.rates import Rate, make_turning
-from kinegrade.mechanics.relations import Chain, Reading, Relation, Term, Turning
+from kinegrade.mechanics.relations import Chain, Reading, Relation, Term
+from kinegrade.mechanics.shapes import Circle
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 
@@ -110,7 +110,10 @@ class MistakenReading(Reading):
 
     def turning(self, relation: Relation) -> Turning:
         """The rates that turn, with the slips made in their factors."""
-        return _slip_in_turning(relation, self.slips)
+        if relation.source is None:
+            return relation.turning
+        slips = self.slips
+        return relation.source.list_factors(Shares(slips.meshing, slips.carried, slips.arm))
 
     def normal(self, rate: Rate, point: str, base: str, normal: Vector) -> Vector:
         """The share of a normal acceleration, on a path or relative to a base point."""
@@ -145,84 +148,24 @@ def _find_carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str
     """For each wheel that runs on a circle the share taken of the distance of the two centres: of
     r1 in r1 + r2.
     """
-    for joint in frames.mechanism.joints:
-        if isinstance(joint, (Roll, Mesh)) and isinstance(joint.on, Circle):
-            radius = -joint.circle.radius if joint.inside else joint.circle.radius
-            share = (joint.on.radius + slips.arm * radius) / (joint.on.radius + radius)
-            yield (joint.circle.centre, joint.on.centre), share
-
-
-def _slip_in_turning(relation: Relation, slips: Slips) -> Turning:
-    """The factors of the turning rates with the slips made."""
-    match relation.source:
-        case Roll(on=on):
-            match on:
-                case Line():
-                    return _slip_in_carrying(relation, relation.source.of, slips)
-                case Circle():
-                    return tuple(_slip_in_rolling(relation, relation.source, slips))
-                case _:
-                    assert_never(on)
-        case Rotation(of=of):
-            return _slip_in_carrying(relation, of, slips)
-        case Mesh():
-            return _slip_in_meshing(relation.source, slips)
-        case Pin() | Slide() | Sleeve() | Arc() | Contact() | Parallel():
-            return relation.turning
-        case Component() | Circulation() | None:
-            return relation.turning
-        case _:
-            assert_never(relation.source)
-
-
-def _slip_in_carrying(relation: Relation, of: str, slips: Slips) -> Turning:
-    """The factors of the turning rates where only part of the rotation of the body `of` is taken
-    into account.
-    """
-    if of == GROUND:
-        return relation.turning
-    return tuple(
-        (rate, factor * slips.carried if rate == make_turning(of) else factor)
-        for rate, factor in relation.turning
-    )
-
-
-def _slip_in_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[tuple[Rate, Number]]:
-    """The centre's rate and the slip at the contact: -r/(R + r), with -r inside; a forgotten r
-    leaves -r/R.
-    """
-    sense = -slips.meshing if roll.inside else slips.meshing
-    radius = roll.circle.radius * sense
-    slip = -radius / (roll.on.radius + slips.arm * slips.carried * radius)  # type: ignore[union-attr]
-    for rate, factor in relation.turning:
-        yield rate, {make_turning(roll.body): slip, make_turning(roll.of): -slip}.get(rate, factor)
-
-
-def _slip_in_meshing(mesh: Mesh, slips: Slips) -> Turning:
-    """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), c the share of the carrier's rotation that
-    is taken into account.
-    """
-    sense = -slips.meshing if mesh.inside else slips.meshing
-    radius, other = mesh.circle.radius, mesh.on.radius * sense
-    thought = (slips.carried, 1) if mesh.body != GROUND else (1, slips.carried)
-    factors = [
-        (mesh.body, radius),
-        (mesh.of, other),
-        (mesh.carrier, -radius * thought[0] - other * thought[1]),
-    ]
-    rates: dict[Rate, Number] = {}
-    for body, factor in factors:
-        if body != GROUND:
-            rates[make_turning(body)] = (
-                rates[make_turning(body)] + factor if make_turning(body) in rates else factor
-            )
-    return tuple(rates.items())
+    for relation in frames.relations:
+        match relation.source:
+            case NoSlip(on=Circle() as on) | EqualPitchSpeed(on=on) as law:
+                radius = -law.circle.radius if law.inside else law.circle.radius
+                share = (on.radius + slips.arm * radius) / (on.radius + radius)
+                yield (law.circle.centre, on.centre), share
+            case NoSlip() | SharedPoint() | GuidedPoint() | EqualRotation():
+                pass  # no wheel runs on a circle
+            case ImposedRotation() | ImposedMotion() | ImposedCircling() | None:
+                pass
+            case _:
+                assert_never(relation.source)
 
 
 def _find_rolling_centres(frames: Frames) -> dict[Rate, str]:
     """For each rolling body the point that is its centre, by the body's turning rate."""
     return {
-        make_turning(joint.body): joint.circle.centre
-        for joint in frames.mechanism.joints
-        if isinstance(joint, Roll)
+        make_turning(relation.source.body): relation.source.circle.centre
+        for relation in frames.relations
+        if isinstance(relation.source, NoSlip)
     }

@@ -6,9 +6,11 @@ from collections.abc import Iterator
 from typing import assert_never
 
 from kinegrade.language.message import Message, list_statements
-from kinegrade.mechanics.joints import GROUND, Circle, Line, Parallel, Pin, Roll, Sleeve
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import EqualRotation, NoSlip
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.rates import make_turning
+from kinegrade.mechanics.shapes import Circle, Line
 from kinegrade.worked.document import Block
 from kinegrade.worked.words.solution_case import Case
 
@@ -25,26 +27,14 @@ def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
     name = case.naming.body(body.name)
     if body.particle:
         return Message("solution.particle", point=case.naming.point(body.name))
-    pivot = next(
-        (
-            joint.point
-            for joint in mechanism.joints
-            if isinstance(joint, Pin) and GROUND in joint.bodies and body.name in joint.bodies
-        ),
-        None,
-    )
+    pivot = mechanism.find_pivots().get(body.name)
     if pivot is not None:
         return Message("solution.rotates", body=name, point=case.naming.point(pivot))
     if body.name in find_translating(mechanism):
         return Message("solution.translates", body=name)
-    roll = next(
-        (
-            joint
-            for joint in mechanism.joints
-            if isinstance(joint, Roll) and joint.body == body.name
-        ),
-        None,
-    )
+    laws = (relation.source for relation in case.motion.frames.relations)
+    rolls = (law for law in laws if isinstance(law, NoSlip) and law.body == body.name)
+    roll = next(rolls, None)
     if roll is not None:
         return Message("solution.rolls", body=name, other=describe_track(roll, case))
     still = make_turning(body.name) in case.motion.rates and case.arithmetic.is_zero(
@@ -55,7 +45,7 @@ def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
     return Message("solution.plane", body=name)
 
 
-def describe_track(roll: Roll, case: Case) -> Message:
+def describe_track(roll: NoSlip, case: Case) -> Message:
     """What a body rolls on, in prose."""
     if roll.of != GROUND:
         return case.naming.body(roll.of)
@@ -72,7 +62,7 @@ def find_translating(mechanism: Mechanism) -> set[str]:
     """The bodies that cannot rotate: kept parallel to the ground, or to a body that is."""
     held = {GROUND}
     for _ in mechanism.bodies:
-        for joint in mechanism.joints:
-            if isinstance(joint, (Parallel, Sleeve)) and held & {joint.body, joint.of}:
-                held |= {joint.body, joint.of}
+        for law in mechanism.list_conditions():
+            if isinstance(law, EqualRotation) and held & {law.body, law.of}:
+                held |= {law.body, law.of}
     return held - {GROUND}

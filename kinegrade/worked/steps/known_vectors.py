@@ -4,8 +4,8 @@ positive sense.
 
 from __future__ import annotations
 
-from kinegrade.mechanics.drivers import Component
-from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import ImposedMotion
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
@@ -22,7 +22,7 @@ def find_stated_sense(term: Term, case: Case) -> int:
     """
     for relation in case.motion.frames.relations:
         if (
-            isinstance(relation.source, Component)
+            isinstance(relation.source, ImposedMotion)
             and relation.along is not None
             and _imposes(relation, term)
         ):

@@ -12,7 +12,8 @@ from kinegrade.figure.vectors.mechanism import PointArrow, draw_with_vectors
 from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construction
 from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
 from kinegrade.language.message import Message
-from kinegrade.mechanics.joints import GROUND, Roll
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector import Vector
@@ -113,10 +114,10 @@ def _draw_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
         yield Pictures((Picture(scene, _name_picture(stage.level, case)),))
 
 
-def _find_rolling(step: Step, case: Case) -> Roll | None:
+def _find_rolling(step: Step, case: Case) -> NoSlip | None:
     """The rolling without slipping that a step is about."""
     sources = (case.motion.frames.relations[index].source for index in step.relations)
-    return next((source for source in sources if isinstance(source, Roll)), None)
+    return next((source for source in sources if isinstance(source, NoSlip)), None)
 
 
 def draw_answer(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:

@@ -10,17 +10,17 @@ from typing import Any, assert_never
 
 from kinegrade.expressions.expression import Expression, Number
 from kinegrade.language.message import Message
-from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
-from kinegrade.mechanics.joints import (
-    GROUND,
-    Arc,
-    Contact,
-    Mesh,
-    Parallel,
-    Pin,
-    Roll,
-    Sleeve,
-    Slide,
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import (
+    EqualPitchSpeed,
+    EqualRotation,
+    GuidedPoint,
+    Imposed,
+    ImposedCircling,
+    ImposedMotion,
+    ImposedRotation,
+    NoSlip,
+    SharedPoint,
 )
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Relation, Term
@@ -54,26 +54,26 @@ def state_relation(relation: Relation, case: Case, level: Level) -> Statement:
     """What a scalar relation says about velocities or about accelerations."""
     source = relation.source
     match source:
-        case Roll():
+        case NoSlip():
             return _state_rolling(source, relation, case, level)
-        case Mesh():
+        case EqualPitchSpeed():
             return _state_meshing(source, case, level)
-        case Parallel() | Sleeve():
+        case EqualRotation():
             return _state_equal_rotation(source, case, level)
-        case Rotation() | Component() | Circulation():
-            return _state_imposed(source, case, level)
-        case Pin() | Slide() | Arc() | Contact() | None:
+        case ImposedRotation() | ImposedMotion() | ImposedCircling():
+            return _state_imposed(source, relation, case, level)
+        case SharedPoint() | GuidedPoint() | None:
             raise TypeError("a pin or a guide states no relation of rates alone")
         case _:
             assert_never(source)
 
 
-def _state_equal_rotation(joint: Parallel | Sleeve, case: Case, level: Level) -> Statement:
+def _state_equal_rotation(law: EqualRotation, case: Case, level: Level) -> Statement:
     """Two bodies that do not turn relative to each other."""
-    body, other = case.naming.body(joint.body), case.naming.body(joint.of)
+    body, other = case.naming.body(law.body), case.naming.body(law.of)
     reason = Message(f"solution.parallel-{level}", body=body, other=other)
     title = Message("solution.title-parallel", body=body, other=other)
-    line = f"{write_rotation(joint.body, case, level)} &= {write_rotation(joint.of, case, level)}"
+    line = f"{write_rotation(law.body, case, level)} &= {write_rotation(law.of, case, level)}"
     return Statement(title, reason, line)
 
 
@@ -86,13 +86,13 @@ def explain_scalar_step(
     result = _write_rate_result(unknown, case, level)
     worked = (statement.line, *_write_solved_relation(relation, unknown, case, level), result)
     match relation.source:
-        case Rotation() | Component() | Circulation():
+        case ImposedRotation() | ImposedMotion() | ImposedCircling():
             yield Display((statement.line,) if imposes_single_rate(relation) else worked)
-        case Parallel() | Sleeve():
+        case EqualRotation():
             value = case.rates(level)[unknown]
             known = f"{write_number(value, UNITS[level, True])}{write_rotation_sense(value, case)}"
             yield Display((f"{statement.line} = {known}",))
-        case Roll() | Mesh() | Pin() | Slide() | Arc() | Contact() | None:
+        case NoSlip() | EqualPitchSpeed() | SharedPoint() | GuidedPoint() | None:
             yield Display(worked)
         case _:
             assert_never(relation.source)
@@ -171,7 +171,7 @@ def _write_formula(tree: Expression, case: Case) -> str:
     return write_latex(tree, collect_symbols(case.template))
 
 
-def _state_rolling(roll: Roll, relation: Relation, case: Case, level: Level) -> Statement:
+def _state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) -> Statement:
     """No slip: the centre's speed along the track is the radius times the relative rotation."""
     term = find_term(relation.turning[0][0], case)
     body, other = case.naming.body(roll.body), describe_track(roll, case)
@@ -184,7 +184,7 @@ def _state_rolling(roll: Roll, relation: Relation, case: Case, level: Level) -> 
     return Statement(title, _explain_rolling(roll, term, case, level), line)
 
 
-def _explain_rolling(roll: Roll, term: Term, case: Case, level: Level) -> Message:
+def _explain_rolling(roll: NoSlip, term: Term, case: Case, level: Level) -> Message:
     """Why the rotation of a rolling body and the motion of its centre are linked."""
     body, motion = case.naming.body(roll.body), _name_motion_along_path(roll, term, case, level)
     if roll.of != GROUND:
@@ -203,7 +203,7 @@ def _explain_rolling(roll: Roll, term: Term, case: Case, level: Level) -> Messag
             assert_never(level)
 
 
-def _name_motion_along_path(roll: Roll, term: Term, case: Case, level: Level) -> Message:
+def _name_motion_along_path(roll: NoSlip, term: Term, case: Case, level: Level) -> Message:
     """The motion of a rolling body's centre, with its positive sense where it moves in the plane of
     the page.
     """
@@ -229,7 +229,7 @@ def _describe_positive_sense(term: Term, case: Case) -> Message:
             assert_never(term.kind)
 
 
-def _find_slip_sign(roll: Roll, relation: Relation, case: Case) -> float:
+def _find_slip_sign(roll: NoSlip, relation: Relation, case: Case) -> float:
     """The sign of the rotation's coefficient when the centre's speed, as stated, has the
     coefficient one.
     """
@@ -239,9 +239,9 @@ def _find_slip_sign(roll: Roll, relation: Relation, case: Case) -> float:
     return factor * find_stated_sense(find_term(relation.turning[0][0], case), case)
 
 
-def _write_radius(roll: Roll, case: Case) -> str:
+def _write_radius(roll: NoSlip, case: Case) -> str:
     """The radius of the rolling circle in symbols."""
-    sentence = case.template.scheme.joints[case.motion.frames.mechanism.joints.index(roll)]
+    sentence = case.template.scheme.joints[roll.joint]
     text = (
         _write_formula(sentence.circle.arguments[1], case)
         if sentence.circle
@@ -255,7 +255,7 @@ def _write_solved_relation(
 ) -> Iterator[str]:
     """The relation solved for a rate, with numbers unless they are zero."""
     roll = relation.source
-    if not isinstance(roll, Roll):
+    if not isinstance(roll, NoSlip):
         return
     term = find_term(relation.turning[0][0], case)
     sign = -1 if _find_slip_sign(roll, relation, case) > 0 else 1
@@ -285,10 +285,10 @@ def _write_solved_relation(
             yield f"{write_rotation(roll.body, case, level)} &= {''.join(parts).removeprefix('+')}"
 
 
-def _state_meshing(mesh: Mesh, case: Case, level: Level) -> Statement:
+def _state_meshing(mesh: EqualPitchSpeed, case: Case, level: Level) -> Statement:
     """Equal pitch speeds relative to the carrier, of opposite senses for external gears."""
     body, other = case.naming.body(mesh.body), case.naming.body(mesh.of)
-    sentence = case.template.scheme.joints[case.motion.frames.mechanism.joints.index(mesh)]
+    sentence = case.template.scheme.joints[mesh.joint]
     radius_text = (
         _write_formula(sentence.circle.arguments[1], case)
         if sentence.circle
@@ -311,88 +311,88 @@ def _state_meshing(mesh: Mesh, case: Case, level: Level) -> Statement:
     )
 
 
-def _state_imposed(driver: Driver, case: Case, level: Level) -> Statement:
+def _state_imposed(law: Imposed, relation: Relation, case: Case, level: Level) -> Statement:
     """What a driver imposes."""
-    value = _find_driven_value(driver, level)
-    match driver:
-        case Rotation(of=of):
-            left = write_rotation(driver.body, case, level)
+    value = _find_driven_value(relation, level)
+    match law:
+        case ImposedRotation(body=body, of=of):
+            left = write_rotation(body, case, level)
             left += f" - {write_rotation(of, case, level)}" if of != GROUND else ""
             way = write_rotation_sense(value, case)
-        case Component(direction=along):
-            left = _write_driven_speed(driver, case, level)
+        case ImposedMotion(direction=along):
+            left = _write_driven_speed(law, case, level)
             way = write_sense_along(double(value), along, None, case)
-        case Circulation():
-            left = _write_driven_speed(driver, case, level)
+        case ImposedCircling():
+            left = _write_driven_speed(law, case, level)
             way = write_rotation_sense(value, case)
         case _:
-            assert_never(driver)
-    unit = UNITS[level, isinstance(driver, Rotation)]
+            assert_never(law)
+    unit = UNITS[level, isinstance(law, ImposedRotation)]
     line = (
-        f"{left} &= {_write_driver_expression(driver, left, case, level)}"
+        f"{left} &= {_write_driver_expression(law, left, case, level)}"
         f"{write_number(value, unit)}{way}"
     )
-    return Statement(Message("solution.title-given"), _state_given(driver, case, level), line)
+    return Statement(Message("solution.title-given"), _state_given(law, case, level), line)
 
 
-def _find_driven_value(driver: Driver, level: Level) -> Any:
+def _find_driven_value(relation: Relation, level: Level) -> Any:
     """The velocity or acceleration that a driver imposes."""
     match level:
         case "velocity":
-            return driver.velocity
+            return relation.velocity
         case "acceleration":
-            return driver.acceleration
+            return relation.acceleration
         case _:
             assert_never(level)
 
 
-def _write_driven_speed(driver: Component | Circulation, case: Case, level: Level) -> str:
+def _write_driven_speed(law: ImposedMotion | ImposedCircling, case: Case, level: Level) -> str:
     """The symbol of what a driver imposes on a point."""
     head = LETTERS[level]
-    relative = isinstance(driver, Component) and driver.of != GROUND
-    lower = r"\mathrm{r}" if relative else case.naming.point(driver.point)
+    relative = isinstance(law, ImposedMotion) and law.of != GROUND
+    lower = r"\mathrm{r}" if relative else case.naming.point(law.point)
     return f"{head}_{{{lower}}}" + (
-        r"^{\mathrm{t}}" if head == "a" and isinstance(driver, Circulation) else ""
+        r"^{\mathrm{t}}" if head == "a" and isinstance(law, ImposedCircling) else ""
     )
 
 
-def _write_driver_expression(driver: Driver, name: str, case: Case, level: Level) -> str:
+def _write_driver_expression(law: Imposed, name: str, case: Case, level: Level) -> str:
     """The template's expression for a driver's value, with an equals sign; "" for a number.
 
     Also "" where the paper's parameter has the same letters as the algebraic value, `name`.
     """
-    sentence = case.template.scheme.drivers[case.motion.frames.mechanism.drivers.index(driver)]
+    sentence = case.template.scheme.drivers[law.driver]
     tree = {"velocity": sentence.velocity, "acceleration": sentence.acceleration}[level]
     text = _write_formula(tree, case)
     same = name.partition("^")[0] in text
     return "" if isinstance(tree, Number) or same else f"{text} = "
 
 
-def _state_given(driver: Driver, case: Case, level: Level) -> Message:
+def _state_given(law: Imposed, case: Case, level: Level) -> Message:
     """What is given, in a sentence."""
-    match driver:
-        case Rotation():
-            return _state_given_rotation(driver, case, level)
-        case Component():
-            return _state_given_component(driver, case, level)
-        case Circulation():
-            point, centre = case.naming.point(driver.point), case.naming.point(driver.centre)
+    match law:
+        case ImposedRotation():
+            return _state_given_rotation(law, case, level)
+        case ImposedMotion():
+            return _state_given_component(law, case, level)
+        case ImposedCircling():
+            point, centre = case.naming.point(law.point), case.naming.point(law.centre)
             return Message(f"solution.given-circling-{level}", point=point, centre=centre)
         case _:
-            assert_never(driver)
+            assert_never(law)
 
 
-def _state_given_rotation(driver: Rotation, case: Case, level: Level) -> Message:
-    body = case.naming.body(driver.body)
-    if driver.of == GROUND:
+def _state_given_rotation(law: ImposedRotation, case: Case, level: Level) -> Message:
+    body = case.naming.body(law.body)
+    if law.of == GROUND:
         return Message(f"solution.given-rotation-{level}", body=body)
-    other = case.naming.body(driver.of)
+    other = case.naming.body(law.of)
     return Message(f"solution.given-relative-rotation-{level}", body=body, other=other)
 
 
-def _state_given_component(driver: Component, case: Case, level: Level) -> Message:
-    point, way = case.naming.point(driver.point), describe_direction(driver.direction)
-    if driver.of == GROUND:
+def _state_given_component(law: ImposedMotion, case: Case, level: Level) -> Message:
+    point, way = case.naming.point(law.point), describe_direction(law.direction)
+    if law.of == GROUND:
         return Message(f"solution.given-motion-{level}", point=point, way=way)
-    other = case.naming.body(driver.of)
+    other = case.naming.body(law.of)
     return Message(f"solution.given-relative-motion-{level}", point=point, way=way, other=other)

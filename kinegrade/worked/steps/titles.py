@@ -7,7 +7,8 @@ from functools import reduce
 from typing import assert_never
 
 from kinegrade.language.message import Listing, Message, list_all
-from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import GuidedPoint
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import Relation, Term
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
@@ -112,7 +113,8 @@ def _introduce_composition(equation: VectorEquation, relative: Part, case: Case)
     point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
     match equation.level:
         case "velocity":
-            body = getattr(equation.relation.source, "body", GROUND)
+            law = equation.relation.source
+            body = law.body if isinstance(law, GuidedPoint) else GROUND
             if body == GROUND:
                 return Message(
                     "solution.composed-velocity-of-fixed-point", point=point, frame=frame

@@ -1,0 +1,11 @@
+"""The drivers: what is imposed on the mechanism, each with its velocity and its acceleration."""
+
+from __future__ import annotations
+
+from kinegrade.mechanics.drivers.circulation import Circulation
+from kinegrade.mechanics.drivers.component import Component
+from kinegrade.mechanics.drivers.rotation import Rotation
+
+Driver = Rotation | Component | Circulation
+
+__all__ = ["Circulation", "Component", "Driver", "Rotation"]

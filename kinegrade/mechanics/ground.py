@@ -1,0 +1,5 @@
+"""The body that does not move, by its name."""
+
+from __future__ import annotations
+
+GROUND = "ground"

@@ -1,0 +1,56 @@
+"""What every joint says: which conditions it states, and whether the positions meet it."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.element import Element
+from kinegrade.mechanics.laws import Condition, Law
+from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.shapes import Circle, Line, Shape
+from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Arithmetic
+
+
+class Constraint(Element):
+    """A joint."""
+
+    @abstractmethod
+    def list_shapes(self) -> tuple[Shape, ...]:
+        """The lines and circles that it refers to."""
+
+    @abstractmethod
+    def list_conditions(self) -> tuple[Condition, ...]:
+        """The points that it holds or guides, and the bodies that it keeps parallel."""
+
+    @cached_property
+    def conditions(self) -> tuple[Condition, ...]:
+        """The same, listed once."""
+        return self.list_conditions()
+
+    @abstractmethod
+    def relate_rates(
+        self, number: int, points: Mapping[str, Vector], guided: Rate | None
+    ) -> Law | None:
+        """How else it relates turning rates, as the joint of that number in its mechanism; None
+        where it does not.
+
+        `guided` is the rate of the point that it guides.
+        """
+
+    @abstractmethod
+    def find_misfits(
+        self, points: Mapping[str, Vector], arithmetic: Arithmetic
+    ) -> Iterator[Message]:
+        """What is wrong with the positions of the points, m."""
+
+    def list_lines(self) -> tuple[Line, ...]:
+        """The lines that it refers to."""
+        return tuple(shape for shape in self.list_shapes() if isinstance(shape, Line))
+
+    def list_circles(self) -> tuple[Circle, ...]:
+        """The circles that it refers to."""
+        return tuple(shape for shape in self.list_shapes() if isinstance(shape, Circle))

@@ -1,0 +1,58 @@
+"""Bodies that turn together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.joints.constraint import Constraint
+from kinegrade.mechanics.laws import Condition, EqualRotation, Law
+from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.shapes import Shape
+from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Arithmetic
+
+
+@dataclass(frozen=True)
+class Parallel(Constraint):
+    """`body` does not turn relative to the body `of`; with the ground: it translates."""
+
+    body: str
+    of: str
+
+    def list_bodies(self) -> tuple[str, ...]:
+        """The moving body, then the other one."""
+        return self.body, self.of
+
+    def list_turning_bodies(self) -> tuple[str, ...]:
+        """Both bodies."""
+        return self.body, self.of
+
+    def list_points(self) -> tuple[str, ...]:
+        """None."""
+        return ()
+
+    def describe(self) -> Message:
+        """It, as messages name it."""
+        return Message("mechanics.parallel", body=self.body, of=self.of)
+
+    def list_shapes(self) -> tuple[Shape, ...]:
+        """None."""
+        return ()
+
+    def list_conditions(self) -> tuple[Condition, ...]:
+        """The two bodies turn together."""
+        return (EqualRotation(self.body, self.of, is_sole=True),)
+
+    def relate_rates(
+        self, number: int, points: Mapping[str, Vector], guided: Rate | None
+    ) -> Law | None:
+        """Not at all."""
+        return None
+
+    def find_misfits(
+        self, points: Mapping[str, Vector], arithmetic: Arithmetic
+    ) -> Iterator[Message]:
+        """None: it says nothing about where its bodies are."""
+        return iter(())

@@ -1,0 +1,58 @@
+"""A pin: bodies that share a point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from kinegrade.language.message import Message, list_all
+from kinegrade.mechanics.joints.constraint import Constraint
+from kinegrade.mechanics.laws import Condition, Law, SharedPoint
+from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.shapes import Shape
+from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Arithmetic
+
+
+@dataclass(frozen=True)
+class Pin(Constraint):
+    """Two or more bodies (the ground may be one) share `point`."""
+
+    point: str
+    bodies: tuple[str, ...]
+
+    def list_bodies(self) -> tuple[str, ...]:
+        """All bodies."""
+        return self.bodies
+
+    def list_turning_bodies(self) -> tuple[str, ...]:
+        """None: a particle may be pinned."""
+        return ()
+
+    def list_points(self) -> tuple[str, ...]:
+        """The point."""
+        return (self.point,)
+
+    def describe(self) -> Message:
+        """It, as messages name it."""
+        return Message("mechanics.pin", point=self.point, bodies=list_all(self.bodies))
+
+    def list_shapes(self) -> tuple[Shape, ...]:
+        """None."""
+        return ()
+
+    def list_conditions(self) -> tuple[Condition, ...]:
+        """The bodies share the point."""
+        return (SharedPoint(self.point, self.bodies),)
+
+    def relate_rates(
+        self, number: int, points: Mapping[str, Vector], guided: Rate | None
+    ) -> Law | None:
+        """Not at all."""
+        return None
+
+    def find_misfits(
+        self, points: Mapping[str, Vector], arithmetic: Arithmetic
+    ) -> Iterator[Message]:
+        """None: it says nothing about where its bodies are."""
+        return iter(())

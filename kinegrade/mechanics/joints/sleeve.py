@@ -1,0 +1,69 @@
+"""A sleeve: one body slides along another without turning in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.joints.constraint import Constraint
+from kinegrade.mechanics.laws import Condition, EqualRotation, GuidedBody, Law
+from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.shapes import Line, Shape
+from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Arithmetic
+
+
+@dataclass(frozen=True)
+class Sleeve(Constraint):
+    """`body` slides along `line` in the body `of` and does not turn relative to it."""
+
+    body: str
+    line: Line
+    of: str
+
+    def list_bodies(self) -> tuple[str, ...]:
+        """The moving body, then the other one."""
+        return self.body, self.of
+
+    def list_turning_bodies(self) -> tuple[str, ...]:
+        """Both bodies."""
+        return self.body, self.of
+
+    def list_points(self) -> tuple[str, ...]:
+        """None."""
+        return ()
+
+    def describe(self) -> Message:
+        """It, as messages name it."""
+        return Message("mechanics.sleeve", body=self.body, of=self.of)
+
+    def list_shapes(self) -> tuple[Shape, ...]:
+        """The line."""
+        return (self.line,)
+
+    def list_conditions(self) -> tuple[Condition, ...]:
+        """Every point of the body is guided, and the two bodies turn together."""
+        return (
+            GuidedBody(self.body, self.of, self.line),
+            EqualRotation(self.body, self.of, is_sole=False),
+        )
+
+    def relate_rates(
+        self, number: int, points: Mapping[str, Vector], guided: Rate | None
+    ) -> Law | None:
+        """Not at all."""
+        return None
+
+    def find_misfits(
+        self, points: Mapping[str, Vector], arithmetic: Arithmetic
+    ) -> Iterator[Message]:
+        """None: it says nothing about where its bodies are."""
+        return iter(())
+
+    def find_nonsense(self) -> Iterator[Message]:
+        """Also that the ground would slide."""
+        yield from super().find_nonsense()
+        if self.body == GROUND:
+            yield Message("mechanics.sliding-ground")

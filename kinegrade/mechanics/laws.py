@@ -1,0 +1,298 @@
+"""The laws: why the rates of a mechanism are related, each a value that a relation carries.
+
+A law of turning rates gives their factors, from shares that a student may take of its parts: all of
+them are 1 where it is right.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import assert_never
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.geometry import foot
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.mechanics.shapes import Circle, Line, Shape
+from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Number
+
+Turning = tuple[tuple[Rate, Number], ...]
+
+
+@dataclass(frozen=True)
+class Shares:
+    """What is taken of the parts of a law: 1 is right, 0 forgotten, -1 reversed.
+
+    - meshing: the sense in which two circles turn: -1 takes inside for outside.
+    - carried: the turning of the body that carries the other one, or the track.
+    - arm: the radius of the carried wheel within the arm r1 + r2.
+    """
+
+    meshing: Number = 1
+    carried: Number = 1
+    arm: Number = 1
+
+
+RIGHT = Shares()
+
+
+class Reason(ABC):
+    """What every law can say."""
+
+    @abstractmethod
+    def describe(self, element: Message) -> Message:
+        """The relation in messages, given the name of the joint or driver that states it."""
+
+    @property
+    @abstractmethod
+    def is_given(self) -> bool:
+        """Whether it only states what is given."""
+
+    @abstractmethod
+    def list_factors(self, shares: Shares) -> Turning:
+        """The factors of the turning rates and of a guided centre's rate; none for an equation of
+        vectors.
+        """
+
+
+class _OfVectors(Reason):
+    """A law of vectors, which names no turning rate itself."""
+
+    def describe(self, element: Message) -> Message:
+        """The joint's or driver's own name."""
+        return element
+
+    def list_factors(self, shares: Shares) -> Turning:
+        """None."""
+        return ()
+
+
+@dataclass(frozen=True)
+class SharedPoint(_OfVectors):
+    """Two or more bodies have the velocity and acceleration of one point in common."""
+
+    point: str
+    bodies: tuple[str, ...]
+
+    @property
+    def is_given(self) -> bool:
+        """No: it closes a loop."""
+        return False
+
+
+@dataclass(frozen=True)
+class GuidedPoint(_OfVectors):
+    """`point` of `body` moves along a line, or about the centre of a circle, of the body `of`.
+
+    `in_slot` where a pin at the point itself slides in a straight slot or guide.
+    """
+
+    point: str
+    body: str
+    of: str
+    track: Shape
+    in_slot: bool = False
+
+    @property
+    def is_given(self) -> bool:
+        """No: it closes a loop."""
+        return False
+
+
+@dataclass(frozen=True)
+class GuidedBody:
+    """Every point of `body` moves along a line of the body `of`, if it moves at all."""
+
+    body: str
+    of: str
+    line: Line
+
+
+@dataclass(frozen=True)
+class EqualRotation(Reason):
+    """`body` does not turn relative to the body `of`; `is_sole` where the joint states nothing
+    else.
+    """
+
+    body: str
+    of: str
+    is_sole: bool
+
+    def describe(self, element: Message) -> Message:
+        """That the two rotations are equal."""
+        return Message("mechanics.equal-rotation", body=self.body, of=self.of)
+
+    @property
+    def is_given(self) -> bool:
+        """Where it is all that the joint states."""
+        return self.is_sole
+
+    def list_factors(self, shares: Shares) -> Turning:
+        """The angular velocity of the one minus that of the other."""
+        return _relate((self.body, 1), (self.of, -1))
+
+
+@dataclass(frozen=True)
+class NoSlip(Reason):
+    """A circle of `body`, its centre at `centre`, rolls on a line or circle of the body `of`.
+
+    `rate` is that of its centre along the track. `joint` numbers the joints of the mechanism.
+    """
+
+    joint: int
+    body: str
+    circle: Circle
+    of: str
+    on: Shape
+    inside: bool
+    rate: Rate
+    centre: Vector
+
+    def describe(self, element: Message) -> Message:
+        """That the rolling is without slip."""
+        return Message("mechanics.no-slip", rolling=element)
+
+    @property
+    def is_given(self) -> bool:
+        """No: it links the rotation with the motion of the centre."""
+        return False
+
+    def list_factors(self, shares: Shares) -> Turning:
+        """The centre's motion along the track plus the relative rotation about it is zero.
+
+        On a line: s u.u + omega_r u.(k x CF) = 0; on a circle of radius R: rate of the centre plus
+        omega_r times -r/(R + r) outside, r/(R - r) inside (F the contact, C the centre of the
+        rolling circle, r its radius); a forgotten r leaves -r/R.
+        """
+        match self.on:
+            case Line(direction=along):
+                arm = foot(self.centre, self.on) - self.centre
+                slip = along.dot(arm.turned()) / along.squared()
+                carried = slip * shares.carried
+            case Circle(radius=other):
+                radius = self.circle.radius * _find_sense(self.inside, shares)
+                slip = carried = -radius / (other + shares.arm * shares.carried * radius)
+            case _:
+                assert_never(self.on)
+        return ((self.rate, 1), *_relate((self.body, slip), (self.of, -carried)))
+
+
+@dataclass(frozen=True)
+class EqualPitchSpeed(Reason):
+    """Two circles with their centres on one `carrier` have the same speed where they meet, relative
+    to it. `joint` numbers the joints of the mechanism.
+    """
+
+    joint: int
+    body: str
+    circle: Circle
+    of: str
+    on: Circle
+    carrier: str
+    inside: bool
+
+    def describe(self, element: Message) -> Message:
+        """The joint's own name."""
+        return element
+
+    @property
+    def is_given(self) -> bool:
+        """No: it links two rotations."""
+        return False
+
+    def list_factors(self, shares: Shares) -> Turning:
+        """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), with -r2 inside; c is the share of the
+        carrier's rotation that is taken into account, at the second circle where the first one is
+        the ground's.
+        """
+        radius, other = self.circle.radius, self.on.radius * _find_sense(self.inside, shares)
+        first, second = (shares.carried, 1) if self.body != GROUND else (1, shares.carried)
+        return _relate(
+            (self.body, radius),
+            (self.carrier, -radius * first),
+            (self.of, other),
+            (self.carrier, -other * second),
+        )
+
+
+class _Imposed(Reason):
+    """What a driver imposes."""
+
+    def describe(self, element: Message) -> Message:
+        """The driver's own name."""
+        return element
+
+    @property
+    def is_given(self) -> bool:
+        """Yes."""
+        return True
+
+
+@dataclass(frozen=True)
+class ImposedRotation(_Imposed):
+    """The rotation of `body` relative to the body `of`. `driver` numbers the drivers."""
+
+    driver: int
+    body: str
+    of: str
+
+    def list_factors(self, shares: Shares) -> Turning:
+        """The angular velocity of the one minus that of the other."""
+        return _relate((self.body, 1), (self.of, -1 * shares.carried))
+
+
+@dataclass(frozen=True)
+class ImposedMotion(_Imposed):
+    """The motion of `point` along a direction, relative to the body `of`. `driver` numbers the
+    drivers.
+    """
+
+    driver: int
+    point: str
+    of: str
+    direction: Vector
+
+    def list_factors(self, shares: Shares) -> Turning:
+        """None: it is a component of a vector."""
+        return ()
+
+
+@dataclass(frozen=True)
+class ImposedCircling(_Imposed):
+    """The motion of `point` about the fixed point `centre`. `driver` numbers the drivers."""
+
+    driver: int
+    point: str
+    centre: str
+
+    def list_factors(self, shares: Shares) -> Turning:
+        """None: it is a component of a vector."""
+        return ()
+
+
+Condition = SharedPoint | GuidedPoint | GuidedBody | EqualRotation
+Imposed = ImposedRotation | ImposedMotion | ImposedCircling
+Law = SharedPoint | GuidedPoint | EqualRotation | NoSlip | EqualPitchSpeed | Imposed
+
+
+def _find_sense(inside: bool, shares: Shares) -> Number:
+    """1 where two circles touch from outside, -1 where one lies within the other."""
+    return -shares.meshing if inside else shares.meshing
+
+
+def _relate(*factors: tuple[str, Number]) -> Turning:
+    """The factors of the bodies' turning rates, added up for each; the ground does not turn."""
+    rates: dict[Rate, Number] = {}
+    for body, factor in factors:
+        if body != GROUND:
+            rate = make_turning(body)
+            rates[rate] = rates[rate] + factor if rate in rates else factor
+    return tuple(rates.items())
+
+
+def select_shared(conditions: Iterable[Condition]) -> tuple[SharedPoint, ...]:
+    """The shared points among some conditions."""
+    return tuple(condition for condition in conditions if isinstance(condition, SharedPoint))
