@@ -169,10 +169,13 @@ class Term:
             self.coriolis(rates, reading),
         )
 
+    def put(self, vector: Vector) -> Term:
+        """The term with another vector."""
+        return Term(self.kind, self.rate, vector, self.point, self.base, self.frame)
+
     def map(self, number: Callable[[Number], Number]) -> Term:
         """The term with `number` applied to its vector."""
-        vector = self.vector.map(number)
-        return Term(self.kind, self.rate, vector, self.point, self.base, self.frame)
+        return self.put(self.vector.map(number))
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ the acceleration.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.motion import Motion, find_relative_terms
@@ -34,7 +34,7 @@ class WrittenReading(Reading):
         return tuple(map(self._write_arm, chain))
 
     def _write_arm(self, term: Term) -> Term:
-        return replace(term, vector=self.write(term.vector))
+        return term.put(self.write(term.vector))
 
     def write(self, vector: Vector) -> Vector:
         """The vector as it is written down."""

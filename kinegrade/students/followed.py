@@ -70,14 +70,15 @@ def follow_values(
     relations = write_relations(frames, plan, reading)
     none = {rate: 0.0 for place in places for rate in make_offsets(place)}
     motion = Motion(frames, plan, none, none, reading)
+    equations = [relation.equations() for relation in relations]
     solver = Unsuspecting(arithmetic)
     sides = [relation.velocity_side() for relation in relations]
-    run = _Run(motion, "velocity", relations, sides, solver)
+    run = _Run(motion, "velocity", relations, equations, sides, solver)
     motion = run.follow([value for value in values if value.level == "velocity"])
     accelerations = [value for value in values if value.level == "acceleration"]
     motion = _put_in_parts(motion, reading, [value for value in accelerations if value.part])
     sides = [relation.acceleration_side(motion.rates, motion.reading) for relation in relations]
-    run = _Run(motion, "acceleration", relations, sides, solver)
+    run = _Run(motion, "acceleration", relations, equations, sides, solver)
     return run.follow([value for value in accelerations if not value.part])
 
 
@@ -104,6 +105,7 @@ class _Run:
     motion: Motion
     level: Level
     relations: Sequence[Relation]
+    equations: plans.Equations
     sides: Sequence[Sequence[Number]]
     solver: Unsuspecting
 
@@ -111,11 +113,10 @@ class _Run:
         """The motion found step by step, with each student's value substituted as soon as it is
         determined. Raises Singular.
         """
-        equations = [relation.equations() for relation in self.relations]
         found, waiting = self._known, list(values)
         for step in self.motion.plan.steps:
             if step.unknowns:
-                solved = plans.solve_step(step, equations, self.sides, found, self.solver)
+                solved = plans.solve_step(step, self.equations, self.sides, found, self.solver)
                 found = {**found, **solved}
             motion = self._take(found)
             ready = [value for value in waiting if value.read(motion) is not None]
@@ -137,11 +138,12 @@ class _Run:
 
     def _take(self, found: Rates) -> Motion:
         """The motion with the rates, or the changes, that are found."""
+        motion = self.motion
         match self.level:
             case "velocity":
-                return replace(self.motion, rates=found)
+                return Motion(motion.frames, motion.plan, found, motion.changes, motion.reading)
             case "acceleration":
-                return replace(self.motion, changes=found)
+                return Motion(motion.frames, motion.plan, motion.rates, found, motion.reading)
             case _:
                 assert_never(self.level)
 
@@ -238,9 +240,10 @@ def _move(
     Unchanged where the quantity is not linear in them: an angle, or a magnitude that cannot be
     negative.
     """
-    start, moved = _measure(wanted, take(found)), found
+    moved, now = found, _measure(wanted, take(found))
+    change = abs(wanted.value - now)
     for tolerance in (_STRAIGHT, _SAME, _SAME):
-        missing = wanted.value - _measure(wanted, take(moved))
+        missing = wanted.value - now
         if not abs(missing) > _NOTHING * abs(wanted.value):
             return moved
         slopes = {
@@ -251,7 +254,7 @@ def _move(
         if steepness:
             steps = {name: missing * slope / steepness for name, slope in slopes.items()}
             moved = {**moved, **{name: moved[name] + step for name, step in steps.items()}}
-        left = wanted.value - _measure(wanted, take(moved))
-        if not abs(left) <= tolerance * abs(wanted.value - start):
+            now = _measure(wanted, take(moved))
+        if not abs(wanted.value - now) <= tolerance * change:
             return found
     return moved

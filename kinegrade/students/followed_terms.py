@@ -83,6 +83,8 @@ class FollowedReading(Reading):
         """A relation as it is written at a step, with the shortcuts that earlier steps give."""
         cuts = [cut for cut in self.shortcuts if cut.step < step]
         left, right = (self._add(_shorten(side, cuts)) for side in (relation.left, relation.right))
+        if left is relation.left and right is relation.right:
+            return relation
         return replace(relation, left=left, right=right)
 
     def normal(self, rate: Rate, point: str, base: str, normal: Vector) -> Vector:
@@ -145,8 +147,11 @@ def _find_shortcuts(frames: Frames, plan: Plan) -> Iterator[Shortcut]:
 
 def _shorten(chain: Chain, cuts: Sequence[Shortcut]) -> Chain:
     """The chain with shortcuts applied one after the other until none applies."""
+    if not cuts:
+        return chain
+    signs = tuple(map(_make_sign, chain))
     for cut in cuts:
-        if cut.long == tuple(map(_make_sign, chain[: len(cut.long)])):
+        if cut.long == signs[: len(cut.long)]:
             return _shorten((*cut.short, *chain[len(cut.long) :]), cuts)
     return chain
 

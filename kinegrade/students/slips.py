@@ -9,7 +9,7 @@ them, `MistakenReading` takes the terms with them.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import assert_never
 
 from kinegrade.mechanics.frames import Frames
@@ -83,7 +83,7 @@ class MistakenReading(Reading):
     def chain(self, chain: Chain) -> Chain:
         """The terms with the shares of their arms."""
         return tuple(
-            replace(term, vector=term.vector * self.arms[term.point, term.base])
+            term.put(term.vector * self.arms[term.point, term.base])
             if (term.point, term.base) in self.arms
             else term
             for term in chain
@@ -101,7 +101,7 @@ class MistakenReading(Reading):
             share = self.slips.centre if about_centre and term is not last else 1
             if whole and term.frame != GROUND:
                 share = share * self.slips.relative
-            terms.append(term if is_right(share) else replace(term, vector=term.vector * share))
+            terms.append(term if is_right(share) else term.put(term.vector * share))
         return tuple(terms)
 
     def _turns_about_centre(self, term: Term) -> bool:
