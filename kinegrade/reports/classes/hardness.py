@@ -1,21 +1,19 @@
 """The part of the class report on whether papers were equally hard: versions compared with each
 other, or drawn numbers compared with points.
 
-`class_report` calls it; `equal_hardness` has the tests.
+`page` calls it; `equal_hardness` has the tests.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from math import isnan
-from typing import Any
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message, Text
-from kinegrade.press.html.short_texts import write_symbol_html
-from kinegrade.question_numbers import find_bank_number
+from kinegrade.press.class_sheet import BoxPlot, Hardness, Summary, Symbol, TrendLine, VersionLine
 from kinegrade.reports.classes.equal_hardness import (
     ENOUGH,
     ParameterTrend,
@@ -31,30 +29,27 @@ from kinegrade.reports.classes.figures import (
     write_plain,
     write_share,
 )
-from kinegrade.reports.classes.item_statistics import Summary, summarise
-from kinegrade.reports.classes.plots import write_box_plot
+from kinegrade.reports.classes.item_statistics import summarise
 from kinegrade.reports.classes.tally import ClassTally
+from kinegrade.reports.classes.words import name_question
 
-_Page = dict[str, Any]  # the values a layout reads
 _SIGNIFICANT = 0.05
 _MOST_TRENDS = 8
 _TOO_FEW = Message("report.too-few", enough=ENOUGH)
 
 
-def make_hardness_part(
+def judge_hardness(
     counts: ClassTally, exam: ExamFolder, wording: Wording, catalogue: Catalogue
-) -> _Page:
-    """What the layout shows of it."""
+) -> Hardness:
+    """What the report says of it."""
     if any(counts.versions):
-        return _make_versions_part(counts, exam, catalogue)
-    enough = len(counts.answered) >= ENOUGH
+        return _compare_versions(counts, exam, catalogue)
+    if len(counts.answered) < ENOUGH:
+        return Hardness(catalogue.write(_TOO_FEW))
     shares = {question: counts.share(question) for question in exam.questions}
-    trends = find_parameter_trends(counts.parameters, shares) if enough else ()
-    return {
-        "versions": (),
-        "trends": [_make_trend_row(trend, wording, catalogue) for trend in trends[:_MOST_TRENDS]],
-        "verdict_on_papers": catalogue.write(_judge_trends(trends) if enough else _TOO_FEW),
-    }
+    trends = find_parameter_trends(counts.parameters, shares)
+    lines = (_describe_trend(trend, wording, catalogue) for trend in trends[:_MOST_TRENDS])
+    return Hardness(catalogue.write(_judge_trends(trends)), trends=tuple(lines))
 
 
 def _judge_trends(trends: Sequence[ParameterTrend]) -> Message:
@@ -65,18 +60,17 @@ def _judge_trends(trends: Sequence[ParameterTrend]) -> Message:
     return Message("report.trends", numbers=len(trends), conclusion=conclusion)
 
 
-def _make_trend_row(trend: ParameterTrend, wording: Wording, catalogue: Catalogue) -> _Page:
+def _describe_trend(trend: ParameterTrend, wording: Wording, catalogue: Catalogue) -> TrendLine:
     """One drawn number, and how points vary with it."""
     known = wording.parameters.get((trend.question, trend.parameter))
-    number = find_bank_number(trend.question)
-    return {
-        "question": catalogue.write(Message("report.numbered", number=number)),
-        "symbol": write_symbol_html(known) if known else trend.parameter,
-        "thirds": [_write_third(third, catalogue) for third in trend.thirds],
-        "correlation": write_decimal(trend.correlation, catalogue),
-        "p": write_p(trend.test.p, catalogue),
-        "adjusted": write_p(trend.adjusted, catalogue),
-    }
+    return TrendLine(
+        name_question(trend.question, catalogue),
+        Symbol(known or None, trend.parameter),
+        tuple(_write_third(third, catalogue) for third in trend.thirds),
+        write_decimal(trend.correlation, catalogue),
+        write_p(trend.test.p, catalogue),
+        write_p(trend.adjusted, catalogue),
+    )
 
 
 def _write_third(third: Third, catalogue: Catalogue) -> tuple[str, str, int]:
@@ -85,21 +79,25 @@ def _write_third(third: Third, catalogue: Catalogue) -> tuple[str, str, int]:
     return write_share(third.share, catalogue), " … ".join(dict.fromkeys(bounds)), third.count
 
 
-def _make_versions_part(counts: ClassTally, exam: ExamFolder, catalogue: Catalogue) -> _Page:
+def _compare_versions(counts: ClassTally, exam: ExamFolder, catalogue: Catalogue) -> Hardness:
     """The versions of an exam compared with each other."""
     groups = _summarise_versions(counts)
-    names = [(_name_version(letter, figures, catalogue), figures) for letter, figures in groups]
+    names = tuple(
+        (_name_version(letter, figures, catalogue), figures) for letter, figures in groups
+    )
     axis, label = catalogue.text("report.percent-axis"), catalogue.text("report.page.hardness")
-    return {
-        "versions": [
-            _make_version_row(letter, figures, catalogue)
-            | {"questions": _write_version_shares(counts, letter, exam, catalogue)}
-            for letter, figures in groups
-        ],
-        "version_plot": write_box_plot(names, axis, label),
-        "trends": (),
-        "verdict_on_papers": catalogue.write(_judge_versions(counts, catalogue)),
-    }
+    lines = (
+        VersionLine(
+            letter,
+            figures.count,
+            write_percent(figures.mean, catalogue),
+            write_deviation(figures.sd, catalogue),
+            _write_version_shares(counts, letter, exam, catalogue),
+        )
+        for letter, figures in groups
+    )
+    verdict = catalogue.write(_judge_versions(counts, catalogue))
+    return Hardness(verdict, tuple(lines), BoxPlot(names, axis, label))
 
 
 def _summarise_versions(counts: ClassTally) -> list[tuple[str, Summary]]:
@@ -115,22 +113,13 @@ def _name_version(letter: str, figures: Summary, catalogue: Catalogue) -> str:
     return catalogue.write(Message("report.version-of", letter=letter, students=figures.count))
 
 
-def _make_version_row(letter: str, figures: Summary, catalogue: Catalogue) -> _Page:
-    return {
-        "letter": letter,
-        "figures": figures,
-        "mean": write_percent(figures.mean, catalogue),
-        "sd": write_deviation(figures.sd, catalogue),
-    }
-
-
 def _write_version_shares(
     counts: ClassTally, letter: str, exam: ExamFolder, catalogue: Catalogue
-) -> list[str]:
+) -> tuple[str, ...]:
     """The facility of each question in one version."""
     members = [place for place, version in enumerate(counts.versions) if version == letter]
     shares = [float(counts.share(question)[members].mean()) for question in exam.questions]
-    return [write_share(None if isnan(share) else share, catalogue) for share in shares]
+    return tuple(write_share(None if isnan(share) else share, catalogue) for share in shares)
 
 
 def _judge_versions(counts: ClassTally, catalogue: Catalogue) -> Text:

@@ -8,41 +8,16 @@ students is None.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+
+from kinegrade.press.class_sheet import Histogram, Summary
 
 Points = npt.NDArray[np.float64]
 _FEWEST = 3  # students: a correlation of two is always 1 or -1
 _FINE, _COARSE = 10, 20  # per cent: the width of a bin of the histogram
 _FEW = 25  # students: smaller classes get coarse bins
-
-
-@dataclass(frozen=True)
-class Summary:
-    """A distribution in figures; `sd` divides by n - 1 and is None for a single value. Quartiles
-    interpolate linearly.
-    """
-
-    count: int
-    mean: float
-    sd: float | None
-    minimum: float
-    lower: float
-    median: float
-    upper: float
-    maximum: float
-
-
-@dataclass(frozen=True)
-class Histogram:
-    """Counts between edges; a value on an edge counts to the right, on the last edge in the last
-    bin.
-    """
-
-    edges: tuple[float, ...]
-    counts: tuple[int, ...]
 
 
 def summarise(values: Sequence[float] | Points) -> Summary | None:

@@ -1,11 +1,14 @@
-"""What the class report calls verdicts and the reasons why points were lost."""
+"""What the class report calls questions, asks, verdicts, and the reasons why points were lost."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
 from kinegrade.grading.wording import Wording
+from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message, Text
+from kinegrade.press.class_sheet import Symbol
+from kinegrade.question_numbers import find_bank_number
 
 _VERDICTS: Mapping[str, Message] = {
     "right": Message("report.verdict-right"),
@@ -38,6 +41,16 @@ _REASONS: Mapping[str, Message] = {
     "mistake": Message("report.reason-mistake"),
     "void": Message("report.reason-void"),
 }
+
+
+def name_question(question: str, catalogue: Catalogue) -> str:
+    """A question by its number in the bank."""
+    return catalogue.write(Message("report.numbered", number=find_bank_number(question)))
+
+
+def find_symbol(column: str, wording: Wording) -> Symbol:
+    """The symbol of an ask, by its column."""
+    return Symbol(wording.symbols.get(column), column.split(".", 1)[1])
 
 
 def name_verdict(verdict: str) -> Text:

@@ -8,10 +8,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from html import escape
+from typing import assert_never
 
 from markupsafe import Markup
 
-from kinegrade.reports.classes.item_statistics import Histogram, Summary
+from kinegrade.press.class_sheet import (
+    Bar,
+    BoxPlot,
+    Histogram,
+    HistogramPlot,
+    Plot,
+    StackedBar,
+    Summary,
+)
 
 _WIDTH = 640.0
 _LEFT, _RIGHT = 44.0, 12.0
@@ -29,12 +38,24 @@ class _Axis:
         return self.left + self.width * min(max(percent, 0.0), 100.0) / 100
 
 
-def write_histogram_plot(
-    distribution: Histogram, figures: Summary, across: str, upward: str, marks: str
-) -> Markup:
-    """Columns of students over percentages of the points; a triangle marks the median, a circle the
-    mean (`marks`).
-    """
+def write_plot(plot: Plot) -> Markup:
+    """A plot as an SVG element."""
+    match plot:
+        case HistogramPlot():
+            return _write_histogram(plot)
+        case BoxPlot():
+            return _write_boxes(plot)
+        case Bar():
+            return _write_bar(plot)
+        case StackedBar():
+            return _write_stacked_bar(plot)
+        case _:
+            assert_never(plot)
+
+
+def _write_histogram(plot: HistogramPlot) -> Markup:
+    """Columns; a triangle marks the median, a circle the mean."""
+    distribution, figures = plot.histogram, plot.figures
     top, height, axis = 22.0, 150.0, _Axis()
     base, most = top + height, max(1, *distribution.counts)
     parts = list(_write_columns(distribution, axis, base, height / most))
@@ -46,18 +67,18 @@ def write_histogram_plot(
     median, mean = axis.at(figures.median), axis.at(figures.mean)
     parts.append(f'<path class="mark" d="M{median:.1f} {base + 20:.1f}l5 9h-10z"/>')
     parts.append(f'<circle class="mark" cx="{mean:.1f}" cy="{base + 25:.1f}" r="3.6" fill="none"/>')
-    parts.append(_write_text(axis.left + axis.width, base + 46, across, "end"))
-    parts.append(_write_text(axis.left, base + 46, marks, "start"))
-    parts.append(_write_text(4, 11, upward, "start"))
-    return _write_svg(_WIDTH, base + 52, parts, across)
+    parts.append(_write_text(axis.left + axis.width, base + 46, plot.across, "end"))
+    parts.append(_write_text(axis.left, base + 46, plot.marks, "start"))
+    parts.append(_write_text(4, 11, plot.upward, "start"))
+    return _write_svg(_WIDTH, base + 52, parts, plot.across)
 
 
-def write_box_plot(groups: Sequence[tuple[str, Summary]], across: str, label: str) -> Markup:
+def _write_boxes(plot: BoxPlot) -> Markup:
     """For each group a box from the lower to the upper quartile, a bar at the median, a circle at
     the mean.
     """
     row, axis = 34.0, _Axis(110.0, _WIDTH - 110.0 - _RIGHT)
-    base = row * len(groups) + 6
+    base = row * len(plot.groups) + 6
     parts = [
         part
         for edge in range(0, 101, 20)
@@ -66,32 +87,29 @@ def write_box_plot(groups: Sequence[tuple[str, Summary]], across: str, label: st
             _write_text(axis.at(edge), base + 16, str(edge), "middle"),
         )
     ]
-    for place, (name, figures) in enumerate(groups):
+    for place, (name, figures) in enumerate(plot.groups):
         parts += _write_box(name, figures, axis, row * place + 20)
-    parts.append(_write_text(axis.left + axis.width, base + 34, across, "end"))
-    return _write_svg(_WIDTH, base + 40, parts, label)
+    parts.append(_write_text(axis.left + axis.width, base + 34, plot.across, "end"))
+    return _write_svg(_WIDTH, base + 40, parts, plot.label)
 
 
-def write_stacked_bar(parts: Sequence[tuple[str, float]], label: str) -> Markup:
-    """One bar of shares that add up to at most 1, each in its CSS class."""
+def _write_stacked_bar(plot: StackedBar) -> Markup:
     width, start, bars = 170.0, 0.0, []
-    for shade, share in parts:
+    for shade, share in plot.parts:
         bars.append(
             f'<rect class="{escape(shade)}" x="{start:.1f}" y="0" width="{share * width:.1f}" '
             'height="13"/>'
         )
         start += share * width
-    return _write_svg(width, 13, bars, label)
+    return _write_svg(width, 13, bars, plot.label)
 
 
-def write_bar(
-    share: float, shade: str, label: str, width: float = 260.0, *, track: bool = False
-) -> Markup:
-    """One bar for a share from 0 to 1; a track shows the length of 1."""
+def _write_bar(plot: Bar) -> Markup:
+    width, share = plot.width, plot.share
     length = max(1.0 if share else 0.0, min(share, 1.0) * width)
-    whole = [f'<rect class="track" x="0" y="0" width="{width:g}" height="12"/>'] if track else []
-    part = f'<rect class="{escape(shade)}" x="0" y="0" width="{length:.1f}" height="12"/>'
-    return _write_svg(width, 12, [*whole, part], label)
+    track = f'<rect class="track" x="0" y="0" width="{width:g}" height="12"/>'
+    part = f'<rect class="{escape(plot.shade)}" x="0" y="0" width="{length:.1f}" height="12"/>'
+    return _write_svg(width, 12, [track, part] if plot.track else [part], plot.label)
 
 
 def _write_columns(

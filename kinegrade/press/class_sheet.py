@@ -1,0 +1,194 @@
+"""What stands on the report on a class, free of any typesetter: texts that are written already, and
+plots as their numbers.
+
+`kinegrade.reports.classes` makes these values, `press.html` prints them. A text is plain unless it
+is said to be prose (Markdown with `$...$` LaTeX math) or math (LaTeX without dollar signs).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinegrade.files.tables import Complaint
+from kinegrade.language import Language
+
+
+@dataclass(frozen=True)
+class Summary:
+    """A distribution in figures; `sd` divides by n - 1 and is None for a single value. Quartiles
+    interpolate linearly.
+    """
+
+    count: int
+    mean: float
+    sd: float | None
+    minimum: float
+    lower: float
+    median: float
+    upper: float
+    maximum: float
+
+
+@dataclass(frozen=True)
+class Histogram:
+    """Counts between edges; a value on an edge counts to the right, on the last edge in the last
+    bin.
+    """
+
+    edges: tuple[float, ...]
+    counts: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class HistogramPlot:
+    """Columns of students over percentages of the points, and marks at the median and the mean;
+    `across`, `upward` and `marks` say what is shown along the axes and by the marks.
+    """
+
+    histogram: Histogram
+    figures: Summary
+    across: str
+    upward: str
+    marks: str
+
+
+@dataclass(frozen=True)
+class BoxPlot:
+    """The distribution of the percentages of each group, by its name."""
+
+    groups: tuple[tuple[str, Summary], ...]
+    across: str
+    label: str
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A share from 0 to 1; a track shows the length of 1. Shades are names of the style sheet."""
+
+    share: float
+    shade: str
+    label: str
+    width: float = 260.0
+    track: bool = False
+
+
+@dataclass(frozen=True)
+class StackedBar:
+    """Shares that add up to at most 1, each with its shade."""
+
+    parts: tuple[tuple[str, float], ...]
+    label: str
+
+
+Plot = HistogramPlot | BoxPlot | Bar | StackedBar
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """A symbol, math; None where only the name is known."""
+
+    math: str | None
+    name: str
+
+
+@dataclass(frozen=True)
+class AskLine:
+    """One ask: how its points were earned; `first` is whether it is the first of its question."""
+
+    question: str
+    title: str  # prose
+    first: bool
+    symbol: Symbol
+    meaning: str  # prose
+    points: str
+    facility: str
+    bar: Bar
+    discrimination: str
+    answers: StackedBar
+    verdicts: str
+    note: str
+
+
+@dataclass(frozen=True)
+class LossLine:
+    """A reason why points were lost, and how often by ask."""
+
+    reason: str
+    count: int
+    bar: Bar
+    asks: tuple[tuple[Symbol, int], ...]
+
+
+@dataclass(frozen=True)
+class QuestionLosses:
+    """Why points of a question were lost."""
+
+    question: str
+    title: str  # prose
+    rows: tuple[LossLine, ...]
+
+
+@dataclass(frozen=True)
+class VersionLine:
+    """The totals of a version, and its facility by question."""
+
+    letter: str
+    count: int
+    mean: str
+    sd: str
+    questions: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class TrendLine:
+    """How points vary with a number drawn; a third has its share, its range and its students."""
+
+    question: str
+    symbol: Symbol
+    thirds: tuple[tuple[str, str, int], ...]
+    correlation: str
+    p: str
+    adjusted: str
+
+
+@dataclass(frozen=True)
+class Hardness:
+    """Whether papers were equally hard: by version, or by the numbers drawn."""
+
+    verdict: str
+    versions: tuple[VersionLine, ...] = ()
+    plot: BoxPlot | None = None
+    trends: tuple[TrendLine, ...] = ()
+
+
+@dataclass(frozen=True)
+class ClassFigures:
+    """What is known where anybody answered; a card has a figure and its name, the legend the shade
+    and the name of each verdict.
+    """
+
+    out_of: str
+    cards: tuple[tuple[str, str], ...]
+    distribution: HistogramPlot
+    asks: tuple[AskLine, ...]
+    legend: tuple[tuple[str, str], ...]
+    losses: tuple[QuestionLosses, ...]
+    hardness: Hardness
+
+
+@dataclass(frozen=True)
+class ClassSheet:
+    """The report on a class; `questions` are their names, `complaints` the first of so many."""
+
+    language: Language
+    course: str
+    title: str
+    date: str
+    counted: str
+    silent: str
+    few: bool
+    questions: tuple[str, ...]
+    figures: ClassFigures | None
+    complaints: tuple[Complaint, ...]
+    number_of_complaints: int
+    more_complaints: str
