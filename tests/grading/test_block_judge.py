@@ -20,7 +20,8 @@ from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.files.tables import parse_table
 from kinegrade.grading import marks as marking
 from kinegrade.grading.grade import MarkingWishes, grade
-from kinegrade.grading.judging.follow import Follows, Own
+from kinegrade.grading.judging.follow import Follows
+from kinegrade.grading.judging.trivial_answers import Own
 from kinegrade.grading.marks import Mark, mark
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.reading import read_policy

@@ -10,15 +10,14 @@ trivial (`kinegrade.grading.judging.trivial_answers`).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Protocol
 
 from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.grading.judging.decision import Decision
 from kinegrade.grading.judging.judge import Verdict, judge
-from kinegrade.grading.judging.trivial_answers import Later, is_trivial
+from kinegrade.grading.judging.trivial_answers import Later, Own, WhatFollows, is_trivial
 from kinegrade.grading.policy.policy import Ruling
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Message, Text, list_all
@@ -27,18 +26,11 @@ _FARTHEST = (
     1000  # times the right answer, or below its thousandth part: no follow-through from there
 )
 _SAME = Fraction(1, 10**9)  # relative: closer values differ only by rounding
-Own = Mapping[str, Fraction]  # a student's answers by ask, each in its unit
 
 
-class Consequence(Protocol):
-    """What follows for an ask from a student's answers to other asks of the question, all
-    substituted at once.
-    """
-
-    def __call__(self, student: str, question: str, answers: Own, later: str, /) -> Fraction | None:
-        """The value in the unit of `later`; None where it does not depend on those answers, or
-        nothing follows.
-        """
+# Of a student, in a question, from the answers to some of its asks, for another ask: the value in
+# the unit of that ask; None where it does not depend on those answers, or nothing follows
+Consequence = Callable[[str, str, Own, str], Fraction | None]
 
 
 def _order_as_asked(question: str, asks: Sequence[str]) -> Sequence[str]:
@@ -54,10 +46,6 @@ class Follows:
 
     consequence: Consequence
     order: Callable[[str, Sequence[str]], Sequence[str]] = _order_as_asked
-
-    def __call__(self, student: str, question: str, answers: Own, later: str) -> Fraction | None:
-        """The value that follows."""
-        return self.consequence(student, question, answers, later)
 
     def sorted(self, answers: Sequence[Decided]) -> list[Decided]:
         """The answers to a question in that order."""
@@ -137,50 +125,46 @@ def _find_verdicts(
     """Agreements with what follows from the student's answers, at least one of them wrong and none
     of them making the rest trivial.
     """
+    question, ask = answer.ask.question, answer.ask.ask
 
     def what_follows(answers: Own) -> Fraction | None:
-        return follows(student, answer.ask.question, answers, answer.ask.ask)
+        return follows.consequence(student, question, answers, ask)
 
     def compared(value: Fraction) -> Verdict:
         return judge(answer.reading, answer.ruling.beside(answer.key, value))
 
     later = Later(what_follows, lambda value: compared(value).kind == "right")
-    for answers, value in _find_followed(
-        student, answer.ask, earlier.wrong, earlier.right, follows
-    ):
+    for answers, value in _find_followed(earlier, what_follows):
         if later.agrees(value):
-            used = _select_used(student, answer.ask, answers, value, follows)
+            used = _select_used(answers, value, what_follows)
             wrong = used.keys() & earlier.wrong.keys()
             if not any(is_trivial(name, used, earlier.keys[name], later) for name in wrong):
                 comparison = compared(value).comparison
-                yield Verdict("follow-through", _explain(answer.ask.question, used, comparison))
+                yield Verdict("follow-through", _explain(question, used, comparison))
 
 
-def _find_followed(
-    student: str, later: Ask, wrong: Own, right: Own, follows: Follows
-) -> Iterator[tuple[Own, Fraction]]:
+def _find_followed(earlier: _Earlier, what_follows: WhatFollows) -> Iterator[tuple[Own, Fraction]]:
     """What follows from all wrong answers, from single ones, and from wrong and right ones
     together. A student may have carried on from one answer and not from another, and what would
     follow for a third may still be right.
     """
+    wrong, right = earlier.wrong, earlier.right
     singles = ({name: wrong[name]} for name in reversed(tuple(wrong)) if len(wrong) > 1)
     for answers in (wrong, *singles):
-        value = follows(student, later.question, answers, later.ask)
+        value = what_follows(answers)
         if value is not None:
             yield answers, value
-    value = follows(student, later.question, {**wrong, **right}, later.ask) if right else None
-    if value is not None and not _are_alike(
-        value, follows(student, later.question, right, later.ask)
-    ):
+    value = what_follows({**wrong, **right}) if right else None
+    if value is not None and not _are_alike(value, what_follows(right)):
         yield {**wrong, **right}, value
 
 
-def _select_used(student: str, later: Ask, answers: Own, value: Fraction, follows: Follows) -> Own:
+def _select_used(answers: Own, value: Fraction, what_follows: WhatFollows) -> Own:
     """The answers without which a different value would follow."""
     used = dict(answers)
     for name in answers:
         rest = {each: number for each, number in used.items() if each != name}
-        if rest and _are_alike(value, follows(student, later.question, rest, later.ask)):
+        if rest and _are_alike(value, what_follows(rest)):
             used = rest
     return used
 

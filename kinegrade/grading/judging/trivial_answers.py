@@ -18,7 +18,8 @@ _TINY = Fraction(1, 900)  # of the right answer: stands in for zero
 # Times the right answer: more than degrees for radians, or a misplaced decimal point, can explain
 _ENORMOUS = 100
 _POWERS = (1, 2)  # of a velocity, in velocities and in accelerations
-Own = Mapping[str, Fraction]
+Own = Mapping[str, Fraction]  # a student's answers by ask, each in its unit
+WhatFollows = Callable[[Own], Fraction | None]  # from them, for a later answer
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +28,7 @@ class Later:
     it agrees with a value.
     """
 
-    what_follows: Callable[[Own], Fraction | None]
+    what_follows: WhatFollows
     agrees: Callable[[Fraction], bool]
 
     def fits(self, answers: Own, factor: Fraction = Fraction(1)) -> bool:
