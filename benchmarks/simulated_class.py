@@ -28,7 +28,8 @@ from kinegrade.exam.setting.key_record import make_key_line
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.files.tables import parse_table
-from kinegrade.grading.marks import Mark, mark
+from kinegrade.grading.marking import mark
+from kinegrade.grading.marks import Mark
 from kinegrade.grading.sheets.class_sheet import read_sheet
 from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.template.template import Template

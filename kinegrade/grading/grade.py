@@ -16,7 +16,8 @@ from kinegrade.files.tables import Table, read_table
 from kinegrade.grading.answer_lines import write_marks
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.kept_totals import never_lower as with_kept_totals
-from kinegrade.grading.marks import ClassGrades, collect_grades, mark_blocks
+from kinegrade.grading.marking import MarkingTerms, mark_blocks
+from kinegrade.grading.marks import ClassGrades, collect_grades
 from kinegrade.grading.other_papers import OtherPapers
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.policy import Policy
@@ -75,9 +76,8 @@ def grade(
         sheet, rules = class_sheet(files, exam), _choose_policy(exam, wishes.policy)
         pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
         accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
-        blocks = mark_blocks(
-            exam, sheet, wishes.decimal, rules, accepted, follows=wishes.follows, pool=pool
-        )
+        terms = MarkingTerms(rules, accepted, wishes.decimal, wishes.follows, pool)
+        blocks = mark_blocks(exam, sheet, terms)
         grades = collect_grades(exam, sheet, write_marks(folder, others.watched(blocks)))
         if not wishes.own_papers:
             others.refuse(exam, ", ".join(each.table.file for each in files))

@@ -14,7 +14,8 @@ from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Key, Paper
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.files.tables import parse_table
 from kinegrade.grading.grade import MarkingWishes, grade
-from kinegrade.grading.marks import Mark, Marks, mark
+from kinegrade.grading.marking import MarkingTerms, mark
+from kinegrade.grading.marks import Mark, Marks
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.policy import AS_PRINTED, Policy
 from kinegrade.grading.policy.reading import read_policy
@@ -74,7 +75,8 @@ def marked(
     """The marks of CLASS for rows of: student, q1.v_B, q1.omega_AB, q2.phi."""
     header = ",".join(("student", *(ask.column for ask in exam.asks)))
     sheet = read_sheet(parse_table(f"{header}\n{rows}".encode(), "answers.csv"), exam)
-    return mark(exam, sheet, None, policy, alternatives(exam, policy, folder_of(givens, exam)))
+    accepted = alternatives(exam, policy, folder_of(givens, exam))
+    return mark(exam, sheet, MarkingTerms(policy, accepted))
 
 
 def marks_of(marks: Marks, student: str) -> list[Mark]:

@@ -18,11 +18,12 @@ from hypothesis import strategies as st
 
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.files.tables import parse_table
-from kinegrade.grading import marks as marking
+from kinegrade.grading import marking
 from kinegrade.grading.grade import MarkingWishes, grade
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.judging.trivial_answers import Own
-from kinegrade.grading.marks import Mark, mark
+from kinegrade.grading.marking import MarkingTerms, mark
+from kinegrade.grading.marks import Mark
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.reading import read_policy
 from kinegrade.grading.sheets.class_sheet import read_sheet
@@ -168,7 +169,7 @@ def test_blocks_say_what_deciding_one_by_one_says(seed: int, policy: str, follow
         )
         expected = written(marks_one_by_one(whole, sheet, rules, accepted, follows))
         for one in (exam, whole):
-            marks = mark(one, sheet, None, rules, accepted, follows=follows).marks
+            marks = mark(one, sheet, MarkingTerms(rules, accepted, follows=follows)).marks
             assert written(marks) == expected
 
 
@@ -220,7 +221,8 @@ def test_follow_through_is_asked_about_only_after_two_errors(tmp_path: Path) -> 
         sheet = read_sheet(
             parse_table((tmp_path / "answers.csv").read_bytes(), "answers.csv"), exam
         )
-        return [each.verdict.kind for each in mark(exam, sheet, follows=Follows(follows)).marks][:3]
+        marks = mark(exam, sheet, MarkingTerms(follows=Follows(follows))).marks
+        return [each.verdict.kind for each in marks][:3]
 
     right = [entries[ask]["decimal"] for ask in ASKS["q1"]]
     off = f"{7.7 * float(entries['v_A']['decimal']):.3f}"

@@ -11,7 +11,8 @@ import pytest
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.files.tables import Table, read_table
-from kinegrade.grading.marks import Marks, mark
+from kinegrade.grading.marking import MarkingTerms, mark
+from kinegrade.grading.marks import Marks
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.policy import AS_PRINTED
 from kinegrade.grading.sheets.class_sheet import read_sheet
@@ -125,9 +126,7 @@ def marked(exam: Path, table: Table) -> Marks:
     return mark(
         known,
         read_sheet(table, known),
-        None,
-        AS_PRINTED,
-        alternatives(known, AS_PRINTED, open_exam(exam)),
+        MarkingTerms(AS_PRINTED, alternatives(known, AS_PRINTED, open_exam(exam))),
     )
 
 

@@ -1,0 +1,48 @@
+"""The single cells of a block that a person should look at: those that could not be read or have a
+wrong unit, and those that were read with a remark.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+from typing import NamedTuple
+
+from kinegrade.exam.folder.keys import Ask
+from kinegrade.files.tables import Complaint, shorten
+from kinegrade.grading.fast.judged_block import JudgedBlock
+from kinegrade.language.message import Message, Text
+
+
+class Doubt(NamedTuple):
+    """A complaint about a cell; `why` is the reason for which the number was read as it was, where
+    that alone is remarked on, else "".
+    """
+
+    complaint: Complaint
+    why: Text = ""
+
+
+def find_doubts(
+    judged: JudgedBlock, asks: Sequence[Ask], columns: Sequence[str]
+) -> Iterator[Doubt]:
+    """The doubts, cell by cell; `columns` are the headers of the asks' columns."""
+    for place, reading in judged.cells.readings.items():
+        row, number = divmod(place, len(asks))
+        file, line = judged.rows[row][1].place(number)
+        verdict = judged.kinds[place]
+        complain = partial(Complaint, file, line, columns[number], shorten(reading.typed))
+        if reading.kind in ("unreadable", "wrong unit"):
+            points = judged.credits[judged.shares[place]] * asks[number].points
+            some = Message("marking.some-points", verdict=verdict)
+            none = Message("marking.no-points", verdict=verdict)
+            yield Doubt(complain(reading.reason, some if points else none))
+        if reading.remark:
+            done = Message("marking.judged", verdict=verdict)
+            yield Doubt(complain(reading.remark, done), _find_reason(reading.remark))
+
+
+def _find_reason(remark: Text) -> Text:
+    """Why a number was read as it was, where that alone is remarked on; "" otherwise."""
+    reason = remark.parts.get("reason") if isinstance(remark, Message) else None
+    return reason if isinstance(reason, str | Message) else ""
