@@ -25,7 +25,8 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.reports.sharing.fits import find_windows
 from kinegrade.reports.sharing.report import HEADER, describe_sharing, write_sharing_csv
-from kinegrade.reports.sharing.sharing import MOST, Pair, Sharing, find_pairs, find_tail
+from kinegrade.reports.sharing.search import Pair, find_tail
+from kinegrade.reports.sharing.sharing import MOST, Sharing, find_pairs
 from tests.grading.marked_folder import mark_class
 from tests.grading.sitting_class import SittingClass, honest_slips, sitting_class
 

@@ -11,7 +11,8 @@ from kinegrade.files.csv_writing import encode_for_people, neutralise, write_csv
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.message import Message, list_statements
-from kinegrade.reports.sharing.sharing import MOST, QUESTIONS, Pair, SharedAnswer, Sharing
+from kinegrade.reports.sharing.search import QUESTIONS, Pair, SharedAnswer
+from kinegrade.reports.sharing.sharing import MOST, Sharing
 
 HEADER = (
     "student", "name", "other", "other_name", "wrong_answers", "fit_the_other_paper",

@@ -19,60 +19,21 @@ has that number. So a pair is reported only if answers to at least two questions
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cached_property
-from math import exp, isfinite, lgamma, log
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Exam, Examinee
-from kinegrade.grading.fast.bounds import Numbers
+from kinegrade.exam.folder.keys import Exam
 from kinegrade.grading.sheets.pool import make_exam_as_put
-from kinegrade.language.message import Fault, Message, Quoted
-from kinegrade.marks_folder.cells import explain_edited
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import MarkedAnswer
-from kinegrade.reports.sharing.fits import Windows, find_windows
+from kinegrade.reports.sharing.search import Pair, Search
+from kinegrade.reports.sharing.wrong_answers import find_wrong_answers
 
 _LEVEL = 0.01
 MOST = 1000  # pairs reported; the most striking ones
-QUESTIONS = 2
-_CELLS = 4_000_000  # pairs of students examined together, to bound memory
-_COUNTS = 2  # right answers, and right answers or mistakes
-
-
-@dataclass(frozen=True, slots=True)
-class SharedAnswer:
-    """An answer in `column` that fits another paper; `as_key` is whether it would be right there,
-    otherwise it fits as a mistake.
-    """
-
-    column: str
-    typed: str
-    as_key: bool
-
-
-@dataclass(frozen=True, slots=True)
-class Pair:
-    """A student whose wrong answers fit another student's paper, and how many are expected to by
-    chance.
-
-    `as_key_expected` is the same for what would be right there alone. `chance` is how often a class
-    of this size has such a pair by chance, at most 1.
-    """
-
-    student: Examinee
-    other: Examinee
-    answers: tuple[SharedAnswer, ...]
-    wrong: int
-    expected: float
-    as_key_expected: float
-    chance: float
 
 
 @dataclass(frozen=True)
@@ -107,247 +68,15 @@ def find_pairs(exam: Exam, answers: Iterable[MarkedAnswer], level: float = _LEVE
     """The pairs of a class whose chance is below `level`. Raises ExamError where an answer does not
     belong to the exam.
     """
-    wrong = _find_wrong_answers(exam, answers)
+    wrong = find_wrong_answers(exam, answers)
     papers = [
         tuple(examinee.keys[ask.column].value for ask in exam.asks) for examinee in exam.examinees
     ]
     alike = Counter(papers)
     unlike = np.array([max(1, len(papers) - alike[paper]) for paper in papers], dtype=np.float64)
-    search = _Search(exam, wrong, unlike, level)
+    search = Search(exam, wrong, unlike, level)
     found = sorted(search.found(), key=lambda each: (each.chance, each.student, each.other))
     reported = tuple(search.pair(each) for each in found[:MOST])
     return Sharing(
         search.pairs, len(found), reported, len(papers), len(alike), len(exam.questions), level
     )
-
-
-def find_tail(count: int, mean: float) -> float:
-    """The probability that a Poisson variable with that mean is at least `count`; a mean of zero
-    allows nothing.
-
-    >>> round(find_tail(2, 0.1), 6), find_tail(0, 0.1), find_tail(1, 0.0)
-    (0.004679, 1.0, 0.0)
-    """
-    if count <= mean or not count:
-        return 1.0
-    if not mean:
-        return 0.0
-    term = chance = exp(count * log(mean) - mean - lgamma(count + 1))
-    while term > 1e-12 * chance:
-        count += 1
-        term *= mean / count
-        chance += term
-    return chance
-
-
-@dataclass(frozen=True, slots=True)
-class _Found:
-    """A pair, as the positions of its students."""
-
-    student: int
-    other: int
-    chance: float
-
-
-@dataclass(frozen=True)
-class _Wrong:
-    """Unexplained wrong answers, one array per ask: numbers by the students' positions, NaN for all
-    other answers.
-
-    `typed` holds what was typed, by student and ask.
-    """
-
-    numbers: Sequence[Numbers]
-    typed: dict[tuple[int, int], str]
-
-
-def _find_wrong_answers(exam: Exam, answers: Iterable[MarkedAnswer]) -> _Wrong:
-    students = {examinee.student: place for place, examinee in enumerate(exam.examinees)}
-    columns = {ask.column: place for place, ask in enumerate(exam.asks)}
-    numbers = [np.full(len(students), np.nan) for _ in columns]
-    typed: dict[tuple[int, int], str] = {}
-    faults: dict[Fault, None] = {}
-    for answer in answers:
-        student, ask = students.get(answer.student), columns.get(answer.column)
-        number = _read_number(answer)
-        if student is None or ask is None or number is None:
-            faults[_explain(answer, student, ask)] = None
-        elif answer.verdict == "wrong" and number and isfinite(number):
-            numbers[ask][student] = number
-            typed[student, ask] = answer.typed
-    if faults:
-        raise ExamError(*faults)
-    return _Wrong(numbers, typed)
-
-
-def _read_number(answer: MarkedAnswer) -> float | None:
-    """The number that was read, NaN where there is none; None for anything that is not a number."""
-    try:
-        return float(answer.read_as or "nan")
-    except ValueError:
-        return None
-
-
-def _explain(answer: MarkedAnswer, student: int | None, ask: int | None) -> Fault:
-    if student is None:
-        return _explain_stranger(Message("marks.unknown-student", name=Quoted(answer.student)))
-    if ask is None:
-        return _explain_stranger(Message("marks.unknown-ask", name=Quoted(answer.column)))
-    place = Message(
-        "marks.answer-place",
-        file=ANSWERS.name,
-        student=Quoted(answer.student),
-        column=answer.column,
-    )
-    return explain_edited(place, Message("marks.not-number", cell=Quoted(answer.read_as[:40])))
-
-
-def _explain_stranger(problem: Message) -> Fault:
-    return Fault(ANSWERS.name, problem, Message("marks.of-this-exam"), Message("marks.name-exam"))
-
-
-@dataclass(frozen=True)
-class _Search:
-    """The search through a class; `unlike` holds for each student the number of others with a
-    different paper.
-    """
-
-    exam: Exam
-    wrong: _Wrong
-    unlike: Numbers
-    level: float
-
-    @property
-    def pairs(self) -> int:
-        """The number of ordered pairs of students, each of which might be reported."""
-        return len(self.exam.examinees) * (len(self.exam.examinees) - 1)
-
-    @cached_property
-    def _windows(self) -> tuple[tuple[Windows, Windows], ...]:
-        """For each ask what would be right on each paper, and the same together with what mistakes
-        lead to.
-        """
-        keys = [
-            [examinee.keys[ask.column] for examinee in self.exam.examinees]
-            for ask in self.exam.asks
-        ]
-        return tuple(
-            (find_windows(each, mistakes=False), find_windows(each, mistakes=True)) for each in keys
-        )
-
-    def found(self) -> Iterator[_Found]:
-        """The pairs below the level."""
-        students = self._suspects()
-        size = max(1, _CELLS // len(self.exam.examinees))
-        for first in range(0, len(students), size):
-            yield from self.among(students[first : first + size])
-
-    def _suspects(self) -> NDArray[np.intp]:
-        """The students with unexplained wrong answers to enough questions."""
-        wrong = {
-            question: np.zeros(len(self.exam.examinees), dtype=bool)
-            for question in self.exam.questions
-        }
-        for ask, numbers in zip(self.exam.asks, self.wrong.numbers, strict=True):
-            wrong[ask.question] |= ~np.isnan(numbers)
-        return np.flatnonzero(np.sum(list(wrong.values()), axis=0) >= QUESTIONS)
-
-    def among(self, students: NDArray[np.intp]) -> Iterator[_Found]:
-        """The pairs of these students with any other."""
-        counts = [_Count.of(len(students), len(self.exam.examinees)) for _ in range(_COUNTS)]
-        for question in self.exam.questions:
-            asks = [place for place, ask in enumerate(self.exam.asks) if ask.question == question]
-            for kind, count in enumerate(counts):
-                count.add([self._fitting(students, ask, kind) for ask in asks])
-        chance = np.ones(counts[0].fits.shape)
-        for count in counts:
-            np.minimum(
-                chance, self._chances(count, count.expected / self.unlike[students]), out=chance
-            )
-        for row, other in np.argwhere(chance <= self.level):
-            yield _Found(int(students[row]), int(other), float(chance[row, other]))
-
-    def _fitting(self, students: NDArray[np.intp], ask: int, kind: int) -> NDArray[np.bool_]:
-        """Whose answer to one ask fits which paper: a row for each of these students, a column for
-        each paper.
-        """
-        numbers = self.wrong.numbers[ask][students]
-        given = np.flatnonzero(~np.isnan(numbers))
-        answer, paper = self._windows[ask][kind].fits(numbers[given])
-        fits = np.zeros((len(students), len(self.exam.examinees)), dtype=bool)
-        fits[given[answer], paper] = True
-        fits[np.arange(len(students)), students] = False
-        return fits
-
-    def _chances(self, count: _Count, expected: Numbers) -> Numbers:
-        """For each pair how often a class has so many fits by chance; 1 where too few questions are
-        involved.
-        """
-        most = int(count.fits.max(initial=0))
-        tests = _COUNTS * self.pairs
-        table = np.array(
-            [
-                [min(1.0, tests * find_tail(fits, mean)) for fits in range(most + 1)]
-                for mean in expected
-            ]
-        )
-        chance: Numbers = np.take_along_axis(table, count.fits.astype(np.intp), axis=1)
-        return np.where(count.questions >= QUESTIONS, chance, 1.0)
-
-    def pair(self, found: _Found) -> Pair:
-        """A pair with everything reported about it."""
-        student, other = found.student, found.other
-        given = {
-            ask: float(numbers[student])
-            for ask, numbers in enumerate(self.wrong.numbers)
-            if not np.isnan(numbers[student])
-        }
-        fits = [
-            {
-                ask: self._windows[ask][kind].papers(answer) - {student}
-                for ask, answer in given.items()
-            }
-            for kind in range(_COUNTS)
-        ]
-        as_key, any_way = fits
-        answers = tuple(
-            SharedAnswer(
-                self.exam.asks[ask].column, self.wrong.typed[student, ask], other in as_key[ask]
-            )
-            for ask in given
-            if other in any_way[ask]
-        )
-        expected = [sum(map(len, each.values())) / float(self.unlike[student]) for each in fits]
-        return Pair(
-            self.exam.examinees[student],
-            self.exam.examinees[other],
-            answers,
-            len(given),
-            expected[1],
-            expected[0],
-            found.chance,
-        )
-
-
-@dataclass
-class _Count:
-    """For each student and paper how many answers fit, and to how many questions; for each student
-    how many papers the answers fit in all.
-    """
-
-    fits: NDArray[np.uint16]
-    questions: NDArray[np.uint16]
-    expected: Numbers
-
-    @classmethod
-    def of(cls, students: int, papers: int) -> _Count:
-        """A count of nothing yet."""
-        fits, questions = (np.zeros((students, papers), dtype=np.uint16) for _ in range(2))
-        return cls(fits, questions, np.zeros(students))
-
-    def add(self, fitting: Sequence[NDArray[np.bool_]]) -> None:
-        """Adds the asks of one question."""
-        for fits in fitting:
-            self.fits += fits
-            self.expected += fits.sum(axis=1)
-        self.questions += np.any(fitting, axis=0)
