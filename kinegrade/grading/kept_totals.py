@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from math import ceil
 from typing import TypeVar
 
 from kinegrade.files.tables import Complaint
@@ -18,7 +17,7 @@ from kinegrade.grading.marks import ClassGrades
 from kinegrade.language.message import Message, Quoted
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import Grade, KeptTotal, StudentTotal
-from kinegrade.numbers.amounts import PLACES, write_amount
+from kinegrade.numbers.amounts import round_up_amount, write_amount
 
 _Grades = TypeVar("_Grades", bound=ClassGrades)
 
@@ -72,13 +71,8 @@ def _keep_total(grade: Grade, earlier: StudentTotal) -> KeptTotal:
         earlier.out_of,
         grade.total,
         grade.out_of,
-        _round_up(earlier.share * grade.out_of),
+        round_up_amount(earlier.share * grade.out_of),  # so that the share does not fall either
     )
-
-
-def _round_up(amount: Fraction) -> Fraction:
-    """Rounded to as many places as are written, upwards, so that the share does not fall either."""
-    return Fraction(ceil(amount * 10**PLACES), 10**PLACES)
 
 
 def _complain_of_stranger(student: str) -> Complaint:

@@ -16,9 +16,8 @@ from kinegrade.language.message import Fault, Message, Part, Quoted, list_statem
 from kinegrade.marks_folder.cells import AS_WRITTEN
 from kinegrade.marks_folder.layout import ANSWERS, GRADES, KEPT, STATUSES
 from kinegrade.marks_folder.rows import ClassTotals, StudentSums, StudentTotal
-from kinegrade.numbers.amounts import PLACES, write_amount
+from kinegrade.numbers.amounts import bound_rounding, write_amount
 
-_HALF_A_PLACE = Fraction(1, 2 * 10**PLACES)
 _MOST_NAMED = 20
 
 
@@ -133,7 +132,7 @@ def _describe_difference(
     """What is said where an amount is not the sum of so many lines, each of them rounded."""
     if amount == expected:
         return
-    if abs(amount - expected) > (lines + 1) * _HALF_A_PLACE:
+    if abs(amount - expected) > bound_rounding(lines):
         yield _contradict(name, amount, expected, ANSWERS.name)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
-from math import lcm
+from math import ceil, lcm
 
 PLACES = 4
 
@@ -38,6 +38,18 @@ def write_change(change: Fraction, places: int = PLACES) -> str:
     """
     size = write_amount(abs(change), places)
     return size if size == "0" else f"{'-' if change < 0 else '+'}{size}"
+
+
+def bound_rounding(count: int) -> Fraction:
+    """How far a written amount may be from the sum of so many written amounts: half of the last
+    place for each of them.
+    """
+    return Fraction(count + 1, 2 * 10**PLACES)
+
+
+def round_up_amount(amount: Fraction) -> Fraction:
+    """An amount rounded up to as many places as are written."""
+    return Fraction(ceil(amount * 10**PLACES), 10**PLACES)
 
 
 def add_amounts(amounts: Iterable[Fraction]) -> Fraction:

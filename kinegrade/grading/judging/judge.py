@@ -9,13 +9,15 @@ significant figures that are asked for.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from decimal import Context, Decimal
 from fractions import Fraction
 from typing import Literal, assert_never
 
 from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Message, Text
+from kinegrade.numbers.decimals import round_to_decimal
+
+_MOST_DIGITS = 40
 
 Kind = Literal[
     #: Within the tolerance.
@@ -114,7 +116,4 @@ def _write_short(number: Fraction) -> str:
 
 
 def _write_long(number: Fraction) -> str:
-    context = Context(prec=40)
-    return str(
-        context.divide(Decimal(number.numerator), Decimal(number.denominator)).normalize(context)
-    )
+    return str(round_to_decimal(number, _MOST_DIGITS))

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from decimal import Context, Decimal
 from fractions import Fraction
 from functools import cache
 from typing import Literal, assert_never
@@ -32,6 +31,7 @@ from kinegrade.grading.typed.unit_spelling import Conversion, WrongUnit, find_co
 from kinegrade.grading.typed.value import Formula, scan_value
 from kinegrade.language.message import Message, Quoted, Text
 from kinegrade.language.spellings import match_spellings
+from kinegrade.numbers.decimals import round_to_decimal
 from kinegrade.sign_conventions import Convention
 
 _LONGEST_ANSWER = 200
@@ -217,8 +217,5 @@ def decimal_text(value: Fraction) -> str:
     >>> decimal_text(Fraction(3, 4)), decimal_text(Fraction(2, 3))
     ('0.75', '0.666666666667')
     """
-    rounded = Context(prec=_SHOWN_DIGITS).divide(
-        Decimal(value.numerator), Decimal(value.denominator)
-    )
-    short = rounded.normalize()
+    short = round_to_decimal(value, _SHOWN_DIGITS)
     return f"{short:f}" if -7 < short.adjusted() < 21 else str(short).lower()

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from decimal import Context, Decimal
 from fractions import Fraction
 from itertools import groupby
 
@@ -25,7 +24,8 @@ from kinegrade.language.message import Fault, Message, Quoted, Text
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import MarkedAnswer
-from kinegrade.numbers.amounts import PLACES, write_amount
+from kinegrade.numbers.amounts import bound_rounding, write_amount
+from kinegrade.numbers.decimals import round_to_decimal
 from kinegrade.press.sheet import FeedbackQuestion, FeedbackRow, FeedbackSheet
 from kinegrade.question_numbers import find_other_number
 from kinegrade.reports.feedback.remarks import make_remark, name_verdict
@@ -33,6 +33,7 @@ from kinegrade.reports.paper_record import PaperRecord, PaperRecords, RightAnswe
 
 _LONGEST_TYPED = 80  # characters: the rest of a longer cell adds nothing
 _LONGEST_EXACT = 32
+_SHOWN_DIGITS = 6
 _CLOSED_FORM = re.compile(r"(?:[-+*/() 0-9]|sqrt|pi)+")
 
 
@@ -50,10 +51,8 @@ def make_feedback_sheets(
             raise ExamError(_describe_other_exam(student, marks, exam))
         candidate, total = head.candidates[student], totals[student]
         paper = papers.marked(student, (answer.column for answer in answers))
-        # Every amount is written with four places, so that three thirds of a point fall short of
-        # one.
-        rounding = Fraction(len(answers) + 1, 2 * 10**PLACES)
-        kept = total.total - sum(answer.points for answer in answers) > rounding
+        gained = total.total - sum(answer.points for answer in answers)
+        kept = gained > bound_rounding(len(answers))  # three written thirds fall short of a point
         yield (
             candidate,
             FeedbackSheet(
@@ -151,11 +150,7 @@ def write_right(right: RightAnswer) -> str:
     >>> write_right(RightAnswer(Fraction("1.154700538379"), "2*sqrt(3)/3", "m/s", Fraction(0)))
     '2√3/3 ≈ 1.1547\u202fm/s'
     """
-    value = (
-        Context(prec=6)
-        .divide(Decimal(right.value.numerator), Decimal(right.value.denominator))
-        .normalize()
-    )
+    value = round_to_decimal(right.value, _SHOWN_DIGITS)
     decimal = f"{value:f}" if -6 < value.adjusted() < 9 else str(value)
     same = Fraction(decimal) == right.value
     exact = _write_exact(right.exact or "")
