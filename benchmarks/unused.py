@@ -24,12 +24,18 @@ SEEN_BY_OTHERS = {
     "fitToHeight": "openpyxl reads it",
     "orientation": "openpyxl reads it",
     "pageSetUpPr": "openpyxl reads it",
+    "_repr_html_": "a notebook calls it",
+    "_repr_latex_": "a notebook calls it",
+    "_repr_svg_": "a notebook calls it",
+    "__dir__": "Python calls it",
+    "__getattr__": "Python calls it",
     "content_separator": "pylatex reads it",
     "filters": "jinja2 reads it",
     "get_metavar": "click calls it",
     "help": "click reads it",
     "latex_name": "pylatex reads it",
     "parser": "markdown-it gives it to its renderers",
+    "sympy": "a public method, for those who calculate on",
 }
 USED_BY_TESTS = {
     "choose_way": "the way of one mistake, for a student who makes it in a benchmark",

@@ -23,6 +23,11 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "kinegrade {}, Python {}, {}",
         ],
     },
+    "what Python says of a name that a module does not have": {
+        "__init__.py": [
+            "module {} has no attribute {}",
+        ],
+    },
     "part of what an order is computed from": {
         "exam/setting/dealing.py": [
             "version {}",

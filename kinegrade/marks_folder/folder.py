@@ -50,6 +50,7 @@ from kinegrade.marks_folder.rows import (
     StudentSums,
 )
 from kinegrade.marks_folder.sums import read_sums
+from kinegrade.marks_folder.table_html import write_table_html
 from kinegrade.marks_folder.totals import read_totals
 from kinegrade.numbers.written import NumberError, read_number
 
@@ -97,6 +98,9 @@ class MarksFolder:
                 path = self.path / PRINTED.name
                 raise TableError(explain_cell(path, line, "questions", listed, expected))
         return found
+
+    def _repr_html_(self) -> str:
+        return write_table_html(read_whole(self.path, GRADES))
 
     def answers(self) -> Iterator[MarkedAnswer]:
         """The lines of marks.csv, one by one."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from flint import arb, fmpq
 
+from kinegrade.language.math.latex import MATHJAX, write_latex_math
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.text import LATEX, write_angle, write_decimal, write_exact
 from kinegrade.numbers.units import Unit
@@ -79,6 +80,12 @@ class Quantity:
         if isinstance(self.number, Angle):
             return write_angle(self.number, self.measure.degrees, LATEX)
         return write_exact(self.number, LATEX)
+
+    def _repr_latex_(self) -> str:
+        """What a notebook shows: a number that fits a line, with its unit."""
+        number = self.closed_form or rf"\approx {self.decimal(10)}"
+        unit = "" if self.at_infinity or self.unit == "1" else rf"\,\unit{{{self.unit}}}"
+        return f"${write_latex_math(number + unit, self.name, MATHJAX)}$"
 
     def sympy(self) -> SympyExpression:
         """The number as a sympy expression, in the same unit: exact, or a Float of the digits that

@@ -10,13 +10,18 @@ from kinegrade.exam.bank.bank import find_bank, read_blueprint
 from kinegrade.exam.bank.blueprint import Blueprint
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Bank:
     """An exam's questions, some of them perhaps still to be drawn, and what holds for all of
     them.
     """
 
     blueprint: Blueprint
+
+    def __repr__(self) -> str:
+        slots = self.blueprint.slots
+        named = (each.candidates[0].template.name if not each.drawn else "..." for each in slots)
+        return f"<{', '.join(map('{}: {}'.format, (each.identifier for each in slots), named))}>"
 
     @classmethod
     def read(cls, source: str | PathLike[str]) -> Bank:

@@ -2,19 +2,31 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from os import PathLike, fspath
 
+from kinegrade.errors import KinegradeError
+from kinegrade.exam.printing.pages import QuestionPlace, ShownInstance, lay_out_question
+from kinegrade.figure.back_ends.svg import to_svg
+from kinegrade.language import ENGLISH, Language
+from kinegrade.language.html_text import write_plain_html
+from kinegrade.press.html.notebook import write_question
+from kinegrade.press.sheet import QuestionSheet
 from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.statement import list_statement_languages
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Problem:
-    """A template with its solver."""
+    """A template with its solver; a notebook shows its statement and its figure."""
 
     template: Template
+
+    def __repr__(self) -> str:
+        return f"<{self.template.name}>"
 
     def solve(self, **values: str | int | float) -> Solution:
         """The solution at the given values, each a number or an exact text in the parameter's unit.
@@ -31,6 +43,37 @@ class Problem:
         kinegrade.errors.TemplateError: slider-crank: no parameter "psi": did you mean "phi"? ...
         """
         return solve_template(self.template, {name: str(value) for name, value in values.items()})
+
+    def _repr_html_(self) -> str:
+        language = self._language
+        try:
+            sheet = self._lay_out()
+            asks = self.template.asks.items()
+            return write_question(
+                sheet, {name: ask.means.in_language(language) for name, ask in asks}
+            )
+        except KinegradeError as error:  # a notebook would print a traceback
+            return f"<pre>{write_plain_html(str(error))}</pre>"
+
+    def _repr_svg_(self) -> str | None:
+        with suppress(KinegradeError):  # the HTML says why
+            figure = self._lay_out().figure
+            return None if figure is None else to_svg(figure)
+        return None
+
+    @property
+    def _language(self) -> Language:
+        """English where the template has it, else its first language."""
+        known = list_statement_languages(self.template)
+        return ENGLISH if ENGLISH in known or not known else known[0]
+
+    def _lay_out(self) -> QuestionSheet:
+        """The question at its default values. Raises KinegradeError."""
+        solution = self.solve()
+        mechanism = solution.assembly.mechanism.map(float)
+        shown = ShownInstance(self.template, solution.parameters, mechanism)
+        place = QuestionPlace(1, self.template.name)
+        return lay_out_question(place, shown, (), self._language)
 
 
 def template(name: str | PathLike[str]) -> Problem:

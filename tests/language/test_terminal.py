@@ -33,8 +33,8 @@ def test_a_refusal_and_a_usage_error_are_in_the_language_of_the_terminal(tmp_pat
         f"错误：{path}: 此处应为 EXAM，所给的是 一个文件 - 应为由 kinegrade generate 生成的考试文件夹 - "
         "请给出该文件夹\n"
     )
-    usage = chinese("export", "M", "--to", "moodle", "-o", "x.csv", "--lang", "zh")
-    assert "只有通用表格的表头可以翻译" in usage.stderr
+    usage = chinese("generate", "demo", "roster.csv", "-o", "EXAM", "--seed", " ")
+    assert "应为一段文字，如 spring-2026" in usage.stderr
 
 
 def test_what_is_wrong_with_a_bank_and_a_roster_is_said_in_the_language_of_the_terminal(

@@ -5,6 +5,7 @@ expression.
 from __future__ import annotations
 
 import pickle
+import re
 from collections.abc import Mapping
 
 import pytest
@@ -60,6 +61,19 @@ def test_an_exact_answer_is_the_sympy_expression_that_it_prints_as() -> None:
                 difference = answer.sympy() - sympy.sympify(answer.exact)
                 assert abs(sympy.N(difference, 40)) < 1e-35, (name, answer)
     assert kinegrade.template("slider-crank").solve()["v_B"].sympy() == 2 * sympy.sqrt(3) / 3
+
+
+def test_a_notebook_shows_an_answer_as_a_formula() -> None:
+    solution = kinegrade.template("slider-crank").solve()
+    assert solution["v_B"]._repr_latex_() == r"$\frac{2\sqrt{3}}{3}\,\mathrm{m/s}$"
+    certified = kinegrade.template("slider-crank").solve(phi=37)["v_B"]
+    assert certified._repr_latex_() == r"$\approx 0.8977451442\,\mathrm{m/s}$"
+
+
+def test_every_answer_of_every_template_has_a_formula() -> None:
+    for name in find_template_names():
+        for answer in kinegrade.template(name).solve().values():
+            assert re.fullmatch(r"\$[^$]+\$", answer._repr_latex_()), (name, answer)
 
 
 def test_roots_of_roots_and_angles_become_expressions() -> None:

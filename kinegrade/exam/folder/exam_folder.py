@@ -8,7 +8,7 @@ head is read immediately.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -39,7 +39,7 @@ class ExamFolder:
     """An exam folder whose head has been read."""
 
     path: Path
-    head: ExamHead
+    head: ExamHead = field(repr=False)
 
     @property
     def language(self) -> Language:

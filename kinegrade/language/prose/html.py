@@ -91,6 +91,11 @@ def write_line(markdown: str, where: Location) -> str:
     return _WRITER.write_line(markdown, where)
 
 
+def write_page_prose(markdown: str, where: Location) -> str:
+    """HTML of several paragraphs of Markdown for a page of our own."""
+    return _PAGE_WRITER.write_prose(markdown, where)
+
+
 def write_page_line(markdown: str, where: Location) -> str:
     """HTML of one line of Markdown for a page of our own, which a browser shows without a script.
 

@@ -1,0 +1,31 @@
+"""A question as a notebook shows it: HTML with formulas in MathML and the figure inside; it needs
+no script and no other file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from kinegrade.figure.back_ends.svg import to_svg
+from kinegrade.language.html_text import write_plain_html
+from kinegrade.language.message import Message
+from kinegrade.language.prose.html import write_page_line, write_page_prose
+from kinegrade.press.places import locate_part
+from kinegrade.press.sheet import QuestionSheet
+
+
+def write_question(sheet: QuestionSheet, asked: Mapping[str, str]) -> str:
+    """Title, statement, figure, and what is asked by name. Raises TypesetError with the faults of a
+    text.
+    """
+    name = sheet.template
+    title = write_page_line(sheet.title, locate_part(name, "title"))
+    statement = write_page_prose(sheet.statement, locate_part(name, "statement"))
+    figure = "" if sheet.figure is None else f"<p>{to_svg(sheet.figure)}</p>\n"
+    names = "".join(_write_name(ask, means) for ask, means in asked.items())
+    return f"<h4>{title}</h4>\n{statement}{figure}<ul>\n{names}</ul>\n"
+
+
+def _write_name(ask: str, means: str) -> str:
+    where = Message("typesetting.place-ask", ask=ask)
+    return f"<li><code>{write_plain_html(ask)}</code> {write_page_line(means, where)}</li>\n"
