@@ -13,7 +13,7 @@ import pytest
 import kinegrade
 from kinegrade.errors import OptionError, OutputError
 
-SEED = "--seed mixes a label into a random secret, --reproducible does without one: give one of the two"
+SEED = "--seed mixes a label into a random secret, --reproducible WORDS derives all from the words: give one"
 KNOWN_SYSTEMS = "known here: blackboard, brightspace, canvas, edx, generic, moodle, sakai, xlsx"
 
 
@@ -38,7 +38,7 @@ def refused(run: Callable[[], object]) -> str:
         ({"seed": "a", "reproducible": "b"}, SEED),
         (
             {"paper_size": "a5", "engine": "word"},
-            'paper_size: unknown: "a5" - did you mean "a4"? (known here: a4, letter)\n'
+            'paper_size: unknown: "a5" - known here: a4, letter\n'
             'engine: unknown: "word" - known here: latex, typst',
         ),
         (
@@ -70,7 +70,7 @@ def test_options_of_an_exam_that_are_unknown_or_contradict_each_other(
         (
             "moodle",
             {"language": "zh"},
-            "--lang: only the headers of a generic sheet can be translated - leave it out",
+            "--lang: only the generic sheet has headers that can be translated - leave it out",
         ),
         (
             "xlsx",

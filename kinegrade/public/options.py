@@ -39,7 +39,7 @@ def find_language(name: str) -> Language:
 
     >>> find_language("xx")
     Traceback (most recent call last):
-    kinegrade.errors.OptionError: language: unknown: "xx" - known here: de, en, zh
+    kinegrade.errors.OptionError: language: unknown: "xx" - known here: ...
     """
     require_word("language", name, known_languages())
     return Language(name)

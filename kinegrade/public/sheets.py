@@ -57,7 +57,7 @@ def feedback(
     FEEDBACK: 2 sheets; FEEDBACK/feedback.csv says which is whose
     >>> feedback(exam, marks, "FEEDBACK", language="fr")
     Traceback (most recent call last):
-    kinegrade.errors.OptionError: language: unknown: "fr" - known here: de, en, zh
+    kinegrade.errors.OptionError: language: unknown: "fr" - known here: ...
     """
     place = Path(output)
     expect_own_place(place)
