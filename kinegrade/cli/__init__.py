@@ -19,7 +19,8 @@ from kinegrade.cli.marks import class_report, diff, feedback, grade
 from kinegrade.cli.program import Program
 from kinegrade.cli.quiz import quiz
 from kinegrade.cli.sharing import sharing
-from kinegrade.cli.templates import check, gallery, list_templates, new, show, solve
+from kinegrade.cli.solve import solve
+from kinegrade.cli.templates import check, gallery, list_templates, new, show
 
 
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})

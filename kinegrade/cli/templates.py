@@ -1,4 +1,4 @@
-"""The commands about templates: list, show, solve, check, new, gallery."""
+"""The commands about templates: list, show, check, new, gallery."""
 
 from __future__ import annotations
 
@@ -15,21 +15,16 @@ from kinegrade.cli.options import (
     FORCE,
     JOBS,
     LANGUAGE,
-    METHOD,
     finish_with_complaints,
     refusing,
     require_writable,
 )
 from kinegrade.cli.terminal import say, terminal_words
-from kinegrade.errors import TemplateError
-from kinegrade.language.message import Message, Quoted
+from kinegrade.language.message import Message
 
 if TYPE_CHECKING:
     from kinegrade.language import Language
-    from kinegrade.language.catalogue import Catalogue
-    from kinegrade.problem.quantity import Quantity
-    from kinegrade.problem.solving import Solution
-    from kinegrade.problem.template.template import About, Method
+    from kinegrade.problem.template.template import About
 
 
 @command("list")
@@ -83,103 +78,6 @@ def show(
         from kinegrade.files.output import write_file
 
         write_file(output, print_sample(template, seed, language), force=force)
-
-
-@command()
-@click.argument("template_name", metavar="TEMPLATE")
-@click.option(
-    "--set",
-    "settings",
-    multiple=True,
-    metavar="NAME=VALUE",
-)
-@click.option(
-    "--json",
-    "as_json",
-    is_flag=True,
-)
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="FILE",
-)
-@METHOD
-@LANGUAGE
-@FORCE
-@refusing
-def solve(
-    *,
-    template_name: str,
-    settings: tuple[str, ...],
-    as_json: bool,
-    output: Path | None,
-    method: Method | None,
-    language: Language,
-    force: bool,
-) -> None:
-    """Solve a template exactly at given values; the rest take their published value, or the first
-    drawable one.
-    """
-    from kinegrade.problem.solving import solve_template
-    from kinegrade.problem.template.library.library import load_template
-
-    solution = solve_template(load_template(template_name), _read_settings(settings))
-    click.echo(_write_json(solution) if as_json else _write_table(solution))
-    if output is not None:
-        from kinegrade.exam.printing.sample import print_worked_solution
-        from kinegrade.files.output import write_file
-
-        write_file(output, print_worked_solution(solution, language, method), force=force)
-
-
-def _read_settings(settings: tuple[str, ...]) -> dict[str, str]:
-    """The values of --set. Raises TemplateError for a setting without "=" or given twice."""
-    values: dict[str, str] = {}
-    faults = []
-    for setting in settings:
-        name, mark, value = setting.partition("=")
-        if not mark or not name.strip() or not value.strip():
-            faults.append(Message("terminal.setting", setting=Quoted(setting)))
-        elif name.strip() in values:
-            faults.append(Message("terminal.setting-twice", name=name.strip()))
-        values[name.strip()] = value.strip()
-    if faults:
-        raise TemplateError(*faults)
-    return values
-
-
-def _write_json(solution: Solution) -> str:
-    """The solution as JSON. Raises TemplateError for values that no JSON number holds."""
-    import json
-
-    record = {
-        "template": solution.template.name,
-        "parameters": {name: quantity.record() for name, quantity in solution.parameters.items()},
-        "answers": {name: quantity.record() for name, quantity in solution.answers.items()},
-    }
-    try:
-        return json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False)
-    except ValueError as error:
-        raise TemplateError(Message("terminal.beyond-json")) from error
-
-
-def _write_table(solution: Solution) -> str:
-    """The solution as a table: name, decimal, unit, exact."""
-    words, lines = terminal_words(), []
-    for group in (solution.parameters, solution.answers):
-        lines += [_write_row(name, quantity, words) for name, quantity in group.items()]
-        lines.append("")
-    return "\n".join(lines[:-1])
-
-
-def _write_row(name: str, quantity: Quantity, words: Catalogue) -> str:
-    if quantity.at_infinity:
-        decimal = exact = words.text("terminal.infinity")
-    else:
-        decimal = quantity.decimal(10)
-        exact = quantity.exact or words.text("terminal.enclosure")
-    return f"{name:<14} {decimal:>18} {quantity.measure.printed:<6}  {exact}"
 
 
 @command()

@@ -28,7 +28,7 @@ class Problem:
     def __repr__(self) -> str:
         return f"<{self.template.name}>"
 
-    def solve(self, **values: str | int | float) -> Solution:
+    def solve(self, /, **values: str | int | float) -> Solution:
         """The solution at the given values, each a number or an exact text in the parameter's unit.
 
         What is not given takes its published value, or the first drawable one. A float counts as

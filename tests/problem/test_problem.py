@@ -42,3 +42,8 @@ def test_a_negative_length_is_refused_and_a_negative_coordinate_is_not() -> None
     ):
         template("slider-crank").solve(r="-sqrt(2)")
     assert template("pole-sleeve-slider-rod").solve(x_B="-1/2")["x_S"].exact == "-1/2"
+
+
+def test_a_parameter_named_like_a_word_of_python_is_refused_like_any_other() -> None:
+    with pytest.raises(TemplateError, match='crank: no parameter "self": known here: h, omega, r'):
+        Problem(crank()).solve(self=1)
