@@ -7,7 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kinegrade.numbers.figures import figures_interval
+from kinegrade.numbers.decimals import figures_interval
 
 _CARRIED = 3  # significant figures that every student carries through a calculation
 _MOST_UNITS = 11  # of the last figure, more than an answer that agrees may be off

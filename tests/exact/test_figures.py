@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.numbers.figures import figures_interval, leading_power
+from kinegrade.numbers.decimals import figures_interval, leading_power
 
 NUMBERS = st.fractions(max_denominator=10**9).filter(bool)
 FIGURES = st.integers(1, 6)

@@ -11,7 +11,7 @@ from kinegrade.exam.bank.blueprint import Bank, BankQuestion
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Part, list_choices
-from kinegrade.numbers.figures import figures_interval
+from kinegrade.numbers.decimals import figures_interval
 from kinegrade.numbers.tolerance import Tolerance
 
 FEWEST_DIGITS = 4
