@@ -22,7 +22,7 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.assemble import assemble
-from kinegrade.problem.quantities import BodyName
+from kinegrade.problem.quantities.reader import BodyName
 from kinegrade.problem.template.template import Template
 
 _STEPS = (
@@ -49,11 +49,7 @@ class Centrodes:
 
     def functions(self, arithmetic: Arithmetic) -> dict[str, Callable[..., Any]]:
         """The functions of centrodes that a quantity may call."""
-        return {
-            "circle_of_poles": lambda body, angle: self.circle(body, angle, arithmetic),
-            "radius": lambda circle: circle.radius,
-            "centre": lambda circle: circle.centre,
-        }
+        return {"circle_of_poles": lambda body, angle: self.circle(body, angle, arithmetic)}
 
     def circle(self, body: Any, angle: Any, arithmetic: Arithmetic) -> Round:
         """The circle on which the pole of `body` moves while the parameter `angle` changes.

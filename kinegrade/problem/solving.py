@@ -34,7 +34,8 @@ from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.surd import Surd
 from kinegrade.problem.assemble import Assembly, assemble, read_parameter
 from kinegrade.problem.centrode import Centrodes
-from kinegrade.problem.quantities import find_body_names, make_quantities
+from kinegrade.problem.quantities.functions import make_quantities
+from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.problem.template.template import Ask, Template
 

@@ -22,12 +22,13 @@ from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.doubles import Doubles
 from kinegrade.problem.assemble import Assembly, assemble
-from kinegrade.problem.quantities import Quantities, find_body_names
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
+from kinegrade.problem.quantities.reader import MotionReader, find_body_names
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.followed import OwnValue, follow_values
 from kinegrade.students.followed_quantities import (
-    LEVELS,
-    find_motion_calls,
+    find_calls,
+    find_level,
     find_name,
     find_share,
     make_functions,
@@ -204,24 +205,26 @@ class Follower:
         """A student's answer as it is put into a motion; nothing for what is not read off a single
         moving thing.
         """
-        calls = set(find_motion_calls(self.quantities[ask.name]))
+        calls = set(find_calls(self.quantities[ask.name]))
         call = calls.pop() if len(calls) == 1 else None
-        if call is not None and call.function in LEVELS:
+        level = None if call is None else find_level(call)
+        if call is not None and level is not None:
             yield OwnValue(
                 lambda motion: self.read(ask, motion),
                 number,
-                LEVELS[call.function],
+                level,
                 self.place(call),
                 find_share(call),
             )
 
     def place(self, call: Call) -> Place | None:
         """The body and point whose velocity or acceleration a call gives."""
-        if call.function not in ("velocity", "acceleration"):
+        function = MOTION_FUNCTIONS.get(call.function)  # None for a rotation
+        if function is None or function.derivation != "point":
             return None
         point, *bodies = (find_name(argument) for argument in call.arguments)
         body = self.names[bodies[0]] if bodies else None
-        return Quantities(self.still, Doubles()).owner(point, body), point
+        return MotionReader(self.still, Doubles()).owner(point, body), point
 
     def read(self, ask: Ask, motion: Motion) -> float | None:
         """An answer read off a motion, None where the motion does not determine it (yet)."""
@@ -304,12 +307,8 @@ def order_by_plan(template: Template, asks: Iterable[str]) -> tuple[str, ...]:
     """
 
     def stage(name: str) -> int:
-        calls = (
-            set(find_motion_calls(template.asks[name].quantity)) if name in template.asks else set()
-        )
-        accelerations = any(LEVELS.get(call.function) == "acceleration" for call in calls)
-        return accelerations + any(
-            LEVELS.get(call.function) == "acceleration" and not find_share(call) for call in calls
-        )
+        calls = find_calls(template.asks[name].quantity) if name in template.asks else ()
+        accelerations = [call for call in calls if find_level(call) == "acceleration"]
+        return bool(accelerations) + any(not find_share(call) for call in accelerations)
 
     return tuple(sorted(asks, key=stage))

@@ -8,59 +8,42 @@ points of one body is the body's rotation.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, assert_never
 
-from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation
+from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, walk
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.numbers.number import Arithmetic
-from kinegrade.problem.quantities import Quantities, make_quantities
+from kinegrade.problem.quantities.functions import make_quantities
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS, read_normal
+from kinegrade.problem.quantities.reader import MotionReader
 from kinegrade.students.followed_terms import Share
 
 _ROTATION = "rotation_velocity"
-LEVELS: Mapping[str, Level] = {
-    "velocity": "velocity",
-    "omega": "velocity",
-    "relative_velocity": "velocity",
-    _ROTATION: "velocity",
-    "acceleration": "acceleration",
-    "alpha": "acceleration",
-    "relative_acceleration": "acceleration",
-    "tangential_acceleration": "acceleration",
-    "coriolis": "acceleration",
-    "normal_acceleration": "acceleration",
-}
-_MOTION = frozenset((*LEVELS, "pole", "circle_of_poles"))
-
-
-@dataclass(frozen=True)
-class _OwnQuantities(Quantities):
-    """Reads quantities off a motion into which a student's values are put."""
-
-    def normal(self, place: Vector, base: Vector, body: Any) -> Vector:
-        """Centripetal part of the acceleration of a point relative to a base point of the same
-        body, as it is taken.
-        """
-        turning, normal = make_turning(self.body(body)), super().normal(place, base, body)
-        return self.motion.reading.normal(turning, self.point(place), self.point(base), normal)
-
-    def rotation(self, place: Vector, base: Vector, body: Any) -> Vector:
-        """Velocity of a point relative to a base point of the same body."""
-        return (place - base).turned() * self.motion.omega(self.body(body))
 
 
 def make_functions(motion: Motion, arithmetic: Arithmetic) -> dict[str, Callable[..., Any]]:
     """The functions of a quantity, read off such a motion."""
-    reader = _OwnQuantities(motion, arithmetic)
+    reader = MotionReader(motion, arithmetic)
+
+    def take_normal(place: Vector, base: Vector, body: Any) -> Vector:
+        """The centripetal part of an acceleration, as it is taken."""
+        turning, normal = make_turning(reader.body(body)), read_normal(reader, place, base, body)
+        return motion.reading.normal(turning, reader.point(place), reader.point(base), normal)
+
+    def rotation(place: Vector, base: Vector, body: Any) -> Vector:
+        """Velocity of a point relative to a base point of the same body."""
+        velocity: Vector = (place - base).turned() * motion.omega(reader.body(body))
+        return velocity
+
     return {
         **make_quantities(motion, arithmetic),
-        "normal_acceleration": reader.normal,
-        _ROTATION: reader.rotation,
+        "normal_acceleration": take_normal,
+        _ROTATION: rotation,
     }
 
 
@@ -99,28 +82,38 @@ def _find_common_body(tree: Operation, bodies: Sequence[Body]) -> str | None:
     return next(fitting, None) if len(points) == 2 else None
 
 
-def find_motion_calls(tree: Expression) -> Iterator[Call]:
-    """The functions of the motion that are called in a tree."""
-    if isinstance(tree, Operation):
-        yield from find_motion_calls(tree.left)
-        yield from find_motion_calls(tree.right)
-    elif isinstance(tree, Call):
-        if tree.function in _MOTION:
-            yield tree
-        for part in tree.arguments:
-            yield from find_motion_calls(part)
+def find_calls(tree: Expression) -> Iterator[Call]:
+    """The functions of the motion that are called in a tree, and the rotations in it."""
+    return (
+        part
+        for part in walk(tree)
+        if isinstance(part, Call)
+        and (part.function in MOTION_FUNCTIONS or part.function == _ROTATION)
+    )
+
+
+def find_level(call: Call) -> Level | None:
+    """Whether a call gives a velocity or an acceleration; None for a place."""
+    if call.function == _ROTATION:
+        return "velocity"
+    return MOTION_FUNCTIONS[call.function].level
 
 
 def find_share(call: Call) -> Share | None:
     """The share of the Coriolis or normal part that a call is of."""
+    if call.function == _ROTATION:
+        return None
     arguments = [find_name(argument) for argument in call.arguments]
-    if call.function == "coriolis":
-        return Share("coriolis", arguments[0], arguments[2])
-    return (
-        Share("normal", arguments[0], arguments[1])
-        if call.function == "normal_acceleration"
-        else None
-    )
+    derivation = MOTION_FUNCTIONS[call.function].derivation
+    match derivation:
+        case "coriolis":
+            return Share("coriolis", arguments[0], arguments[2])
+        case "normal":
+            return Share("normal", arguments[0], arguments[1])
+        case "point" | "relative" | "tangential" | "rotation" | "pole" | "centrode" | "value":
+            return None
+        case _:
+            assert_never(derivation)
 
 
 def find_name(tree: Expression) -> str:

@@ -39,7 +39,8 @@ from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.rounding import NOTHING, Rounded, Sparing
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.problem.assemble import assemble
-from kinegrade.problem.quantities import find_body_names, make_quantities
+from kinegrade.problem.quantities.functions import make_quantities
+from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Ask

@@ -28,7 +28,8 @@ from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.assemble import Assembly, assemble, read_parameter
 from kinegrade.problem.centrode import Centrodes, find_circle
-from kinegrade.problem.quantities import find_body_names, make_quantities
+from kinegrade.problem.quantities.functions import make_quantities
+from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.problem.scale import list_sizes
 from kinegrade.problem.template.template import Ask, Parameter, Template
 from kinegrade.students.mistake_kinds import Mistake, find_candidates, list_answer_factors

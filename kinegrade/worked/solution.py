@@ -16,7 +16,7 @@ from kinegrade.mechanics.laws import EqualRotation, Imposed
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.quantities import Quantities
+from kinegrade.problem.quantities.reader import MotionReader
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Ask, Method
 from kinegrade.worked.answers.answers import explain_answer, state_result
@@ -77,10 +77,10 @@ def _write_blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
 
 def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:
     """The rates that all answers together need."""
-    quantities = Quantities(case.motion, case.arithmetic)
+    reader = MotionReader(case.motion, case.arithmetic)
     needs = NOTHING
     for ask in asked:
-        needs |= find_needs(ask.quantity, case.motion, quantities)
+        needs |= find_needs(ask.quantity, reader)
     return needs
 
 

@@ -14,10 +14,8 @@ from kinegrade.expressions.expression import make_elementary_functions, read_exp
 from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.numbers.field import Field
 from kinegrade.problem.centrode import Centrodes
-from kinegrade.problem.quantities import make_quantities
-from kinegrade.problem.template.library.reading import read_template
-from kinegrade.problem.template.meaning.dimension import LENGTH, SPEED
-from kinegrade.problem.template.meaning.kinds import (
+from kinegrade.problem.kinds.dimension import LENGTH, SPEED
+from kinegrade.problem.kinds.kinds import (
     Arrow,
     BodyKind,
     Kind,
@@ -27,9 +25,11 @@ from kinegrade.problem.template.meaning.kinds import (
     Straight,
     describe_kind,
 )
+from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, ELEMENTARY
+from kinegrade.problem.quantities.functions import QUANTITIES, make_quantities
+from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.meaning.meaning import Scope
 from kinegrade.problem.template.meaning.radians import require_no_radians
-from kinegrade.problem.template.meaning.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES
 from tests.problem.crank import crank, crank_text
 from tests.said import said
 from tests.small_class import kinegrade

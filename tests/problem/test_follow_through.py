@@ -26,7 +26,7 @@ from kinegrade.students.follow_through import (
     follow_through,
     order_by_plan,
 )
-from kinegrade.students.followed_quantities import LEVELS, find_motion_calls, find_name, find_share
+from kinegrade.students.followed_quantities import find_calls, find_level, find_name, find_share
 from kinegrade.students.mistake_kinds import MISTAKES, Mistake
 from kinegrade.students.mistaken import make_mistaken_motion
 from kinegrade.students.mistakes import Mistakes, convert_number
@@ -89,7 +89,7 @@ def test_an_own_answer_is_what_is_then_read_or_changes_nothing(name: str) -> Non
 def asked_of(follower: Follower) -> Iterator[tuple[str, Any]]:
     """The asks that are read off one moving thing, with what they call."""
     for ask, quantity in follower.quantities.items():
-        calls = set(find_motion_calls(quantity))
+        calls = set(find_calls(quantity))
         if len(calls) == 1:
             yield ask, calls.pop()
 
@@ -194,7 +194,7 @@ def compared(follower: Follower) -> Iterator[tuple[str, str, float | None, float
                 and call.function.startswith("relative")
             )
             if (
-                LEVELS.get(call.function) == "acceleration"
+                find_level(call) == "acceleration"
                 and not find_share(call)
                 and not read_with_slip
                 and later in leads

@@ -11,10 +11,20 @@ from kinegrade.expressions.expression import Call, Expression, Name, Number, Ope
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.quantities import Quantities, find_body_names, make_quantities
+from kinegrade.problem.kinds.kinds import Scalar
+from kinegrade.problem.quantities.functions import find_motion_calls, make_quantities
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
+from kinegrade.problem.quantities.reader import MotionReader, find_body_names
 from kinegrade.problem.template.template import Ask
-from kinegrade.worked.answers.asked_vectors import Facts, explain_prerequisites, is_vector_call
+from kinegrade.worked.answers.asked_vectors import (
+    Facts,
+    explain_prerequisites,
+    find_level,
+    is_rotation_call,
+    is_vector_call,
+)
 from kinegrade.worked.answers.centrodes import explain_centrode
+from kinegrade.worked.answers.stated_values import explain_value
 from kinegrade.worked.document import Block, Display, Result
 from kinegrade.worked.formulas.expression import collect_symbols, write_latex
 from kinegrade.worked.formulas.numbers import (
@@ -33,7 +43,6 @@ from kinegrade.worked.formulas.numbers import (
 )
 from kinegrade.worked.steps.deductions import write_with_cosine
 from kinegrade.worked.steps.findings import Fact, Findings, Piece
-from kinegrade.worked.steps.needed_rates import find_calls
 from kinegrade.worked.steps.poles import explain_pole, name_pole
 from kinegrade.worked.steps.scalars import find_rotation_value, write_rotation
 from kinegrade.worked.steps.summands import NUMBER, write_component
@@ -62,11 +71,16 @@ def explain_answer(ask: Ask, case: Case, findings: Findings) -> Iterator[Block]:
     """How an answer follows from the results of the steps; not for answers that positions alone
     decide.
     """
-    if any(call.function == "circle_of_poles" for call in find_calls(ask.quantity)):
+    calls = tuple(find_motion_calls(ask.quantity))
+    derivations = {MOTION_FUNCTIONS[call.function].derivation for call in calls}
+    facts = Facts(case, findings, MotionReader(case.motion, case.arithmetic))
+    if "centrode" in derivations:
         yield from explain_centrode(ask, case, findings)
         return
-    facts = Facts(case, findings, Quantities(case.motion, case.arithmetic))
-    for call in find_calls(ask.quantity):
+    if "value" in derivations:
+        yield from explain_value(ask, calls, facts)
+        return
+    for call in calls:
         if call.function == "pole" and isinstance(call.arguments[0], Name):
             yield from explain_pole(call.arguments[0].name, case, findings)
     yield from explain_prerequisites(ask.quantity, facts)
@@ -118,7 +132,7 @@ class _Writer:
         if isinstance(tree, Call):
             if tree.function in _MEASURES and tree.arguments and is_vector_call(tree.arguments[0]):
                 return self.measured(tree)
-            if tree.function in ("omega", "alpha"):
+            if is_rotation_call(tree):
                 return self.rotation(tree)
         if isinstance(tree, Operation) and not isinstance(tree.left, Number):
             return self.combined(tree)
@@ -204,7 +218,7 @@ class _Writer:
 
     def rotation(self, tree: Call) -> _Written:
         """An angular velocity or acceleration, absolute or relative."""
-        level: Any = "velocity" if tree.function == "omega" else "acceleration"
+        level = find_level(tree)
         names = [argument.name for argument in tree.arguments if isinstance(argument, Name)]
         if len(names) == 1 or names[1] == GROUND:
             return _Written(write_rotation(names[0], self.case, level))
@@ -358,10 +372,12 @@ def _find_sense(ask: Ask, case: Case) -> Message | None:
     tree = ask.quantity
     if not isinstance(tree, Call):
         return None
-    if tree.function in ("omega", "alpha"):
+    if tree.function in MOTION_FUNCTIONS and isinstance(
+        MOTION_FUNCTIONS[tree.function].gives, Scalar
+    ):
         return find_rotation_sense(case.solution.answers[ask.name].value)
     if tree.function == "magnitude" and is_vector_call(tree.arguments[0]):
-        facts = Facts(case, Findings(), Quantities(case.motion, case.arithmetic))
-        value = _Writer(case, facts).fact(tree.arguments[0]).value
+        facts = Facts(case, Findings(), MotionReader(case.motion, case.arithmetic))
+        value = _Writer(case, facts).value(tree.arguments[0])
         return None if is_zero(value) else describe_direction(value)
     return None

@@ -14,7 +14,9 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, list_term_parts
-from kinegrade.problem.quantities import Quantities
+from kinegrade.problem.kinds.kinds import Arrow
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
+from kinegrade.problem.quantities.reader import MotionReader
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.numbers import (
     double,
@@ -31,15 +33,6 @@ from kinegrade.worked.steps.summands import write_sum_line
 from kinegrade.worked.words.solution_case import LETTERS, Case
 
 Found = Generator[Block, None, Fact]
-_LEVELS: dict[str, Level] = {
-    "velocity": "velocity",
-    "acceleration": "acceleration",
-    "relative_velocity": "velocity",
-    "relative_acceleration": "acceleration",
-    "coriolis": "acceleration",
-    "normal_acceleration": "acceleration",
-    "tangential_acceleration": "acceleration",
-}
 
 
 def is_vector_call(tree: Expression) -> bool:
@@ -48,7 +41,16 @@ def is_vector_call(tree: Expression) -> bool:
     """
     if isinstance(tree, Operation) and tree.sign in "+-":
         return is_vector_call(tree.right)
-    return isinstance(tree, Call) and tree.function in _LEVELS
+    if not isinstance(tree, Call) or tree.function not in MOTION_FUNCTIONS:
+        return False
+    function = MOTION_FUNCTIONS[tree.function]
+    return function.level is not None and isinstance(function.gives, Arrow)
+
+
+def is_rotation_call(tree: Call) -> bool:
+    """Whether a call gives an angular velocity or acceleration."""
+    function = tree.function
+    return function in MOTION_FUNCTIONS and MOTION_FUNCTIONS[function].derivation == "rotation"
 
 
 @dataclass(frozen=True)
@@ -57,7 +59,7 @@ class Facts:
 
     case: Case
     findings: Findings
-    quantities: Quantities
+    reader: MotionReader
 
     def find(self, tree: Expression) -> Found:
         """The vector of an expression, with the blocks that show how it is found unless they have
@@ -82,20 +84,28 @@ class Facts:
     def called(self, tree: Call) -> Found:
         """The vector that a function of the motion gives."""
         names = [argument.name for argument in tree.arguments if isinstance(argument, Name)]
-        function = tree.function
-        if function in ("velocity", "acceleration"):
-            return (yield from self._of_point(names, _LEVELS[function]))
-        if function in ("relative_velocity", "relative_acceleration"):
-            return (yield from self.relative(names[0], names[1], names[2], _LEVELS[function]))
-        if function == "coriolis":
-            return (yield from self.coriolis(names[0], names[1], names[2]))
-        return (yield from self._about_base(function, names[0], names[1], names[2]))
+        derivation, level = MOTION_FUNCTIONS[tree.function].derivation, find_level(tree)
+        match derivation:
+            case "point":
+                return (yield from self._of_point(names, level))
+            case "relative":
+                return (yield from self.relative(names[0], names[1], names[2], level))
+            case "coriolis":
+                return (yield from self.coriolis(names[0], names[1], names[2]))
+            case "normal":
+                return (yield from self._normal(names[0], names[1], names[2]))
+            case "tangential":
+                return (yield from self._tangential(names[0], names[1], names[2]))
+            case "rotation" | "pole" | "centrode" | "value":
+                raise TypeError(f"{tree.function} is not derived as a vector of the motion")
+            case _:
+                assert_never(derivation)
 
     def _of_point(self, names: list[str], level: Level) -> Found:
         """The velocity or acceleration of a point of a body."""
         point, body = (
             names[0],
-            names[1] if len(names) > 1 else self.quantities.owner(names[0], None),
+            names[1] if len(names) > 1 else self.reader.owner(names[0], None),
         )
         chain = self.case.motion.frames.chain(body, point)
         yield from find_point(
@@ -109,7 +119,7 @@ class Facts:
         move apart.
         """
         try:
-            usual = self.quantities.owner(point, None)
+            usual = self.reader.owner(point, None)
         except ExpressionError:
             usual = ""
         plain = write_point_symbol(point, level, self.case)
@@ -200,27 +210,37 @@ class Facts:
         )
         return Fact(name, value, False)
 
-    def _about_base(self, function: str, point: str, base: str, body: str) -> Found:
-        """The normal or tangential acceleration of a point about a base point of its body."""
-        naming, motion = self.case.naming, self.case.motion
-        arm = motion.points[point] - motion.points[base]
-        letters = naming.point(base) + naming.point(point)
-        normal = function.startswith("normal")
-        part = "n" if normal else "t"
-        name = rf"a_{{{naming.point(point)}{naming.point(base)}}}^{{\mathrm{{{part}}}}}"
-        value = (
-            arm * -(motion.omega(body) * motion.omega(body))
-            if normal
-            else arm.turned() * motion.alpha(body)
+    def _normal(self, point: str, base: str, body: str) -> Found:
+        """The normal acceleration of a point about a base point of its body."""
+        omega = self.case.motion.omega(body)
+        value = self._find_arm(point, base) * -(omega * omega)
+        factors = (
+            f"{self.case.naming.omega(body)}^{{2}}",
+            f"{write_bracketed(write_short(omega))}^{{2}}",
         )
-        size = write_short(length(arm, self.case.arithmetic))
-        if normal:
-            formula = rf"{letters}\cdot {naming.omega(body)}^{{2}}"
-            numbers = rf"{size}\cdot {write_bracketed(write_short(motion.omega(body)))}^{{2}}"
-        else:
-            formula = rf"{letters}\cdot {write_absolute_value(naming.alpha(body))}"
-            numbers = rf"{size}\cdot {_write_size(motion.alpha(body))}"
-        result = write_number(length(value, self.case.arithmetic), "m/s^2")
+        return (yield from self._about_base("n", point, base, value, factors))
+
+    def _tangential(self, point: str, base: str, body: str) -> Found:
+        """The tangential acceleration of a point about a base point of its body."""
+        alpha = self.case.motion.alpha(body)
+        value = self._find_arm(point, base).turned() * alpha
+        factors = write_absolute_value(self.case.naming.alpha(body)), _write_size(alpha)
+        return (yield from self._about_base("t", point, base, value, factors))
+
+    def _find_arm(self, point: str, base: str) -> Vector:
+        points = self.case.motion.points
+        return points[point] - points[base]
+
+    def _about_base(
+        self, part: str, point: str, base: str, value: Vector, factors: tuple[str, str]
+    ) -> Found:
+        """A part of an acceleration: the arm times a factor, in symbols and in numbers."""
+        naming, arithmetic = self.case.naming, self.case.arithmetic
+        name = rf"a_{{{naming.point(point)}{naming.point(base)}}}^{{\mathrm{{{part}}}}}"
+        letters = naming.point(base) + naming.point(point)
+        size = write_short(length(self._find_arm(point, base), arithmetic))
+        result = write_number(length(value, arithmetic), "m/s^2")
+        formula, numbers = rf"{letters}\cdot {factors[0]}", rf"{size}\cdot {factors[1]}"
         yield Display((f"{name} &= {formula} = {numbers} = {result}",))
         return Fact(name, value, False)
 
@@ -250,7 +270,10 @@ def find_level(tree: Expression) -> Level:
     """
     match tree:
         case Call(function=function):
-            return _LEVELS[function]
+            level = MOTION_FUNCTIONS[function].level
+            if level is None:
+                raise TypeError(f"{function} is neither a velocity nor an acceleration")
+            return level
         case Operation(right=right):
             return find_level(right)
         case Number() | Name():

@@ -11,12 +11,12 @@ from kinegrade.expressions.expression import Name
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.centrode import Centrodes, find_circle
+from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.expression import collect_symbols
 from kinegrade.worked.formulas.numbers import write_number, write_quantity, write_short
 from kinegrade.worked.steps.findings import Findings
-from kinegrade.worked.steps.needed_rates import find_calls
 from kinegrade.worked.steps.poles import explain_pole, name_pole
 from kinegrade.worked.words.solution_case import Case
 
@@ -28,7 +28,9 @@ def explain_centrode(ask: Ask, case: Case, findings: Findings) -> Iterator[Block
     """How a quantity of the circle on which a pole moves is found; the circle itself is derived
     only once.
     """
-    call = next(call for call in find_calls(ask.quantity) if call.function == "circle_of_poles")
+    call = next(
+        call for call in find_motion_calls(ask.quantity) if call.function == "circle_of_poles"
+    )
     body, angle = (argument.name for argument in call.arguments if isinstance(argument, Name))
     yield from explain_pole(body, case, findings)
     if (circle := f"circle {body}") not in findings.poles:

@@ -10,18 +10,17 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import assert_never
 
-from kinegrade.expressions.angular import ANGLES
-from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, walk
+from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation
 from kinegrade.language import Language
 from kinegrade.language.message import Message
 from kinegrade.numbers.units import Unit
+from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantity import LONGEST_CLOSED_FORM, Quantity
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.document import Block, Display, say
 from kinegrade.worked.formulas.coordinates import (
     ONE,
-    PLACED,
     ZERO,
     Pair,
     Step,
@@ -39,7 +38,6 @@ from kinegrade.worked.formulas.instance import (
     DEGREE,
     METRE,
     PURE,
-    STRUCTURAL,
     Instance,
     Part,
     add_steps,
@@ -51,8 +49,6 @@ from kinegrade.worked.formulas.pieces import write_operator
 from kinegrade.worked.formulas.width import chain_lines
 from kinegrade.worked.positions.constructions import write_chapter, write_length_lines
 
-_MEASURES = frozenset({"distance", "magnitude", "along", "angle", "between", "direction"})
-_POSITIONAL = _MEASURES | PLACED | STRUCTURAL | ANGLES | {"", "x", "y", "turned", "line", "circle"}
 _AXIS_X, _AXIS_Y = (ONE, ZERO), (ZERO, ONE)
 _AXES: Mapping[Pair, Message] = {
     _AXIS_X: Message("solution.x-axis"),
@@ -72,12 +68,7 @@ _QUADRANTS: Mapping[tuple[int, int], Message] = {  # by the signs of the cosine 
 
 def is_positional(ask: Ask) -> bool:
     """Whether an answer follows from positions alone."""
-    return _find_functions(ask.quantity) <= _POSITIONAL
-
-
-def _find_functions(tree: Expression) -> frozenset[str]:
-    """The functions that an expression calls."""
-    return frozenset(part.function for part in walk(tree) if isinstance(part, Call))
+    return not any(find_motion_calls(ask.quantity))
 
 
 def explain_pose_answers(

@@ -16,6 +16,7 @@ from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
+from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Method
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.numbers import (
@@ -34,7 +35,6 @@ from kinegrade.worked.steps.deductions import (
 )
 from kinegrade.worked.steps.findings import Findings, write_point_symbol
 from kinegrade.worked.steps.known_vectors import is_stated_negative
-from kinegrade.worked.steps.needed_rates import find_calls
 from kinegrade.worked.steps.points import write_way
 from kinegrade.worked.steps.poles import name_pole
 from kinegrade.worked.steps.projection import PARALLEL, find_deductions
@@ -105,7 +105,7 @@ def choose_method(coupler: Coupler, case: Case) -> Method:
     asked = {
         call.arguments[0].name
         for name in case.solution.answers
-        for call in find_calls(case.template.asks[name].quantity)
+        for call in find_motion_calls(case.template.asks[name].quantity)
         if call.function == "pole" and isinstance(call.arguments[0], Name)
     }
     still = case.arithmetic.is_zero(case.motion.omega(coupler.body))

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from kinegrade.errors import MechanismError
-from kinegrade.expressions.expression import Call, Expression, Name, walk
+from kinegrade.expressions.expression import Call, Expression, Name
 from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Chain
-from kinegrade.problem.quantities import Quantities
-
-_RELATIVE = ("relative_velocity", "relative_acceleration", "coriolis")
-_ACCELERATIONS = frozenset(
-    {"acceleration", "relative_acceleration", "alpha", "tangential_acceleration"}
-)
+from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.quantities.motion_function import References
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
+from kinegrade.problem.quantities.reader import MotionReader
 
 
 @dataclass(frozen=True)
@@ -35,58 +33,25 @@ class Needs:
 NOTHING = Needs(frozenset(), frozenset())
 
 
-def find_calls(tree: Expression) -> Iterator[Call]:
-    """All calls within an expression, outer ones first."""
-    return (part for part in walk(tree) if isinstance(part, Call))
-
-
-def find_chains(call: Call, motion: Motion, quantities: Quantities) -> list[tuple[str, str]]:
-    """The (body, point) pairs whose motion a call refers to."""
+def find_references(call: Call, reader: MotionReader) -> References:
+    """What of the motion a call refers to."""
     names = [argument.name for argument in call.arguments if isinstance(argument, Name)]
-    match call.function:
-        case "velocity" | "acceleration":
-            return [(_find_body(names, quantities, motion), names[0])]
-        case "relative_velocity" | "relative_acceleration" | "coriolis":
-            return [(names[1], names[0]), (names[2], names[0])]
-        case "pole" | "circle_of_poles":
-            return [(names[0], motion.frames.bases[names[0]].point)]
-        case _:
-            return []  # a function of numbers, positions or rotations
+    return MOTION_FUNCTIONS[call.function].refer(names, reader)
 
 
-def _find_body(names: list[str], quantities: Quantities, motion: Motion) -> str:
-    """The body that a point belongs to."""
-    return names[1] if len(names) > 1 else quantities.owner(names[0], None)
-
-
-def _find_turning_bodies(call: Call) -> list[str]:
-    """The bodies whose rotation a call refers to."""
-    names = [argument.name for argument in call.arguments if isinstance(argument, Name)]
-    match call.function:
-        case "omega" | "alpha":
-            return names
-        case (
-            "normal_acceleration" | "tangential_acceleration" | "coriolis" | "relative_acceleration"
-        ):
-            return names[2:3]
-        case "pole" | "circle_of_poles":
-            return names[:1]
-        case _:
-            return []  # a function of numbers, positions or velocities
-
-
-def find_needs(tree: Expression, motion: Motion, quantities: Quantities) -> Needs:
+def find_needs(tree: Expression, reader: MotionReader) -> Needs:
     """What the quantity of an ask needs."""
-    needs = NOTHING
-    for call in find_calls(tree):
+    needs, motion = NOTHING, reader.motion
+    for call in find_motion_calls(tree):
+        references = find_references(call, reader)
         rates = {
             term.rate
-            for body, point in find_chains(call, motion, quantities)
+            for body, point in references.points
             for term in motion.frames.chain(body, point)
         }
-        rates |= {make_turning(body) for body in _find_turning_bodies(call) if body != GROUND}
+        rates |= {make_turning(body) for body in references.turning if body != GROUND}
         rates &= set(motion.rates)
-        changes = rates if call.function in _ACCELERATIONS else set()
+        changes = rates if MOTION_FUNCTIONS[call.function].by_changes else set()
         needs |= Needs(frozenset(rates), frozenset(changes))
     return needs
 

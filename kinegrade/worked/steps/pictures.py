@@ -18,14 +18,16 @@ from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
-from kinegrade.problem.quantities import Quantities
+from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
+from kinegrade.problem.quantities.reader import MotionReader
 from kinegrade.problem.template.hints import Turning
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.document import Picture, Pictures
 from kinegrade.worked.formulas.numbers import NEGLIGIBLE
 from kinegrade.worked.steps.deductions import Stage
 from kinegrade.worked.steps.methods import choose_method, find_coupler
-from kinegrade.worked.steps.needed_rates import find_calls, find_chains
+from kinegrade.worked.steps.needed_rates import find_references
 from kinegrade.worked.steps.poles import name_pole
 from kinegrade.worked.steps.scalars import find_term, write_speed
 from kinegrade.worked.steps.vectors import write_letters
@@ -140,11 +142,12 @@ def draw_answer(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
 
 def _find_asked_arrows(ask: Ask, level: Level, case: Case) -> Iterator[PointArrow]:
     """The vectors of points that an ask names."""
-    quantities = Quantities(case.motion, case.arithmetic)
-    for call in find_calls(ask.quantity):
-        if call.function != level:
+    reader = MotionReader(case.motion, case.arithmetic)
+    for call in find_motion_calls(ask.quantity):
+        function = MOTION_FUNCTIONS[call.function]
+        if (function.derivation, function.level) != ("point", level):
             continue
-        for body, point in find_chains(call, case.motion, quantities):
+        for body, point in find_references(call, reader).points:
             value = _make_floats(_find_motion(point, body, level, case))
             if _is_seen(value):
                 letters = f"{LETTERS[level]}_{{{case.naming.point(point)}}}"

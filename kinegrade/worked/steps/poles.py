@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from kinegrade.expressions.expression import Call, Name
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.numbers import double, write_number, write_short
 from kinegrade.worked.steps.findings import Findings, write_point_symbol
-from kinegrade.worked.steps.needed_rates import find_calls
 from kinegrade.worked.steps.points import find_point, find_vector
 from kinegrade.worked.steps.summands import write_component
 from kinegrade.worked.words.solution_case import Case
@@ -23,14 +23,14 @@ def name_pole(body: str, case: Case) -> str:
     """
     for ask in case.template.asks.values():
         named = re.match(r"[xy]_\{?([A-Z])\}?$", ask.symbol)
-        if named and Call("pole", (Name(body),)) in find_calls(ask.quantity):
+        if named and Call("pole", (Name(body),)) in find_motion_calls(ask.quantity):
             return named[1]
     letter = next((name for name in "PSQZ" if name not in case.motion.points), "P")
     bodies = sorted(
         {
             call.arguments[0].name
             for ask in case.template.asks.values()
-            for call in find_calls(ask.quantity)
+            for call in find_motion_calls(ask.quantity)
             if call.function == "pole" and isinstance(call.arguments[0], Name)
         }
     )

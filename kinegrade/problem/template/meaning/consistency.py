@@ -18,8 +18,7 @@ from kinegrade.files.fields.place import Place, key_path
 from kinegrade.language.message import Listing, Message, Quoted, list_choices
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
-from kinegrade.problem.template.draft import Draft
-from kinegrade.problem.template.meaning.dimension import (
+from kinegrade.problem.kinds.dimension import (
     ACCELERATION,
     CHANGE,
     LENGTH,
@@ -30,7 +29,7 @@ from kinegrade.problem.template.meaning.dimension import (
     describe_dimension,
     find_dimension,
 )
-from kinegrade.problem.template.meaning.kinds import (
+from kinegrade.problem.kinds.kinds import (
     Arrow,
     BodyKind,
     Kind,
@@ -42,14 +41,11 @@ from kinegrade.problem.template.meaning.kinds import (
     describe_kind,
     unite_dimensions,
 )
+from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, ELEMENTARY, Signature
+from kinegrade.problem.quantities.functions import QUANTITIES
+from kinegrade.problem.template.draft import Draft
 from kinegrade.problem.template.meaning.meaning import Scope
 from kinegrade.problem.template.meaning.radians import require_no_radians
-from kinegrade.problem.template.meaning.signatures import (
-    CONSTRUCTIONS,
-    ELEMENTARY,
-    QUANTITIES,
-    Signature,
-)
 from kinegrade.problem.template.sentences import DriverSentence, JointSentence
 from kinegrade.problem.template.template import Ask, Condition, Published, Wording
 

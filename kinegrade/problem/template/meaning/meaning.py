@@ -23,8 +23,8 @@ from kinegrade.expressions.expression import (
     read_whole_power,
 )
 from kinegrade.language.message import Message, Quoted, list_all
-from kinegrade.problem.template.meaning.dimension import NUMBER, Dimension
-from kinegrade.problem.template.meaning.kinds import (
+from kinegrade.problem.kinds.dimension import NUMBER, Dimension
+from kinegrade.problem.kinds.kinds import (
     Arrow,
     BodyKind,
     Kind,
@@ -36,8 +36,8 @@ from kinegrade.problem.template.meaning.kinds import (
     describe_kind,
     unite_dimensions,
 )
+from kinegrade.problem.kinds.signatures import PlainSlot, Signature, Slot
 from kinegrade.problem.template.meaning.radians import require_no_radians
-from kinegrade.problem.template.meaning.signatures import PlainSlot, Signature, Slot
 
 _PLAIN: Mapping[PlainSlot, tuple[type[Kind], ...]] = {
     "NUMBER": (Scalar,),

@@ -11,7 +11,7 @@ from typing import assert_never
 
 from kinegrade.errors import FieldError
 from kinegrade.language.message import Message, Part
-from kinegrade.problem.template.meaning.dimension import Dimension, describe_dimension
+from kinegrade.problem.kinds.dimension import Dimension, describe_dimension
 
 
 @dataclass(frozen=True)

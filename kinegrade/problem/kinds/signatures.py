@@ -13,16 +13,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal, assert_never
 
-from kinegrade.problem.template.meaning.dimension import (
-    ACCELERATION,
-    CHANGE,
+from kinegrade.problem.kinds.dimension import (
     LENGTH,
     NUMBER,
-    RATE,
-    SPEED,
     Dimension,
 )
-from kinegrade.problem.template.meaning.kinds import (
+from kinegrade.problem.kinds.kinds import (
     Arrow,
     BodyKind,
     Kind,
@@ -60,17 +56,17 @@ class Signature:
         return f"{name}({', '.join(slots[: self.needed])}{more})"
 
 
-def _make_signature(*slots: Slot, gives: Result, optional: int = 0) -> Signature:
+def make_signature(*slots: Slot, gives: Result, optional: int = 0) -> Signature:
     """The signature of a function; the last `optional` slots may stay empty."""
     return Signature(slots, len(slots) - optional, gives)
 
 
-def _scalar(dimension: Dimension) -> Result:
+def give_scalar(dimension: Dimension) -> Result:
     """A number of that dimension."""
     return lambda name, kinds: Scalar(dimension)
 
 
-def _vector(dimension: Dimension) -> Result:
+def give_vector(dimension: Dimension) -> Result:
     """A vector of that dimension."""
     return lambda name, kinds: Arrow(dimension)
 
@@ -101,7 +97,7 @@ def _line(name: str, kinds: Sequence[Kind]) -> Kind:
     return Straight()
 
 
-def _first(name: str, kinds: Sequence[Kind]) -> Kind:
+def give_first(name: str, kinds: Sequence[Kind]) -> Kind:
     """A number of the first argument's dimension."""
     kind = kinds[0]
     match kind:
@@ -142,94 +138,53 @@ def _ratio(name: str, kinds: Sequence[Kind]) -> Kind:
 
 ELEMENTARY: Mapping[str, Signature] = {
     #: The square root.
-    "sqrt": _make_signature("NUMBER", gives=_root),
+    "sqrt": make_signature("NUMBER", gives=_root),
     #: The absolute value.
-    "abs": _make_signature("NUMBER", gives=_first),
+    "abs": make_signature("NUMBER", gives=give_first),
     #: The sine of an angle.
-    "sin": _make_signature("ANGLE", gives=_ratio),
+    "sin": make_signature("ANGLE", gives=_ratio),
     #: The cosine of an angle.
-    "cos": _make_signature("ANGLE", gives=_ratio),
+    "cos": make_signature("ANGLE", gives=_ratio),
     #: The tangent of an angle.
-    "tan": _make_signature("ANGLE", gives=_ratio),
+    "tan": make_signature("ANGLE", gives=_ratio),
     #: The angle between -pi/2 and pi/2 with that sine.
-    "asin": _make_signature("RATIO", gives=_ratio),
+    "asin": make_signature("RATIO", gives=_ratio),
     #: The angle between 0 and pi with that cosine.
-    "acos": _make_signature("RATIO", gives=_ratio),
+    "acos": make_signature("RATIO", gives=_ratio),
     #: The angle between -pi/2 and pi/2 with that tangent.
-    "atan": _make_signature("RATIO", gives=_ratio),
+    "atan": make_signature("RATIO", gives=_ratio),
     #: The direction of the vector (second, first), in (-pi, pi].
-    "atan2": _make_signature("NUMBER", "NUMBER", gives=_ratio),
+    "atan2": make_signature("NUMBER", "NUMBER", gives=_ratio),
 }
 CONSTRUCTIONS: Mapping[str, Signature] = {
     **ELEMENTARY,
     #: The point or vector with these components.
-    "": _make_signature("NUMBER", "NUMBER", gives=_joined),
+    "": make_signature("NUMBER", "NUMBER", gives=_joined),
     #: The point at a distance from another one, in the direction of an angle.
-    "polar": _make_signature("PLACE", "NUMBER", "ANGLE", gives=_polar),
+    "polar": make_signature("PLACE", "NUMBER", "ANGLE", gives=_polar),
     #: The line through a point and another point, or in the direction of an angle.
-    "line": _make_signature("PLACE", "PLACE|ANGLE", gives=_line),
+    "line": make_signature("PLACE", "PLACE|ANGLE", gives=_line),
     #: The circle about a point with a radius.
-    "circle": _make_signature("PLACE", "NUMBER", gives=_circle),
+    "circle": make_signature("PLACE", "NUMBER", gives=_circle),
     #: The common point of two lines; or, on the named side, that of a line and a circle or of two
     #: circles.
-    "meet": _make_signature(
-        "LINE|CIRCLE", "LINE|CIRCLE", "SIDE", gives=_vector(LENGTH), optional=1
+    "meet": make_signature(
+        "LINE|CIRCLE", "LINE|CIRCLE", "SIDE", gives=give_vector(LENGTH), optional=1
     ),
     #: The foot of the perpendicular from a point to a line.
-    "foot": _make_signature("PLACE", "LINE", gives=_same),
+    "foot": make_signature("PLACE", "LINE", gives=_same),
     #: The midpoint of two points.
-    "midpoint": _make_signature("PLACE", "PLACE", gives=_joined),
+    "midpoint": make_signature("PLACE", "PLACE", gives=_joined),
     #: The distance of a point from another point or from a line.
-    "distance": _make_signature("PLACE", "PLACE|LINE", gives=_apart),
+    "distance": make_signature("PLACE", "PLACE|LINE", gives=_apart),
     #: The point at a distance from the first point, towards the second or beyond it.
-    "toward": _make_signature("PLACE", "PLACE", "NUMBER", gives=_joined),
+    "toward": make_signature("PLACE", "PLACE", "NUMBER", gives=_joined),
     #: The component to the right.
-    "x": _make_signature("VECTOR", gives=_first),
+    "x": make_signature("VECTOR", gives=give_first),
     #: The component upwards.
-    "y": _make_signature("VECTOR", gives=_first),
+    "y": make_signature("VECTOR", gives=give_first),
     #: The vector turned counter-clockwise by a right angle.
-    "turned": _make_signature("VECTOR", gives=_same),
+    "turned": make_signature("VECTOR", gives=_same),
     #: The angle of the vector from the first point to the second.
-    "direction": _make_signature("PLACE", "PLACE", gives=_ratio),
-}
-QUANTITIES: Mapping[str, Signature] = {
-    **CONSTRUCTIONS,
-    #: The velocity of a point, of the body named where it belongs to several.
-    "velocity": _make_signature("POINT", "BODY", gives=_vector(SPEED), optional=1),
-    #: The acceleration of a point, in the same way.
-    "acceleration": _make_signature("POINT", "BODY", gives=_vector(ACCELERATION), optional=1),
-    #: The angular velocity of a body, or relative to a second body.
-    "omega": _make_signature("BODY", "BODY", gives=_scalar(RATE), optional=1),
-    #: The angular acceleration of a body, or relative to a second body.
-    "alpha": _make_signature("BODY", "BODY", gives=_scalar(CHANGE), optional=1),
-    #: The velocity of a point of the first body as seen from the second.
-    "relative_velocity": _make_signature("POINT", "BODY", "BODY", gives=_vector(SPEED)),
-    #: The acceleration of a point of the first body as seen from the second.
-    "relative_acceleration": _make_signature("POINT", "BODY", "BODY", gives=_vector(ACCELERATION)),
-    #: The Coriolis acceleration of a point of the first body, the moving frame being the second.
-    "coriolis": _make_signature("POINT", "BODY", "BODY", gives=_vector(ACCELERATION)),
-    #: The normal part of the acceleration of the first point relative to the second, both on the
-    #: body.
-    "normal_acceleration": _make_signature("POINT", "POINT", "BODY", gives=_vector(ACCELERATION)),
-    #: The tangential part of the acceleration of the first point relative to the second, both on
-    #: the body.
-    "tangential_acceleration": _make_signature(
-        "POINT", "POINT", "BODY", gives=_vector(ACCELERATION)
-    ),
-    #: The velocity pole (instantaneous centre) of a body.
-    "pole": _make_signature("BODY", gives=_vector(LENGTH)),
-    #: The length of a vector.
-    "magnitude": _make_signature("VECTOR", gives=_first),
-    #: The component of the first vector along the second.
-    "along": _make_signature("VECTOR", "VECTOR", gives=_first),
-    #: The angle from the first vector to the second, counter-clockwise, in (-pi, pi].
-    "angle": _make_signature("VECTOR", "VECTOR", gives=_scalar(NUMBER)),
-    #: The angle between two vectors, from 0 to pi.
-    "between": _make_signature("VECTOR", "VECTOR", gives=_scalar(NUMBER)),
-    #: The fixed centrode of a body while the parameter changes, where it is a circle.
-    "circle_of_poles": _make_signature("BODY", "PARAMETER", gives=_circle),
-    #: The radius of a circle.
-    "radius": _make_signature("CIRCLE", gives=_scalar(LENGTH)),
-    #: The centre of a circle.
-    "centre": _make_signature("CIRCLE", gives=_vector(LENGTH)),
+    "direction": make_signature("PLACE", "PLACE", gives=_ratio),
 }

@@ -1,0 +1,42 @@
+"""The functions of quantities by name: what they take and give, and how they are worked out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from typing import Any
+
+from kinegrade.expressions.expression import Call, Expression, walk
+from kinegrade.mechanics.motion import Motion
+from kinegrade.numbers.number import Arithmetic
+from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, Signature
+from kinegrade.problem.quantities.measures import MEASURES
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
+from kinegrade.problem.quantities.reader import MotionReader
+
+QUANTITIES: Mapping[str, Signature] = {
+    **CONSTRUCTIONS,
+    **{name: function.signature for name, function in MOTION_FUNCTIONS.items()},
+    **{name: measure.signature for name, measure in MEASURES.items()},
+}
+
+
+def make_quantities(motion: Motion, arithmetic: Arithmetic) -> dict[str, Callable[..., Any]]:
+    """The functions of a motion and of its vectors by name, without those that need further
+    configurations.
+    """
+    reader = MotionReader(motion, arithmetic)
+    read = {
+        name: partial(function.read, reader)
+        for name, function in MOTION_FUNCTIONS.items()
+        if function.read is not None
+    }
+    measured = {name: partial(measure.read, arithmetic) for name, measure in MEASURES.items()}
+    return {**read, **measured}
+
+
+def find_motion_calls(tree: Expression) -> Iterator[Call]:
+    """The functions of the motion that are called in an expression, outer ones first."""
+    return (
+        part for part in walk(tree) if isinstance(part, Call) and part.function in MOTION_FUNCTIONS
+    )
