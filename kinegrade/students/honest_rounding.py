@@ -23,11 +23,8 @@ import numpy as np
 
 from kinegrade.errors import KinegradeError
 from kinegrade.expressions.expression import (
-    Call,
-    Expression,
     evaluate,
     make_elementary_functions,
-    walk,
 )
 from kinegrade.language.message import Message
 from kinegrade.mechanics.frames import build_frames
@@ -39,7 +36,7 @@ from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.rounding import NOTHING, Rounded, Sparing
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.problem.assemble import assemble
-from kinegrade.problem.quantities.functions import make_quantities
+from kinegrade.problem.quantities.functions import make_quantities, needs_configurations
 from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution
@@ -242,7 +239,7 @@ def _work_answer(
     rounded: Rounded,
 ) -> float | None:
     """One answer in its unit; a centrode is not worked out by numbers but known in closed form."""
-    if calls(ask.quantity, "circle_of_poles"):
+    if needs_configurations(ask.quantity):
         return answer.value
     try:
         number = convert_number(evaluate(ask.quantity, values, functions, rounded))
@@ -269,11 +266,6 @@ def find_nearest_turn(number: Any, exact: Any, turn: float) -> Any:
         return number
     nearest = np.rint if isinstance(number, np.ndarray) else round
     return number - nearest((number - exact) / turn) * turn
-
-
-def calls(tree: Expression, function: str) -> bool:
-    """Whether an expression calls a function."""
-    return any(isinstance(part, Call) and part.function == function for part in walk(tree))
 
 
 def convert_value(value: Any) -> Any:

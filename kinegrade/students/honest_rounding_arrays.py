@@ -25,11 +25,11 @@ from kinegrade.mechanics.motion_arrays import (
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.rounded_arrays import RoundedArrays
 from kinegrade.numbers.tolerance import Tolerance
+from kinegrade.problem.quantities.functions import needs_configurations
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.students.honest_rounding import (
     Target,
-    calls,
     convert_value,
     find_nearest_turn,
     find_targets,
@@ -99,9 +99,7 @@ def _can_be_stacked(template: Template, asks: Iterable[str]) -> bool:
         *quantities,
         *sentences,
     )
-    return not (
-        any(map(_has_power, trees)) or any(calls(tree, "circle_of_poles") for tree in quantities)
-    )
+    return not (any(map(_has_power, trees)) or any(map(needs_configurations, quantities)))
 
 
 def _has_power(tree: Expression | None) -> bool:

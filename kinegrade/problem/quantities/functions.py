@@ -35,6 +35,11 @@ def make_quantities(motion: Motion, arithmetic: Arithmetic) -> dict[str, Callabl
     return {**read, **measured}
 
 
+def needs_configurations(tree: Expression) -> bool:
+    """Whether an expression is read off further configurations, so not off one motion alone."""
+    return any(MOTION_FUNCTIONS[call.function].read is None for call in find_motion_calls(tree))
+
+
 def find_motion_calls(tree: Expression) -> Iterator[Call]:
     """The functions of the motion that are called in an expression, outer ones first."""
     return (

@@ -1,4 +1,7 @@
-"""What a quantity may take of vectors and circles: magnitudes, components, angles, radii."""
+"""What a quantity may take of vectors and circles: magnitudes, components, angles, radii.
+
+The comments that begin with `#:` say what each gives; the reference of docs/ prints them.
+"""
 
 from __future__ import annotations
 
@@ -58,12 +61,18 @@ def _measure_centre(arithmetic: Arithmetic, circle: Round) -> Vector:
 
 
 MEASURES: Mapping[str, Measure] = {
+    #: The length of a vector.
     "magnitude": Measure(make_signature("VECTOR", gives=give_first), _measure_magnitude),
+    #: The component of the first vector along the second.
     "along": Measure(make_signature("VECTOR", "VECTOR", gives=give_first), _measure_along),
+    #: The angle from the first vector to the second, counter-clockwise, in (-pi, pi].
     "angle": Measure(make_signature("VECTOR", "VECTOR", gives=give_scalar(NUMBER)), _measure_angle),
+    #: The angle between two vectors, from 0 to pi.
     "between": Measure(
         make_signature("VECTOR", "VECTOR", gives=give_scalar(NUMBER)), _measure_between
     ),
+    #: The radius of a circle.
     "radius": Measure(make_signature("CIRCLE", gives=give_scalar(LENGTH)), _measure_radius),
+    #: The centre of a circle.
     "centre": Measure(make_signature("CIRCLE", gives=give_vector(LENGTH)), _measure_centre),
 }

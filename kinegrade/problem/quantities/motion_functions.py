@@ -1,4 +1,7 @@
-"""The functions of the motion: a row for each, from which everything else about it follows."""
+"""The functions of the motion: a row for each, from which everything else about it follows.
+
+The comments that begin with `#:` say what each gives; the reference of docs/ prints them.
+"""
 
 from __future__ import annotations
 
@@ -103,6 +106,7 @@ def _refer_to_body(names: Sequence[str], reader: MotionReader) -> References:
 
 
 MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
+    #: The velocity of a point, of the body named where it belongs to several.
     "velocity": MotionFunction(
         slots=("POINT", "BODY"),
         optional=1,
@@ -112,6 +116,7 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_point,
         derivation="point",
     ),
+    #: The acceleration of a point, in the same way.
     "acceleration": MotionFunction(
         slots=("POINT", "BODY"),
         optional=1,
@@ -121,6 +126,7 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_point,
         derivation="point",
     ),
+    #: The angular velocity of a body, or relative to a second body.
     "omega": MotionFunction(
         slots=("BODY", "BODY"),
         optional=1,
@@ -130,6 +136,7 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_rotations,
         derivation="rotation",
     ),
+    #: The angular acceleration of a body, or relative to a second body.
     "alpha": MotionFunction(
         slots=("BODY", "BODY"),
         optional=1,
@@ -139,6 +146,7 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_rotations,
         derivation="rotation",
     ),
+    #: The velocity of a point of the first body as seen from the second.
     "relative_velocity": MotionFunction(
         slots=("POINT", "BODY", "BODY"),
         gives=Arrow(SPEED),
@@ -147,6 +155,7 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_both_points,
         derivation="relative",
     ),
+    #: The acceleration of a point of the first body as seen from the second.
     "relative_acceleration": MotionFunction(
         slots=("POINT", "BODY", "BODY"),
         gives=Arrow(ACCELERATION),
@@ -155,6 +164,7 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_turning_frame,
         derivation="relative",
     ),
+    #: The Coriolis acceleration of a point of the first body, the moving frame being the second.
     "coriolis": MotionFunction(
         slots=("POINT", "BODY", "BODY"),
         gives=Arrow(ACCELERATION),
@@ -163,6 +173,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_turning_frame,
         derivation="coriolis",
     ),
+    #: The normal part of the acceleration of the first point relative to the second, both on the
+    #: body.
     "normal_acceleration": MotionFunction(
         slots=("POINT", "POINT", "BODY"),
         gives=Arrow(ACCELERATION),
@@ -171,6 +183,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_about_base,
         derivation="normal",
     ),
+    #: The tangential part of the acceleration of the first point relative to the second, both on
+    #: the body.
     "tangential_acceleration": MotionFunction(
         slots=("POINT", "POINT", "BODY"),
         gives=Arrow(ACCELERATION),
@@ -179,6 +193,7 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_about_base,
         derivation="tangential",
     ),
+    #: The velocity pole (instantaneous centre) of a body.
     "pole": MotionFunction(
         slots=("BODY",),
         gives=Arrow(LENGTH),
@@ -187,6 +202,7 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_body,
         derivation="pole",
     ),
+    #: The fixed centrode of a body while the parameter changes, where it is a circle.
     "circle_of_poles": MotionFunction(
         slots=("BODY", "PARAMETER"),
         gives=Ring(),
