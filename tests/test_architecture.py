@@ -10,11 +10,14 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
 import kinegrade
 from kinegrade.language import ENGLISH, Language
+from kinegrade.mechanics.drivers import Driver
+from kinegrade.mechanics.joints import Joint
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.texts import list_lines, list_prose
 
@@ -202,6 +205,26 @@ def test_no_file_and_no_room_imports_itself_by_way_of_others() -> None:
             TopologicalSorter(graph).prepare()
         except CycleError as error:
             pytest.fail(f"{folder}: a cycle of imports: {' <- '.join(error.args[1])}")
+
+
+def list_asked_classes(tree: ast.Module) -> Iterator[str]:
+    """The names of the classes that a module asks for: by `isinstance`, or in a pattern."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.MatchClass):
+            yield ast.unparse(node.cls)
+        elif isinstance(node, ast.Call) and ast.unparse(node.func) == "isinstance":
+            yield from (part.id for part in ast.walk(node.args[1]) if isinstance(part, ast.Name))
+
+
+def test_no_module_asks_which_joint_or_driver_it_has_but_the_symbol_table_of_figures() -> None:
+    rooms = ("kinegrade.mechanics.joints", "kinegrade.mechanics.drivers", "kinegrade.figure.joints")
+    parts = {part.__name__ for kinds in (Joint, Driver) for part in get_args(kinds)}
+    assert {"Pin", "Mesh", "Rotation"} <= parts
+    found = {module: parts & set(list_asked_classes(tree)) for module, tree in TREES.items()}
+    assert found["kinegrade.figure.joints.table"] == {part.__name__ for part in get_args(Joint)}
+    assert {
+        name: asked for name, asked in found.items() if asked and not name.startswith(rooms)
+    } == {}
 
 
 def test_only_the_arithmetic_knows_the_library_of_numbers() -> None:

@@ -147,22 +147,19 @@ def sentence(text: str) -> str:
 
 
 def joint(text: str) -> str:
-    new = "@dataclass(frozen=True)\nclass Belt:\n    body: str\n    of: str\n\n\nJoint = Belt | "
+    new = "class Belt:\n    body: str\n    of: str\n\n\nJoint = Belt | "
     return text.replace("Joint = ", new)
 
 
 def driver(text: str) -> str:
-    new = (
-        "@dataclass(frozen=True)\nclass Spin:\n    body: str\n    velocity: Any\n"
-        "    acceleration: Any\n\n\nDriver = Spin | "
-    )
+    new = "class Spin:\n    body: str\n\n\nDriver = Spin | "
     return text.replace("Driver = ", new)
 
 
 ADDED: dict[str, Callable[[str], str]] = {
     "problem/template/sentences.py": sentence,
-    "mechanics/joints.py": joint,
-    "mechanics/drivers.py": driver,
+    "mechanics/joints/__init__.py": joint,
+    "mechanics/drivers/__init__.py": driver,
 }
 REPORTED = (
     ("problem/assemble.py", "Literal['belt']"),

@@ -7,9 +7,9 @@ them are 1 where it is right.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import assert_never
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, fields, replace
+from typing import Self, assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.geometry import foot
@@ -39,6 +39,7 @@ class Shares:
 RIGHT = Shares()
 
 
+@dataclass(frozen=True)
 class Reason(ABC):
     """What every law can say."""
 
@@ -56,6 +57,16 @@ class Reason(ABC):
         """The factors of the turning rates and of a guided centre's rate; none for an equation of
         vectors.
         """
+
+    def map(self, number: Callable[[Number], Number]) -> Self:
+        """The law with `number` applied to its vectors, lines and circles."""
+        parts = {each.name: getattr(self, each.name) for each in fields(self)}
+        mapped = {
+            name: part.map(number)
+            for name, part in parts.items()
+            if isinstance(part, (Vector, Line, Circle))
+        }
+        return replace(self, **mapped) if mapped else self
 
 
 class _OfVectors(Reason):

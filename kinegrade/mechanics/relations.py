@@ -265,7 +265,7 @@ class Relation:
         return reading.coriolis(point, self.frame, coriolis)
 
     def map(self, number: Callable[[Number], Number]) -> Relation:
-        """The relation with `number` applied to all that it states; its source stays as it is."""
+        """The relation with `number` applied to all that it states."""
         return Relation(
             self.element,
             map_chain(self.left, number),
@@ -275,7 +275,7 @@ class Relation:
             number(self.velocity),
             number(self.acceleration),
             self.frame,
-            self.source,
+            self.source.map(number) if self.source else None,
         )
 
 

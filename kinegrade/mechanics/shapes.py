@@ -4,10 +4,12 @@ y up).
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.number import Number
 
 
 @dataclass(frozen=True)
@@ -17,6 +19,10 @@ class Line:
     point: Vector
     direction: Vector
 
+    def map(self, number: Callable[[Number], Number]) -> Line:
+        """The line with `number` applied to its coordinates."""
+        return Line(self.point.map(number), self.direction.map(number))
+
 
 @dataclass(frozen=True)
 class Circle:
@@ -24,6 +30,10 @@ class Circle:
 
     centre: str
     radius: Any
+
+    def map(self, number: Callable[[Number], Number]) -> Circle:
+        """The circle with `number` applied to its radius."""
+        return Circle(self.centre, number(self.radius))
 
 
 Shape = Line | Circle

@@ -6,9 +6,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 from typing import assert_never
 
-from kinegrade.language.message import Listing, Message, list_all
+from kinegrade.language.message import Listing, Message, Text, list_all
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import GuidedPoint
+from kinegrade.mechanics.laws import (
+    EqualPitchSpeed,
+    EqualRotation,
+    GuidedPoint,
+    ImposedCircling,
+    ImposedMotion,
+    ImposedRotation,
+    NoSlip,
+    SharedPoint,
+)
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import Relation, Term
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
@@ -113,18 +122,25 @@ def _introduce_composition(equation: VectorEquation, relative: Part, case: Case)
     point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
     match equation.level:
         case "velocity":
-            law = equation.relation.source
-            body = law.body if isinstance(law, GuidedPoint) else GROUND
-            if body == GROUND:
-                return Message(
-                    "solution.composed-velocity-of-fixed-point", point=point, frame=frame
-                )
-            owner = case.naming.body(body)
-            return Message("solution.composed-velocity", point=point, frame=frame, body=owner)
+            return _introduce_velocities(equation.relation, point, frame, case)
         case "acceleration":
             return Message("solution.composed-acceleration", point=point, frame=frame)
         case _:
             assert_never(equation.level)
+
+
+def _introduce_velocities(relation: Relation, point: Text, frame: Text, case: Case) -> Message:
+    """The composition of the velocities of a guided point, or of a fixed one."""
+    match relation.source:
+        case GuidedPoint(body=body) if body != GROUND:
+            owner = case.naming.body(body)
+            return Message("solution.composed-velocity", point=point, frame=frame, body=owner)
+        case GuidedPoint() | SharedPoint() | EqualRotation() | NoSlip() | EqualPitchSpeed() | None:
+            return Message("solution.composed-velocity-of-fixed-point", point=point, frame=frame)
+        case ImposedRotation() | ImposedMotion() | ImposedCircling():
+            return Message("solution.composed-velocity-of-fixed-point", point=point, frame=frame)
+        case _:
+            assert_never(relation.source)
 
 
 def _introduce_chained_bases(
