@@ -204,16 +204,34 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "examples in the language of templates": {
-        "problem/template/sentences.py": [
-            "... meshes with ... on ...",
-            "... rolls on ...",
-            "... slides through ... along ...",
-            "... stays on circle(C, r) of ...",
-            "AB turns relative to OA",
+        "mechanics/drivers/component.py": [
             "B of AB moves along +x",
-            "B of AB slides on line(O, 0)",
+        ],
+        "mechanics/drivers/rotation.py": [
+            "AB turns relative to OA",
             "OA turns",
+        ],
+        "mechanics/joints/arc.py": [
+            "... stays on circle(C, r) of ...",
+        ],
+        "mechanics/joints/contact.py": [
+            "{} touches {}{}{}",
+        ],
+        "mechanics/joints/mesh.py": [
+            "... meshes with ... on ...",
+        ],
+        "mechanics/joints/pin.py": [
             "pin A: OA AB",
+        ],
+        "mechanics/joints/roll.py": [
+            "... rolls on ...",
+            "{} rolls on {}{}{}",
+        ],
+        "mechanics/joints/sleeve.py": [
+            "... slides through ... along ...",
+        ],
+        "mechanics/joints/slide.py": [
+            "B of AB slides on line(O, 0)",
         ],
     },
     "a place in a template's file": {

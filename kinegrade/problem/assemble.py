@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, assert_never
+from typing import Any
 
 from flint import fmpq
 
@@ -22,22 +22,11 @@ from kinegrade.expressions.expression import (
     make_elementary_functions,
 )
 from kinegrade.language.message import Fault, Message
-from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
+from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.geometry import BRANCHES, Constructions, Round, make_constructions
-from kinegrade.mechanics.joints import (
-    Arc,
-    Circle,
-    Contact,
-    Joint,
-    Line,
-    Mesh,
-    Parallel,
-    Pin,
-    Roll,
-    Sleeve,
-    Slide,
-)
+from kinegrade.mechanics.joints import Circle, Joint, Line
 from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.sentence import DriverParts, JointParts
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.number import Arithmetic
@@ -184,52 +173,37 @@ class _Parts:
 
     def joint(self, sentence: JointSentence) -> Joint:
         """The joint that a sentence states."""
-        point, body, of = sentence.point, sentence.body, sentence.of
-        on, circle = self.shape(sentence.on), self.shape(sentence.circle)
-        match sentence.kind:
-            case "pin":
-                return Pin(point, sentence.bodies)
-            case "slide":
-                return Slide(point, body, on, of)
-            case "sleeve":
-                return Sleeve(body, on, of)
-            case "arc":
-                return Arc(point, body, on, of)
-            case "contact":
-                return Contact(body, circle, of, on, sentence.inside)
-            case "roll":
-                return Roll(body, circle, of, on, sentence.inside)
-            case "mesh":
-                return Mesh(body, circle, of, on, sentence.carrier, sentence.inside)
-            case "parallel":
-                return Parallel(body, of)
-            case _:
-                assert_never(sentence.kind)
+        parts = JointParts(
+            sentence.point,
+            sentence.body,
+            sentence.of,
+            sentence.bodies,
+            self.shape(sentence.circle),
+            self.shape(sentence.on),
+            sentence.carrier,
+            sentence.inside,
+        )
+        return sentence.stated.make(parts)
 
     def driver(self, sentence: DriverSentence) -> Driver:
         """The driver that a sentence states."""
-        velocity, acceleration = (
+        parts = DriverParts(
+            sentence.point,
+            sentence.body,
+            sentence.of,
+            self.direction(sentence.along) if sentence.along is not None else Vector(0, 0),
+            sentence.centre,
             _require_measure(self.value(sentence.velocity)),
             _require_measure(self.value(sentence.acceleration)),
         )
-        point, body, of = sentence.point, sentence.body, sentence.of
-        match sentence.kind:
-            case "rotation":
-                return Rotation(body, velocity, acceleration, of)
-            case "component":
-                along = self.direction(sentence.along)
-                return Component(point, body, along, velocity, acceleration, of)
-            case "circulation":
-                return Circulation(point, body, sentence.centre, velocity, acceleration)
-            case _:
-                assert_never(sentence.kind)
+        return sentence.stated.make(parts)
 
-    def direction(self, tree: Expression | None) -> Vector:
+    def direction(self, tree: Expression) -> Vector:
         """The unit vector of an angle. Raises ExpressionError for what is not an angle."""
-        along = None if tree is None else self.value(tree)
-        if along is None or isinstance(along, (Vector, Line, Round, str)):
+        value = self.value(tree)
+        if isinstance(value, (Vector, Line, Round, str)):
             raise ExpressionError(Message("template.direction-expected"))
-        return Constructions(self.arithmetic, self.points).unit(along)
+        return Constructions(self.arithmetic, self.points).unit(value)
 
 
 __all__ = ["Assembly", "assemble", "read_parameter"]

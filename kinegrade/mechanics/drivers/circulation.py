@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Self
 
 from kinegrade.errors import MechanismError
 from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.drivers.driving_constraint import DrivingConstraint, FindChain
 from kinegrade.mechanics.laws import ImposedCircling
 from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.sentence import DriverParts
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic, Number
 
@@ -22,11 +24,21 @@ class Circulation(DrivingConstraint):
     positive.
     """
 
+    KIND = "circulation"
+    PATTERN = r"(?P<point>\w+) of (?P<body>\w+) circles (?P<centre>\w+)"
+    EXAMPLES = ("A of W circles O",)
+    TURNS = False
+
     point: str
     body: str
     centre: str
     velocity: Number
     acceleration: Number
+
+    @classmethod
+    def make(cls, parts: DriverParts) -> Self:
+        """The driver that a sentence states."""
+        return cls(parts.point, parts.body, parts.centre, parts.velocity, parts.acceleration)
 
     def list_bodies(self) -> tuple[str, ...]:
         """The body of the point."""

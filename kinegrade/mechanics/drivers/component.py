@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers.driving_constraint import DrivingConstraint, FindChain
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import ImposedMotion
 from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.sentence import DriverParts
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic, Number
 
@@ -22,12 +24,31 @@ class Component(DrivingConstraint):
     For a point that moves on a straight path this is its motion along the path.
     """
 
+    KIND = "component"
+    PATTERN = (
+        r"(?P<point>\w+) of (?P<body>\w+) moves along (?P<along>.+?)(?: relative to (?P<of>\w+))?"
+    )
+    EXAMPLES = ("B of AB moves along +x",)
+    TURNS = False
+
     point: str
     body: str
     direction: Vector
     velocity: Number
     acceleration: Number
     of: str = GROUND
+
+    @classmethod
+    def make(cls, parts: DriverParts) -> Self:
+        """The driver that a sentence states."""
+        return cls(
+            parts.point,
+            parts.body,
+            parts.direction,
+            parts.velocity,
+            parts.acceleration,
+            parts.of,
+        )
 
     def list_bodies(self) -> tuple[str, ...]:
         """The body of the point, then the other one."""

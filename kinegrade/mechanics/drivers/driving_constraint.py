@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
+from typing import ClassVar, Self
 
 from kinegrade.mechanics.element import Element
 from kinegrade.mechanics.relations import Chain, Relation
+from kinegrade.mechanics.sentence import DriverParts
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
 
@@ -14,7 +16,19 @@ FindChain = Callable[[str, str], Chain]
 
 
 class DrivingConstraint(Element):
-    """A driver."""
+    """A driver; `PATTERN` is the regular expression of its sentence, with its parts by name,
+    `EXAMPLES` are shown, and what it drives `TURNS` or moves along a path.
+    """
+
+    KIND: ClassVar[str]
+    PATTERN: ClassVar[str]
+    EXAMPLES: ClassVar[tuple[str, ...]]
+    TURNS: ClassVar[bool]
+
+    @classmethod
+    @abstractmethod
+    def make(cls, parts: DriverParts) -> Self:
+        """The driver that a sentence states."""
 
     @abstractmethod
     def find_driven_point(self) -> tuple[str, str] | None:

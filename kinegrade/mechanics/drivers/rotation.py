@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers.driving_constraint import DrivingConstraint, FindChain
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import RIGHT, ImposedRotation
 from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.sentence import DriverParts
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic, Number
 
@@ -20,10 +22,20 @@ class Rotation(DrivingConstraint):
     positive.
     """
 
+    KIND = "rotation"
+    PATTERN = r"(?P<body>\w+) turns(?: relative to (?P<of>\w+))?"
+    EXAMPLES = ("OA turns", "AB turns relative to OA")
+    TURNS = True
+
     body: str
     velocity: Number
     acceleration: Number
     of: str = GROUND
+
+    @classmethod
+    def make(cls, parts: DriverParts) -> Self:
+        """The driver that a sentence states."""
+        return cls(parts.body, parts.velocity, parts.acceleration, parts.of)
 
     def list_bodies(self) -> tuple[str, ...]:
         """The body that turns, then the other one."""

@@ -7,6 +7,8 @@ the body `GROUND`.
 
 from __future__ import annotations
 
+from typing import get_args
+
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints.arc import Arc
 from kinegrade.mechanics.joints.contact import Contact
@@ -19,10 +21,12 @@ from kinegrade.mechanics.joints.slide import Slide
 from kinegrade.mechanics.shapes import Circle, Line
 
 Joint = Pin | Slide | Sleeve | Arc | Contact | Roll | Mesh | Parallel
+JOINTS: tuple[type[Joint], ...] = get_args(Joint)
 
 __all__ = [
     "GROUND",
     "Arc",
+    "JOINTS",
     "Circle",
     "Contact",
     "Joint",

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints.constraint import Constraint
 from kinegrade.mechanics.joints.touching import find_wrong_distance
 from kinegrade.mechanics.laws import Condition, GuidedPoint, Law
 from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.sentence import OF, JointParts
 from kinegrade.mechanics.shapes import Circle, Shape
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
@@ -19,10 +21,19 @@ from kinegrade.numbers.number import Arithmetic
 class Arc(Constraint):
     """`point` of `body` stays on a circle fixed in the body `of`; the centre is a point of `of`."""
 
+    KIND = "arc"
+    PATTERN = rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){OF}"
+    EXAMPLE = "... stays on circle(C, r) of ..."
+
     point: str
     body: str
     circle: Circle
     of: str
+
+    @classmethod
+    def make(cls, parts: JointParts) -> Self:
+        """The joint that a sentence states."""
+        return cls(parts.point, parts.body, parts.on, parts.of)
 
     def list_bodies(self) -> tuple[str, ...]:
         """The moving body, then the other one."""

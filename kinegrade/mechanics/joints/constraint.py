@@ -5,18 +5,31 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from typing import ClassVar, Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.element import Element
 from kinegrade.mechanics.laws import Condition, Law
 from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.sentence import JointParts
 from kinegrade.mechanics.shapes import Circle, Line, Shape
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
 
 
 class Constraint(Element):
-    """A joint."""
+    """A joint; `PATTERN` is the regular expression of its sentence, with its parts by name, and
+    `EXAMPLE` one that is shown.
+    """
+
+    KIND: ClassVar[str]
+    PATTERN: ClassVar[str]
+    EXAMPLE: ClassVar[str]
+
+    @classmethod
+    @abstractmethod
+    def make(cls, parts: JointParts) -> Self:
+        """The joint that a sentence states."""
 
     @abstractmethod
     def list_shapes(self) -> tuple[Shape, ...]:

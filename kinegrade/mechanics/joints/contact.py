@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints.constraint import Constraint
 from kinegrade.mechanics.joints.touching import Touching
 from kinegrade.mechanics.laws import Condition, GuidedPoint, Law
 from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.sentence import CIRCLE, INSIDE, OF, ON_SHAPE, JointParts
 from kinegrade.mechanics.shapes import Circle, Shape
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
@@ -23,11 +25,20 @@ class Contact(Constraint):
     `inside` is for two circles only: one lies within the other.
     """
 
+    KIND = "contact"
+    PATTERN = rf"{CIRCLE} touches {ON_SHAPE}{OF}{INSIDE}"
+    EXAMPLE = "... touches ..."
+
     body: str
     circle: Circle
     of: str
     on: Shape
     inside: bool = False
+
+    @classmethod
+    def make(cls, parts: JointParts) -> Self:
+        """The joint that a sentence states."""
+        return cls(parts.body, parts.circle, parts.of, parts.on, parts.inside)
 
     def list_bodies(self) -> tuple[str, ...]:
         """The moving body, then the other one."""

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints.constraint import Constraint
 from kinegrade.mechanics.joints.touching import Touching
 from kinegrade.mechanics.laws import Condition, EqualPitchSpeed, Law
 from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.sentence import CIRCLE, INSIDE, JointParts
 from kinegrade.mechanics.shapes import Circle, Shape
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
@@ -21,12 +23,24 @@ class Mesh(Constraint):
     around the other.
     """
 
+    KIND = "mesh"
+    PATTERN = (
+        rf"{CIRCLE} meshes with (?P<on>circle\(.+?\)) of (?P<of>\w+) "
+        rf"on (?P<carrier>\w+){INSIDE}"
+    )
+    EXAMPLE = "... meshes with ... on ..."
+
     body: str
     circle: Circle
     of: str
     on: Circle
     carrier: str
     inside: bool = False
+
+    @classmethod
+    def make(cls, parts: JointParts) -> Self:
+        """The joint that a sentence states."""
+        return cls(parts.body, parts.circle, parts.of, parts.on, parts.carrier, parts.inside)
 
     def list_bodies(self) -> tuple[str, ...]:
         """The gears, then the carrier."""

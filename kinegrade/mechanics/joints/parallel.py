@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints.constraint import Constraint
 from kinegrade.mechanics.laws import Condition, EqualRotation, Law
 from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.sentence import JointParts
 from kinegrade.mechanics.shapes import Shape
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
@@ -18,8 +20,17 @@ from kinegrade.numbers.number import Arithmetic
 class Parallel(Constraint):
     """`body` does not turn relative to the body `of`; with the ground: it translates."""
 
+    KIND = "parallel"
+    PATTERN = r"(?P<body>\w+) (?:translates|turns with (?P<of>\w+))"
+    EXAMPLE = "... translates"
+
     body: str
     of: str
+
+    @classmethod
+    def make(cls, parts: JointParts) -> Self:
+        """The joint that a sentence states."""
+        return cls(parts.body, parts.of)
 
     def list_bodies(self) -> tuple[str, ...]:
         """The moving body, then the other one."""

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Self
 
 from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.joints.constraint import Constraint
 from kinegrade.mechanics.laws import Condition, Law, SharedPoint
 from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.sentence import JointParts
 from kinegrade.mechanics.shapes import Shape
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
@@ -18,8 +20,17 @@ from kinegrade.numbers.number import Arithmetic
 class Pin(Constraint):
     """Two or more bodies (the ground may be one) share `point`."""
 
+    KIND = "pin"
+    PATTERN = r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)"
+    EXAMPLE = "pin A: OA AB"
+
     point: str
     bodies: tuple[str, ...]
+
+    @classmethod
+    def make(cls, parts: JointParts) -> Self:
+        """The joint that a sentence states."""
+        return cls(parts.point, parts.bodies)
 
     def list_bodies(self) -> tuple[str, ...]:
         """All bodies."""

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints.constraint import Constraint
 from kinegrade.mechanics.laws import Condition, EqualRotation, GuidedBody, Law
 from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.sentence import JointParts
 from kinegrade.mechanics.shapes import Line, Shape
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
@@ -19,9 +21,18 @@ from kinegrade.numbers.number import Arithmetic
 class Sleeve(Constraint):
     """`body` slides along `line` in the body `of` and does not turn relative to it."""
 
+    KIND = "sleeve"
+    PATTERN = r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))"
+    EXAMPLE = "... slides through ... along ..."
+
     body: str
     line: Line
     of: str
+
+    @classmethod
+    def make(cls, parts: JointParts) -> Self:
+        """The joint that a sentence states."""
+        return cls(parts.body, parts.on, parts.of)
 
     def list_bodies(self) -> tuple[str, ...]:
         """The moving body, then the other one."""

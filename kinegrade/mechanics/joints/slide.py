@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints.constraint import Constraint
 from kinegrade.mechanics.laws import Condition, GuidedPoint, Law
 from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.sentence import OF, JointParts
 from kinegrade.mechanics.shapes import Line, Shape
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
@@ -20,10 +22,19 @@ class Slide(Constraint):
     about a pin).
     """
 
+    KIND = "slide"
+    PATTERN = rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){OF}"
+    EXAMPLE = "B of AB slides on line(O, 0)"
+
     point: str
     body: str
     line: Line
     of: str
+
+    @classmethod
+    def make(cls, parts: JointParts) -> Self:
+        """The joint that a sentence states."""
+        return cls(parts.point, parts.body, parts.on, parts.of)
 
     def list_bodies(self) -> tuple[str, ...]:
         """The moving body, then the other one."""

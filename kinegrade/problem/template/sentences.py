@@ -24,57 +24,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Literal, TypeVar
+from typing import TypeVar
 
 from kinegrade.errors import FieldError
 from kinegrade.expressions.expression import MAX_LENGTH, Call, Expression, Name, read_expression
 from kinegrade.files.fields.values import found
 from kinegrade.language.message import Message, Quoted, list_plainly
-from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.drivers import DRIVERS, Driver
+from kinegrade.mechanics.joints import GROUND, JOINTS, Joint
 
-_SHAPE = r"(?:line|circle)\(.+?\)"
-_OF = r"(?: of (?P<of>\w+))?"
-JointKind = Literal["pin", "slide", "sleeve", "arc", "contact", "roll", "mesh", "parallel"]
-DriverKind = Literal["rotation", "component", "circulation"]
-_Kind = TypeVar("_Kind", JointKind, DriverKind)
-_JOINT_PATTERNS: Mapping[JointKind, str] = {
-    "pin": r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)",
-    "slide": rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){_OF}",
-    "sleeve": r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))",
-    "arc": rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){_OF}",
-    "contact": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) touches "
-    rf"(?P<on>{_SHAPE}){_OF}(?P<inside> inside)?",
-    "roll": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) rolls "
-    rf"on (?P<on>{_SHAPE}){_OF}(?P<inside> "
-    r"inside)?",
-    "mesh": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) meshes with (?P<on>circle\(.+?\)) of "
-    r"(?P<of>\w+) on (?P<carrier>\w+)(?P<inside> inside)?",
-    "parallel": r"(?P<body>\w+) (?:translates|turns with (?P<of>\w+))",
-}
-_DRIVER_PATTERNS: Mapping[DriverKind, str] = {
-    "rotation": r"(?P<body>\w+) turns(?: relative to (?P<of>\w+))?",
-    "component": r"(?P<point>\w+) of (?P<body>\w+) moves along (?P<along>.+?)(?: relative to "
-    r"(?P<of>\w+))?",
-    "circulation": r"(?P<point>\w+) of (?P<body>\w+) circles (?P<centre>\w+)",
-}
-JOINTS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in _JOINT_PATTERNS.items()}
-DRIVERS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in _DRIVER_PATTERNS.items()}
-_JOINT_EXAMPLES = (
-    "pin A: OA AB",
-    "B of AB slides on line(O, 0)",
-    "... stays on circle(C, r) of ...",
-    "... touches ...",
-    "... rolls on ...",
-    "... meshes with ... on ...",
-    "... slides through ... along ...",
-    "... translates",
-)
-_DRIVER_EXAMPLES = (
-    "OA turns",
-    "AB turns relative to OA",
-    "B of AB moves along +x",
-    "A of W circles O",
-)
+_Stated = TypeVar("_Stated", bound=Joint | Driver)
 _AXES = {"+x": "0", "-x": "pi", "+y": "pi/2", "-y": "-pi/2"}
 
 
@@ -82,7 +41,7 @@ _AXES = {"+x": "0", "-x": "pi", "+y": "pi/2", "-y": "-pi/2"}
 class JointSentence:
     """A joint as written: names, and shapes still to be worked out at an instance's values."""
 
-    kind: JointKind
+    stated: type[Joint]
     text: str
     point: str = ""
     body: str = ""
@@ -93,12 +52,17 @@ class JointSentence:
     carrier: str = ""
     inside: bool = False
 
+    @property
+    def kind(self) -> str:
+        """Which joint it is."""
+        return self.stated.KIND
+
 
 @dataclass(frozen=True)
 class DriverSentence:
     """An input as written: what moves, and the expressions of its velocity and acceleration."""
 
-    kind: DriverKind
+    stated: type[Driver]
     text: str
     velocity: Expression
     acceleration: Expression
@@ -108,17 +72,22 @@ class DriverSentence:
     along: Expression | None = None
     centre: str = ""
 
+    @property
+    def kind(self) -> str:
+        """Which driver it is."""
+        return self.stated.KIND
+
 
 def read_joint(text: str) -> JointSentence:
     """The joint that a sentence states. Raises FieldError saying which sentences there are."""
-    stated = _stated(JOINTS, text)
+    stated = _find_stated(JOINTS, text)
     if stated is None:
         what = Message("template.no-such-joint", sentence=found(text))
-        raise FieldError(what, _list_examples(_JOINT_EXAMPLES))
+        raise FieldError(what, _list_examples(joint.EXAMPLE for joint in JOINTS))
     kind, parts = stated
     bodies = parts.get("bodies")
     return JointSentence(
-        kind=kind,
+        stated=kind,
         text=text,
         point=parts.get("point", ""),
         body=parts.get("body", ""),
@@ -133,13 +102,15 @@ def read_joint(text: str) -> JointSentence:
 
 def read_driver(text: str, velocity: Expression, acceleration: Expression) -> DriverSentence:
     """The input that a sentence states. Raises FieldError saying which sentences there are."""
-    stated = _stated(DRIVERS, text)
+    stated = _find_stated(DRIVERS, text)
     if stated is None:
         what = Message("template.no-such-input", sentence=found(text))
-        raise FieldError(what, _list_examples(_DRIVER_EXAMPLES))
+        raise FieldError(
+            what, _list_examples(each for driver in DRIVERS for each in driver.EXAMPLES)
+        )
     kind, parts = stated
     return DriverSentence(
-        kind=kind,
+        stated=kind,
         text=text,
         velocity=velocity,
         acceleration=acceleration,
@@ -164,18 +135,18 @@ def _list_examples(sentences: Iterable[str]) -> Message:
     return Message("template.one-of-sentences", sentences=list_plainly(map(Quoted, sentences)))
 
 
-def _stated(
-    patterns: Mapping[_Kind, re.Pattern[str]], text: str
-) -> tuple[_Kind, Mapping[str, str]] | None:
-    """The kind of sentence that a text is, with the parts that it has; None where it is none.
+def _find_stated(
+    kinds: Iterable[type[_Stated]], text: str
+) -> tuple[type[_Stated], Mapping[str, str]] | None:
+    """What a text states, with the parts that it has; None where it is no such sentence.
 
     Raises FieldError for what is too long for a sentence, before it keeps the patterns busy.
     """
     if len(text) > MAX_LENGTH:
         what = Message("template.long-sentence", count=len(text))
         raise FieldError(what, Message("template.at-most", most=MAX_LENGTH))
-    for kind, pattern in patterns.items():
-        match = pattern.fullmatch(text.strip())
+    for kind in kinds:
+        match = re.fullmatch(kind.PATTERN, text.strip(), re.ASCII)
         if match:
             return kind, {part: value for part, value in match.groupdict().items() if value}
     return None

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, assert_never
+from typing import Any, Literal
 
 from kinegrade.errors import ExpressionError, FieldError
 from kinegrade.expressions.expression import Expression, find_names
@@ -162,13 +162,7 @@ class _Consistency:
 
     def driver(self, scope: Scope, sentence: DriverSentence) -> None:
         """An input: a rotation in rad/s and rad/s^2, the motion of a point in m/s and m/s^2."""
-        match sentence.kind:
-            case "rotation":
-                velocity, acceleration = RATE, CHANGE
-            case "component" | "circulation":
-                velocity, acceleration = SPEED, ACCELERATION
-            case _:
-                assert_never(sentence.kind)
+        velocity, acceleration = (RATE, CHANGE) if sentence.stated.TURNS else (SPEED, ACCELERATION)
         _require_dimension(_require_number(scope.kind(sentence.velocity)), velocity, "velocity")
         _require_dimension(
             _require_number(scope.kind(sentence.acceleration)), acceleration, "acceleration"
