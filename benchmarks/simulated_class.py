@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import floor, log10
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -32,7 +33,9 @@ from kinegrade.grading.marking import mark
 from kinegrade.grading.marks import Mark
 from kinegrade.grading.sheets.class_sheet import read_sheet
 from kinegrade.press.sheet import KeyPaper
+from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Template
+from kinegrade.students.consequences import attach_mistakes
 from kinegrade.students.honest_rounding import find_full_turn, find_nearest_turn
 from kinegrade.students.separation import Separation
 
@@ -63,6 +66,11 @@ class SimulatedClass:
     exam: Exam
     inseparable: Mapping[str, frozenset[str]]
 
+    @cached_property
+    def solutions(self) -> tuple[Solution, ...]:
+        """The solution of each paper, whose answers say what known mistakes lead to."""
+        return tuple(attach_mistakes(paper.questions[0].drawn.solution) for paper in self.papers)
+
     def marked(self, answers: Sequence[Mapping[str, Answer]]) -> Iterator[tuple[int, Mark]]:
         """The mark of every ask of every paper, with the paper's place; `answers` are each
         student's, by ask.
@@ -85,7 +93,7 @@ class SimulatedClass:
         """Whether a mistake leads to the number that was meant, within a unit of the last figure
         typed in.
         """
-        led = self.papers[place].questions[0].drawn.solution[ask].mistakes.get(name)
+        led = self.solutions[place][ask].mistakes.get(name)
         if led is None:
             return False
         led = find_nearest_turn(led, answer.value, find_full_turn(self.template.asks[ask]))

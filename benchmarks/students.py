@@ -121,8 +121,8 @@ def mistaken_students(simulated: SimulatedClass, *, rounded: bool) -> Iterator[A
     """
     names = {
         name
-        for examinee in simulated.papers
-        for answer in examinee.questions[0].drawn.solution.answers.values()
+        for solution in simulated.solutions
+        for answer in solution.answers.values()
         for name in answer.mistakes
     }
     for name in sorted(names):
@@ -133,7 +133,7 @@ def mistaken(
     simulated: SimulatedClass, place: int, name: str, rounded: bool
 ) -> Mapping[str, Answer]:
     """The answers of one who makes a mistake, by ask."""
-    solution = simulated.papers[place].questions[0].drawn.solution
+    solution = simulated.solutions[place]
     exact = {
         ask: answer.mistakes[name]
         for ask, answer in solution.answers.items()

@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 from flint import arb, fmpq
 
@@ -38,9 +38,6 @@ from kinegrade.problem.quantities.functions import make_quantities
 from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.problem.template.template import Ask, Template
-
-if TYPE_CHECKING:
-    from kinegrade.students.mistakes import Mistakes
 
 _Result = TypeVar("_Result")
 _CERTIFIED = (
@@ -80,29 +77,6 @@ class Solution(Mapping[str, Quantity]):
 
     def __repr__(self) -> str:
         return f"<{self.template.name}: {', '.join(map(str, self.answers.values()))}>"
-
-
-@dataclass(frozen=True)
-class _Consequences:
-    """What known mistakes lead to at one instance; worked out, for all asks at once, when it is
-    first asked for.
-    """
-
-    template: Template
-    asks: Mapping[str, Ask]
-    values: Mapping[str, Any]
-    plan: Plan
-
-    @cached_property
-    def mistakes(self) -> Mistakes:
-        """The mistakes of this instance."""
-        from kinegrade.students.mistakes import Mistakes  # noqa: PLC0415  # arrays take long to load
-
-        return Mistakes(self.template, self.asks, self.values, self.plan)
-
-    def __call__(self, ask: str, right: float) -> Mapping[str, float]:
-        """The values that differ from the right one, by the mistakes' identifiers."""
-        return self.mistakes.of(ask, right)
 
 
 def solve_template(
@@ -227,13 +201,7 @@ def _solve_in(
         else pose_mechanism(assembly.mechanism, arithmetic)
     )
     circles = Centrodes(template, values, plan)
-    consequences = _Consequences(template, {ask.name: ask for ask in asks}, values, motion.plan)
-    answers = {
-        ask.name: replace(
-            _answer_ask(ask, assembly, motion, circles, arithmetic), consequences=consequences
-        )
-        for ask in asks
-    }
+    answers = {ask.name: _answer_ask(ask, assembly, motion, circles, arithmetic) for ask in asks}
     known = values if arithmetic.exact else find_certain_values(template, trees, values)
     parameters = {
         name: express_in_unit(name, number, template.parameters[name].unit)

@@ -17,6 +17,7 @@ from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.statement import list_statement_languages
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
+from kinegrade.students.consequences import attach_mistakes
 
 
 @dataclass(frozen=True, repr=False)
@@ -32,9 +33,9 @@ class Problem:
         """The solution at the given values, each a number or an exact text in the parameter's unit.
 
         What is not given takes its published value, or the first drawable one. A float counts as
-        the decimal that it prints as. Answers have `.value`, `.exact`, `.unit` and
-        `.decimal(digits)`. Raises TemplateError for unknown names and unreadable values,
-        MechanismError with the reason in mechanics.
+        the decimal that it prints as. Answers have `.value`, `.exact`, `.unit`, `.decimal(digits)`,
+        and `.mistakes` with what known mistakes lead to. Raises TemplateError for unknown names and
+        unreadable values, MechanismError with the reason in mechanics.
 
         >>> template("slider-crank").solve(phi=90, k="sqrt(3)")["omega_AB"].value
         0.0
@@ -42,7 +43,8 @@ class Problem:
         Traceback (most recent call last):
         kinegrade.errors.TemplateError: slider-crank: no parameter "psi": did you mean "phi"? ...
         """
-        return solve_template(self.template, {name: str(value) for name, value in values.items()})
+        given = {name: str(value) for name, value in values.items()}
+        return attach_mistakes(solve_template(self.template, given))
 
     def _repr_html_(self) -> str:
         language = self._language

@@ -30,6 +30,7 @@ from kinegrade.problem.template.template import Template
 from kinegrade.problem.tolerance import find_effective_tolerance
 from kinegrade.proof.checking import check
 from kinegrade.proof.reporting import write_findings
+from kinegrade.students.consequences import attach_mistakes
 from kinegrade.students.mistake_kinds import MISTAKES, find_candidates, take_degrees_as_radians
 from kinegrade.students.mistake_names import MISTAKE_NAMES, describe_mistakes
 from kinegrade.students.mistakes import (
@@ -65,7 +66,7 @@ TURNING = crank_text(  # a crank in millimetres that turns at an angle
 
 def turning(**values: str) -> Mapping[str, float]:
     given = {"r": "200", "h": "30", "omega": "120", **values}
-    return solve_template(read_template("crank", TURNING), given)["v_x"].mistakes
+    return attach_mistakes(solve_template(read_template("crank", TURNING), given))["v_x"].mistakes
 
 
 def test_every_mistake_has_a_plain_name_and_a_sentence() -> None:
@@ -209,8 +210,9 @@ def test_a_class_at_once_gives_what_each_instance_gives() -> None:
         several[0].solution.motion.plan,
     )
     for place, one in enumerate(several):
+        solution = attach_mistakes(one.solution)
         for ask in asks:
-            listed = one.solution[ask].mistakes
+            listed = solution[ask].mistakes
             assert listed == pytest.approx({name: table[ask][name][place] for name in listed})
 
 
@@ -236,7 +238,7 @@ def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None
     template = load_template(name)
     draws = draw_filter(template)
     inseparable = draws.separation.inseparable() if draws.separation else {}
-    for solution in (one.solution for one in drawn(draws, 8)):
+    for solution in (attach_mistakes(one.solution) for one in drawn(draws, 8)):
         for ask in template.asked():
             answer = solution[ask]
             allowed = find_effective_tolerance(
