@@ -20,12 +20,14 @@ if TYPE_CHECKING:
     from kinegrade.exam.roster.roster import Roster
     from kinegrade.lms.grades.dialect import ExportOptions
     from kinegrade.public.bank import Bank
+    from kinegrade.public.class_page import report
     from kinegrade.public.exporting import export
-    from kinegrade.public.generating import add_students, generate, open_exam
-    from kinegrade.public.marking import GradeOptions, grade, open_marks
+    from kinegrade.public.generating import add_students, generate
+    from kinegrade.public.marking import GradeOptions, grade
+    from kinegrade.public.opening import open_exam, open_marks
     from kinegrade.public.problem import template
     from kinegrade.public.quizzes import QuizOptions, quiz
-    from kinegrade.public.sheets import FeedbackOptions, feedback, report
+    from kinegrade.public.sheets import FeedbackOptions, feedback
 
 __version__ = "0.1.0"
 __all__ = [
@@ -63,10 +65,10 @@ _HOMES = {
     "feedback": "public.sheets",
     "generate": "public.generating",
     "grade": "public.marking",
-    "open_exam": "public.generating",
-    "open_marks": "public.marking",
+    "open_exam": "public.opening",
+    "open_marks": "public.opening",
     "quiz": "public.quizzes",
-    "report": "public.sheets",
+    "report": "public.class_page",
     "template": "public.problem",
 }
 

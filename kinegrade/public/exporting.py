@@ -17,7 +17,6 @@ from kinegrade.lms.grades.fill_in import fill_in
 from kinegrade.lms.grades.from_scratch import new_file
 from kinegrade.lms.grades.grades import ClassGrades, read_grades
 from kinegrade.lms.grades.systems import GRADE_FILES, SYSTEMS, WORKBOOK
-from kinegrade.lms.workbook import workbook
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.options import require_known, require_word
@@ -55,6 +54,8 @@ def export(
     if to == WORKBOOK:
         if options.into is not None:
             raise OptionError(Message("terminal.no-into"))
+        from kinegrade.lms.workbook import workbook
+
         write_file(place, workbook(marks), force=force)
         return Outcome(place)
     grades = read_grades(marks, exam)

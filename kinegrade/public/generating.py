@@ -1,4 +1,4 @@
-"""`kinegrade.generate` and `kinegrade.open_exam`: an exam folder, written and opened."""
+"""`kinegrade.generate` and `kinegrade.add_students`: an exam folder, written and added to."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from pathlib import Path
 from kinegrade.draws.deal import count_reasons
 from kinegrade.errors import OptionError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.exam_folder import open_exam as open_folder
 from kinegrade.exam.generating.adding import add_students as add_to_exam
 from kinegrade.exam.generating.generate import Generated as Written
 from kinegrade.exam.generating.generate import generate as write_exam
@@ -20,6 +19,7 @@ from kinegrade.exam.roster.roster import Roster
 from kinegrade.language.message import Message
 from kinegrade.public.bank import Bank
 from kinegrade.public.folders import expect_folders, expect_own_place
+from kinegrade.public.opening import open_exam
 from kinegrade.public.options import find_language, require_known
 from kinegrade.public.outcome import Outcome
 
@@ -92,20 +92,6 @@ def add_students(
     added = add_to_exam(Path(exam), bank.blueprint, roster, late, options)
     note = Message("terminal.of", where=str(exam), what=added.summary)
     return Generated(Path(exam), (note,), added.complaints)
-
-
-def open_exam(path: str | PathLike[str]) -> ExamFolder:
-    """The exam folder there. Raises ExamError with all faults of its head, TableError for a folder
-    of marks.
-
-    >>> open_exam("EXAM").questions
-    ('q1',)
-    >>> open_exam("MARKS")
-    Traceback (most recent call last):
-    kinegrade.errors.TableError: MARKS: you gave MARKS where EXAM is expected - ...
-    """
-    expect_folders((Path(path), "EXAM"))
-    return open_folder(Path(path))
 
 
 def _list_notes(written: Written, place: Path, options: GenerateOptions) -> Iterator[Message]:

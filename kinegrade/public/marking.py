@@ -1,4 +1,4 @@
-"""`kinegrade.grade` and `kinegrade.open_marks`: a marks folder, written and opened."""
+"""`kinegrade.grade`: a marks folder, written."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from kinegrade.lms.grades import moodle
 from kinegrade.lms.responses.answer_table import ReadingWishes
 from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.marks_folder.folder import open_marks as open_folder
 from kinegrade.marks_folder.layout import KEPT
-from kinegrade.public.folders import expect_folders, expect_own_place
+from kinegrade.public.folders import expect_own_place
+from kinegrade.public.opening import open_marks
 from kinegrade.public.options import require_known
 from kinegrade.public.outcome import Outcome
 
@@ -126,20 +126,6 @@ def grade(
     written = tuple(_list_written(grades, place, kept=options.never_lower is not None))
     complaints = tuple(complaint.fault for complaint in grades.complaints)
     return Graded(place, written, complaints, grades=grades, assumed=read.assumed)
-
-
-def open_marks(path: str | PathLike[str]) -> MarksFolder:
-    """The marks folder there. Raises TableError where its totals contradict its marks, and for
-    anything else.
-
-    >>> [student.total for student in open_marks("MARKS").totals.students]
-    [Fraction(2, 1), Fraction(0, 1)]
-    >>> open_marks("EXAM")
-    Traceback (most recent call last):
-    kinegrade.errors.TableError: EXAM: you gave EXAM where MARKS is expected - ...
-    """
-    expect_folders((Path(path), "MARKS"))
-    return open_folder(Path(path))
 
 
 def _choose_following(exam: ExamFolder) -> Follows:

@@ -1,4 +1,4 @@
-"""`kinegrade.feedback` and `kinegrade.report`: a sheet for every student, a page on the class."""
+"""`kinegrade.feedback`: a sheet for every student."""
 
 from __future__ import annotations
 
@@ -9,16 +9,12 @@ from typing import Literal, assert_never
 
 from kinegrade.exam.exam_wording import read_exam_wording
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.setting.kept_exam import KeptExam
-from kinegrade.files.output import write_file
 from kinegrade.language.message import Message
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.press.typst.feedback import print_feedback
 from kinegrade.processes.executor import open_executor
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.options import find_language, require_known
 from kinegrade.public.outcome import Outcome
-from kinegrade.reports.classes.page import class_report
 from kinegrade.reports.feedback.folder import FeedbackWishes, Press, Text, write_feedback
 
 FeedbackForm = Literal["pdf", "html", "md"]
@@ -55,9 +51,9 @@ def feedback(
     >>> exam, marks = kinegrade.open_exam("EXAM"), kinegrade.open_marks("MARKS")
     >>> feedback(exam, marks, "FEEDBACK", options=FeedbackOptions(form="md"))
     FEEDBACK: 2 sheets; FEEDBACK/feedback.csv says which is whose
-    >>> feedback(exam, marks, "FEEDBACK", language="fr")
+    >>> feedback(exam, marks, "FEEDBACK", language="xx")
     Traceback (most recent call last):
-    kinegrade.errors.OptionError: language: unknown: "fr" - known here: ...
+    kinegrade.errors.OptionError: language: unknown: "xx" - known here: ...
     """
     place = Path(output)
     expect_own_place(place)
@@ -65,6 +61,8 @@ def feedback(
     solutions = exam.head.solutions if options.solutions is None else options.solutions
     chosen = exam.language if language is None else find_language(language)
     if solutions:
+        from kinegrade.exam.setting.kept_exam import KeptExam
+
         KeptExam(exam).require_no_contradiction()
     wishes = FeedbackWishes(_choose_form(options.form), chosen, solutions, force)
     wording = read_exam_wording(exam, chosen)
@@ -76,38 +74,12 @@ def feedback(
     )
 
 
-def report(
-    exam: ExamFolder,
-    marks: MarksFolder,
-    output: str | PathLike[str],
-    *,
-    language: str | None = None,
-    force: bool = False,
-) -> Outcome:
-    """Write a page on the class: distribution, how hard each ask was, where points were lost; as
-    `kinegrade report` does, in the papers' language unless another one is wanted.
-
-    Raises KinegradeError.
-
-    >>> exam, marks = kinegrade.open_exam("EXAM"), kinegrade.open_marks("MARKS")
-    >>> report(exam, marks, "report.html").path.suffix
-    '.html'
-    >>> report(exam, marks, "report.html")
-    Traceback (most recent call last):
-    kinegrade.errors.OutputError: report.html: already exists - ...
-    """
-    place = Path(output)
-    expect_own_place(place)
-    chosen = exam.language if language is None else find_language(language)
-    page = class_report(marks, exam, read_exam_wording(exam, chosen), chosen)
-    write_file(place, page.encode("utf-8", "backslashreplace"), force=force)
-    return Outcome(place)
-
-
 def _choose_form(form: FeedbackForm) -> Text | Press:
     """What makes the sheets of a form."""
     match form:
         case "pdf":
+            from kinegrade.press.typst.feedback import print_feedback
+
             return print_feedback
         case "html" | "md":
             return form
