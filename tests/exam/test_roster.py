@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TableError
-from kinegrade.exam.roster.roster import Roster, Student, make_file_names, parse_roster, read_roster
+from kinegrade.exam.roster.roster import Roster, Student, make_file_names, parse_roster
 
 
 def roster(text: str) -> Roster:
@@ -36,7 +36,7 @@ def test_columns_stand_in_any_order_and_others_are_ignored(tmp_path: Path) -> No
     path.write_text(
         'Section;Name;Student\nA;"Müller; Jürgen";0012\nA;Ann   Lee;12\n', encoding="utf-8"
     )
-    assert [(each.student, each.name, each.email) for each in read_roster(path).students] == [
+    assert [(each.student, each.name, each.email) for each in Roster.read(path).students] == [
         ("0012", "Müller; Jürgen", ""),
         ("12", "Ann Lee", ""),
     ]
