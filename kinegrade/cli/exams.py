@@ -121,8 +121,9 @@ def generate(
             )
         )
     else:
+        exam = kinegrade.open_exam(output)
         newcomers = kinegrade.Roster.read(late, odd_ids=allow_odd_ids)
-        finish(kinegrade.add_students(output, asked, students, newcomers, options=wishes))
+        finish(kinegrade.add_students(exam, asked, students, newcomers, options=wishes))
 
 
 def _expect_no_other_wishes() -> None:

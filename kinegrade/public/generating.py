@@ -18,7 +18,7 @@ from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.language.message import Message
 from kinegrade.public.bank import Bank
-from kinegrade.public.folders import expect_folders, expect_own_place
+from kinegrade.public.folders import expect_own_place
 from kinegrade.public.opening import open_exam
 from kinegrade.public.options import find_language, require_known
 from kinegrade.public.outcome import Outcome
@@ -68,30 +68,32 @@ def generate(
 
 
 def add_students(
-    exam: str | PathLike[str],
+    exam: ExamFolder,
     bank: Bank,
     roster: Roster,
     late: Roster,
     *,
     options: GenerateOptions = _ORDINARY,
 ) -> Generated:
-    """Give late students papers of the exam folder at `exam`, which was generated from that bank
-    for the students of that roster, as `kinegrade generate --add` does.
+    """Give late students papers of an exam that was generated from that bank for the students of
+    that roster, as `kinegrade generate --add` does.
 
-    No other paper, solution or key changes. Of the options only `strict`, `jobs` and `progress`
+    No other paper, solution or key changes; the exam with the late students is in what is given
+    back. Of the options only `strict`, `jobs` and `progress`
     matter. Raises KinegradeError.
 
     >>> bank, roster = kinegrade.Bank.read("bank.toml"), kinegrade.Roster.read("roster.csv")
-    >>> add_students("EXAM", bank, roster, kinegrade.Roster.read("late.csv"))
+    >>> exam, late = kinegrade.open_exam("EXAM"), kinegrade.Roster.read("late.csv")
+    >>> add_students(exam, bank, roster, late)
     EXAM: 1 paper added, 2 stay as they are
-    >>> add_students("EXAM", bank, roster, kinegrade.Roster.read("late.csv"))
+    >>> add_students(exam, bank, roster, late)
     Traceback (most recent call last):
     kinegrade.errors.TableError: ...
     """
-    expect_folders((Path(exam), "EXAM"))
-    added = add_to_exam(Path(exam), bank.blueprint, roster, late, options)
-    note = Message("terminal.of", where=str(exam), what=added.summary)
-    return Generated(Path(exam), (note,), added.complaints)
+    require_known(options)
+    added = add_to_exam(exam.path, bank.blueprint, roster, late, options)
+    note = Message("terminal.of", where=str(exam.path), what=added.summary)
+    return Generated(exam.path, (note,), added.complaints)
 
 
 def _list_notes(written: Written, place: Path, options: GenerateOptions) -> Iterator[Message]:
