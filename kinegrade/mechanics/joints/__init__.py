@@ -20,7 +20,7 @@ from kinegrade.mechanics.joints.sleeve import Sleeve
 from kinegrade.mechanics.joints.slide import Slide
 from kinegrade.mechanics.shapes import Circle, Line
 
-Joint = Pin | Slide | Sleeve | Arc | Contact | Roll | Mesh | Parallel
+Joint = Pin | Slide | Arc | Contact | Roll | Mesh | Sleeve | Parallel
 JOINTS: tuple[type[Joint], ...] = get_args(Joint)
 
 __all__ = [
