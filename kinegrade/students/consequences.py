@@ -24,7 +24,8 @@ class _Consequences:
     @cached_property
     def mistakes(self) -> Mistakes:
         """The mistakes of this instance."""
-        from kinegrade.students.mistakes import Mistakes  # noqa: PLC0415  # arrays take long to load
+        # Arrays take long to load
+        from kinegrade.students.mistakes import Mistakes  # noqa: PLC0415
 
         solution = self.solution
         asks = {name: solution.template.asks[name] for name in solution.answers}
