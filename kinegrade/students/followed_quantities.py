@@ -57,18 +57,15 @@ def replace_differences(tree: Expression, bodies: Sequence[Body]) -> Expression:
         case Number() | Name():
             return tree
         case Operation(sign, left, right):
-            body = _find_common_body(tree, bodies)
-            if body:
-                return Call(_ROTATION, (left.arguments[0], right.arguments[0], Name(body)))  # type: ignore[union-attr]
-            return Operation(
+            return _find_rotation(tree, bodies) or Operation(
                 sign, replace_differences(left, bodies), replace_differences(right, bodies)
             )
         case _:
             assert_never(tree)
 
 
-def _find_common_body(tree: Operation, bodies: Sequence[Body]) -> str | None:
-    """The body of which a difference of two velocities is the rotation; None for anything else."""
+def _find_rotation(tree: Operation, bodies: Sequence[Body]) -> Call | None:
+    """The rotation of a body that a difference of two velocities is; None for anything else."""
     left, right = tree.left, tree.right
     if (
         tree.sign != "-"
@@ -79,7 +76,10 @@ def _find_common_body(tree: Operation, bodies: Sequence[Body]) -> str | None:
     points = {find_name(call.arguments[0]) for call in (left, right)}
     said = {find_name(call.arguments[1]) for call in (left, right) if len(call.arguments) > 1}
     fitting = (body.name for body in bodies if points <= set(body.points) and said <= {body.name})
-    return next(fitting, None) if len(points) == 2 else None
+    body = next(fitting, None)
+    if body is None or len(points) != 2:
+        return None
+    return Call(_ROTATION, (left.arguments[0], right.arguments[0], Name(body)))
 
 
 def find_calls(tree: Expression) -> Iterator[Call]:
