@@ -71,7 +71,7 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "signs for a product": {
-        "grading/typed/number_text.py": [
+        "grading/typed/keyboard.py": [
             "×·⋅•∙・✕✖",
         ],
     },

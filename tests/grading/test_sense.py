@@ -8,7 +8,8 @@ import pytest
 
 from kinegrade.exam.folder.earlier_signs import recognise_convention
 from kinegrade.grading.typed.answers import read
-from kinegrade.grading.typed.number_text import Unreadable, fold
+from kinegrade.grading.typed.keyboard import fold
+from kinegrade.grading.typed.number_text import Unreadable
 from kinegrade.grading.typed.sense import Sense, find_direction, split_sense
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue

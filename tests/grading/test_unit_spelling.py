@@ -10,8 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kinegrade.grading.typed.conversion import Conversion, WrongUnit, find_conversion
 from kinegrade.grading.typed.number_text import Unreadable
-from kinegrade.grading.typed.unit_spelling import Conversion, WrongUnit, find_conversion, read_unit
+from kinegrade.grading.typed.unit_spelling import read_unit
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 

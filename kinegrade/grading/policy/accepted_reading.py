@@ -19,8 +19,9 @@ from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import found, share
 from kinegrade.grading.policy.keys import ACCEPTED
 from kinegrade.grading.policy.policy import FULL_CREDIT, Accepted
+from kinegrade.grading.typed.conversion import Conversion, WrongUnit, find_conversion
 from kinegrade.grading.typed.number_text import Unreadable
-from kinegrade.grading.typed.unit_spelling import Conversion, WrongUnit, find_conversion, read_unit
+from kinegrade.grading.typed.unit_spelling import read_unit
 from kinegrade.language.lines import shorten
 from kinegrade.language.message import Message, Quoted, list_choices
 

@@ -13,7 +13,7 @@ from typing import Literal, assert_never
 
 from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.expressions.expression import Expression
-from kinegrade.grading.typed.unit_spelling import Conversion
+from kinegrade.grading.typed.conversion import Conversion
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.stated_marking import StatedTolerance
 

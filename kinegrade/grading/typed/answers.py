@@ -17,17 +17,10 @@ from functools import cache
 from typing import Literal, assert_never
 
 from kinegrade.grading.typed.amount import Amount, convert, make_rational_amount, work_out
-from kinegrade.grading.typed.number_text import (
-    BLANKS,
-    MOST_DIGITS,
-    DecimalStyle,
-    TypedNumber,
-    Unreadable,
-    fold,
-    show,
-)
+from kinegrade.grading.typed.conversion import Conversion, WrongUnit, find_conversion
+from kinegrade.grading.typed.keyboard import BLANKS, fold, show
+from kinegrade.grading.typed.number_text import MOST_DIGITS, DecimalStyle, TypedNumber, Unreadable
 from kinegrade.grading.typed.sense import find_direction, names_sense, split_sense
-from kinegrade.grading.typed.unit_spelling import Conversion, WrongUnit, find_conversion
 from kinegrade.grading.typed.value import Formula, scan_value
 from kinegrade.language.message import Message, Quoted, Text
 from kinegrade.language.spellings import match_spellings

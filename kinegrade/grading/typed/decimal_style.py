@@ -16,7 +16,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal, assert_never
 
-from kinegrade.grading.typed.number_text import DecimalStyle, MarkUse, fold, read_mantissa
+from kinegrade.grading.typed.keyboard import fold
+from kinegrade.grading.typed.number_text import DecimalStyle, MarkUse, read_mantissa
 from kinegrade.language.message import Message, Text
 
 Mark = Literal["comma", "point"]

@@ -1,9 +1,7 @@
-"""Decimal numbers as they are typed: normalising keyboard characters, grouping in threes, decimal
-point or comma, powers of ten.
+"""Decimal numbers as they are typed: grouping in threes, decimal point or comma, powers of ten.
 
-`fold` maps what English and Chinese keyboards produce to one alphabet; `scan` takes one number
-off the front of a folded text. Digits are kept exactly. A `DecimalStyle` decides what a single mark
-before three digits means.
+`scan` takes one number off the front of a text that `keyboard` has folded. Digits are kept exactly.
+A `DecimalStyle` decides what a single mark before three digits means.
 """
 
 from __future__ import annotations
@@ -13,37 +11,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
-from kinegrade.files.tables import INVISIBLE
+from kinegrade.grading.typed.keyboard import show
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Quoted, Text
 
 MOST_DIGITS = 40
 LARGEST_EXPONENT = 99
-BLANKS = "".join(chr(code) for code in range(0x3001) if chr(code).isspace()) + INVISIBLE
 
 MarkUse = Literal["decimal", "groups", "unknown"]
 
-_SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
-_RAISED = re.compile(rf"[⁺⁻]?[{_SUPERSCRIPTS}]+(?=([0-9])?)")
-_PLAIN = str.maketrans(f"{_SUPERSCRIPTS}⁺⁻", "0123456789+-")
-_SIGNS = {
-    # Full-width letters, digits and signs
-    **{code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)},
-    **{ord(sign): "." for sign in "。｡．"},  # what a Chinese keyboard gives for a full stop
-    **{
-        ord(sign): "-"
-        for sign in "\u2212\u2010\u2011\u2012\u2013\u2014\u2015\u2043\u02d7\ufe58\ufe63"
-    },
-    **{ord(sign): " " for sign in BLANKS},
-    **{ord(sign): None for sign in INVISIBLE},
-    **{ord(sign): "*" for sign in "×·⋅•∙・✕✖"},
-    **{ord(sign): "/" for sign in "÷\u2044\u2215"},
-    **{ord(sign): "'" for sign in "\u2019\u2018\u02bc"},
-    **{ord(sign): bracket for sign, bracket in zip("【】〔〕", "[]()", strict=True)},
-}
-# Separators made for grouping
-_SINGLE_GROUP_BLANKS = str.maketrans(dict.fromkeys("\u00a0\u2007\u2009\u202f", "\u2009"))
 _BODY = (
     r"(?:(?P<body>[0-9]+(?:[.,'\u2009][0-9]+|\ [0-9]{3}(?![0-9]))*)(?P<last>[.,](?![0-9√π(½-¾]))?"
     r"|(?P<decimals>[.,][0-9]+))"
@@ -161,24 +138,6 @@ class Mantissa:
         return not kinds or (len(kinds) == 1 and self._grouped(len(self.pieces)))
 
 
-def fold(text: str) -> str:
-    """The text in one alphabet: ASCII digits, signs and brackets; a superscript becomes ^2, a blank
-    " ".
-
-    Narrow and no-break blanks, which people type only to group digits, become U+2009.
-
-    >>> fold("−８．６６×１０⁻¹")
-    '-8.66*10^-1'
-    """
-    if text.isascii():
-        return text
-    marked = text.translate(_SINGLE_GROUP_BLANKS)
-    kept = "\u2009".join(part.translate(_SIGNS) for part in marked.split("\u2009"))
-    return _RAISED.sub(
-        lambda raised: f"^{raised[0].translate(_PLAIN)}{' ' if raised[1] else ''}", kept
-    )
-
-
 def read_mantissa(text: str, place: int = 0) -> Mantissa | None:
     """The run of digits that begins at `place` of a folded text; None where none begins there."""
     found = _RUN.match(text, place)
@@ -253,10 +212,3 @@ def _require_bounded(digits: str, power: str) -> None:
         raise Unreadable(Message("typing.many-digits", most=MOST_DIGITS))
     if len(power) > 6 or abs(int(power)) > LARGEST_EXPONENT:
         raise Unreadable(Message("typing.large-power", largest=LARGEST_EXPONENT))
-
-
-def show(text: str) -> str:
-    """On one line, with everything invisible written out."""
-    return "".join(
-        each if each.isprintable() else each.encode("unicode_escape").decode() for each in text
-    )

@@ -1,8 +1,6 @@
 """Units as people write them, and their values: m/s², m·s⁻², m s^-2, m/s/s, metres per second, rpm.
 
-`find_conversion` is called by `answers` for the text after a number. It compares dimensions before
-any numbers are compared, and converts exactly: a factor and a power of pi, because a turn is 2 pi
-radians.
+`conversion` reads the unit behind an answer with `read_unit`.
 """
 
 from __future__ import annotations
@@ -15,8 +13,8 @@ from fractions import Fraction
 from functools import cache, lru_cache
 from unicodedata import normalize
 
-from kinegrade.grading.typed.number_text import TypingFault, Unreadable, fold, show
-from kinegrade.language.message import Message, Part, Quoted
+from kinegrade.grading.typed.keyboard import fold
+from kinegrade.language.message import Message, Part
 from kinegrade.language.spellings import is_written_apart, list_spellings, match_spellings
 from kinegrade.numbers.units import FACTORS, HALF_TURNS
 
@@ -37,19 +35,15 @@ _WORDS = {
 _SYMBOLS = {"°": "deg", "%": "%", "dm": "dm"}
 _PER = Message("typing.per")
 _SQUARED, _SQUARE = Message("typing.squared"), Message("typing.square")  # behind a unit, before it
-_CYCLES = Message("typing.turns-per-second")
 _SHORT = {"rpm": "turn/min", "rps": "turn/s", "kph": "km/h", "kmh": "km/h", "r": "turn"}
-_PER_MINUTE = Counter({"min": -1})
 _RUN_TOGETHER = re.compile(r"\b((?:k|c|m)?m|rad)s(?=\^?\(?-?[0-9])")  # as in ms^-2
 # The ordinal sign and the ring, which are next to ° on many keyboards
 _DEGREE_SIGNS = str.maketrans("º˚", "°°")
-_TIMES = re.compile(r"^\*\s*(?=[^\W\d]|°)")
 _FACTOR = re.compile(
     r"([^\W\d_]+|°|%)(?:(?:\s*(?:\^|\*\*)\s*)?(?:([+-]?[0-9])|\(([+-]?[0-9])\)|\{([+-]?[0-9])\}))?"
 )
 _LINK = re.compile(r"\s*(\*|/|\.|)\s*")
 _SHARE = re.compile(r"1\s*(?=/)|(?=/)")
-_PURE = ("", "1")  # as a unit: none
 # By the exponents of length, time and angle
 _KINDS = {
     (0, 0, 0): Message("typing.kind-number"),
@@ -63,10 +57,7 @@ _KINDS = {
     (0, -1, 0): Message("typing.kind-rate"),
     (0, -2, 0): Message("typing.kind-rate-of-rate"),
 }
-
-
-class WrongUnit(TypingFault):
-    """A well-written unit that measures something other than what is asked."""
+_PER_MINUTE = Counter({"min": -1})
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,82 +77,6 @@ class WrittenUnit:
         return _KINDS.get(dimension, f"m^{self.length} s^{self.time} rad^{self.angle}")
 
 
-@dataclass(frozen=True, slots=True)
-class Conversion:
-    """A typed number times factor * pi**pi is the number in the ask's unit."""
-
-    factor: Fraction = Fraction(1)
-    pi: int = 0
-
-
-_SAME = Conversion()
-
-
-@lru_cache(maxsize=4096)
-def find_conversion(typed: str, unit: str) -> Conversion:
-    """How a number typed with the unit `typed` becomes one in `unit`; no unit means the ask's.
-
-    Radians may be left out (1/s for rad/s), never added. Raises WrongUnit for another dimension, Hz
-    included, and Unreadable for an unknown unit.
-
-    >>> find_conversion("r/min", "rad/s"), find_conversion("cm/s²", "m/s^2").factor
-    (Conversion(factor=Fraction(1, 30), pi=1), Fraction(1, 100))
-    """
-    written = _drop_brackets(typed)
-    if written in ("", unit) or (unit in _PURE and written == "1"):
-        return _SAME
-    wanted = read_unit(unit) if unit not in _PURE else WrittenUnit(Fraction(1), 0, 0, 0, 0)
-    _refuse_turns_per_time(written, unit, wanted)
-    found = read_unit(written)
-    if found is None or wanted is None:
-        raise Unreadable(_describe_unknown(Quoted(show(typed.strip())), unit))
-    lengths_and_times = (found.length, found.time) == (wanted.length, wanted.time)
-    radians_left_out = found.angle == 0 and wanted.angle == 1 and wanted.time < 0 and wanted.pi == 0
-    if not lengths_and_times or not (found.angle == wanted.angle or radians_left_out):
-        raise WrongUnit(_describe_other_kind(Quoted(show(written)), found.kind, wanted.kind, unit))
-    return Conversion(found.factor / wanted.factor, found.pi - wanted.pi)
-
-
-def _describe_unknown(typed: Quoted, unit: str) -> Message:
-    if unit in _PURE:
-        return Message("typing.no-unit-wanted", typed=typed)
-    return Message("typing.unknown-unit", typed=typed, unit=Quoted(unit))
-
-
-def _describe_other_kind(typed: Quoted, found: Part, wanted: Part, unit: str) -> Message:
-    if unit in _PURE:
-        return Message("typing.not-pure", typed=typed, found=found, wanted=wanted)
-    return Message("typing.other-kind", typed=typed, found=found, wanted=wanted, unit=Quoted(unit))
-
-
-def _refuse_turns_per_time(written: str, unit: str, wanted: WrittenUnit | None) -> None:
-    typed = Quoted(show(written))
-    if _compile_turn_counts().fullmatch(written):
-        raise WrongUnit(_describe_turns(typed, unit, wanted))
-    if wanted is not None and wanted.angle and _read_powers(_fold(written)) == _PER_MINUTE:
-        raise Unreadable(Message("typing.per-minute", typed=typed))
-
-
-@cache
-def _compile_turn_counts() -> re.Pattern[str]:
-    return re.compile(rf"[kM]?Hz|{match_spellings(_CYCLES)}", re.IGNORECASE)
-
-
-def _describe_turns(typed: Quoted, unit: str, wanted: WrittenUnit | None) -> Message:
-    if wanted is None:
-        return Message("typing.turns-for-unit", typed=typed, unit=Quoted(unit))
-    if unit in _PURE:
-        return Message("typing.turns-for-number", typed=typed, wanted=wanted.kind)
-    return Message("typing.turns-for-kind", typed=typed, wanted=wanted.kind, unit=Quoted(unit))
-
-
-def _drop_brackets(typed: str) -> str:
-    written = _TIMES.sub("", typed.strip())
-    if written[:1] + written[-1:] in ("()", "[]", "\uff08\uff09", "【】", "{}"):
-        return written[1:-1].strip()
-    return written
-
-
 @lru_cache(maxsize=4096)
 def read_unit(text: str) -> WrittenUnit | None:
     """The value of a unit, None where the text is not written as one.
@@ -177,6 +92,11 @@ def read_unit(text: str) -> WrittenUnit | None:
         for part, exponent in (_read_powers(_SHORT[name]) or {}).items():
             powers[part] += power * exponent
     return _find_worth(powers)
+
+
+def is_per_minute(text: str) -> bool:
+    """Whether a text is a count per minute, without what is counted."""
+    return _read_powers(_fold(text)) == _PER_MINUTE
 
 
 def _fold(text: str) -> str:

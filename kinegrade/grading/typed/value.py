@@ -15,7 +15,6 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
 from unicodedata import numeric
 
 from kinegrade.expressions.expression import (
@@ -29,47 +28,20 @@ from kinegrade.expressions.expression import (
     Operation,
     read_rational,
 )
+from kinegrade.grading.typed import formula_signs as signs
+from kinegrade.grading.typed.keyboard import show
 from kinegrade.grading.typed.number_text import (
     LARGEST_EXPONENT,
     DecimalStyle,
     TypedNumber,
     Unreadable,
     scan,
-    show,
 )
 from kinegrade.language.message import Message, Quoted, Text
-from kinegrade.language.spellings import match_spellings
 
 _MOST_ROOTS = 8
 _MOST_BRACKETS = 8
 _MOST_ATOMS = 24
-_VULGAR = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
-_ROOT_WORDS = Message("typing.root")
-_MIXED = re.compile(rf"\s?[{_VULGAR}]")
-_PI = re.compile(r"[πΠ𝜋]|pi(?![a-z])", re.IGNORECASE)
-_POWER = re.compile(
-    r"\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]{1,3})\s*\)|([+-]?[0-9]{1,3})(?![0-9.,/]))"
-)
-_HALF = re.compile(r"\s*(?:\^|\*\*)\s*(?:\(\s*1/2\s*\)|\(\s*0?[.,]5\s*\)|0?[.,]5(?![0-9.,]))")
-_OPERATOR = re.compile(r"\s*([-+*/])(?!\*)")
-
-
-@dataclass(frozen=True)
-class _Beginnings:
-    """What begins a value, a factor without a multiplication sign, and a root."""
-
-    value: re.Pattern[str]
-    factor: re.Pattern[str]
-    root: re.Pattern[str]
-
-
-@cache
-def _compile_beginnings() -> _Beginnings:
-    root = f"√|sqrt|{match_spellings(_ROOT_WORDS)}"
-    factor = rf"[(πΠ𝜋]|{root}|pi(?![a-z])"
-    value = rf"[0-9{_VULGAR}]|[.,][0-9]|{factor}"
-    patterns = rf"\s*(?:{value})", rf"\s*(?:{factor})", rf"(?:{root})\s*"
-    return _Beginnings(*(re.compile(pattern, re.IGNORECASE) for pattern in patterns))
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,24 +61,13 @@ def scan_value(text: str, place: int, style: DecimalStyle) -> TypedNumber | Form
     Raises Unreadable for what cannot be one value.
     """
     plain = scan(text, place, style)
-    if plain is not None and not _is_continued(text, plain.end):
+    if plain is not None and not signs.is_continued(text, plain.end):
         return plain
-    if plain is None and not _compile_beginnings().value.match(text, place):
+    if plain is None and not signs.compile_beginnings().value.match(text, place):
         return None
     reader = _Reader(text, place, style)
     tree = reader.sum(0)
     return Formula(tree, reader.place, reader.roots, reader.pi, reader.remark)
-
-
-def _is_continued(text: str, place: int) -> bool:
-    """Whether a number continues as a formula: an operator before a value, a power, or a root or pi
-    directly after it.
-    """
-    operator = _OPERATOR.match(text, place)
-    if operator and _compile_beginnings().value.match(text, operator.end()):
-        return True
-    signs = _POWER, _HALF, _MIXED, _compile_beginnings().factor
-    return any(sign.match(text, place) for sign in signs)
 
 
 class _Reader:
@@ -155,7 +116,7 @@ class _Reader:
         """A factor written without a multiplication sign; a bracket that holds a unit is not
         one.
         """
-        if not _compile_beginnings().factor.match(self.text, self.place):
+        if not signs.compile_beginnings().factor.match(self.text, self.place):
             return None
         state = self.place, self.roots, self.surds, self.remark
         try:
@@ -167,8 +128,8 @@ class _Reader:
             return None
 
     def _operator(self, *marks: Mark) -> Mark | None:
-        found = _OPERATOR.match(self.text, self.place)
-        if found is None or not _compile_beginnings().value.match(self.text, found.end()):
+        found = signs.OPERATOR.match(self.text, self.place)
+        if found is None or not signs.compile_beginnings().value.match(self.text, found.end()):
             return None
         mark = next((mark for mark in marks if mark == found[1]), None)
         self.place = self.place if mark is None else found.end()
@@ -176,10 +137,10 @@ class _Reader:
 
     def power(self, depth: int) -> Expression:
         base = self.atom(depth)
-        if found := _HALF.match(self.text, self.place):
+        if found := signs.HALF.match(self.text, self.place):
             self.place = found.end()
             return self._root_of(base)
-        if found := _POWER.match(self.text, self.place):
+        if found := signs.POWER.match(self.text, self.place):
             self.place = found.end()
             return _raise(base, int(found[1] or found[2]))
         return base
@@ -189,10 +150,10 @@ class _Reader:
         if self.atoms > _MOST_ATOMS:
             raise Unreadable(Message("typing.many-parts", most=_MOST_ATOMS))
         self.skip()
-        if found := _compile_beginnings().root.match(self.text, self.place):
+        if found := signs.compile_beginnings().root.match(self.text, self.place):
             self.place = found.end()
             return self._radical(depth)
-        if found := _PI.match(self.text, self.place):
+        if found := signs.PI.match(self.text, self.place):
             self.place, self.surds, self.pi = found.end(), True, True
             return Name("pi")
         if self.text.startswith("(", self.place):
@@ -207,7 +168,7 @@ class _Reader:
         tree = self._root_of(self._bracket(depth) if bracket else self.number(power_of_ten=False))
         if (
             not bracket
-            and (after := _compile_beginnings().factor.match(self.text, self.place))
+            and (after := signs.compile_beginnings().factor.match(self.text, self.place))
             and after[0].strip() in "(πΠ𝜋"
         ):
             self._require_plain_order(
@@ -261,7 +222,7 @@ class _Reader:
         return Message("typing.read-as", typed=typed, digits=found.digits, reason=found.reason)
 
     def _vulgar(self) -> Expression | None:
-        found = _MIXED.match(self.text, self.place)
+        found = signs.MIXED.match(self.text, self.place)
         if found is None:
             return None
         self.place = found.end()
