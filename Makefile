@@ -2,6 +2,8 @@
 # make test   the tools that tests need (make tools), lint, types, tests
 # make demo-answers   after a change of templates or banks/demo.toml: what the demonstration class types
 # make fairness   students who work rightly, or make each known mistake, on 1,000 papers of every template (20 minutes)
+# make docs   this program's pages for people, as a site in build/docs
+# make picture   the page that README shows, printed again (poppler)
 # make measure   how large and how dense the code is, beside what its rebuilding aims at
 # make prove   every proof in full, at new seeds (less than an hour on two cores)
 # make catalogue LANGUAGE=de   the words of a language brought up to the English ones, or begun
@@ -14,7 +16,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo demo-answers test lint types bench measure fairness prove catalogue golden check-templates tools clean
+.PHONY: docs picture demo demo-answers test lint types bench measure fairness prove catalogue golden check-templates tools clean
 
 $(READY): pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -57,6 +59,18 @@ fairness: $(READY)
 
 prove: $(READY)
 	$(BIN)/python -m tests.prove
+
+docs: $(READY)
+	$(BIN)/python -m pip install --quiet --group docs
+	$(BIN)/sphinx-build --quiet --fail-on-warning --keep-going docs build/docs
+	@echo "docs: build/docs/index.html"
+
+picture: $(READY)
+	rm -rf build/picture
+	mkdir -p build/picture
+	printf 'student,name\n0012,Ada Byron\n' > build/picture/roster.csv
+	$(BIN)/kinegrade generate demo build/picture/roster.csv -o build/picture/EXAM --reproducible picture --no-solutions
+	pdftoppm -singlefile -r 80 -gray -png build/picture/EXAM/papers.pdf docs/pictures/paper
 
 catalogue: $(READY)
 	$(BIN)/python -m tests.language.update $(LANGUAGE)

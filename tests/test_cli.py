@@ -10,7 +10,6 @@ import re
 import shlex
 import subprocess
 import sys
-from collections.abc import Iterator
 from math import radians, sin
 from pathlib import Path
 
@@ -38,15 +37,6 @@ def parses(line: str) -> bool:
     except click.UsageError as error:
         raise ValueError(f"{line}: {error.message}") from error
     return True
-
-
-def shell_lines(text: str) -> Iterator[str]:
-    """The lines of fenced blocks that call kinegrade."""
-    for block in re.findall(r"^```.*?\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
-        for line in block.replace("\\\n", " ").splitlines():
-            called = re.match(r"\s*(?:\$ )?(?:\S*/)?kinegrade(?:\s|$)", line)
-            if called:
-                yield line
 
 
 def sine(degrees: float) -> float:
@@ -85,19 +75,6 @@ def test_every_command_has_help_with_an_example_that_parses(name: str) -> None:
 def test_an_example_that_does_not_parse_would_be_noticed(line: str) -> None:
     with pytest.raises(ValueError, match=line):
         parses(line)
-
-
-@pytest.mark.parametrize("file", ["README.md", "CONTRIBUTING.md"])
-def test_the_documents_show_commands_that_exist(file: str) -> None:
-    lines = (
-        list(shell_lines((ROOT / file).read_text(encoding="utf-8")))
-        if (ROOT / file).exists()
-        else []
-    )
-    assert all(map(parses, lines))
-    if file == "README.md":
-        shown = {shlex.split(line, comments=True)[1] for line in lines if len(line.split()) > 1}
-        assert set(main.commands) <= shown
 
 
 def test_help_imports_nothing_heavy() -> None:

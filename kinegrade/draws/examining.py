@@ -30,12 +30,19 @@ SMALLEST, LARGEST = (
     1e5,
 )  # sizes of answers, in the ask's unit, that a student can be asked to write
 Reason = Literal[
+    #: The template's own conditions do not hold.
     "condition",
+    #: The mechanism cannot be assembled, or is at a dead point.
     "mechanism",
+    #: An answer is zero that should not be.
     "degenerate",
+    #: An answer is too large or too small to be asked for.
     "absurd",
+    #: Honest rounding could leave the tolerance.
     "rounding",
+    #: A known mistake leads to a right answer.
     "mistake",
+    #: The right answer is not right with the decimals that the LMS keeps.
     "decimals",
 ]
 

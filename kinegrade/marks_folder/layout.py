@@ -34,7 +34,7 @@ class AnswerCells(NamedTuple):
     ask: Sequence[str]
     #: What was typed, unchanged.
     response: Sequence[str]
-    #: The number that was read, in the unit typed.
+    #: The number that was read, in the unit of the ask.
     read_as: Sequence[str]
     #: The unit of the ask.
     unit: Sequence[str]

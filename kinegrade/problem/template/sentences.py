@@ -4,7 +4,7 @@
     B of AB slides on line(O, 0)
     A of AB slides on line(O, A) of OC
     AB slides through sleeve along line(O, A)
-    M stays on circle(O1, R) of ring1
+    M of AB stays on circle(O1, R) of ring1
     circle(C, R) of cam touches line(A, 0) of BC
     circle(A, r2) of II rolls on circle(O, r1) inside
     circle(A, r1) of I meshes with circle(B, r2) of II on arm

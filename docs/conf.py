@@ -1,0 +1,25 @@
+"""How Sphinx builds the site: `make docs`. The reference is written anew before each build."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+_DOCS = Path(__file__).parent
+os.environ["LC_ALL"] = "C"  # the words of the program are English here, whatever the terminal's are
+sys.path.insert(0, str(_DOCS.parent))
+
+from docs.generator.pages import write_reference  # noqa: E402
+from kinegrade import __version__  # noqa: E402
+
+write_reference(_DOCS / "reference")
+
+project = "kinegrade"
+version = release = __version__
+extensions = ["myst_parser"]
+html_theme = "furo"
+html_title = f"kinegrade {__version__}"
+html_show_copyright = False
+myst_heading_anchors = 3  # links may name a heading
+nitpicky = True

@@ -1,0 +1,138 @@
+"""The pages about the files of an instructor: banks and policies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from docs.generator.described import read_words
+from docs.generator.markdown import write_code, write_page, write_table, write_words
+from kinegrade.exam.bank.bank import read_bank
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.language import ENGLISH
+from kinegrade.press.protocol import ENGINES
+from kinegrade.problem.template.library.library import find_shipped, list_names
+
+_BANK = "kinegrade.exam.bank.keys"
+_POLICY = "kinegrade.grading.policy.keys"
+_STATED = "kinegrade.stated_marking"
+_BANK_EXAMPLE = """```toml
+title = { en = "Kinematics midterm", zh = "运动学期中测验" }
+course = "Theoretical mechanics"
+tolerance = { relative = "1 %" }
+shuffle = true
+credit = { follow-through = "1/2" }
+
+[[questions]]
+template = "slider-crank"
+asks = { v_B = 3, omega_AB = 2 }
+draw = { k = ["sqrt(3)", "2"] }
+tolerance = { relative = "2 %" }
+
+[[questions]]
+family = "rolling"
+number = 2
+without = ["rolling-wheel-rim-points"]
+asks = "velocity"
+points = 10
+```"""
+_POLICY_EXAMPLE = """```toml
+attempts = "best"
+tolerance = { relative = "2 %" }
+credit = { follow-through = "1/2", wrong-unit = "50 %", mistakes = { sense-reversed = 0.5 } }
+
+[questions.q1]
+void = "drop"
+
+[questions.q2.asks.v_B]
+tolerance = { figures = 2 }
+points = 3
+accept = [
+  { value = "2*sqrt(3)", unit = "m/s" },
+  { value = "-v_B", student = ["007", "0012"] },
+]
+```"""
+
+
+def write_bank_page() -> str:
+    """What may be written in a bank, and the banks that are shipped."""
+    return write_page(
+        "# Banks",
+        "A bank is a TOML file: the blueprint of an exam. Where `generate` takes BANK, the name of "
+        "a shipped bank will do.",
+        _BANK_EXAMPLE,
+        write_words("key", read_words(_BANK, "BANK")),
+        f"Engines: {', '.join(map(write_code, ENGINES))}. Translations of `title` and `course` may "
+        "also stand in a file beside the bank: `midterm.zh.toml` beside `midterm.toml`.",
+        "## Questions",
+        "An entry `[[questions]]` names a template:",
+        write_words("key", read_words(_BANK, "NAMED")),
+        "or a family or a tag to draw from:",
+        write_words(
+            "key",
+            {
+                **read_words(_BANK, "FAMILY"),
+                **read_words(_BANK, "TAG"),
+                **read_words(_BANK, "DRAWN"),
+            },
+        ),
+        "In `asks`, an ask is followed by its points, or by a table:",
+        write_words("key", read_words(_BANK, "ASK")),
+        *_stated(),
+        "## Shipped banks",
+        _write_shipped_banks(),
+    )
+
+
+def write_policy_page() -> str:
+    """What may be written in a policy."""
+    return write_page(
+        "# Policies",
+        "A policy is a TOML file that `kinegrade grade --policy` marks by, in place of what the "
+        "papers say. A setting nearer to the ask overrides one further out, number by number; the "
+        "bank's own `credit` is furthest out. Of everything that applies to an answer, the best "
+        "credit counts.",
+        _POLICY_EXAMPLE,
+        write_words("key", read_words(_POLICY, "POLICY")),
+        "## Questions",
+        "In a table `[questions.q1]`:",
+        write_words("key", read_words(_POLICY, "QUESTION")),
+        "## Asks",
+        "In a table `[questions.q1.asks.v_B]`:",
+        write_words("key", read_words(_POLICY, "ASK")),
+        "## Accepted answers",
+        "In each entry of `accept`:",
+        write_words("key", read_words(_POLICY, "ACCEPTED")),
+        *_stated(),
+    )
+
+
+def _stated() -> Iterator[str]:
+    """Tolerances and credit, which banks and policies state alike."""
+    yield "## Tolerance"
+    yield "The bounds are included. Where several are stated, the one that allows most holds."
+    yield write_words("key", read_words(_STATED, "TOLERANCE"))
+    yield "## Credit"
+    yield 'Each is a share of the points: `"1/2"`, `"50 %"` or `0.5`.'
+    yield write_words("key", read_words(_STATED, "CREDIT"))
+    yield "The identifiers of mistakes are listed under [Known mistakes](mistakes.md)."
+
+
+def _write_shipped_banks() -> str:
+    folder = find_shipped("banks")
+    banks = {name: read_bank(folder / f"{name}.toml", "sample") for name in list_names(folder)}
+    return write_table(
+        ("bank", "title", "questions", "points"),
+        [
+            (
+                write_code(name),
+                bank.title.in_language(ENGLISH),
+                str(len(bank.questions)),
+                str(_count_points(bank)),
+            )
+            for name, bank in banks.items()
+        ],
+    )
+
+
+def _count_points(bank: Bank) -> object:
+    return sum(ask.points for question in bank.questions for ask in question.asks)

@@ -1,0 +1,137 @@
+"""The pages that people read, as a test reads them: files to write, commands to run, what they show.
+
+    ```{code-block} csv            a file, of the name that its caption gives
+    :caption: roster.csv
+    ```sh                          commands that end with status 0
+    ```console                     commands after "$ ", and below each the whole of what it shows;
+                                   a line "..." stands for any lines
+
+A comment `<!-- continues PAGE -->` says whose files a page goes on with. Commands that install
+kinegrade are run by `tests/test_installing.py`.
+"""
+
+from __future__ import annotations
+
+import re
+import shlex
+import subprocess
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from tests.small_class import kinegrade
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+INSTALLING = ("pip install ", "make ")
+_BLOCK = re.compile(r"^(?P<fence>```+) *(?P<kind>\S*).*?\n(?P<text>.*?)^(?P=fence) *$", re.M | re.S)
+_CAPTION = re.compile(r":caption: (?P<name>\S+)\n\n?")
+_CONTINUES = re.compile(r"<!-- continues (?P<page>\S+) -->")
+_SPARED = "..."
+
+
+@dataclass(frozen=True)
+class File:
+    """A file that the reader writes."""
+
+    name: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Command:
+    """A command that the reader runs, and the lines that it is said to show; None where the page
+    does not say.
+    """
+
+    line: str
+    shown: tuple[str, ...] | None = None
+
+
+Step = File | Command
+
+
+def list_pages() -> list[Path]:
+    """README, CONTRIBUTING and the pages of the site that are written by hand."""
+    written = (page for page in DOCS.rglob("*.md") if page.parent != DOCS / "reference")
+    return [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(written)]
+
+
+def read_steps(page: Path) -> list[Step]:
+    """What the reader of a page does, in order."""
+    return list(parse_steps(page.read_text(encoding="utf-8")))
+
+
+def parse_steps(text: str) -> Iterator[Step]:
+    """What the reader of a text does, in order."""
+    for block in _BLOCK.finditer(text):
+        match block["kind"]:
+            case "{code-block}":
+                caption = _CAPTION.match(block["text"])
+                if caption:
+                    yield File(caption["name"], block["text"][caption.end() :])
+            case "sh":
+                for line in block["text"].replace("\\\n", " ").splitlines():
+                    if line.strip() and not line.startswith("#"):
+                        yield Command(line)
+            case "console":
+                yield from _parse_session(block["text"])
+
+
+def _parse_session(text: str) -> Iterator[Command]:
+    _, *parts = re.split(r"^\$ ", text, flags=re.MULTILINE)
+    for part in parts:
+        line, *shown = part.splitlines()
+        yield Command(line, tuple(shown))
+
+
+def find_earlier(page: Path) -> Path | None:
+    """The page whose files a page goes on with."""
+    found = _CONTINUES.search(page.read_text(encoding="utf-8"))
+    return page.parent / found["page"] if found else None
+
+
+def take(step: Step, folder: Path) -> str:
+    """Do what a step says in a folder, which has to be the current one; what is wrong, or nothing."""
+    match step:
+        case File(name, text):
+            (folder / name).write_text(text, encoding="utf-8")
+            return ""
+        case Command(line) if line.startswith(INSTALLING):
+            return ""
+        case Command(line, shown):
+            status, output = run(line, folder)
+            return _find_fault(line, shown, status, output)
+
+
+def run(line: str, folder: Path) -> tuple[int, list[str]]:
+    """The status of a command, and the lines that it shows."""
+    name, *arguments = shlex.split(line, comments=True)
+    if name == "kinegrade":
+        result = kinegrade(*arguments)
+        return result.exit_code, result.output.splitlines()
+    ran = subprocess.run(
+        line, shell=True, cwd=folder, capture_output=True, text=True, encoding="utf-8", check=False
+    )
+    return ran.returncode, (ran.stdout + ran.stderr).splitlines()
+
+
+def _find_fault(line: str, shown: tuple[str, ...] | None, status: int, output: list[str]) -> str:
+    """What differs from what the page says. A command may end with complaints if they are shown."""
+    complained = any("complaint: " in each for each in shown or ())
+    if status != int(complained):
+        return f"{line}: status {status}: {output}"
+    if shown is not None and not fits(list(shown), output):
+        return "\n".join((f"{line}: shows", *output))
+    return ""
+
+
+def fits(shown: list[str], output: list[str]) -> bool:
+    """Whether lines are those shown; "..." stands for any."""
+    if _SPARED not in shown:
+        return shown == output
+    place = shown.index(_SPARED)
+    if shown[:place] != output[:place]:
+        return False
+    rest = shown[place + 1 :]
+    return any(fits(rest, output[start:]) for start in range(place, len(output) + 1))

@@ -1,0 +1,48 @@
+"""Links and pictures of the pages lead somewhere, without the site being built."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from docs.generator.pages import PAGES
+from tests.docs.pages import DOCS, list_pages
+
+LINK = re.compile(r"\]\((?P<target>[^)#:\s]+)(?:#[\w-]*)?\)")
+TREE = re.compile(r"^```\{toctree\}\n(.*?)^```", re.MULTILINE | re.DOTALL)
+GENERATED = {DOCS / "reference" / f"{name}.md" for name in PAGES}
+
+
+def targets(page: Path) -> Iterator[Path]:
+    text = page.read_text(encoding="utf-8")
+    for link in LINK.finditer(text):
+        yield (page.parent / link["target"]).resolve()
+
+
+def children(page: Path) -> Iterator[Path]:
+    for tree in TREE.findall(page.read_text(encoding="utf-8")):
+        for line in tree.splitlines():
+            if line and not line.startswith(":"):
+                yield (page.parent / f"{line}.md").resolve()
+
+
+@pytest.mark.parametrize("page", [pytest.param(page, id=page.stem) for page in list_pages()])
+def test_every_link_of_a_page_leads_to_a_file(page: Path) -> None:
+    missing = [
+        target for target in targets(page) if not target.exists() and target not in GENERATED
+    ]
+    assert missing == []
+
+
+def test_every_page_is_reached_from_the_first_one() -> None:
+    reached, todo = set(), [DOCS / "index.md", DOCS / "reference" / "index.md"]
+    while todo:
+        page = todo.pop()
+        reached.add(page)
+        if page not in GENERATED:
+            todo += children(page)
+    written = {page for page in list_pages() if page.is_relative_to(DOCS)}
+    assert reached == written | GENERATED | {DOCS / "reference" / "index.md"}

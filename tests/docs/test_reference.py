@@ -1,0 +1,121 @@
+"""The reference says what the readers read: every word of their tables, and examples that they
+accept.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from docs.generator.banks import write_bank_page, write_policy_page
+from docs.generator.commands import write_commands
+from docs.generator.described import read_constants, read_words
+from docs.generator.folders import write_folder_page
+from docs.generator.pages import PAGES, write_reference
+from docs.generator.templates import list_sentences, write_expression_page, write_template_page
+from kinegrade.cli import main
+from kinegrade.errors import FieldError
+from kinegrade.exam.bank import keys as bank_keys
+from kinegrade.exam.bank.bank import read_bank
+from kinegrade.exam.folder.contents import CONTENTS
+from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.expressions.expression import read_expression
+from kinegrade.grading.policy import keys as policy_keys
+from kinegrade.grading.policy.reading import read_policy
+from kinegrade.marks_folder.layout import FILES
+from kinegrade.problem.template.meaning.signatures import QUANTITIES
+from kinegrade.problem.template.sections import keys as template_keys
+from kinegrade.problem.template.sentences import read_driver, read_joint
+from tests.small_class import generate, write_class
+
+TABLES = [
+    ("kinegrade.problem.template.sections.keys", template_keys, "NEEDED OPTIONAL SHARING"),
+    ("kinegrade.problem.template.sections.keys", template_keys, "PARAMETER INPUT ASK PUBLISHED"),
+    ("kinegrade.problem.template.sections.keys", template_keys, "FIGURE LENGTH ANGLE RADIUS"),
+    ("kinegrade.problem.template.sections.keys", template_keys, "CIRCLE MOVING TURNING"),
+    ("kinegrade.exam.bank.keys", bank_keys, "BANK NAMED FAMILY TAG DRAWN ASK"),
+    ("kinegrade.grading.policy.keys", policy_keys, "POLICY QUESTION ASK ACCEPTED"),
+]
+
+
+@pytest.mark.parametrize(
+    ("module", "table", "name"),
+    [(module, table, name) for module, table, names in TABLES for name in names.split()],
+)
+def test_every_key_that_is_read_is_described(module: str, table: object, name: str) -> None:
+    described = read_words(module, name)
+    assert tuple(described) == getattr(table, name)
+    assert all(meaning.endswith(".") for meaning in described.values())
+
+
+def test_a_word_without_a_description_is_noticed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "bare_table.py").write_text(
+        'KEYS = (\n    #: What it is.\n    "title",\n    "course",\n)\n', encoding="utf-8"
+    )
+    monkeypatch.syspath_prepend(tmp_path)
+    with pytest.raises(KeyError):
+        read_words("bare_table", "KEYS")
+    assert read_constants("bare_table") == {}
+
+
+def test_the_reference_is_written_whole(tmp_path: Path) -> None:
+    write_reference(tmp_path)
+    assert {page.stem for page in tmp_path.glob("*.md")} == set(PAGES)
+    for page in tmp_path.glob("*.md"):
+        text = page.read_text(encoding="utf-8")
+        assert text.startswith("# ")
+        rows = [line for line in text.splitlines() if line.startswith("| ")]
+        assert all(re.search(r"(?<!\\)\| (?! *\|)", row) for row in rows)
+
+
+def test_the_commands_are_all_there_with_their_options() -> None:
+    page = write_commands()
+    for name, command in main.commands.items():
+        (section,) = re.findall(rf"^## {name}\n(.*?)(?=^## |\Z)", page, re.MULTILINE | re.DOTALL)
+        options = {name for each in command.params for name in each.opts if name.startswith("-")}
+        assert {name for name in options if name not in section} == set()
+
+
+def test_the_functions_and_sentences_are_all_there_and_are_read() -> None:
+    page = write_expression_page()
+    assert [name for name in QUANTITIES if f"`{name}(" not in page] == []
+    assert list_sentences()
+    for sentence in list_sentences():
+        assert sentence in write_template_page()
+        plain = re.sub(r"[\[\]]", "", sentence)
+        try:
+            read_joint(plain)
+        except FieldError:
+            read_driver(plain, read_expression("v"), read_expression("a"))
+
+
+def test_the_files_of_exams_and_marks_are_all_there() -> None:
+    page = write_folder_page()
+    translations = {name for name in CONTENTS if re.fullmatch(r"bank\.\w+\.toml", name)}
+    assert translations
+    named = {*CONTENTS, *FILES} - translations
+    assert {name for name in named if f"`{name}`" not in page} == set()
+
+
+def test_the_examples_of_a_bank_and_a_policy_are_read(tmp_path: Path) -> None:
+    (tmp_path / "example.toml").write_text(first_block(write_bank_page()), encoding="utf-8")
+    bank = read_bank(tmp_path / "example.toml", "any")
+    assert len(bank.questions) == 3
+    write_class(tmp_path)
+    assert generate(tmp_path).exit_code == 0
+    exam = open_exam(tmp_path / "EXAM")
+    policy = first_block(write_policy_page()).replace(
+        "questions.q2.asks.v_B", "questions.q1.asks.v_B"
+    )
+    policy = policy.replace('[questions.q1]\nvoid = "drop"\n', "")
+    (tmp_path / "policy.toml").write_text(policy, encoding="utf-8")
+    read = read_policy(tmp_path / "policy.toml", exam)
+    assert read.attempts == "best"
+
+
+def first_block(page: str) -> str:
+    return re.findall(r"^```toml\n(.*?)^```", page, re.MULTILINE | re.DOTALL)[0]
