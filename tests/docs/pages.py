@@ -15,7 +15,7 @@ from __future__ import annotations
 import re
 import shlex
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -49,6 +49,7 @@ class Command:
 
 
 Step = File | Command
+Runner = Callable[[str, Path], tuple[int, list[str]]]
 
 
 def list_pages() -> list[Path]:
@@ -91,8 +92,33 @@ def find_earlier(page: Path) -> Path | None:
     return page.parent / found["page"] if found else None
 
 
-def take(step: Step, folder: Path) -> str:
-    """Do what a step says in a folder, which has to be the current one; what is wrong, or nothing."""
+def run_here(line: str, folder: Path) -> tuple[int, list[str]]:
+    """The status of a command, and the lines that it shows; kinegrade runs in this process."""
+    name, *arguments = shlex.split(line, comments=True)
+    if name != "kinegrade":
+        return run(line, folder)
+    result = kinegrade(*arguments)
+    return result.exit_code, result.output.splitlines()
+
+
+def run(line: str, folder: Path) -> tuple[int, list[str]]:
+    """The status of a command, and the lines that it shows."""
+    ran = subprocess.run(
+        line,
+        shell=True,
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        encoding="utf-8",
+        check=False,
+    )
+    return ran.returncode, ran.stdout.splitlines()
+
+
+def take(step: Step, folder: Path, runner: Runner = run_here) -> str:
+    """Do what a step says in a folder; what is wrong, or nothing. For `run_here` it has to be the
+    current one.
+    """
     match step:
         case File(name, text):
             (folder / name).write_text(text, encoding="utf-8")
@@ -100,20 +126,8 @@ def take(step: Step, folder: Path) -> str:
         case Command(line) if line.startswith(INSTALLING):
             return ""
         case Command(line, shown):
-            status, output = run(line, folder)
+            status, output = runner(line, folder)
             return _find_fault(line, shown, status, output)
-
-
-def run(line: str, folder: Path) -> tuple[int, list[str]]:
-    """The status of a command, and the lines that it shows."""
-    name, *arguments = shlex.split(line, comments=True)
-    if name == "kinegrade":
-        result = kinegrade(*arguments)
-        return result.exit_code, result.output.splitlines()
-    ran = subprocess.run(
-        line, shell=True, cwd=folder, capture_output=True, text=True, encoding="utf-8", check=False
-    )
-    return ran.returncode, (ran.stdout + ran.stderr).splitlines()
 
 
 def _find_fault(line: str, shown: tuple[str, ...] | None, status: int, output: list[str]) -> str:
