@@ -15,6 +15,7 @@ from docs.generator.lists import (
     write_refusal_page,
     write_status_page,
 )
+from docs.generator.python import write_python_page
 from docs.generator.templates import (
     write_expression_page,
     write_shipped_page,
@@ -34,6 +35,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "formats": write_format_page,
     "languages": write_language_page,
     "statuses": write_status_page,
+    "python": write_python_page,
 }
 
 

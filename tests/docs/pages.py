@@ -3,6 +3,7 @@
     ```{code-block} csv            a file, of the name that its caption gives
     :caption: roster.csv
     ```sh                          commands that end with status 0
+    ```python                      a part of the page's program
     ```console                     commands after "$ ", and below each the whole of what it shows;
                                    a line "..." stands for any lines
 
@@ -48,7 +49,14 @@ class Command:
     shown: tuple[str, ...] | None = None
 
 
-Step = File | Command
+@dataclass(frozen=True)
+class Program:
+    """Lines of Python; those of a page are one program."""
+
+    text: str
+
+
+Step = File | Command | Program
 Runner = Callable[[str, Path], tuple[int, list[str]]]
 
 
@@ -75,6 +83,8 @@ def parse_steps(text: str) -> Iterator[Step]:
                 for line in block["text"].replace("\\\n", " ").splitlines():
                     if line.strip() and not line.startswith("#"):
                         yield Command(line)
+            case "python":
+                yield Program(block["text"])
             case "console":
                 yield from _parse_session(block["text"])
 
@@ -115,7 +125,7 @@ def run(line: str, folder: Path) -> tuple[int, list[str]]:
     return ran.returncode, ran.stdout.splitlines()
 
 
-def take(step: Step, folder: Path, runner: Runner = run_here) -> str:
+def take(step: File | Command, folder: Path, runner: Runner = run_here) -> str:
     """Do what a step says in a folder; what is wrong, or nothing. For `run_here` it has to be the
     current one.
     """

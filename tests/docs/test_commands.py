@@ -13,6 +13,8 @@ from tests.docs.pages import (
     ROOT,
     Command,
     File,
+    Program,
+    Step,
     find_earlier,
     fits,
     list_pages,
@@ -40,9 +42,18 @@ def follow(page: Path, folder: Path, left: dict[Path, Path]) -> str:
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
         patch.setenv("LC_ALL", "C")
-        faults = [take(step, folder) for step in read_steps(page)]
+        names: dict[str, object] = {}
+        faults = [do(step, folder, names) for step in read_steps(page)]
     left[page.resolve()] = folder
     return "\n".join(fault for fault in faults if fault)
+
+
+def do(step: Step, folder: Path, names: dict[str, object]) -> str:
+    """Do what a step of a page says; what is wrong, or nothing. `names` are its program's."""
+    if not isinstance(step, Program):
+        return take(step, folder)
+    exec(step.text, names)
+    return ""
 
 
 def in_order(pages: list[Path]) -> list[Path]:
@@ -70,6 +81,13 @@ def test_the_pages_show_every_command() -> None:
     assert {line[1] for line in lines if line[0] == "kinegrade"} >= set(main.commands)
 
 
+def test_the_program_of_the_readme_gives_what_it_says() -> None:
+    (program,) = (step for step in read_steps(ROOT / "README.md") if isinstance(step, Program))
+    names: dict[str, object] = {}
+    exec(program.text, names)
+    assert names["answers"]["v_B"].exact == "2*sqrt(3)/15"  # type: ignore[index]
+
+
 def test_a_page_is_read_as_people_read_it() -> None:
     text = """Write
 ```{code-block} csv
@@ -92,12 +110,16 @@ $ kinegrade show one
 ```toml
 kinegrade = "no command"
 ```
+```python
+import kinegrade
+```
 """
     assert list(parse_steps(text)) == [
         File("roster.csv", "student,name\n"),
         Command("kinegrade generate a b    -o EXAM  # an exam"),
         Command("kinegrade list", ("one", "...")),
         Command("kinegrade show one", ()),
+        Program("import kinegrade\n"),
     ]
 
 
