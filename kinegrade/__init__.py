@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from kinegrade.public.quizzes import QuizOptions, quiz
     from kinegrade.public.sheets import FeedbackOptions, feedback
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = [
     "Bank",
     "ExportOptions",
