@@ -10,15 +10,11 @@ from docs.generator.markdown import write_code, write_page, write_table, write_w
 from kinegrade.language import ENGLISH
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.numbers.units import FACTORS
+from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, ELEMENTARY, Signature
+from kinegrade.problem.quantities.functions import QUANTITIES
 from kinegrade.problem.template import sentences
 from kinegrade.problem.template.hints import SHAPES
 from kinegrade.problem.template.library.library import find_template_names, load_template
-from kinegrade.problem.template.meaning.signatures import (
-    CONSTRUCTIONS,
-    ELEMENTARY,
-    QUANTITIES,
-    Signature,
-)
 from kinegrade.problem.template.sections.keys import SHARED
 from kinegrade.problem.template.signs import Sign, write_sign
 from kinegrade.problem.template.tags import list_tags
@@ -26,7 +22,8 @@ from kinegrade.problem.template.template import METHODS, Template
 from kinegrade.sign_conventions import CONVENTIONS
 
 _KEYS = "kinegrade.problem.template.sections.keys"
-_SIGNATURES = "kinegrade.problem.template.meaning.signatures"
+_SIGNATURES = "kinegrade.problem.kinds.signatures"
+_QUANTITIES = "kinegrade.problem.quantities"
 _INDENTED = "    "  # begins an example
 _MARKS = {
     "lengths": "LENGTH",
@@ -75,13 +72,21 @@ def write_expression_page() -> str:
         "left out. Lengths are in metres, angles are angles: write `pi/2`, never `90`. "
         "Dimensions are checked when the template is read.",
         "## Numbers and angles",
-        _write_functions("ELEMENTARY", ELEMENTARY),
+        _write_functions(read_words(_SIGNATURES, "ELEMENTARY"), ELEMENTARY),
         "## Points, lines and circles",
-        _write_functions("CONSTRUCTIONS", _leave_out(CONSTRUCTIONS, ELEMENTARY)),
+        _write_functions(
+            read_words(_SIGNATURES, "CONSTRUCTIONS"), _leave_out(CONSTRUCTIONS, ELEMENTARY)
+        ),
         f"Sides: {_list(BRANCHES)}. Of two circles, `counterclockwise` and `clockwise` count from "
         "the directed line between the centres.",
         "## Quantities that may be asked",
-        _write_functions("QUANTITIES", _leave_out(QUANTITIES, CONSTRUCTIONS)),
+        _write_functions(
+            {
+                **read_words(f"{_QUANTITIES}.motion_functions", "MOTION_FUNCTIONS"),
+                **read_words(f"{_QUANTITIES}.measures", "MEASURES"),
+            },
+            _leave_out(QUANTITIES, CONSTRUCTIONS),
+        ),
         "## Units",
         f"Products and quotients of powers of {_list(FACTORS)}, such as `mm/s^2` and `rad/s`; `1` "
         "is a pure number, and `deg` stands alone.",
@@ -147,8 +152,7 @@ def _read_notes() -> list[str]:
     return str(sentences.__doc__).split("\n\n", 1)[1].splitlines()
 
 
-def _write_functions(table: str, functions: Mapping[str, Signature]) -> str:
-    meanings = read_words(_SIGNATURES, table)
+def _write_functions(meanings: Mapping[str, str], functions: Mapping[str, Signature]) -> str:
     rows = [(write_code(each.usage(name)), meanings[name]) for name, each in functions.items()]
     return write_table(("function", "gives"), rows)
 

@@ -25,7 +25,7 @@ from kinegrade.expressions.expression import read_expression
 from kinegrade.grading.policy import keys as policy_keys
 from kinegrade.grading.policy.reading import read_policy
 from kinegrade.marks_folder.layout import FILES
-from kinegrade.problem.template.meaning.signatures import QUANTITIES
+from kinegrade.problem.quantities.functions import QUANTITIES
 from kinegrade.problem.template.sections import keys as template_keys
 from kinegrade.problem.template.sentences import read_driver, read_joint
 from tests.small_class import generate, write_class
