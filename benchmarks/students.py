@@ -17,11 +17,11 @@ from benchmarks.simulated_class import FIGURES, Answer, SimulatedClass
 from kinegrade.errors import KinegradeError
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.rounding import Rounded, Sparing
+from kinegrade.problem.quantities.functions import needs_configurations
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Ask
 from kinegrade.students.honest_rounding import (
     LOST,
-    calls,
     convert_number,
     work_by_arms,
     work_by_coordinates,
@@ -184,7 +184,7 @@ def worked(solution: Solution, asks: Mapping[str, Ask], mistake: Mistake) -> Map
 
 def by_numbers(ask: Ask) -> bool:
     """Whether an ask is worked out by numbers; a centrode is known in closed form."""
-    return not calls(ask.quantity, "circle_of_poles")
+    return not needs_configurations(ask.quantity)
 
 
 def typed(found: Mapping[str, float], figures: int) -> Mapping[str, Answer]:

@@ -67,7 +67,9 @@ def test_right_ends_at_the_tolerance_to_the_thirtieth_digit(
 
     def bound(student: str, column: str) -> str:
         key = keys[student][column]
-        return decimal(key.value + side * (key.tolerance + beyond * TINY), 36, ROUND_FLOOR)
+        return decimal(
+            key.value + side * (key.rule.room(key.value) + beyond * TINY), 36, ROUND_FLOOR
+        )
 
     assert {
         mark["verdict"] for mark in table(marked(small_class, tmp_path, bound) / "marks.csv")
@@ -98,8 +100,8 @@ def test_the_bound_itself_is_right(small_class: Path, tmp_path: Path) -> None:
 
 def exact(key: Key) -> str | None:
     """The upper bound as a decimal, if it has one of few digits."""
-    text = decimal(key.value + key.tolerance, 30, ROUND_CEILING)
-    return text if Fraction(text) == key.value + key.tolerance else None
+    text = decimal(key.value + key.rule.room(key.value), 30, ROUND_CEILING)
+    return text if Fraction(text) == key.value + key.rule.room(key.value) else None
 
 
 def decimal(number: Fraction, digits: int, rounding: str) -> str:
