@@ -177,11 +177,6 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "{} http://www.imsglobal.org/xsd/qti/qtiv2p1/imsqti_v2p1.xsd",
         ],
     },
-    "names of unknowns inside the program": {
-        "worked/answers/centrodes.py": [
-            "circle {}",
-        ],
-    },
     "what TeX writes into its log": {
         "press/latex/xetex.py": [
             "Missing character: There is no (.)",

@@ -31,8 +31,28 @@ EXCEPTIONS = {
     "Unknown)": "what is not known fits anywhere; the slots are matched below",
     "grading/typed/value.py: Operation('-', Number(read_rational('0')), tree) if sign == '-' else "
     "tree": "a character that was typed before a bracket: a minus, a plus, or none",
-    "worked/formulas/instance.py: () if isinstance(tree, Number) else "
-    "worked": "a literal has no working; anything else is told as it was worked out",
+    "worked/positions/instance.py: () if isinstance(tree, Number) else "
+    "working": "a literal has no working; anything else is told as it was worked out",
+    "worked/answers/poses.py: if first.relation == "
+    "'='": "a value in another unit that is not exact stands after the exact ones",
+    "worked/steps/poles.py: match read_symbol(symbol).row: "
+    "_": "what is not the coordinate of a point names no point",
+    "worked/formulas/formula.py: enclose(self.print(mark)) if self.kind == 'sum' else "
+    "self.print_after_sign(mark)": "only a sum needs brackets after a minus sign",
+    "worked/formulas/formula.py: if self.argument.kind in ('function', 'closed', "
+    "'sum')": "the others may be plain, which the next line decides",
+    "worked/formulas/atoms.py: enclose(row) if self.number.kind == 'sum' else "
+    "row": "only a sum needs brackets before a unit",
+    "worked/formulas/symbols.py: first.base if isinstance(first, Scripts) else "
+    "first": "a letter without an index is itself its base",
+    "worked/formulas/symbols.py: if isinstance(first, "
+    "Scripts)": "a letter without an index is itself its base",
+    "worked/rates/driven.py: (*before, replace(last, upper=None)) if isinstance(last, Scripts) else "
+    "row": "what has no scripts has nothing above it",
+    "worked/positions/vectors.py: if isinstance(factor, "
+    "Quotient)": "a fraction stands before a vector, any other factor as an expression has it",
+    "worked/formulas/leaves.py: match tree: "
+    "_": "what is not the difference of two points is no vector between points",
     "lms/grades/item_groups.py: 'feedback' if known == 'feedback' else "
     "'percentage'": "the cells decide; a known word may only say that they are feedback",
     "reports/feedback/remarks.py: _VERDICTS.get(verdict, verdict)": "a file of marks may hold "

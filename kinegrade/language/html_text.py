@@ -40,6 +40,11 @@ def write_math_html(latex: str, where: str = "text") -> str:
     return rf"\({write_plain_html(write_latex_math(latex, where, MATHJAX))}\)"
 
 
+def write_row_html(row: Row) -> str:
+    """A formula between MathJax's delimiters, by its tree."""
+    return rf"\({write_plain_html(write_latex_row(row, MATHJAX))}\)"
+
+
 def write_display_html(row: Row) -> str:
     """A formula on lines of its own between MathJax's delimiters, by its tree."""
     return rf"\[{write_plain_html(write_latex_row(row, MATHJAX))}\]"

@@ -37,8 +37,10 @@ def write_exact(number: Real, form: Form = _PLAIN) -> str:
     >>> write_exact(2 / Field().sqrt(fmpq(3)))
     '2*sqrt(3)/3'
     """
-    terms = sorted(_expand_radicals(number), key=lambda term: (term[0] < 0, term[2], term[1]))
-    parts = [_write_signed_term(factor, free, nested, form) for factor, free, _, nested in terms]
+    parts = [
+        _write_signed_term(factor, free, nested, form)
+        for factor, free, _, nested in expand_radicals(number)
+    ]
     if not parts:
         return "0"
     return _join_terms(parts)
@@ -53,9 +55,9 @@ def _join_terms(parts: list[tuple[bool, str]]) -> str:
     return text
 
 
-def _expand_radicals(number: Real) -> list[tuple[Any, int, tuple[str, ...], tuple[Root, ...]]]:
+def expand_radicals(number: Real) -> list[tuple[Any, int, tuple[str, ...], tuple[Root, ...]]]:
     """The number as a sum: (rational factor, integer under one root, keys of nested roots, the
-    nested roots).
+    nested roots), in the order in which it is written.
     """
     collected: dict[tuple[int, tuple[Root, ...]], Any] = {}
     for factor, roots in _expand_products(number):
@@ -66,11 +68,12 @@ def _expand_radicals(number: Real) -> list[tuple[Any, int, tuple[str, ...], tupl
         square, free = split_square(plain)
         key = (free, nested)
         collected[key] = collected.get(key, fmpq(0)) + factor * square
-    return [
+    terms = (
         (factor, free, tuple(write_exact(r.radicand) for r in nested), nested)
         for (free, nested), factor in collected.items()
         if factor != 0
-    ]
+    )
+    return sorted(terms, key=lambda term: (term[0] < 0, term[2], term[1]))
 
 
 def _expand_products(
@@ -105,9 +108,7 @@ def write_angle(angle: Angle, degrees: bool, form: Form = _PLAIN) -> str:
             else write_multiple_of_pi(angle.half_turns, form)
         )
     terms = [(factor, _write_arctangent(y, x, form)) for factor, (x, y) in angle.parts]
-    turns = angle.half_turns + sum(
-        (factor * _offset(y, x) for factor, (x, y) in angle.parts), fmpq(0)
-    )
+    turns = count_turns_beside(angle)
     parts = [(factor < 0, _write_multiple(abs(factor), text, form)) for factor, text in terms]
     if turns != 0:
         parts.append((turns < 0, write_multiple_of_pi(abs(turns), form)))
@@ -116,6 +117,13 @@ def write_angle(angle: Angle, degrees: bool, form: Form = _PLAIN) -> str:
         return text
     body = f"({text})" if len(parts) > 1 else text
     return f"180*{body}/pi" if form is _PLAIN else rf"\frac{{180}}{{\pi}}\,{body}"
+
+
+def count_turns_beside(angle: Angle) -> Any:
+    """The half turns that are added to the arctangents y/x of an angle's parts."""
+    return angle.half_turns + sum(
+        (factor * _offset(y, x) for factor, (x, y) in angle.parts), fmpq(0)
+    )
 
 
 def _offset(y: Real, x: Real) -> Any:
@@ -158,14 +166,16 @@ def write_decimal(number: Any, digits: int, degrees: bool = False) -> str:
     """The number rounded to `digits` significant digits, half to even, certified; no exponent
     within 1e-7..1e21.
 
-    Takes rationals, surds, balls and Angles (in radians, or in degrees). A ball too wide for the
-    digits asked is given to as many as it holds. A ball about zero gives "0".
+    Takes rationals, doubles, surds, balls and Angles (in radians, or in degrees). A ball too wide
+    for the digits asked is given to as many as it holds. A ball about zero gives "0".
 
     >>> write_decimal(fmpq(2, 3), 5)
     '0.66667'
     """
     if isinstance(number, Angle) and degrees and not number.parts:
         number = number.half_turns * 180
+    if isinstance(number, float):
+        number = fmpq(*number.as_integer_ratio())
     if isinstance(number, fmpq):
         return _write_rounded(number, digits)
     for precision in (64 + 4 * digits, 256 + 8 * digits, 4096):

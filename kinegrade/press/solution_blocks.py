@@ -17,7 +17,7 @@ def stays(block: Block, following: Block | None = None, third: Block | None = No
     So do a heading with what it heads, a table of terms with its projection, a sentence with the
     equation it announces.
 
-    >>> stays(Prose("Projected on AB:"), Display(("v_A = v_B",)))
+    >>> stays(Prose("Projected on AB:"), Display(()))
     True
     """
     match block, following, third:

@@ -2,7 +2,8 @@
 pictures, results.
 
 `kinegrade.worked.solution` derives these from a solved instance; a press lays them out. Prose is
-Markdown with `$...$` LaTeX math, math is LaTeX without dollar signs, plain is printed as it is.
+Markdown with `$...$` LaTeX math, math is a math tree, LaTeX is LaTeX math without dollar signs,
+plain is printed as it is. Decimals have the mark of the language.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import Literal
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 
 
@@ -38,11 +40,11 @@ def say(message: Message, language: Language) -> Prose:
 
 @dataclass(frozen=True)
 class Display:
-    """Equations, one below the other, aligned at the `&` that each line may hold before its first
+    """Equations, one below the other, aligned at the mark that each line may hold before its first
     relation sign.
     """
 
-    lines: tuple[str, ...]  # math
+    lines: tuple[Row, ...]  # math
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,7 @@ class Term:
     """One column of the table under a vector equation; the sign stands before the term's symbol."""
 
     sign: Literal["", "+", "-", "="]
-    symbol: str  # math: \\boldsymbol{v}_{BA}
+    symbol: Row  # math: v_BA in bold
     magnitude: str  # prose, short: "?", "$\\omega_{OA}\\cdot OA$"
     direction: str  # prose, short: "?", "$\\perp AB$"
 
@@ -85,8 +87,8 @@ class Result:
     and its sense or direction in words.
     """
 
-    symbol: str  # math
-    exact: str | None  # math, without unit
+    symbol: str  # LaTeX
+    exact: str | None  # LaTeX, without unit
     decimal: str  # plain
     unit: str  # plain, "m/s^2"
     sense: str  # prose: "clockwise", "to the left"; "" where there is none

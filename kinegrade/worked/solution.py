@@ -16,24 +16,23 @@ from kinegrade.mechanics.laws import EqualRotation, Imposed
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.quantities.reader import MotionReader
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Ask, Method
 from kinegrade.worked.answers.answers import explain_answer, state_result
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
-from kinegrade.worked.decimal_marks import mark_decimals
+from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading, Pictures, Results, WorkedSolution
 from kinegrade.worked.positions.positions import explain_positions
-from kinegrade.worked.steps.deductions import Stage
-from kinegrade.worked.steps.findings import Findings
-from kinegrade.worked.steps.kinds import describe_motions
-from kinegrade.worked.steps.methods import explain_by_method, name_method
-from kinegrade.worked.steps.needed_rates import NOTHING, Needs, find_needs, select_steps
+from kinegrade.worked.rates.kinds import describe_motions
+from kinegrade.worked.rates.scalars import imposes_single_rate
+from kinegrade.worked.steps.couplers import name_method
+from kinegrade.worked.steps.methods import explain_by_method
 from kinegrade.worked.steps.pictures import draw_answer, draw_given, draw_mechanism, draw_stage
-from kinegrade.worked.steps.scalars import imposes_single_rate
 from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step
-from kinegrade.worked.words.solution_case import Case
+from kinegrade.worked.vectors.facts import note_equation
+from kinegrade.worked.vectors.needed_rates import NOTHING, Needs, find_needs, select_steps
+from kinegrade.worked.vectors.stage import Stage
 
 
 def write_worked_solution(
@@ -44,13 +43,11 @@ def write_worked_solution(
     """
     case = Case(solution, language, method or solution.template.about.method)
     asked = tuple(solution.template.asks[name] for name in asks)
-    blocks = _write_blocks(case, asked)
-    return WorkedSolution(tuple(mark_decimals(block, language) for block in blocks))
+    return WorkedSolution(tuple(_write_blocks(case, asked)))
 
 
 def _write_blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
     """The chapters in order."""
-    findings = Findings()
     if case.motion.rates:
         yield Heading(case.write(Message("solution.kinds")), 1)
         yield from describe_motions(case)
@@ -60,27 +57,24 @@ def _write_blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
     if velocities:
         yield Heading(case.write(Message("solution.velocities")), 1)
         yield case.say(Message("solution.positive"))
-        yield from _write_level_chapter(velocities, case, "velocity", findings)
+        yield from _write_level_chapter(velocities, case, "velocity")
     if accelerations:
         yield Heading(case.write(Message("solution.accelerations")), 1)
-        yield from _write_level_chapter(accelerations, case, "acceleration", findings)
+        yield from _write_level_chapter(accelerations, case, "acceleration")
     yield Heading(case.write(Message("solution.answers")), 1)
-    yield from explain_pose_answers(
-        case.solution, (ask.name for ask in asked if is_positional(ask)), case.language
-    )
+    yield from explain_pose_answers(case, (ask.name for ask in asked if is_positional(ask)))
     for ask in asked:
         if not is_positional(ask):
-            yield from explain_answer(ask, case, findings)
+            yield from explain_answer(ask, case)
     yield from draw_answer(asked, case)
     yield Results(tuple(state_result(ask, case) for ask in asked))
 
 
 def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:
     """The rates that all answers together need."""
-    reader = MotionReader(case.motion, case.arithmetic)
     needs = NOTHING
     for ask in asked:
-        needs |= find_needs(ask.quantity, reader)
+        needs |= find_needs(ask.quantity, case.reader)
     return needs
 
 
@@ -91,12 +85,10 @@ def _write_position_chapter(case: Case, asked: Sequence[Ask]) -> Iterator[Block]
     yield Heading(case.write(Message("solution.positions")), 1)
     if all(is_positional(ask) for ask in asked):
         yield Pictures((draw_mechanism(case),))
-    yield from explain_positions(case.solution, tuple(case.template.scheme.points), case.language)
+    yield from explain_positions(case, tuple(case.template.scheme.points))
 
 
-def _write_level_chapter(
-    steps: Sequence[Step], case: Case, level: Level, findings: Findings
-) -> Iterator[Block]:
+def _write_level_chapter(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Block]:
     """The steps of velocities, or of accelerations, numbered; the given motions come first and
     count as one step.
     """
@@ -107,30 +99,26 @@ def _write_level_chapter(
         number = 1
         yield _write_step_title(number, Message("solution.title-given"), case)
         for step in imposed:
-            yield from explain_step(step, find_stage(step, case, level, set()), findings)
+            yield from explain_step(step, find_stage(step, case, level, set()))
         yield from draw_given(imposed, case, level)
     for step in steps:
         if step in imposed:
             continue
         if not _holds_still(step, case):
             number += 1
-            yield from _write_numbered_step(
-                number, step, find_stage(step, case, level, known), findings
-            )
+            yield from _write_numbered_step(number, step, find_stage(step, case, level, known))
         known |= set(step.unknowns)
 
 
-def _write_numbered_step(
-    number: int, step: Step, stage: Stage, findings: Findings
-) -> Iterator[Block]:
+def _write_numbered_step(number: int, step: Step, stage: Stage) -> Iterator[Block]:
     """One step under its title: the equations, their results, the pictures."""
-    by_method = tuple(explain_by_method(step, stage, findings))
+    by_method = tuple(explain_by_method(step, stage))
     title = (name_method(stage) if by_method else None) or name_step(step, stage)
     yield _write_step_title(number, title, stage.case)
-    yield from by_method or explain_step(step, stage, findings)
+    yield from by_method or explain_step(step, stage)
     yield from draw_stage(step, stage)
     for equation in stage.equations:
-        findings.note(equation, stage.case)
+        note_equation(equation, stage.case)
 
 
 def _write_step_title(number: int, title: Message, case: Case) -> Heading:

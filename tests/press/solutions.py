@@ -12,16 +12,15 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.document import (
     Block,
-    Display,
     Heading,
     Picture,
     Pictures,
     Prose,
     Result,
     Results,
-    Term,
     TermTable,
 )
+from tests.worked.telling import read_display, read_term
 
 
 def mechanism_scene() -> Scene:
@@ -42,18 +41,20 @@ def polygon_scene() -> Scene:
 
 VELOCITY = TermTable(
     (
-        Term("", r"\boldsymbol{v}_{B}", "?", "along $Ox$"),
-        Term("=", r"\boldsymbol{v}_{A}", r"$\omega\cdot OA$", r"$\perp OA$"),
-        Term("+", r"\boldsymbol{v}_{BA}", "?", r"$\perp AB$"),
+        read_term("", r"\boldsymbol{v}_{B}", "?", "along $Ox$"),
+        read_term("=", r"\boldsymbol{v}_{A}", r"$\omega\cdot OA$", r"$\perp OA$"),
+        read_term("+", r"\boldsymbol{v}_{BA}", "?", r"$\perp AB$"),
     )
 )
 ACCELERATION = TermTable(
     (
-        Term("", r"\boldsymbol{a}_{B}", "?", "along $Ox$"),
-        Term("=", r"\boldsymbol{a}_{A}^{\mathrm{t}}", r"$\alpha\cdot OA$", r"$\perp OA$"),
-        Term("+", r"\boldsymbol{a}_{A}^{\mathrm{n}}", r"$\omega^{2}\cdot OA$", "from $A$ to $O$"),
-        Term("+", r"\boldsymbol{a}_{BA}^{\mathrm{t}}", "?", r"$\perp AB$"),
-        Term(
+        read_term("", r"\boldsymbol{a}_{B}", "?", "along $Ox$"),
+        read_term("=", r"\boldsymbol{a}_{A}^{\mathrm{t}}", r"$\alpha\cdot OA$", r"$\perp OA$"),
+        read_term(
+            "+", r"\boldsymbol{a}_{A}^{\mathrm{n}}", r"$\omega^{2}\cdot OA$", "from $A$ to $O$"
+        ),
+        read_term("+", r"\boldsymbol{a}_{BA}^{\mathrm{t}}", "?", r"$\perp AB$"),
+        read_term(
             "+",
             r"\boldsymbol{a}_{BA}^{\mathrm{n}}",
             r"$\omega_{AB}^{2}\cdot AB$",
@@ -69,7 +70,7 @@ ENGLISH_BLOCKS: tuple[Block, ...] = (
     ),
     Heading("Velocities", 1),
     Heading("Step 1: the crank $OA$ turns about $O$", 2),
-    Display((r"v_A &= \omega\cdot OA = 2\cdot 0.3 = 0.6\,\mathrm{m/s}",)),
+    read_display((r"v_A &= \omega\cdot OA = 2\cdot 0.3 = 0.6\,\mathrm{m/s}",)),
     Heading("Step 2: the rod $AB$, base point $A$", 2),
     Prose("The velocity of $B$ is that of the base point $A$ and that of the rotation about it:"),
     VELOCITY,
@@ -77,7 +78,7 @@ ENGLISH_BLOCKS: tuple[Block, ...] = (
         r"Two magnitudes are unknown. Projected on $AB$, on which $\boldsymbol{v}_{BA}$ has no "
         r"part:"
     ),
-    Display(
+    read_display(
         (
             r"v_B\cos 30^{\circ} &= v_A\cos 0^{\circ}",
             r"v_B &= \frac{v_A}{\cos 30^{\circ}} = \frac{0.6}{\sqrt{3}/2} = \frac{2\sqrt{3}}{5}"
@@ -85,7 +86,7 @@ ENGLISH_BLOCKS: tuple[Block, ...] = (
         )
     ),
     Prose(r"and on the normal of $AB$:"),
-    Display(
+    read_display(
         (
             r"\omega_{AB} &= \frac{v_{BA}}{AB} = \frac{v_B\sin 30^{\circ}}{\sqrt{3}\cdot 0.3}"
             r" = \frac{2}{3}\,\mathrm{rad/s}",
@@ -101,7 +102,7 @@ ENGLISH_BLOCKS: tuple[Block, ...] = (
     Heading("Step 3: the rod $AB$, base point $A$", 2),
     ACCELERATION,
     Prose("Projected on $AB$:"),
-    Display(
+    read_display(
         (
             r"a_B\cos 30^{\circ} &= a_A^{\mathrm{n}}\cos 90^{\circ} + a_A^{\mathrm{t}}\cos "
             r"0^{\circ} + a_{BA}^{\mathrm{n}}",
@@ -151,17 +152,17 @@ CHINESE_BLOCKS: tuple[Block, ...] = (
     Prose("曲柄 $OA$ 绕定轴 $O$ 转动；连杆 $AB$ 作平面运动；滑块 $B$ 沿 $Ox$ 作直线平移。"),
     Heading("速度", 1),
     Heading("第 1 步：曲柄 $OA$ 绕 $O$ 轴转动", 2),
-    Display((r"v_A &= \omega\cdot OA = 2\cdot 0.3 = 0.6\,\mathrm{m/s}",)),
+    read_display((r"v_A &= \omega\cdot OA = 2\cdot 0.3 = 0.6\,\mathrm{m/s}",)),
     Heading("第 2 步：连杆 $AB$，以 $A$ 为基点", 2),
     TermTable(
         (
-            Term("", r"\boldsymbol{v}_{B}", "?", "沿 $Ox$"),
-            Term("=", r"\boldsymbol{v}_{A}", r"$\omega\cdot OA$", r"$\perp OA$"),
-            Term("+", r"\boldsymbol{v}_{BA}", "?", r"$\perp AB$"),
+            read_term("", r"\boldsymbol{v}_{B}", "?", "沿 $Ox$"),
+            read_term("=", r"\boldsymbol{v}_{A}", r"$\omega\cdot OA$", r"$\perp OA$"),
+            read_term("+", r"\boldsymbol{v}_{BA}", "?", r"$\perp AB$"),
         )
     ),
     Prose(r"大小中有两个未知量。向 $AB$ 方向投影，$\boldsymbol{v}_{BA}$ 在该方向上无投影："),
-    Display(
+    read_display(
         (
             r"v_B\cos 30^{\circ} &= v_A\cos 0^{\circ}",
             r"v_B &= \frac{v_A}{\cos 30^{\circ}} = \frac{2\sqrt{3}}{5} = "
@@ -178,13 +179,13 @@ CHINESE_BLOCKS: tuple[Block, ...] = (
     Heading("第 3 步：连杆 $AB$，以 $A$ 为基点", 2),
     TermTable(
         (
-            Term("", r"\boldsymbol{a}_{B}", "?", "沿 $Ox$"),
-            Term("=", r"\boldsymbol{a}_{A}^{\mathrm{t}}", r"$\alpha\cdot OA$", r"$\perp OA$"),
-            Term(
+            read_term("", r"\boldsymbol{a}_{B}", "?", "沿 $Ox$"),
+            read_term("=", r"\boldsymbol{a}_{A}^{\mathrm{t}}", r"$\alpha\cdot OA$", r"$\perp OA$"),
+            read_term(
                 "+", r"\boldsymbol{a}_{A}^{\mathrm{n}}", r"$\omega^{2}\cdot OA$", "由 $A$ 指向 $O$"
             ),
-            Term("+", r"\boldsymbol{a}_{BA}^{\mathrm{t}}", "?", r"$\perp AB$"),
-            Term(
+            read_term("+", r"\boldsymbol{a}_{BA}^{\mathrm{t}}", "?", r"$\perp AB$"),
+            read_term(
                 "+",
                 r"\boldsymbol{a}_{BA}^{\mathrm{n}}",
                 r"$\omega_{AB}^{2}\cdot AB$",
@@ -193,7 +194,7 @@ CHINESE_BLOCKS: tuple[Block, ...] = (
         )
     ),
     Prose("向 $AB$ 方向投影："),
-    Display(
+    read_display(
         (
             r"a_B\cos 30^{\circ} &= a_A^{\mathrm{t}} + a_{BA}^{\mathrm{n}}",
             r"a_B &= \frac{4}{3} = 1.33333\,\mathrm{m/s^2}",
@@ -247,7 +248,7 @@ def long_equation(terms: int) -> TermTable:
     )
     return TermTable(
         tuple(
-            Term(
+            read_term(
                 "" if index == 0 else "=" if index == 1 else "-" if index == 5 else "+",
                 rf"\boldsymbol{{a}}_{{BA{'A' * (index % 3)}}}^{{\mathrm{{n}}}}",
                 magnitudes[index % 5],

@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from kinegrade.worked.document import Block, Display
+from kinegrade.worked.document import Block
 from tests.worked.latex_value import Unreadable, value_of
+from tests.worked.telling import displayed
 
 UNITS = {"": 1.0, "m": 1.0, "cm": 0.01, "mm": 0.001, "rad": 1.0, "m^2": 1.0}
-UNIT = re.compile(r"\\,(\\mathrm\{\w+\}(?:\^2)?)$")
+UNIT = re.compile(r"\\,\\unit\{([\w^]+)\}$")
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 
@@ -18,16 +19,15 @@ def chains(blocks: Iterable[Block]) -> Iterator[tuple[str, list[str]]]:
     line before.
     """
     texts: list[str] = []
-    for block in blocks:
-        for line in block.lines if isinstance(block, Display) else ():
-            if line.startswith("&"):
-                texts[-1] += " " + line[1:]
-            else:
-                texts.append(line)
+    for line in displayed(blocks):
+        if line.startswith("&"):
+            texts[-1] += " " + line[1:]
+        else:
+            texts.append(line)
     for text in texts:
-        left, _, right = text.partition(" &")
+        left, _, right = text.partition("&")
         yield (
-            left,
+            left.strip(),
             [part.strip() for part in re.split(r"=|\\approx|\\propto", right) if part.strip()],
         )
 
@@ -35,7 +35,7 @@ def chains(blocks: Iterable[Block]) -> Iterator[tuple[str, list[str]]]:
 def part_value(part: str) -> float | None:
     """The value of a part in SI, angles in radians; None where it has symbols in it."""
     unit = UNIT.search(part)
-    name = re.sub(r"\\mathrm\{(\w+)\}", r"\1", unit[1]) if unit else ""
+    name = unit[1] if unit else ""
     try:
         return value_of(UNIT.sub("", part), {}) * UNITS[name]
     except Unreadable:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 
 import pytest
@@ -26,11 +26,23 @@ from kinegrade.language.math.typst import write_typst_math
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Template
-from kinegrade.worked.formulas.coordinates import choose_axes, list_steps
-from kinegrade.worked.formulas.expression import collect_symbols, write_latex
+from kinegrade.worked.case import write_row
+from kinegrade.worked.formulas.leaves import formulate
+from kinegrade.worked.formulas.symbols import collect_symbols, read_symbol
+from kinegrade.worked.positions.axes import choose_axes
+from kinegrade.worked.positions.construction_steps import list_steps
 from tests.worked.latex_value import value_of
+from tests.worked.telling import tidy
 
 POINTS = {"A": "A", "B": "B", "O1": "O_{1}"}
+
+
+def write_latex(
+    tree: Expression, symbols: Mapping[str, str], degrees: bool = False, points: Iterable[str] = ()
+) -> str:
+    """The LaTeX of an expression, its names as given."""
+    read = {name: read_symbol(latex) for name, latex in symbols.items()}
+    return write_row(formulate(read, tuple(points)).state(tree, degrees).print())
 
 
 @pytest.mark.parametrize(
@@ -62,16 +74,17 @@ POINTS = {"A": "A", "B": "B", "O1": "O_{1}"}
     ],
 )
 def test_a_formula_looks_as_in_a_textbook(text: str, latex: str) -> None:
-    assert write_latex(read_expression(text), POINTS) == latex
+    assert write_latex(read_expression(text), POINTS) == tidy(latex)
     assert write_typst_math(latex, "test")
 
 
 def test_angles_print_in_degrees_where_that_is_asked_and_vectors_with_an_arrow() -> None:
-    assert write_latex(read_expression("phi - pi/2"), {}, degrees=True) == r"\varphi - 90^\circ"
-    assert write_latex(read_expression("phi - pi/2"), {}) == r"\varphi - \frac{\pi}{2}"
-    assert (
-        write_latex(read_expression("lam*(B - A)"), POINTS, points=("A", "B"))
-        == r"\lambda\,\overrightarrow{AB}"
+    assert write_latex(read_expression("phi - pi/2"), {}, degrees=True) == tidy(
+        r"\varphi - 90^\circ"
+    )
+    assert write_latex(read_expression("phi - pi/2"), {}) == tidy(r"\varphi - \frac{\pi}{2}")
+    assert write_latex(read_expression("lam*(B - A)"), POINTS, points=("A", "B")) == tidy(
+        r"\lambda\,\overrightarrow{AB}"
     )
 
 
@@ -131,7 +144,9 @@ def flat(tree: Expression) -> Expression:
 def test_every_expression_of_every_template_is_printed_with_its_own_value(name: str) -> None:
     template = load_template(name)
     for tree in expressions(template):
-        assert write_typst_math(write_latex(tree, collect_symbols(template)), name)
+        assert write_typst_math(
+            write_row(formulate(collect_symbols(template)).state(tree).print()), name
+        )
         for start, step in ((0.3, 0.617), (1.0, -0.02)):
             with suppress(ValueError):  # the root of a negative number, at these values
                 value, printed = both_values(tree, start, step)

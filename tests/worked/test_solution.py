@@ -24,20 +24,20 @@ from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.template import METHODS, Method
-from kinegrade.worked.document import Block, Display, Heading, Pictures, Results
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block, Heading, Pictures, Results
 from kinegrade.worked.solution import collect_needs, write_worked_solution
-from kinegrade.worked.steps.deductions import Stage, measure_along_direction
-from kinegrade.worked.steps.methods import find_coupler
-from kinegrade.worked.steps.needed_rates import select_steps
-from kinegrade.worked.steps.projection import Projection, Share, find_deductions
+from kinegrade.worked.steps.couplers import find_coupler
 from kinegrade.worked.steps.steps import find_stage
 from kinegrade.worked.steps.titles import select_scalars
-from kinegrade.worked.words.solution_case import Case
+from kinegrade.worked.vectors.needed_rates import select_steps
+from kinegrade.worked.vectors.projection import Projection, Share, find_deductions
+from kinegrade.worked.vectors.stage import Stage, measure_along_direction
 from tests.laws.cases import moving_templates
 from tests.problem.draws import draw_filter
 from tests.problem.draws import drawn as draws_of
 from tests.worked.chains import chains, disagreements, part_value
-from tests.worked.telling import mathematics, proses
+from tests.worked.telling import displayed, mathematics, proses, tidy
 
 DRAWS = 1
 CLOSE = 1e-9
@@ -146,9 +146,7 @@ def test_nothing_superfluous_is_printed(name: str) -> None:
     itself.
     """
     for blocks in every_telling(name):
-        for line in (
-            line for block in blocks if isinstance(block, Display) for line in block.lines
-        ):
+        for line in displayed(blocks):
             assert not re.search(r"(?<![\d.])0(?:\\cdot|\\cos|\\,\\(?!unit|mathrm))", line)
             assert not re.search(r"[-+]\(-[\d.]+\)(?:\\cos|$)", line)
             assert not re.search(r"(?:^|= )([-\d.]+) = \1(?:$|\\,)", line)
@@ -167,13 +165,7 @@ def test_no_symbol_is_its_own_opposite(name: str) -> None:
 
 @pytest.mark.parametrize("name", find_template_names())
 def test_nothing_is_told_twice(name: str) -> None:
-    lines = [
-        line
-        for block in kept(name)
-        if isinstance(block, Display)
-        for line in block.lines
-        if not line.startswith("&") and "unit" in line
-    ]
+    lines = [line for line in displayed(kept(name)) if not line.startswith("&") and "/s" in line]
     assert len(lines) == len(set(lines))
 
 
@@ -277,7 +269,7 @@ def test_the_method_is_chosen_by_whoever_sets_the_exam(method: Method, title: st
     solution = solve_template(load_template("slider-crank"), {"phi": "30"})
     blocks = told(solution, method)
     assert Heading(title, 2) in blocks
-    equations = [line for block in blocks if isinstance(block, Display) for line in block.lines]
+    equations = displayed(blocks)
     speeds = {line for line in equations if line.startswith("v_{B} &=") and "unit" in line}
     assert len(speeds) == 1
     assert any(line.startswith(r"\omega_{AB} &=") for line in equations)
@@ -323,15 +315,17 @@ def lines_of(name: str, method: Method | None = None) -> list[str]:
     blocks = write_worked_solution(
         solve_template(load_template(name), {}), load_template(name).asked(), "en", method
     ).blocks
-    return [line for block in blocks if isinstance(block, Display) for line in block.lines]
+    return displayed(blocks)
 
 
 def test_a_point_whose_motion_a_step_takes_as_known_is_told_before() -> None:
     lines = lines_of("rolling-wheel-pin-slotted-rocker")
     sizes = [line for line in lines if line.startswith("v_{B} &=")]
     assert sizes == [
-        r"v_{B} &= \sqrt{v_{B,x}^{2}+v_{B,y}^{2}} = \sqrt{(-0.3)^{2}+0.1732^{2}} = "
-        r"\frac{\sqrt{3}}{5} \approx 0.3464\,\unit{m/s},\quad 150^\circ"
+        tidy(
+            r"v_{B} &= \sqrt{v_{B,x}^{2}+v_{B,y}^{2}} = \sqrt{(-0.3)^{2}+0.1732^{2}} = "
+            r"\frac{\sqrt{3}}{5} \approx 0.3464\,\unit{m/s},\quad 150^\circ"
+        )
     ]
 
 
@@ -358,8 +352,8 @@ def test_a_known_vector_told_negative_stands_between_bars() -> None:
         ),
         (
             "guided-rack-and-gear",
-            r"Here $\boldsymbol{v}_{\mathrm{a}}=0$, "
-            r"$\boldsymbol{v}_{\mathrm{e}}=\boldsymbol{v}_{A}+",
+            r"Here $\boldsymbol{v}_{\mathrm{a}} = 0$, "
+            r"$\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{A} + ",
         ),
         ("planetary-gear-external-rim-velocities", "rolling without slipping on a fixed circle"),
     ],

@@ -85,6 +85,8 @@ TEX = LatexDialect(
     lambda unit: rf"\text{{{write_tex_unit(unit)}}}",
 )
 MATHJAX = LatexDialect(_write_unread_text, _write_upright_unit)
+# What `reading` reads back: formulas within prose
+SOURCE = LatexDialect(lambda text: rf"\text{{{text}}}", lambda unit: rf"\unit{{{unit}}}")
 # Pandoc would write a space after the comma of {,}
 PANDOC = LatexDialect(
     _write_unread_text, lambda unit: _write_unread_text(write_unit(unit)), r"\text{,}"

@@ -11,15 +11,14 @@ from typing import assert_never
 
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
-from kinegrade.language.gathering import convert_each
 from kinegrade.language.html_text import (
     write_display_html,
     write_math_html,
     write_plain_html,
+    write_row_html,
     write_unit_html,
 )
-from kinegrade.language.math.reading import read_math
-from kinegrade.language.math.tree import Environment, LineBreak, Mark, Row
+from kinegrade.language.math.tree import Environment, Group, LineBreak, Mark, Row, Sign
 from kinegrade.language.message import Message
 from kinegrade.language.prose.html import write_line, write_prose
 from kinegrade.worked.document import (
@@ -65,10 +64,9 @@ def _write_block(block: Block, words: Catalogue) -> str:
             assert_never(block)
 
 
-def _write_aligned(lines: Sequence[str]) -> str:
+def _write_aligned(lines: Sequence[Row]) -> str:
     """Equations one below another."""
-    rows = convert_each(lambda latex: _align(read_math(latex, _WHERE)), lines)
-    body = [node for row in rows for node in (LineBreak(), *row)]
+    body = [node for line in lines for node in (LineBreak(), *_align(line))]
     return write_display_html((Environment("aligned", tuple(body[1:])),))
 
 
@@ -79,12 +77,7 @@ def _align(row: Row) -> Row:
 
 def _write_terms(terms: Sequence[Term], words: Catalogue) -> str:
     """The vector equation over the magnitudes and directions of its terms."""
-    symbols = [
-        write_math_html(
-            f"{term.sign}{{}} {term.symbol}".strip() if term.sign else term.symbol, _WHERE
-        )
-        for term in terms
-    ]
+    symbols = [write_row_html((*_print_sign(term), *term.symbol)) for term in terms]
     rows = [
         ("", symbols),
         (words.text("solution.layout.magnitude"), [_write_cell(term.magnitude) for term in terms]),
@@ -98,6 +91,11 @@ def _write_terms(terms: Sequence[Term], words: Catalogue) -> str:
         for head, cells in rows
     )
     return f"<table><tbody>\n{written}</tbody></table>\n"
+
+
+def _print_sign(term: Term) -> Row:
+    """The sign of a term, with the room that it has between two terms."""
+    return (Sign(term.sign), Group(())) if term.sign else ()
 
 
 def _write_cell(text: str) -> str:

@@ -12,7 +12,6 @@ from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.latex import TEX, write_latex_math, write_latex_row
 from kinegrade.language.math.latex_text import write_comment, write_plain
-from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Location
 from kinegrade.language.prose.latex import write_line, write_prose
@@ -98,7 +97,7 @@ def _write_content(block: Block, where: Location) -> str:
         case Display():
             return write_command(
                 "equations",
-                "".join(convert_each(lambda latex: _write_line(latex, where), block.lines)),
+                "".join(map(_write_line, block.lines)),
             )
         case TermTable():
             return "\n".join(_write_bands(block.terms, where))
@@ -116,11 +115,11 @@ def _write_content(block: Block, where: Location) -> str:
             )
 
 
-def _write_line(latex: str, where: Location) -> str:
+def _write_line(line: Row) -> str:
     r"""`\equationline{left}{\relation{= a}\summand{+ b}}`: a line may be broken before each
     piece.
     """
-    parts = split_equation_line(read_math(latex, where))
+    parts = split_equation_line(line)
     pieces = "".join(map(_write_piece, parts.pieces))
     return write_command("equationline", write_latex_row(parts.left, TEX), pieces)
 
@@ -148,7 +147,7 @@ def _write_band(terms: Sequence[Term], where: Location) -> str:
 def _write_term(term: Term, width: str, where: Location) -> tuple[str, str, str]:
     """The entries of a term in the rows of the equation, the magnitudes and the directions."""
     parts = gather(
-        symbol=lambda: write_latex_math(term.symbol, where),
+        symbol=lambda: write_latex_row(term.symbol, TEX),
         magnitude=lambda: _write_cell(term.magnitude, width, where),
         direction=lambda: _write_cell(term.direction, width, where),
     )

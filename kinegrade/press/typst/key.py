@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.units import write_unit
+from kinegrade.language.math.width import measure_row
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line
 from kinegrade.language.typst_text import write_literal
@@ -26,7 +28,6 @@ from kinegrade.press.typst.layout_call import (
 )
 from kinegrade.press.typst.room import is_wide_symbol
 from kinegrade.question_numbers import find_bank_number
-from kinegrade.worked.formulas.width import measure_width
 
 _PLAIN_EXACT = 26  # letters' widths of an exact value that surely fits its column
 
@@ -75,11 +76,16 @@ def _write_parameter(parameter: KeyParameter, where: Location) -> str:
     return f"{{{equation}{value}}}"
 
 
+def _is_long(exact: str, where: Location) -> bool:
+    """Whether an exact value may be too wide for its column."""
+    return measure_row(read_math(exact, where)) > _PLAIN_EXACT
+
+
 def _write_answer(answer: KeyAnswer, where: Location) -> Sheet:
     return {
         "symbol": write_formula(answer.symbol, where),
         "exact": None if answer.exact is None else write_formula(answer.exact, where),
-        "wide": is_wide_symbol(answer.symbol) or measure_width(answer.exact or "") > _PLAIN_EXACT,
+        "wide": is_wide_symbol(answer.symbol, where) or _is_long(answer.exact or "", where),
         "decimal": write_signed(answer.decimal),
         "unit": write_unit(answer.unit),
         "interval": write_signed(answer.interval),

@@ -104,7 +104,7 @@ def _write_answer_row(row: AnswerRow, where: Location, words: Catalogue) -> Shee
         sign=lambda: write_line(row.sign, locate_part(where, "sign")) if row.sign else None,
     )
     return sheet | {
-        "wide": is_wide_symbol(row.symbol),
+        "wide": is_wide_symbol(row.symbol, locate_part(where, "symbol")),
         "unit": words.text("paper.unitless") if row.unit == "1" else write_unit(row.unit),
         "points": write_points_text(row.points, words.language),
     }

@@ -7,9 +7,11 @@ from __future__ import annotations
 import re
 from unicodedata import east_asian_width
 
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.width import measure_row
+from kinegrade.language.message import Location
 from kinegrade.press.paper_parts import fits_beside
 from kinegrade.press.sheet import AnswerRow, QuestionSheet
-from kinegrade.worked.formulas.width import measure_width
 
 _PAGE = 225.0  # millimetres: a little less than any page holds between its margins
 _MEASURE = 123.0  # millimetres: the width of a line of text, without a figure beside it
@@ -23,9 +25,9 @@ def fits_page(question: QuestionSheet) -> bool:
     return _bound_height(question) <= _PAGE
 
 
-def is_wide_symbol(symbol: str) -> bool:
-    """Whether a symbol (math) may be too wide for its column."""
-    return measure_width(symbol) > _PLAIN_SYMBOL
+def is_wide_symbol(symbol: str, where: Location) -> bool:
+    """Whether a symbol (math) may be too wide for its column. Raises TypesetError."""
+    return measure_row(read_math(symbol, where)) > _PLAIN_SYMBOL
 
 
 def _bound_height(question: QuestionSheet) -> float:

@@ -12,7 +12,6 @@ from re import fullmatch
 from kinegrade.figure.back_ends.typst import write_typst
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
-from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
 from kinegrade.language.math.typst import write_typst_row
 from kinegrade.language.message import Location
@@ -97,7 +96,7 @@ def _write_content(block: Block, where: Location, size: PaperSize) -> Sheet:
         case Display():
             return {
                 "kind": "display",
-                "lines": convert_each(lambda latex: _write_line(latex, where), block.lines),
+                "lines": list(map(_write_line, block.lines)),
             }
         case TermTable():
             return {
@@ -117,8 +116,8 @@ def _write_content(block: Block, where: Location, size: PaperSize) -> Sheet:
             }
 
 
-def _write_line(latex: str, where: Location) -> Sheet:
-    parts = split_equation_line(read_math(latex, where))
+def _write_line(line: Row) -> Sheet:
+    parts = split_equation_line(line)
     return {
         "left": f"${write_typst_row(parts.left)}$",
         "pieces": [_write_piece(piece) for piece in parts.pieces],
@@ -131,7 +130,7 @@ def _write_piece(piece: Row) -> Sheet:
 
 def _write_term(term: Term, where: Location) -> Sheet:
     sheet = gather(
-        symbol=lambda: write_formula(term.symbol, where),
+        symbol=lambda: f"${write_typst_row(term.symbol)}$",
         magnitude=lambda: _write_cell(term.magnitude, where),
         direction=lambda: _write_cell(term.direction, where),
     )

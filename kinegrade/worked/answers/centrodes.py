@@ -8,23 +8,26 @@ from collections.abc import Iterator
 from itertools import islice
 
 from kinegrade.expressions.expression import Name
+from kinegrade.language.math.tree import Letter, Text
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.centrode import Centrodes, find_circle
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
-from kinegrade.worked.document import Block, Display
-from kinegrade.worked.formulas.expression import collect_symbols
-from kinegrade.worked.formulas.numbers import write_number, write_quantity, write_short
-from kinegrade.worked.steps.findings import Findings
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block
+from kinegrade.worked.formulas.atoms import Measured, Number, Symbol, Tuple
+from kinegrade.worked.formulas.equation import Equation, Link
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.numbers import round_number, state_number, state_quantity
+from kinegrade.worked.formulas.symbols import collect_symbols, read_symbol
 from kinegrade.worked.steps.poles import explain_pole, name_pole
-from kinegrade.worked.words.solution_case import Case
 
 _SHOWN = 4
-_RADIUS = r"\rho"
+_RADIUS = Symbol((Letter("rho"),))
 
 
-def explain_centrode(ask: Ask, case: Case, findings: Findings) -> Iterator[Block]:
+def explain_centrode(ask: Ask, case: Case) -> Iterator[Block]:
     """How a quantity of the circle on which a pole moves is found; the circle itself is derived
     only once.
     """
@@ -32,12 +35,13 @@ def explain_centrode(ask: Ask, case: Case, findings: Findings) -> Iterator[Block
         call for call in find_motion_calls(ask.quantity) if call.function == "circle_of_poles"
     )
     body, angle = (argument.name for argument in call.arguments if isinstance(argument, Name))
-    yield from explain_pole(body, case, findings)
-    if (circle := f"circle {body}") not in findings.poles:
-        findings.poles[circle] = ""
+    yield from explain_pole(body, case)
+    if body not in case.findings.circles:
+        case.findings.circles.add(body)
         yield from _explain_circle(body, angle, case)
-    if ask.symbol != _RADIUS:
-        yield Display((f"{ask.symbol} &= {write_quantity(case.solution.answers[ask.name])}",))
+    symbol = read_symbol(ask.symbol)
+    if symbol != _RADIUS:
+        yield case.show(Equation(symbol, state_quantity(case.solution.answers[ask.name])))
 
 
 def _explain_circle(body: str, angle: str, case: Case) -> Iterator[Block]:
@@ -50,32 +54,29 @@ def _explain_circle(body: str, angle: str, case: Case) -> Iterator[Block]:
             _SHOWN,
         )
     )
-    letter = case.naming.point(name_pole(body, case))
+    letter = case.naming.letter(name_pole(body, case))
     yield case.say(
         Message(
             "solution.centrode",
             body=case.naming.body(body),
-            angle=collect_symbols(case.template)[angle],
+            angle=case.text(collect_symbols(case.template)[angle]),
         )
     )
-    yield Display(
-        tuple(
-            f"{letter}^{{({number})}} &: ({_write_coordinates(pole)})"
+    yield case.show(
+        *(
+            _locate(letter ** Tuple((Number(str(number)),)), pole)
             for number, pole in enumerate(poles, start=1)
         )
     )
     circle = find_circle(poles[0], poles[1], poles[2], arithmetic)
     yield case.say(Message("solution.centrode-circle"))
-    radius = write_number(circle.radius, "m")
-    yield Display(
-        (
-            f"{_RADIUS} &= {radius}",
-            rf"\text{{{case.write(Message('solution.centre-of-circle'))}}} &: "
-            rf"({_write_coordinates(circle.centre)})\,\unit{{m}}",
-        )
+    centre = Symbol((Text(case.write(Message("solution.centre-of-circle"))),))
+    yield case.show(
+        Equation(_RADIUS, state_number(circle.radius, "m")), _locate(centre, circle.centre, "m")
     )
 
 
-def _write_coordinates(point: Vector) -> str:
+def _locate(name: Formula, point: Vector, unit: str = "1") -> Equation:
     """The coordinates of a point in metres."""
-    return rf"{write_short(point.x)},\ {write_short(point.y)}"
+    place = Tuple((round_number(point.x), round_number(point.y)))
+    return Equation(name, (Link(":", Measured(place, unit)),))

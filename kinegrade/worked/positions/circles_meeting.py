@@ -5,64 +5,72 @@ from __future__ import annotations
 from typing import Literal
 
 from kinegrade.expressions.expression import Call, Expression, Name, Operation
-from kinegrade.language import Language
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
-from kinegrade.worked.document import Block, Display, say
-from kinegrade.worked.formulas.coordinates import (
+from kinegrade.worked.document import Block, Display
+from kinegrade.worked.formulas.atoms import Symbol
+from kinegrade.worked.formulas.formula import Function
+from kinegrade.worked.formulas.symbols import name_corner
+from kinegrade.worked.positions.algebra import (
     TWO,
     ZERO,
     Pair,
     cross,
-    length_of,
     minus,
     over,
     plus,
     square,
     times,
 )
-from kinegrade.worked.formulas.instance import DEGREE, METRE, PURE, Instance
-from kinegrade.worked.words.senses import name_rotation_sense
-from kinegrade.worked.words.shapes import describe_circle
+from kinegrade.worked.positions.axes import length_of
+from kinegrade.worked.positions.instance import DEGREE, METRE, PURE, Instance
+from kinegrade.worked.positions.shapes import describe_circle
+from kinegrade.worked.senses import name_rotation_sense
 
 _NOTHING: Pair = (ZERO, ZERO)
 
 
 def explain_circles(
-    point: str, circles: tuple[Call, Call], instance: Instance, language: Language
+    point: str, circles: tuple[Call, Call], instance: Instance
 ) -> tuple[Block, ...]:
     """The third corner of a triangle with known sides, by the law of cosines."""
     (first, radius), (second, opposite) = (circle.arguments for circle in circles)
-    name, start, end = instance.symbols[point], instance.symbolic(first), instance.symbolic(second)
+    name, start, end = (instance.text(corner) for corner in (Name(point), first, second))
     left = _turns_left(point, first, second, instance)
     axis, towards = Call("distance", (first, second)), Call("direction", (first, second))
     cosine = _solve_for_cosine(radius, opposite, axis)
     corner = instance.free("corner")
     angle = instance.value(Call("acos", (cosine,)))
-    opened = instance.named(corner, rf"\angle {end}{start}{name}", angle)
+    opened = instance.named(corner, _name_corner((second, first, Name(point)), instance), angle)
     placed = Call("polar", (first, radius, (plus if left else minus)(towards, Name(corner))))
     sense = name_rotation_sense(left)
     return (
-        say(_describe_triangle(point, circles, left, instance), language),
+        instance.say(_describe_triangle(point, circles, left, instance)),
         Display(_solve_triangle(axis, cosine, corner, opened)),
-        say(
+        instance.say(
             Message("solution.triangle-side", point=name, first=start, second=end, sense=sense),
-            language,
         ),
         Display(
             (
-                *opened.equation(opened.symbolic(towards), towards, DEGREE),
+                *opened.equation(opened.formula(towards), towards, DEGREE),
                 *opened.coordinates(point, opened.axes.pair(placed) or _NOTHING),
             )
         ),
     )
 
 
+def _name_corner(points: tuple[Expression, ...], instance: Instance) -> Symbol:
+    """The angle at the second of three points, each as its letters."""
+    rows = (instance.formula(point).print() for point in points)
+    return name_corner(Symbol(row) for row in rows)
+
+
 def _describe_triangle(
     point: str, circles: tuple[Call, Call], left: bool, instance: Instance
 ) -> Message:
     """Where the common point of two circles lies, and what the triangle of the centres gives."""
-    name = instance.symbols[point]
-    start, end = (instance.symbolic(circle.arguments[0]) for circle in circles)
+    name = instance.letter(point)
+    start, end = (instance.text(circle.arguments[0]) for circle in circles)
     side: Literal["left", "right"] = "left" if left else "right"
     place = Message(
         f"solution.circles-meet-{side}",
@@ -84,15 +92,15 @@ def _solve_for_cosine(radius: Expression, opposite: Expression, axis: Expression
 
 def _solve_triangle(
     axis: Call, cosine: Expression, corner: str, instance: Instance
-) -> tuple[str, ...]:
+) -> tuple[Row, ...]:
     """The side between the centres, the cosine, and the angle."""
     vector = instance.axes.pair(Operation("-", axis.arguments[1], axis.arguments[0])) or _NOTHING
     angle = instance.symbols[corner]
     return (
         *instance.equation(
-            instance.symbolic(axis), length_of(Call("", vector), instance.axes), METRE
+            instance.formula(axis), length_of(Call("", vector), instance.axes), METRE
         ),
-        *instance.equation(rf"\cos{angle}", cosine, PURE),
+        *instance.equation(Function("cos", angle), cosine, PURE),
         *instance.equation(angle, Name(corner), DEGREE),
     )
 

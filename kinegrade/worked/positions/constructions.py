@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Literal, assert_never
 
 from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, list_parts
-from kinegrade.language import Language
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.worked.document import (
     Block,
@@ -21,13 +21,14 @@ from kinegrade.worked.document import (
     Prose,
     Results,
     TermTable,
-    say,
 )
-from kinegrade.worked.formulas.coordinates import ZERO, Step, length_of, minus, over, plus, scale
-from kinegrade.worked.formulas.expression import count_quarter_turns
-from kinegrade.worked.formulas.instance import Instance
+from kinegrade.worked.formulas.leaves import count_quarter_turns
+from kinegrade.worked.positions.algebra import ZERO, minus, over, plus
+from kinegrade.worked.positions.axes import length_of, scale
+from kinegrade.worked.positions.construction_steps import Step
+from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
-from kinegrade.worked.words.vectors import describe_vector, negate
+from kinegrade.worked.positions.vectors import describe_vector, negate
 
 _Heading = Literal["x", "y", "minus-x", "minus-y"]
 _HEADINGS: tuple[_Heading, ...] = ("x", "y", "minus-x", "minus-y")  # by quarter turns
@@ -38,11 +39,11 @@ class _Coordinates:
     """Points given by their coordinates alone: one sentence with their equations."""
 
     points: tuple[str, ...]
-    lines: tuple[str, ...]
+    lines: tuple[Row, ...]
 
-    def blocks(self, language: Language) -> tuple[Block, ...]:
+    def blocks(self, instance: Instance) -> tuple[Block, ...]:
         """The sentence and the equations."""
-        return say(self._announce(), language), Display(self.lines)
+        return instance.say(self._announce()), Display(self.lines)
 
     def _announce(self) -> Message:
         points = list_plainly(f"${point}$" for point in self.points)
@@ -51,15 +52,13 @@ class _Coordinates:
         return Message("solution.coordinates-of-several", points=points)
 
 
-def write_chapter(
-    steps: Iterable[Step], instance: Instance, language: Language
-) -> tuple[Block, ...]:
+def write_chapter(steps: Iterable[Step], instance: Instance) -> tuple[Block, ...]:
     """The blocks of all steps, the origin first; neighbouring points that are given by their
     coordinates share a sentence.
     """
     blocks = list[Block | _Coordinates]()
     for step in sorted(steps, key=lambda step: instance.axes.pair(step.tree) != (ZERO, ZERO)):
-        written = _explain_construction(step, instance, language)
+        written = _explain_construction(step, instance)
         before = blocks[-1] if blocks else None
         if isinstance(written, _Coordinates) and isinstance(before, _Coordinates):
             written = _Coordinates(before.points + written.points, before.lines + written.lines)
@@ -71,64 +70,62 @@ def write_chapter(
                 blocks += written
             case _:
                 assert_never(written)
-    return tuple(part for block in blocks for part in _write_out(block, language))
+    return tuple(part for block in blocks for part in _write_out(block, instance))
 
 
-def _write_out(block: Block | _Coordinates, language: Language) -> tuple[Block, ...]:
+def _write_out(block: Block | _Coordinates, instance: Instance) -> tuple[Block, ...]:
     """A block unchanged; coordinates with their sentence."""
     match block:
         case _Coordinates():
-            return block.blocks(language)
+            return block.blocks(instance)
         case Heading() | Prose() | Display() | TermTable() | Pictures() | Results():
             return (block,)
         case _:
             assert_never(block)
 
 
-def _explain_construction(
-    step: Step, instance: Instance, language: Language
-) -> tuple[Block, ...] | _Coordinates:
+def _explain_construction(step: Step, instance: Instance) -> tuple[Block, ...] | _Coordinates:
     """The blocks of one step, or its coordinates where these are all there is to write."""
     tree = step.tree
     if isinstance(tree, Call) and tree.function == "meet":
-        return explain_meeting(step, instance, language)
+        return explain_meeting(step, instance)
     if isinstance(tree, Call) and tree.function == "foot":
-        return explain_foot(step, instance, language)
+        return explain_foot(step, instance)
     if isinstance(tree, Call) and tree.function == "toward":
-        return _explain_toward(step, instance, language)
+        return _explain_toward(step, instance)
     pair = instance.axes.pair(tree) or (ZERO, ZERO)
     if pair == (ZERO, ZERO):
-        return (say(Message("solution.origin", point=instance.symbols[step.point]), language),)
+        return (instance.say(Message("solution.origin", point=instance.letter(step.point))),)
     sentence = _describe_place(step, instance)
     lines = instance.coordinates(step.point, pair)
     if sentence is None:
-        return _Coordinates((instance.symbols[step.point],), lines)
-    return say(sentence, language), Display(lines)
+        return _Coordinates((instance.letter(step.point),), lines)
+    return instance.say(sentence), Display(lines)
 
 
 def _describe_place(step: Step, instance: Instance) -> Message | None:
     """Where the point of a step lies, for constructions whose coordinates follow at once; None
     where the coordinates alone are enough.
     """
-    point, tree = instance.symbols[step.point], step.tree
+    point, tree = instance.letter(step.point), step.tree
     match tree:
         case Name():
-            return Message("solution.coincides", point=point, other=instance.symbols[tree.name])
+            return Message("solution.coincides", point=point, other=instance.letter(tree.name))
         case Call(function="polar", arguments=(centre, radius, angle)):
             return _describe_polar_place(point, (centre, radius, angle), instance)
         case Call(function="midpoint", arguments=(Name(first), Name(second))):
             return Message(
                 "solution.midpoint",
                 point=point,
-                first=instance.symbols[first],
-                second=instance.symbols[second],
+                first=instance.letter(first),
+                second=instance.letter(second),
             )
         case Operation(sign="+" | "-", left=Name(base), right=right):
             vector = {"+": right, "-": negate(right, instance)}[tree.sign]
             return Message(
                 "solution.displaced",
                 point=point,
-                base=instance.symbols[base],
+                base=instance.letter(base),
                 vector=describe_vector(vector, instance),
             )
         case Number() | Operation() | Call():
@@ -147,13 +144,13 @@ def _describe_polar_place(
     quarters = count_quarter_turns(angle)
     against = instance.sign(radius) < 0
     start, distance = (
-        instance.symbolic(centre),
-        instance.symbolic(minus(ZERO, radius) if against else radius),
+        instance.text(centre),
+        instance.text(minus(ZERO, radius) if against else radius),
     )
     if quarters is not None:
         heading = _HEADINGS[(quarters + 2 * against) % 4]
         return Message(f"solution.towards-{heading}", point=point, centre=start, radius=distance)
-    way = instance.symbolic(angle, degrees=True)
+    way = instance.text(angle, degrees=True)
     if against:
         return Message(
             "solution.polar-against", point=point, centre=start, radius=distance, angle=way
@@ -161,13 +158,13 @@ def _describe_polar_place(
     return Message("solution.polar", point=point, centre=start, radius=distance, angle=way)
 
 
-def _explain_toward(step: Step, instance: Instance, language: Language) -> tuple[Block, ...]:
+def _explain_toward(step: Step, instance: Instance) -> tuple[Block, ...]:
     """A point at a distance from one point towards another, or along a vector."""
     start, end, distance = list_parts(step.tree)
     vector = _write_way(start, end, instance)
     size, direction = length_of(vector, instance.axes), instance.axes.pair(vector)
     base = instance.axes.pair(start)
-    sentence = say(_describe_reached_place(step, vector, instance), language)
+    sentence = instance.say(_describe_reached_place(step, vector, instance))
     if base is None or direction is None:
         return (sentence,)
     lines = write_length_lines(size, instance)
@@ -179,15 +176,15 @@ def _explain_toward(step: Step, instance: Instance, language: Language) -> tuple
 def _describe_reached_place(step: Step, vector: Expression, instance: Instance) -> Message:
     """Where a point lies that is reached along a vector: on the way to another point, or not."""
     start, end, distance = list_parts(step.tree)
-    point, base = instance.symbols[step.point], instance.symbolic(start)
+    point, base = instance.letter(step.point), instance.text(start)
     match end:
         case Name():
             return Message(
                 "solution.on-ray",
                 point=point,
                 start=base,
-                end=instance.symbolic(end),
-                distance=instance.symbolic(distance),
+                end=instance.text(end),
+                distance=instance.text(distance),
             )
         case Number() | Operation() | Call():
             return Message(
@@ -195,7 +192,7 @@ def _describe_reached_place(step: Step, vector: Expression, instance: Instance) 
                 point=point,
                 start=base,
                 vector=describe_vector(vector, instance),
-                distance=instance.symbolic(distance),
+                distance=instance.text(distance),
             )
         case _:
             assert_never(end)
@@ -216,7 +213,7 @@ def _write_way(start: Expression, end: Expression, instance: Instance) -> Expres
             assert_never(end)
 
 
-def write_length_lines(size: Expression, instance: Instance) -> tuple[str, ...]:
+def write_length_lines(size: Expression, instance: Instance) -> tuple[Row, ...]:
     """AB = the root of the sum of squares, worked out; nothing for a length that is not the
     distance of two points.
     """
@@ -224,4 +221,4 @@ def write_length_lines(size: Expression, instance: Instance) -> tuple[str, ...]:
         return ()
     first, second = size.arguments
     vector = instance.axes.pair(Operation("-", second, first)) or (ZERO, ZERO)
-    return instance.equation(instance.symbolic(size), length_of(Call("", vector), instance.axes))
+    return instance.equation(instance.formula(size), length_of(Call("", vector), instance.axes))

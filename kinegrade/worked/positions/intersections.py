@@ -8,19 +8,20 @@ from its given point. Two circles are in `kinegrade.worked.positions.circles_mee
 from __future__ import annotations
 
 from kinegrade.expressions.expression import Call, Expression, Name, Operation, list_parts
-from kinegrade.language import Language
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
-from kinegrade.problem.template.notation import write_symbol
-from kinegrade.worked.document import Block, Display, say
-from kinegrade.worked.formulas.coordinates import (
+from kinegrade.worked.document import Block, Display
+from kinegrade.worked.formulas.atoms import AXES, AxisName, Symbol
+from kinegrade.worked.formulas.atoms import TWO as NUMBER_TWO
+from kinegrade.worked.formulas.atoms import ZERO as NUMBER_ZERO
+from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.symbols import name_coordinate, name_quantity
+from kinegrade.worked.positions.algebra import (
     ONE,
     ZERO,
     Pair,
-    Step,
     cross,
     dot,
-    find_line,
-    length_of,
     minus,
     over,
     plus,
@@ -28,16 +29,18 @@ from kinegrade.worked.formulas.coordinates import (
     square,
     times,
 )
-from kinegrade.worked.formulas.instance import AREA, Instance
+from kinegrade.worked.positions.axes import find_line, length_of
 from kinegrade.worked.positions.circles_meeting import explain_circles
-from kinegrade.worked.words.shapes import describe_chord_end, describe_line
-from kinegrade.worked.words.vectors import describe_vector
+from kinegrade.worked.positions.construction_steps import Step
+from kinegrade.worked.positions.instance import AREA, Instance
+from kinegrade.worked.positions.shapes import describe_chord_end, describe_line
+from kinegrade.worked.positions.vectors import describe_vector
 
 _Line = tuple[Pair, Pair]  # a point and a direction
 _NOTHING: Pair = (ZERO, ZERO)
 
 
-def explain_meeting(step: Step, instance: Instance, language: Language) -> tuple[Block, ...]:
+def explain_meeting(step: Step, instance: Instance) -> tuple[Block, ...]:
     """The point in which two lines, a line and a circle, or two circles meet."""
     first, second, *branch = list_parts(step.tree)
     side = branch[0].name if branch and isinstance(branch[0], Name) else ""
@@ -46,57 +49,57 @@ def explain_meeting(step: Step, instance: Instance, language: Language) -> tuple
     circles = [shape for shape in (first, second) if shape.function == "circle"]
     lines = [shape for shape in (first, second) if shape.function == "line"]
     if len(circles) == 2:
-        return explain_circles(step.point, (first, second), instance, language)
+        return explain_circles(step.point, (first, second), instance)
     if len(lines) == 2:
-        return _explain_two_lines(step.point, (first, second), instance, language)
+        return _explain_two_lines(step.point, (first, second), instance)
     sentence = describe_chord_end(step.point, lines[0], circles[0], side, instance)
     if ZERO not in find_line(lines[0], instance.axes)[1]:
         share, start = _name_distance_along(lines[0], instance)
         distance = Message("solution.quadratic", share=share, start=start)
         sentence = Message("solution.sentences", first=sentence, next=distance)
     solved = _solve_line_and_circle(step.point, lines[0], circles[0], instance)
-    return say(sentence, language), *solved
+    return instance.say(sentence), *solved
 
 
 def _explain_two_lines(
-    point: str, lines: tuple[Call, Call], instance: Instance, language: Language
+    point: str, lines: tuple[Call, Call], instance: Instance
 ) -> tuple[Block, ...]:
     """The point in which two lines meet; of two slanting lines the first is parametrised."""
     sentence = Message(
         "solution.lines-meet",
-        point=instance.symbols[point],
+        point=instance.letter(point),
         first=describe_line(lines[0], instance),
         second=describe_line(lines[1], instance),
     )
     first, second = (find_line(line, instance.axes) for line in lines)
     if ZERO in first[1] + second[1]:
         solved = Display(_solve_two_lines(point, first, second, instance))
-        return say(sentence, language), solved
+        return instance.say(sentence), solved
     share, start = _name_distance_along(lines[0], instance)
     distance = Message("solution.lines-meet-distance", share=share, start=start)
-    return say(Message("solution.sentences", first=sentence, next=distance), language), Display(
+    return instance.say(Message("solution.sentences", first=sentence, next=distance)), Display(
         _solve_two_slanting_lines(point, _make_unit_line(first, instance), second, instance)
     )
 
 
 def _name_distance_along(line: Call, instance: Instance) -> tuple[str, str]:
     """The letter of the distance along a line, and the point from which it counts."""
-    return _choose_letter("s", instance), instance.symbolic(line.arguments[0])
+    return instance.case.text(_choose_letter("s", instance)), instance.text(line.arguments[0])
 
 
 def _solve_two_lines(
     point: str, first: _Line, second: _Line, instance: Instance
-) -> tuple[str, ...]:
+) -> tuple[Row, ...]:
     """Both coordinates, from a line along an axis and the other line."""
     (base, along), (other, across) = (first, second) if ZERO in first[1] else (second, first)
     level = along[1] == ZERO
-    known, sought = ("y", "x") if level else ("x", "y")
+    known, sought = reversed(AXES) if level else AXES
     place, slope = (1, over(across[0], across[1])) if level else (0, over(across[1], across[0]))
     rise = minus(_write_coordinate_formula(instance, known, point), other[place])
     return (
-        *instance.equation(_write_label(instance, known, point), base[place]),
+        *instance.equation(_name_coordinate(instance, known, point), base[place]),
         *instance.equation(
-            _write_label(instance, sought, point),
+            _name_coordinate(instance, sought, point),
             plus(other[1 - place], _multiply_by_slope(rise, slope)),
         ),
     )
@@ -111,7 +114,7 @@ def _multiply_by_slope(rise: Expression, slope: Expression) -> Expression:
 
 def _solve_two_slanting_lines(
     point: str, first: _Line, second: _Line, instance: Instance
-) -> tuple[str, ...]:
+) -> tuple[Row, ...]:
     """The distance s along the first line from its point, then both coordinates."""
     (base, along), (other, across) = first, second
     apart = minus(other[0], base[0]), minus(other[1], base[1])
@@ -119,22 +122,22 @@ def _solve_two_slanting_lines(
     return _solve_along_line(point, base, along, share, instance)
 
 
-def _choose_letter(name: str, instance: Instance) -> str:
+def _choose_letter(name: str, instance: Instance) -> Symbol:
     """The symbol of an auxiliary quantity, numbered where the template already uses that letter."""
-    return write_symbol(instance.free(name))
+    return name_quantity(instance.free(name))
 
 
 def _solve_along_line(
     point: str, base: Pair, along: Pair, share: Expression, instance: Instance
-) -> tuple[str, ...]:
+) -> tuple[Row, ...]:
     """s worked out, then the coordinates of the point at s from the line's given point."""
     name = instance.free("s")
-    further = instance.named(name, write_symbol(name), instance.value(share))
+    further = instance.named(name, name_quantity(name), instance.value(share))
     step = Name(name)
-    lines = further.equation(further.symbolic(step), share)
-    for axis, start, part in zip("xy", base, along, strict=True):
+    lines = further.equation(further.formula(step), share)
+    for axis, start, part in zip(AXES, base, along, strict=True):
         lines += further.equation(
-            _write_label(further, axis, point), plus(start, times(step, part))
+            _name_coordinate(further, axis, point), plus(start, times(step, part))
         )
     return lines
 
@@ -151,15 +154,16 @@ def _solve_line_and_circle(
     equation = _write_circle_equation(point, circle, instance)
     if ZERO in along:
         level = along[1] == ZERO
-        known, sought, place = ("y", "x", 1) if level else ("x", "y", 0)
+        known, sought = reversed(AXES) if level else AXES
+        place = 1 if level else 0
         rise = minus(_write_coordinate_formula(instance, known, point), centre[place])
         reach = root(minus(square(radius), square(rise)))
         beyond = instance.sign(minus(Call(sought, (Name(point),)), centre[1 - place]))
         solved = (minus if beyond < 0 else plus)(centre[1 - place], reach)
         return Display((equation,)), Display(
             (
-                *instance.equation(_write_label(instance, known, point), base[place]),
-                *instance.equation(_write_label(instance, sought, point), solved),
+                *instance.equation(_name_coordinate(instance, known, point), base[place]),
+                *instance.equation(_name_coordinate(instance, sought, point), solved),
             )
         )
     quadratic, *solution = _solve_slanting_chord(point, (base, along), (centre, radius), instance)
@@ -168,7 +172,7 @@ def _solve_line_and_circle(
 
 def _solve_slanting_chord(
     point: str, line: _Line, circle: tuple[Pair, Expression], instance: Instance
-) -> tuple[str, ...]:
+) -> tuple[Row, ...]:
     """s from s^2 + 2ps + q = 0, then both coordinates."""
     (base, along), (centre, radius) = _make_unit_line(line, instance), circle
     offset = minus(base[0], centre[0]), minus(base[1], centre[1])
@@ -177,21 +181,27 @@ def _solve_slanting_chord(
         minus(plus(square(offset[0]), square(offset[1])), square(radius)),
     )
     first, second = instance.free("p"), instance.free("q")
-    further = instance.named(first, write_symbol(first), instance.value(middle))
-    further = further.named(second, write_symbol(second), instance.value(rest))
+    halved, constant = name_quantity(first), name_quantity(second)
+    further = instance.named(first, halved, instance.value(middle))
+    further = further.named(second, constant, instance.value(rest))
     place = Call("x", (Name(point),)), Call("y", (Name(point),))
     run = dot((minus(place[0], base[0]), minus(place[1], base[1])), along)
     ahead = further.sign(plus(run, middle))
     reach = root(minus(square(Name(first)), Name(second)))
     share = (minus if ahead < 0 else plus)(minus(ZERO, Name(first)), reach)
     return (
-        rf"{_choose_letter('s', instance)}^{{2}} + "
-        rf"2\,{write_symbol(first)}\,{_choose_letter('s', instance)} + "
-        rf"{write_symbol(second)} &= 0",
-        *further.equation(write_symbol(first), middle),
-        *further.equation(write_symbol(second), rest, AREA),
+        _write_quadratic(halved, constant, instance),
+        *further.equation(halved, middle),
+        *further.equation(constant, rest, AREA),
         *_solve_along_line(point, base, along, share, further),
     )
+
+
+def _write_quadratic(halved: Symbol, constant: Symbol, instance: Instance) -> Row:
+    """s^2 + 2ps + q = 0."""
+    letter = _choose_letter("s", instance)
+    left = letter**NUMBER_TWO + NUMBER_TWO * halved * letter + constant
+    return Equation(left, equate(NUMBER_ZERO)).print_line(instance.case.mark)
 
 
 def _make_unit_line(line: _Line, instance: Instance) -> _Line:
@@ -209,17 +219,18 @@ def _make_unit_line(line: _Line, instance: Instance) -> _Line:
     return base, (over(along[0], size), over(along[1], size))
 
 
-def _write_circle_equation(point: str, circle: Call, instance: Instance) -> str:
+def _write_circle_equation(point: str, circle: Call, instance: Instance) -> Row:
     """(x - a)^2 + (y - b)^2 = r^2 in symbols."""
     centre = instance.axes.pair(circle.arguments[0]) or _NOTHING
     left = plus(
         square(minus(_write_coordinate_formula(instance, "x", point), centre[0])),
         square(minus(_write_coordinate_formula(instance, "y", point), centre[1])),
     )
-    return f"{instance.symbolic(left)} &= {instance.symbolic(square(circle.arguments[1]))}"
+    right = instance.formula(square(circle.arguments[1]))
+    return Equation(instance.formula(left), equate(right)).print_line(instance.case.mark)
 
 
-def explain_foot(step: Step, instance: Instance, language: Language) -> tuple[Block, ...]:
+def explain_foot(step: Step, instance: Instance) -> tuple[Block, ...]:
     """The foot of a perpendicular, by the projection on the line."""
     source, line = list_parts(step.tree)
     if not isinstance(line, Call):
@@ -228,8 +239,8 @@ def explain_foot(step: Step, instance: Instance, language: Language) -> tuple[Bl
     place = instance.axes.pair(source) or _NOTHING
     sentence = Message(
         "solution.foot",
-        point=instance.symbols[step.point],
-        source=instance.symbolic(source),
+        point=instance.letter(step.point),
+        source=instance.text(source),
         line=describe_line(line, instance),
     )
     letter, start = _name_distance_along(line, instance)
@@ -237,7 +248,7 @@ def explain_foot(step: Step, instance: Instance, language: Language) -> tuple[Bl
     distance = Message("solution.foot-distance", share=letter, start=start, vector=vector)
     share = dot((minus(place[0], base[0]), minus(place[1], base[1])), along)
     return (
-        say(Message("solution.sentences", first=sentence, next=distance), language),
+        instance.say(Message("solution.sentences", first=sentence, next=distance)),
         Display(_solve_along_line(step.point, base, along, share, instance)),
     )
 
@@ -247,6 +258,6 @@ def _write_coordinate_formula(instance: Instance, axis: str, point: str) -> Expr
     return instance.axes.coordinate(axis, point)
 
 
-def _write_label(instance: Instance, axis: str, point: str) -> str:
+def _name_coordinate(instance: Instance, axis: AxisName, point: str) -> Symbol:
     """x_B or y_B, the left side of an equation."""
-    return f"{axis}_{{{instance.symbols[point]}}}"
+    return name_coordinate(axis, instance.symbols[point])

@@ -8,33 +8,31 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from kinegrade.language import Language
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.numbers.angle import Angle
-from kinegrade.problem.solving import Solution
-from kinegrade.worked.document import Block, Display, say
-from kinegrade.worked.formulas.coordinates import select_needed
-from kinegrade.worked.formulas.instance import METRE, RADIAN, Instance, make_instance
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block, Display
+from kinegrade.worked.positions.construction_steps import select_needed
 from kinegrade.worked.positions.constructions import write_chapter
+from kinegrade.worked.positions.instance import METRE, RADIAN, Instance, make_instance
 
 
-def explain_positions(
-    solution: Solution, wanted: Collection[str], language: Language
-) -> tuple[Block, ...]:
+def explain_positions(case: Case, wanted: Collection[str]) -> tuple[Block, ...]:
     """Where the points `wanted` are, and those they are constructed from: a sentence and equations
     for each.
 
     Coordinates in metres, x to the right, y upwards. Named lengths of the template come first.
     """
-    instance = make_instance(solution)
+    instance = make_instance(case)
     steps = select_needed(instance.steps, wanted)
-    return _explain_named_lengths(instance, language) + write_chapter(steps, instance, language)
+    return _explain_named_lengths(instance) + write_chapter(steps, instance)
 
 
-def _explain_named_lengths(instance: Instance, language: Language) -> tuple[Block, ...]:
+def _explain_named_lengths(instance: Instance) -> tuple[Block, ...]:
     """The lengths that follow from the given quantities."""
-    lines: tuple[str, ...] = ()
-    for name, tree in instance.solution.template.scheme.lengths.items():
+    lines: tuple[Row, ...] = ()
+    for name, tree in instance.case.template.scheme.lengths.items():
         unit = RADIAN if isinstance(instance.values[name], Angle) else METRE
         lines += instance.equation(instance.symbols[name], tree, unit)
-    return (say(Message("solution.lengths"), language), Display(lines)) if lines else ()
+    return (instance.say(Message("solution.lengths")), Display(lines)) if lines else ()

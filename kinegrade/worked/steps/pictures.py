@@ -11,6 +11,7 @@ from typing import assert_never
 from kinegrade.figure.vectors.mechanism import PointArrow, draw_with_vectors
 from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construction
 from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
+from kinegrade.language.math.tree import Text, list_nodes
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
@@ -20,18 +21,17 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
-from kinegrade.problem.quantities.reader import MotionReader
 from kinegrade.problem.template.hints import Turning
 from kinegrade.problem.template.template import Ask
+from kinegrade.worked.case import Case
 from kinegrade.worked.document import Picture, Pictures
-from kinegrade.worked.formulas.numbers import NEGLIGIBLE
-from kinegrade.worked.steps.deductions import Stage
-from kinegrade.worked.steps.methods import choose_method, find_coupler
-from kinegrade.worked.steps.needed_rates import find_references
+from kinegrade.worked.formulas.measures import NEGLIGIBLE
+from kinegrade.worked.rates.speeds import find_term, name_speed
+from kinegrade.worked.steps.couplers import choose_method, find_coupler
 from kinegrade.worked.steps.poles import name_pole
-from kinegrade.worked.steps.scalars import find_term, write_speed
-from kinegrade.worked.steps.vectors import write_letters
-from kinegrade.worked.words.solution_case import LETTERS, Case
+from kinegrade.worked.vectors.needed_rates import find_references
+from kinegrade.worked.vectors.stage import Stage
+from kinegrade.worked.vectors.vectors import LETTERS, name_part, name_point_vector
 
 
 def draw_mechanism(case: Case) -> Picture:
@@ -82,7 +82,7 @@ def draw_given(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Pict
             if _is_seen(value):
                 arrows.append(
                     PointArrow(
-                        write_speed(term, case, level),
+                        case.text(name_speed(term, case, level)),
                         _make_floats(case.motion.points[term.point]),
                         value,
                     )
@@ -103,7 +103,7 @@ def _draw_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
         velocity = _make_floats(case.motion.velocity(centre, roll.body))
         if _is_seen(velocity):
             ray = PointArrow(
-                f"v_{{{case.naming.point(centre)}}}",
+                case.text(name_point_vector(centre, "velocity", case)),
                 _make_floats(case.motion.points[centre]),
                 velocity,
             )
@@ -142,15 +142,14 @@ def draw_answer(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
 
 def _find_asked_arrows(ask: Ask, level: Level, case: Case) -> Iterator[PointArrow]:
     """The vectors of points that an ask names."""
-    reader = MotionReader(case.motion, case.arithmetic)
     for call in find_motion_calls(ask.quantity):
         function = MOTION_FUNCTIONS[call.function]
         if (function.derivation, function.level) != ("point", level):
             continue
-        for body, point in find_references(call, reader).points:
+        for body, point in find_references(call, case.reader).points:
             value = _make_floats(_find_motion(point, body, level, case))
             if _is_seen(value):
-                letters = f"{LETTERS[level]}_{{{case.naming.point(point)}}}"
+                letters = case.text(name_point_vector(point, level, case))
                 yield PointArrow(
                     letters, _make_floats(case.motion.points[point]), value, known=False
                 )
@@ -195,7 +194,7 @@ def _find_point_arrows(
         if _is_seen(part.value):
             at = _make_floats(case.motion.points[part.point])
             yield PointArrow(
-                write_letters(equation, part, case),
+                case.text(name_part(equation, part, case)),
                 at,
                 _make_floats(part.value),
                 part.unknown is None,
@@ -205,12 +204,23 @@ def _find_point_arrows(
 def _find_turnings(rates: Iterable[Rate], case: Case, level: Level) -> tuple[Turning, ...]:
     """The rotations that a step gives, in their sense."""
     values = case.rates(level)
-    found = []
-    for rate in rates:
-        if rate.kind == "turning" and float(values[rate]):
-            letters = case.naming.turning(rate.body, level)
-            found.append(Turning(letters, rate.body, "ccw" if float(values[rate]) > 0 else "cw"))
-    return tuple(turning for turning in found if r"\text" not in turning.symbol)
+    return tuple(
+        Turning(
+            case.text(case.naming.turning(rate.body, level)),
+            rate.body,
+            "ccw" if float(values[rate]) > 0 else "cw",
+        )
+        for rate in rates
+        if rate.kind == "turning" and float(values[rate]) and _is_short(rate, level, case)
+    )
+
+
+def _is_short(rate: Rate, level: Level, case: Case) -> bool:
+    """Whether the symbol of a rotation has letters only, and no words that a figure has no room
+    for.
+    """
+    symbol = case.naming.turning(rate.body, level)
+    return not any(isinstance(node, Text) for node in list_nodes(symbol.row))
 
 
 def _draw_equation(equation: VectorEquation, stage: Stage) -> Picture:
@@ -219,7 +229,9 @@ def _draw_equation(equation: VectorEquation, stage: Stage) -> Picture:
     left, right = (
         [
             Arrow(
-                write_letters(equation, part, case), _make_floats(part.value), part.unknown is None
+                case.text(name_part(equation, part, case)),
+                _make_floats(part.value),
+                part.unknown is None,
             )
             for part in side
             if _is_seen(part.value)

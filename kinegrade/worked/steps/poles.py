@@ -2,29 +2,34 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from kinegrade.expressions.expression import Call, Name
+from kinegrade.language.math.tree import Letter, Scripts
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.quantities.functions import find_motion_calls
-from kinegrade.worked.document import Block, Display
-from kinegrade.worked.formulas.numbers import double, write_number, write_short
-from kinegrade.worked.steps.findings import Findings, write_point_symbol
-from kinegrade.worked.steps.points import find_point, find_vector
-from kinegrade.worked.steps.summands import write_component
-from kinegrade.worked.words.solution_case import Case
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block
+from kinegrade.worked.formulas.atoms import AXES, OTHER, AxisName
+from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.formulas.symbols import name_coordinate, read_symbol
+from kinegrade.worked.vectors.points import find_point, find_vector
+from kinegrade.worked.vectors.summands import PLACES, name_component
+from kinegrade.worked.vectors.vectors import name_point_vector
 
 
 def name_pole(body: str, case: Case) -> str:
-    """The letter of a body's pole: the one by which an ask names it, else P, or a letter that no
+    """The name of a body's pole: the letter by which an ask names it, else P, or a letter that no
     point has.
     """
     for ask in case.template.asks.values():
-        named = re.match(r"[xy]_\{?([A-Z])\}?$", ask.symbol)
-        if named and Call("pole", (Name(body),)) in find_motion_calls(ask.quantity):
-            return named[1]
+        letter = _find_letter(ask.symbol)
+        if letter and Call("pole", (Name(body),)) in find_motion_calls(ask.quantity):
+            return letter
     letter = next((name for name in "PSQZ" if name not in case.motion.points), "P")
     bodies = sorted(
         {
@@ -37,38 +42,59 @@ def name_pole(body: str, case: Case) -> str:
     return f"{letter}{bodies.index(body) + 1}" if len(bodies) > 1 and body in bodies else letter
 
 
-def explain_pole(body: str, case: Case, findings: Findings) -> Iterator[Block]:
+def _find_letter(symbol: str) -> str:
+    """The point whose coordinate an ask's symbol names, "" for any other symbol."""
+    match read_symbol(symbol).row:
+        case (Scripts(Letter("x" | "y"), (Letter(point),), 0, None),) if point.isupper():
+            return point
+        case _:
+            return ""
+
+
+def explain_pole(body: str, case: Case) -> Iterator[Block]:
     """Where the pole of a body lies; derived only once."""
-    if body in findings.poles:
+    if body in case.findings.poles:
         return
-    name = findings.poles[body] = name_pole(body, case)
+    name = case.findings.poles[body] = name_pole(body, case)
     if case.arithmetic.is_zero(case.motion.omega(body)):
         yield case.say(Message("solution.pole-far", body=case.naming.body(body)))
         return
     base = case.motion.frames.bases[body]
-    symbol = write_point_symbol(base.point, "velocity", case)
-    yield from find_point(base.chain, symbol, case, "velocity", findings)
+    symbol = name_point_vector(base.point, "velocity", case)
+    yield from find_point(base.chain, symbol, case, "velocity")
     letter = case.naming.point(name)
     yield case.say(Message("solution.pole-of", body=case.naming.body(body), pole=letter))
     velocity = find_vector(base.chain, case.motion, "velocity")
-    yield Display(tuple(_write_pole_line(axis, letter, body, velocity, case) for axis in "xy"))
+    yield case.show(*(_state_coordinate(axis, name, body, velocity, case) for axis in AXES))
 
 
-def _write_pole_line(axis: str, letter: str, body: str, velocity: Vector, case: Case) -> str:
+def _state_coordinate(
+    axis: AxisName, pole: str, body: str, velocity: Vector, case: Case
+) -> Equation:
     """x_P = x_A - v_Ay / omega, y_P = y_A + v_Ax / omega, with the body's base point A and its
     velocity.
     """
-    along, across, other, sign = (0, 1, "y", "-") if axis == "x" else (1, 0, "x", "+")
+    other = OTHER[axis]
+    sign = {"x": -1, "y": 1}[axis]
     base, rate = case.motion.frames.bases[body].point, case.motion.omega(body)
-    point, at = case.naming.point(base), case.motion.points[base]
-    pole = case.motion.pole(body, case.arithmetic)
-    moved = (
-        rf"{write_short(at[along])} {sign} "
-        rf"\frac{{{write_short(velocity[across])}}}{{{write_short(rate)}}} = "
+    speed = name_component(name_point_vector(base, "velocity", case), other)
+    symbols = _move(
+        name_coordinate(axis, case.naming.letter(base)),
+        speed / case.naming.omega(body),
+        sign,
     )
-    numbers = moved if double(velocity[across]) else ""
-    speed = write_component(write_point_symbol(base, "velocity", case), other)
-    return (
-        rf"{axis}_{{{letter}}} &= {axis}_{{{point}}} {sign} \frac{{{speed}}}"
-        rf"{{{case.naming.omega(body)}}} = {numbers}{write_number(pole[along], 'm')}"
+    across = velocity[PLACES[other]]
+    numbers = _move(
+        round_number(case.motion.points[base][PLACES[axis]]),
+        round_number(across) / round_number(rate),
+        sign,
     )
+    links = equate(symbols, numbers) if double(across) else equate(symbols)
+    place = case.motion.pole(body, case.arithmetic)[PLACES[axis]]
+    left = name_coordinate(axis, case.naming.letter(pole))
+    return Equation(left, (*links, *state_number(place, "m")))
+
+
+def _move(start: Formula, distance: Formula, sign: int) -> Formula:
+    """A coordinate plus or minus a distance."""
+    return start + distance.signed(sign)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
+from dataclasses import replace
 from functools import reduce
 from typing import assert_never
 
@@ -17,31 +18,29 @@ from kinegrade.mechanics.vector_equation import (
     number_together,
     write_vector_equation,
 )
-from kinegrade.worked.document import Block, Display, Term, TermTable
-from kinegrade.worked.formulas.numbers import (
-    double,
-    length,
-    write_bracketed,
-    write_number,
-    write_short,
-)
-from kinegrade.worked.steps.deductions import UNITS, Stage, explain_deduction
-from kinegrade.worked.steps.findings import Fact, Findings, make_key, write_point_symbol
-from kinegrade.worked.steps.kinds import find_translating
-from kinegrade.worked.steps.points import find_point, write_way
-from kinegrade.worked.steps.projection import find_deductions
-from kinegrade.worked.steps.scalars import explain_scalar_step, state_relation
-from kinegrade.worked.steps.summands import write_component
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block, Term, TermTable
+from kinegrade.worked.findings import Fact
+from kinegrade.worked.formulas.atoms import AXES, ZERO, VectorSymbol, add_squares
+from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.measures import double, length
+from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.rates.kinds import find_translating
+from kinegrade.worked.rates.scalars import explain_scalar_step, state_relation
+from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
-from kinegrade.worked.steps.vectors import (
+from kinegrade.worked.vectors.deductions import UNITS, explain_deduction
+from kinegrade.worked.vectors.facts import make_key
+from kinegrade.worked.vectors.magnitudes import (
     describe_direction,
     describe_magnitude,
-    vanishes,
-    write_letters,
-    write_magnitude_formula,
-    write_subscript,
+    state_magnitude,
 )
-from kinegrade.worked.words.solution_case import Case
+from kinegrade.worked.vectors.points import find_point
+from kinegrade.worked.vectors.projection import find_deductions
+from kinegrade.worked.vectors.stage import Stage
+from kinegrade.worked.vectors.summands import name_component
+from kinegrade.worked.vectors.vectors import name_part, name_place, name_point_vector, vanishes
 
 
 def find_stage(step: Step, case: Case, level: Level, known: Collection[Rate]) -> Stage:
@@ -55,7 +54,7 @@ def find_stage(step: Step, case: Case, level: Level, known: Collection[Rate]) ->
     return Stage(number_together(equations), level, case)
 
 
-def explain_step(step: Step, stage: Stage, findings: Findings) -> Iterator[Block]:
+def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
     """A step: its equations, the projections, their results."""
     case, scalars = stage.case, select_scalars(step, stage.case)
     if not stage.equations and len(scalars) == 1 and len(step.unknowns) == 1:
@@ -65,7 +64,7 @@ def explain_step(step: Step, stage: Stage, findings: Findings) -> Iterator[Block
         yield from _explain_agreement(stage.equations[0], case)
         return
     for equation in stage.equations:
-        yield from _explain_earlier_vectors(equation, case, findings)
+        yield from _explain_earlier_vectors(equation, case)
     for equation in stage.equations:
         yield from _explain_contact(equation, case)
         yield case.say(introduce_equation(equation, case))
@@ -74,52 +73,48 @@ def explain_step(step: Step, stage: Stage, findings: Findings) -> Iterator[Block
     for relation in scalars:
         statement = state_relation(relation, case, stage.level)
         yield case.say(statement.reason)
-        yield Display((statement.line,))
+        yield case.show(statement.equation)
     solved: set[Rate] = set()
     for deduction in find_deductions(stage.equations, scalars, step.unknowns):
         yield from explain_deduction(stage, deduction, solved)
         solved |= set(deduction.unknowns)
 
 
-def _write_joint_symbol(equation: VectorEquation, part: Part, case: Case) -> str:
+def _name_together(equation: VectorEquation, part: Part, case: Case) -> VectorSymbol:
     """The symbol of several known terms as one vector: of the transport motion, or of the point
     itself.
     """
     match part.role:
         case "transport":
-            return write_letters(equation, part, case)
+            return name_part(equation, part, case)
         case "absolute" | "relative" | "rotation" | "coriolis":
-            return write_point_symbol(part.point, equation.level, case)
+            return name_point_vector(part.point, equation.level, case)
         case _:
             assert_never(part.role)
 
 
-def _explain_earlier_vectors(
-    equation: VectorEquation, case: Case, findings: Findings
-) -> Iterator[Block]:
+def _explain_earlier_vectors(equation: VectorEquation, case: Case) -> Iterator[Block]:
     """How the vectors are found that the equation takes as known and that no earlier step has given
     as one vector.
     """
     for part in equation.parts:
         if not part.together:
             continue
-        letters = _write_joint_symbol(equation, part, case)
-        yield from find_point(part.together, letters, case, equation.level, findings)
-        fact = findings.facts[make_key(part.together, equation.level)]
+        letters = _name_together(equation, part, case)
+        yield from find_point(part.together, letters, case, equation.level)
+        fact = case.findings.facts[make_key(part.together, equation.level)]
         if fact.by_components and all(map(double, fact.value)):
-            findings.sized.add(fact.symbol)
-            yield Display((_write_size_line(fact, equation.level, case),))
+            case.findings.sized.add(fact.symbol)
+            yield case.show(_state_size(fact, equation.level, case))
 
 
-def _write_size_line(fact: Fact, level: Level, case: Case) -> str:
+def _state_size(fact: Fact, level: Level, case: Case) -> Equation:
     """The magnitude of a vector known by its components, and its direction."""
-    x, y = (write_component(fact.symbol, axis) for axis in "xy")
-    numbers = "+".join(f"{write_bracketed(write_short(number))}^{{2}}" for number in fact.value)
-    size = write_number(length(fact.value, case.arithmetic), UNITS[level, False])
-    return (
-        rf"{fact.symbol} &= \sqrt{{{x}^{{2}}+{y}^{{2}}}} = \sqrt{{{numbers}}} = "
-        f"{size}{write_way(fact.value, case)}"
-    )
+    symbols = add_squares(name_component(fact.symbol, axis) for axis in AXES)
+    numbers = add_squares(map(round_number, fact.value))
+    size = state_number(length(fact.value, case.arithmetic), UNITS[level, False])
+    links = (*equate(symbols, numbers), *size)
+    return Equation(fact.symbol, links, state_way(fact.value, case))
 
 
 def _explain_contact(equation: VectorEquation, case: Case) -> Iterator[Block]:
@@ -154,42 +149,46 @@ def _explain_agreement(equation: VectorEquation, case: Case) -> Iterator[Block]:
     known = next(
         side for side in (equation.left, equation.right) if not any(part.unknown for part in side)
     )
-    unit = UNITS[equation.level, False]
-    lines = [
-        f"{write_letters(equation, part, case)} &= "
-        f"{_write_equals(write_magnitude_formula(equation, part, case))}"
-        f"{write_number(length(part.value, case.arithmetic), unit)}{write_way(part.value, case)}"
-        for part in known
-    ]
-    yield Display(tuple(lines))
+    yield case.show(*(_state_known(equation, part, case) for part in known))
 
 
-def _write_equals(formula: str) -> str:
-    """A formula followed by an equals sign; "" where there is none."""
-    return f"{formula} = " if formula else ""
+def _state_known(equation: VectorEquation, part: Part, case: Case) -> Equation:
+    """A known vector with its magnitude and direction."""
+    formula = state_magnitude(equation, part, case)
+    size = state_number(length(part.value, case.arithmetic), UNITS[equation.level, False])
+    links = (*(equate(formula) if formula else ()), *size)
+    return Equation(name_part(equation, part, case), links, state_way(part.value, case))
 
 
 def make_term_table(equation: VectorEquation, case: Case) -> TermTable:
     """The equation term by term with magnitudes and directions; terms that vanish at this instant
     are left out.
     """
-    terms: list[Term] = []
-    for side in (equation.left, equation.right):
-        shown = [part for part in side if not vanishes(part)]
-        sign = "=" if terms else ""
-        if not shown:
-            terms.append(Term("=" if terms else "", "0", "", ""))
-        for part in shown:
-            terms.append(
-                Term(
-                    sign,  # type: ignore[arg-type]
-                    write_letters(equation, part, case, bold=True),
-                    describe_magnitude(equation, part, case),
-                    describe_direction(equation, part, case),
-                )
-            )
-            sign = "+"
-    return TermTable(tuple(terms))
+    left, right = (
+        [_make_term(equation, part, case) for part in side if not vanishes(part)]
+        for side in (equation.left, equation.right)
+    )
+    nothing = Term("", ZERO.print(), "", "")
+    first, *added = left or [nothing]
+    second, *others = right or [nothing]
+    return TermTable(
+        (
+            first,
+            *(replace(term, sign="+") for term in added),
+            replace(second, sign="="),
+            *(replace(term, sign="+") for term in others),
+        )
+    )
+
+
+def _make_term(equation: VectorEquation, part: Part, case: Case) -> Term:
+    """A column of the table."""
+    return Term(
+        "",
+        name_part(equation, part, case, bold=True).print(),
+        describe_magnitude(equation, part, case),
+        describe_direction(equation, part, case),
+    )
 
 
 def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
@@ -205,7 +204,7 @@ def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
     for name in sorted(shifted):
         yield case.say(Message(f"solution.shifted-{equation.level}", frame=case.naming.body(name)))
     zeros = [
-        f"${write_letters(equation, part, case)}=0$"
+        case.tell(Equation(name_part(equation, part, case), equate(ZERO)))
         for part in equation.parts
         if vanishes(part) and not (shifted and (part.coincident or part.role == "coriolis"))
     ]
@@ -217,7 +216,7 @@ def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
         yield case.say(
             Message(
                 "solution.coincident",
-                mark=_find_mark(equation, marked, case),
+                mark=case.text(name_place(marked, case)),
                 point=case.naming.point(marked.point),
                 frame=case.naming.body(marked.term.rate.body),
             )
@@ -230,9 +229,3 @@ def _list_equations(equations: Iterable[Text]) -> Text:
         lambda first, following: Message("solution.equation-list", first=first, next=following),
         equations,
     )
-
-
-def _find_mark(equation: VectorEquation, part: Part, case: Case) -> str:
-    """The primed letter of a coincident point."""
-    base = case.naming.point(part.base)
-    return write_subscript(equation, part, case).removesuffix(base)

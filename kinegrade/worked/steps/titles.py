@@ -21,17 +21,19 @@ from kinegrade.mechanics.laws import (
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import Relation, Term
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
-from kinegrade.worked.steps.deductions import Stage
-from kinegrade.worked.steps.scalars import state_relation
-from kinegrade.worked.steps.vectors import (
+from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.atoms import add_terms
+from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.symbols import prime
+from kinegrade.worked.rates.scalars import state_relation
+from kinegrade.worked.vectors.stage import Stage
+from kinegrade.worked.vectors.vectors import (
     is_composed,
+    name_by_role,
+    name_part,
+    number_composition,
     vanishes,
-    write_composition_number,
-    write_letter,
-    write_letters,
-    write_primed,
 )
-from kinegrade.worked.words.solution_case import Case
 
 _TOGETHER: Mapping[int, Message] = {
     2: Message("solution.title-two-equations"),
@@ -184,7 +186,7 @@ def _introduce_two_frames(
                 first=points[0],
                 frame=names[0],
                 second=points[1],
-                primed=write_primed(points[1]),
+                primed=case.text(prime(case.naming.letter(compositions[1].point))),
                 other=names[1],
             )
         case "acceleration":
@@ -206,13 +208,13 @@ def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
         else (equation.right, equation.left)
     )
     transport = [part for part in side if part.role not in ("relative", "coriolis")]
-    number = write_composition_number(equation, relative)
+    number = number_composition(equation, relative)
     for role, parts in (("a", other), ("e", transport)):
-        symbols = [
-            write_letters(equation, part, case, bold=True) for part in parts if not vanishes(part)
-        ]
+        symbols = tuple(
+            name_part(equation, part, case, bold=True) for part in parts if not vanishes(part)
+        )
         if not parts or not all(
             part.role == "transport" or is_composed(equation, part) for part in parts
         ):
-            symbol = rf"\boldsymbol{{{write_letter(equation)}}}_{{\mathrm{{{role}}}{number}}}"
-            yield f"${symbol}={'+'.join(symbols) or '0'}$"
+            symbol = name_by_role(role, equation.level, number, bold=True)
+            yield case.tell(Equation(symbol, equate(add_terms(symbols))))

@@ -12,11 +12,23 @@ from typing import assert_never
 from kinegrade.expressions.expression import Call, Name
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.math.tree import Row
+from kinegrade.language.math.tree import Text as Words
 from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.mechanism import Body
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.template.notation import write_point_symbol
 from kinegrade.problem.template.template import Template
+from kinegrade.worked.formulas.atoms import Symbol
+from kinegrade.worked.formulas.symbols import (
+    begins_with_letter,
+    index_letter,
+    join_letters,
+    name_point,
+    read_symbol,
+    replace_letter,
+)
 from kinegrade.worked.words.bodies import name_barely, name_by_number, name_kind
 
 # Named by their end points
@@ -42,8 +54,12 @@ class Naming:
     language: Language
 
     def point(self, name: str) -> str:
-        """A point in LaTeX math."""
+        """A point in LaTeX math, for sentences."""
         return write_point_symbol(name)
+
+    def letter(self, name: str) -> Symbol:
+        """A point in formulas."""
+        return name_point(name)
 
     def body(self, name: str) -> Message:
         """A body in prose: by the paper's letters, or the word for it."""
@@ -59,17 +75,17 @@ class Naming:
             return word
         return Message("solution.lettered-body", body=word, letters=label.letters)
 
-    def letters(self, name: str) -> str:
-        """A body in a subscript, in LaTeX math: its letters, else the word for it."""
+    def letters(self, name: str) -> Row:
+        """A body in a subscript: its letters, else the word for it."""
         label = self._find_label(name)
         if label.letters:
-            return label.letters
+            return read_symbol(label.letters).row
         if label.number:
-            return self._write_text(name_by_number(label.word, label.number))
-        return self._write_text(name_barely(label.word))
+            return self._print_text(name_by_number(label.word, label.number))
+        return self._print_text(name_barely(label.word))
 
-    def _write_text(self, words: Text) -> str:
-        return rf"\text{{{open_catalogue(self.language).write(words)}}}"
+    def _print_text(self, words: Text) -> Row:
+        return (Words(open_catalogue(self.language).write(words)),)
 
     def _find_label(self, name: str) -> _Label:
         if not name.islower():
@@ -108,15 +124,15 @@ class Naming:
             (other.points for other in self.template.scheme.bodies if other.name == body), ()
         )
 
-    def omega(self, body: str) -> str:
+    def omega(self, body: str) -> Symbol:
         """The symbol of a body's angular velocity."""
         return self._turning[body][0]
 
-    def alpha(self, body: str) -> str:
+    def alpha(self, body: str) -> Symbol:
         """The symbol of a body's angular acceleration."""
         return self._turning[body][1]
 
-    def turning(self, body: str, level: Level) -> str:
+    def turning(self, body: str, level: Level) -> Symbol:
         """The symbol of a body's angular velocity or acceleration."""
         match level:
             case "velocity":
@@ -127,46 +143,42 @@ class Naming:
                 assert_never(level)
 
     @cached_property
-    def _turning(self) -> dict[str, tuple[str, str]]:
+    def _turning(self) -> dict[str, tuple[Symbol, Symbol]]:
         """For each body the symbols that the asks give to its rotation, else those of its
         points.
         """
-        asked = {(call, body): symbol for call, body, symbol in self._asked_rotations()}
+        asked = {(call, body): symbol for call, body, symbol in self._list_asked_rotations()}
         taken = set(asked.values())
-        found: dict[str, tuple[str, str]] = {}
+        found: dict[str, tuple[Symbol, Symbol]] = {}
         for body in self.template.scheme.bodies:
             omega, alpha = asked.get(("omega", body.name)), asked.get(("alpha", body.name))
             if omega is None:
-                omega = (
-                    alpha.replace("alpha", "omega", 1)
-                    if alpha
-                    else self._own(body.name, body.points, taken)
-                )
-            found[body.name] = (omega, alpha or omega.replace("omega", "alpha", 1))
+                omega = replace_letter(alpha, "omega") if alpha else self._name_own(body, taken)
+            found[body.name] = (omega, alpha or replace_letter(omega, "alpha"))
             taken.add(omega)
         return found
 
-    def _own(self, body: str, points: tuple[str, ...], taken: set[str]) -> str:
-        letters = (
-            write_point_symbol(body)
-            if not body.islower()
-            else "".join(map(write_point_symbol, points[:2]))
-        )
-        symbol = rf"\omega_{{{letters}}}"
-        return (
-            symbol
-            if symbol not in taken and "_" not in body
-            else rf"\omega_{{{self._write_text(name_barely(body))}}}"
-        )
+    def _name_own(self, body: Body, taken: set[Symbol]) -> Symbol:
+        """The angular velocity with the letters of a body, or with the word for it where another
+        has these letters.
+        """
+        if body.name.islower():
+            letters = join_letters(map(name_point, body.points[:2])) if body.points else Symbol(())
+        else:
+            letters = name_point(body.name)
+        symbol = index_letter("omega", letters.row)
+        if symbol not in taken and "_" not in body.name:
+            return symbol
+        return index_letter("omega", self._print_text(name_barely(body.name)))
 
-    def _asked_rotations(self) -> Iterator[tuple[str, str, str]]:
+    def _list_asked_rotations(self) -> Iterator[tuple[str, str, Symbol]]:
+        """What asks call the rotations of bodies: omega or alpha, the body, the symbol."""
         for ask in self.template.asks.values():
-            tree = ask.quantity
-            if (
-                isinstance(tree, Call)
-                and tree.function in ("omega", "alpha")
-                and len(tree.arguments) == 1
-            ):
-                body = tree.arguments[0]
-                if isinstance(body, Name) and ask.symbol.startswith("\\" + tree.function):
-                    yield tree.function, body.name, ask.symbol
+            symbol, tree = read_symbol(ask.symbol), ask.quantity
+            if not isinstance(tree, Call) or len(tree.arguments) != 1:
+                continue
+            (body,) = tree.arguments
+            if not isinstance(body, Name) or tree.function not in ("omega", "alpha"):
+                continue
+            if begins_with_letter(symbol, tree.function):
+                yield tree.function, body.name, symbol

@@ -12,8 +12,9 @@ from kinegrade.language import Language
 from kinegrade.press.html.solution import write_blocks
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
-from kinegrade.worked.document import Display, Heading, Prose, Result, Results, Term, TermTable
+from kinegrade.worked.document import Display, Heading, Prose, Result, Results, TermTable
 from kinegrade.worked.solution import write_worked_solution
+from tests.worked.telling import read_display, read_term
 
 NAMES = ("slider-crank", "bar-through-swivelling-sleeve", "planetary-gear-external-rim-velocities")
 
@@ -40,13 +41,16 @@ def test_a_solution_is_told_whole(name: str, language: Language) -> None:
 
 
 def test_the_blocks_one_by_one() -> None:
-    terms = Term("", "v_B", "?", "$\\parallel x$"), Term("=", "v_A", "$r\\omega$", "a < b")
+    terms = (
+        read_term("", "v_B", "?", "$\\parallel x$"),
+        read_term("=", "v_A", "$r\\omega$", "a < b"),
+    )
     result = Result("v_B", r"\frac{1}{3}", "-0.333333", "m/s^2", "to the *left*")
     html = write_blocks(
         (
             Heading("Step $1$", 2),
             Prose("Thus:"),
-            Display(("v &= a + b = c", "w &= 1")),
+            read_display(("v &= a + b = c", "w &= 1")),
             TermTable(terms),
             Results((result, Result("k", None, "2", "1", ""))),
         ),

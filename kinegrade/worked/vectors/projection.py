@@ -14,8 +14,9 @@ from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
-from kinegrade.worked.formulas.numbers import bearing, size, tidy
-from kinegrade.worked.steps.vectors import find_heading, vanishes
+from kinegrade.worked.formulas.measures import bearing, size, tidy
+from kinegrade.worked.vectors.magnitudes import find_heading
+from kinegrade.worked.vectors.vectors import vanishes
 
 PARALLEL = 1e-9  # sine of the angle below which two directions count as parallel
 

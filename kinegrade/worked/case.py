@@ -1,36 +1,43 @@
-"""The solved instance whose solution is written, with its language and method."""
+"""The case whose solution is written: the one context that every chapter is given."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, assert_never
 
 from kinegrade.expressions.expression import Call, Name
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.math.latex import SOURCE, write_latex_row
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.rates import Rates
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.quantities.reader import MotionReader
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.sentences import JointSentence
 from kinegrade.problem.template.template import Method, Template
-from kinegrade.worked.document import Prose, say
+from kinegrade.worked.document import Display, Prose, say
+from kinegrade.worked.findings import Findings
+from kinegrade.worked.formulas.equation import Equation
+from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.words.naming import Naming
-
-LETTERS: Mapping[Level, str] = {"velocity": "v", "acceleration": "a"}
 
 
 @dataclass(frozen=True)
 class Case:
-    """A solved instance with the words for its solution."""
+    """A solved instance, the language and method of its solution, and what that has found so far.
+
+    Chapters are written in order; `findings` is their notebook.
+    """
 
     solution: Solution
     language: Language
     method: Method | None = None
+    findings: Findings = field(default_factory=Findings)
 
     @property
     def template(self) -> Template:
@@ -62,6 +69,16 @@ class Case:
         """The names of bodies, points and rates."""
         return Naming(self.template, self.language)
 
+    @cached_property
+    def reader(self) -> MotionReader:
+        """What the asks measure of the motion."""
+        return MotionReader(self.motion, self.arithmetic)
+
+    @cached_property
+    def mark(self) -> str:
+        """The decimal mark of the language."""
+        return open_catalogue(self.language).decimal_mark
+
     def write(self, message: Message) -> str:
         """What a message says in the language of the solution."""
         return open_catalogue(self.language).write(message)
@@ -69,6 +86,18 @@ class Case:
     def say(self, message: Message) -> Prose:
         """A paragraph that says a message."""
         return say(message, self.language)
+
+    def show(self, *equations: Equation) -> Display:
+        """Equations one below the other."""
+        return Display(tuple(equation.print_line(self.mark) for equation in equations))
+
+    def text(self, formula: Formula) -> str:
+        """A formula as a part of a sentence, in LaTeX math without dollar signs."""
+        return write_row(formula.print(self.mark))
+
+    def tell(self, equation: Equation) -> str:
+        """An equation within a sentence, with its dollar signs."""
+        return f"${write_row(equation.print_inline(self.mark))}$"
 
     def joint(self, term: Term) -> JointSentence | None:
         """The sentence of the joint that guides a sliding or circling point, None for a free
@@ -86,6 +115,11 @@ class Case:
             ):
                 return sentence
         return None
+
+
+def write_row(row: Row) -> str:
+    """A math tree as LaTeX math for sentences and pictures."""
+    return write_latex_row(row, SOURCE)
 
 
 def _find_centre(sentence: JointSentence) -> str:

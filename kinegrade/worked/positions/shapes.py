@@ -8,9 +8,9 @@ from collections.abc import Mapping
 
 from kinegrade.expressions.expression import Call
 from kinegrade.language.message import Message
-from kinegrade.worked.formulas.coordinates import ZERO
-from kinegrade.worked.formulas.expression import count_quarter_turns
-from kinegrade.worked.formulas.instance import Instance
+from kinegrade.worked.formulas.leaves import count_quarter_turns
+from kinegrade.worked.positions.algebra import ZERO
+from kinegrade.worked.positions.instance import Instance
 
 _SIDES: Mapping[str, Message] = {
     "right": Message("solution.right-one"),
@@ -23,13 +23,13 @@ _SIDES: Mapping[str, Message] = {
 def describe_line(line: Call, instance: Instance) -> Message:
     """A line in a sentence."""
     start, toward = line.arguments
-    point = instance.symbolic(start)
+    point = instance.text(start)
     if instance.axes.is_vector(toward):
-        second = instance.symbolic(toward)
+        second = instance.text(toward)
         return Message("solution.line-between", first=point, second=second)
     quarters, place = count_quarter_turns(toward), instance.axes.pair(start)
     if quarters is None:
-        angle = instance.symbolic(toward, degrees=True)
+        angle = instance.text(toward, degrees=True)
         return Message("solution.slanting-line", point=point, angle=angle)
     if quarters % 2:
         on_axis = place is not None and place[0] == ZERO
@@ -43,9 +43,7 @@ def describe_line(line: Call, instance: Instance) -> Message:
 def describe_circle(circle: Call, instance: Instance) -> Message:
     """A circle in a sentence."""
     centre, radius = circle.arguments
-    return Message(
-        "solution.circle", centre=instance.symbolic(centre), radius=instance.symbolic(radius)
-    )
+    return Message("solution.circle", centre=instance.text(centre), radius=instance.text(radius))
 
 
 def describe_chord_end(
@@ -54,7 +52,7 @@ def describe_chord_end(
     """Which of the common points of a line and a circle is meant; where no side tells, they touch
     in one.
     """
-    name = instance.symbols[point]
+    name = instance.letter(point)
     path, round_ = describe_line(line, instance), describe_circle(circle, instance)
     if side in _SIDES:
         return Message(

@@ -8,8 +8,9 @@ from typing import assert_never
 
 from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation
 from kinegrade.language.message import Message, Text
-from kinegrade.worked.formulas.coordinates import ZERO, is_negated, minus
-from kinegrade.worked.formulas.instance import Instance
+from kinegrade.worked.formulas.formula import Quotient
+from kinegrade.worked.positions.algebra import ZERO, is_negated, minus
+from kinegrade.worked.positions.instance import Instance
 
 
 def negate(vector: Expression, instance: Instance) -> Expression:
@@ -30,14 +31,15 @@ def describe_vector(vector: Expression, instance: Instance) -> Text:
         and vector.sign == "*"
         and instance.axes.is_vector(vector.left)
     ):
-        factor = instance.symbolic(vector.right)
-        if factor.startswith(r"\frac"):
-            return rf"${factor}\,{instance.symbolic(vector.left)}$"
+        factor = instance.formula(vector.right)
+        if isinstance(factor, Quotient):
+            scaled = factor * instance.formula(vector.left)
+            return f"${instance.case.text(scaled)}$"
         vector = Operation("*", vector.right, vector.left)
     pair = instance.axes.pair(vector)
     if pair is not None and not _is_plain(vector, instance):
         vector = Call("", pair)
-    return f"${instance.symbolic(vector)}$"
+    return f"${instance.text(vector)}$"
 
 
 def _is_plain(vector: Expression, instance: Instance) -> bool:

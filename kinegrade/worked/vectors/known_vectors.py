@@ -10,8 +10,8 @@ from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.worked.formulas.numbers import double
-from kinegrade.worked.words.solution_case import Case
+from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.measures import double
 
 
 def find_stated_sense(term: Term, case: Case) -> int:

@@ -1,15 +1,11 @@
-"""The approximate printed width of a LaTeX formula, in letters: accurate enough to decide what
-fits on a line of a display.
-
->>> round(measure_width(r"\\frac{a + b}{2}")), round(measure_width(r"x_{A}"), 1)
-(4, 1.7)
+"""The approximate printed width of a formula, in letters: accurate enough to decide what fits on
+a line of a display, or in a column.
 """
 
 from __future__ import annotations
 
 from typing import assert_never
 
-from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import (
     Accent,
     Environment,
@@ -32,7 +28,6 @@ from kinegrade.language.math.tree import (
     Text,
     Unit,
 )
-from kinegrade.language.message import Message
 
 _SPACES: dict[SpaceName, float] = {
     ",": 0.3,
@@ -44,16 +39,16 @@ _SPACES: dict[SpaceName, float] = {
     "qquad": 4.0,
 }
 _WIDE_SIGNS = frozenset(("+", "-", "=", "<", ">", r"\approx"))
-WIDEST = 68  # letters that fit on a line of a display
 _SMALL = 0.7  # of a subscript relative to the letter that carries it
 
 
-def measure_width(latex: str) -> float:
-    """The width of a formula in letters of its body. Raises TypesetError for what is no math."""
-    return _measure_row(read_math(latex, Message("typesetting.place-worked-solution")))
+def measure_row(row: Row) -> float:
+    r"""The width of a formula in letters of its body.
 
-
-def _measure_row(row: Row) -> float:
+    >>> from kinegrade.language.math.reading import read_math
+    >>> round(measure_row(read_math(r"\frac{a + b}{2}", ""))), measure_row(read_math("x_A", ""))
+    (4, 1.7)
+    """
     return sum(_measure(node) for node in row)
 
 
@@ -62,16 +57,16 @@ def _measure(node: Node) -> float:
     match node:
         case Scripts(base, lower, primes, upper):
             carried = 0.0 if base is None else _measure(base)
-            scripts = _measure_row(lower or ()) + _measure_row(upper or ())
+            scripts = measure_row(lower or ()) + measure_row(upper or ())
             return carried + primes + _SMALL * scripts
         case Quotient(_, above, below):
-            return max(_measure_row(above), _measure_row(below)) + 0.5
+            return max(measure_row(above), measure_row(below)) + 0.5
         case Root(radicand, degree):
-            return 1 + _measure_row(radicand) + _SMALL * _measure_row(degree or ())
+            return 1 + measure_row(radicand) + _SMALL * measure_row(degree or ())
         case Fenced(left, row, right):
-            return 2.0 - (left, right).count(".") + _measure_row(row)
+            return 2.0 - (left, right).count(".") + measure_row(row)
         case Group(row) | Lettering(_, row) | Accent(_, row) | Environment(_, row):
-            return _measure_row(row)
+            return measure_row(row)
         case _:
             return _measure_alone(node)
 
@@ -86,7 +81,7 @@ def _measure_alone(
         case Text(text):
             return float(len(text) - text.count(" "))
         case Unit(text):
-            return 1.0 + len(text) - text.count("^")
+            return float(len(text) - text.count("^"))
         case Function(name):
             return len(name) + 0.5
         case Sign(latex):
@@ -99,18 +94,3 @@ def _measure_alone(
             return 0.0
         case _:
             assert_never(node)
-
-
-def chain_lines(left: str, parts: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
-    """left = first = second ..., continued on further lines where one is too short; aligned at the
-    first sign.
-    """
-    lines, room = [left + " &"], WIDEST - measure_width(left)
-    used = 0.0
-    for sign, text in parts:
-        if used and used + measure_width(text) + 2 > room:
-            lines.append("&")
-            used = 0.0
-        lines[-1] += (" " if used else "") + f"{sign} {text}"
-        used += measure_width(text) + 2
-    return tuple(lines)

@@ -11,8 +11,8 @@ from kinegrade.mechanics.laws import EqualRotation, NoSlip
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.shapes import Circle, Line
+from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
-from kinegrade.worked.words.solution_case import Case
 
 
 def describe_motions(case: Case) -> Iterator[Block]:

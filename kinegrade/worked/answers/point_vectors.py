@@ -1,0 +1,54 @@
+"""The velocities and accelerations of points that an answer refers to, each found once."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import replace
+from typing import TypeAlias
+
+from kinegrade.errors import ExpressionError
+from kinegrade.expressions.expression import Expression
+from kinegrade.language.math.tree import Sign
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block
+from kinegrade.worked.findings import Fact
+from kinegrade.worked.formulas.atoms import VectorSymbol
+from kinegrade.worked.vectors.facts import make_key
+from kinegrade.worked.vectors.points import find_point
+from kinegrade.worked.vectors.vectors import name_point_vector
+
+Found: TypeAlias = Generator[Block, None, Fact]
+
+
+def keep_fact(tree: Expression, found: Found, case: Case) -> Found:
+    """The vector of an expression, with the blocks that show how it is found unless they have been
+    written before.
+    """
+    answered = case.findings.answered
+    if tree not in answered:
+        answered[tree] = yield from found
+    return answered[tree]
+
+
+def explain_point_vector(point: str, body: str, level: Level, case: Case) -> Found:
+    """The velocity or acceleration of a point of a body."""
+    chain = case.motion.frames.chain(body, point)
+    yield from find_point(chain, _name_vector(point, body, level, case), case, level)
+    nothing = Fact(name_point_vector(point, level, case), Vector(0, 0), False)
+    return case.findings.facts.get(make_key(chain, level), nothing)
+
+
+def _name_vector(point: str, body: str, level: Level, case: Case) -> VectorSymbol:
+    """The symbol of a point's vector; with the body where the point belongs to several that move
+    apart.
+    """
+    chain, plain = case.motion.frames.chain, name_point_vector(point, level, case)
+    try:
+        usual = case.reader.owner(point, None)
+    except ExpressionError:
+        usual = ""
+    if usual == body or (usual and chain(usual, point) == chain(body, point)):
+        return plain
+    return replace(plain, lower=(*plain.lower, Sign("("), *case.naming.letters(body), Sign(")")))

@@ -1,0 +1,240 @@
+"""The quantity of an ask as a formula of quantities found before: in symbols, and with numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, assert_never
+
+from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, evaluate
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.quantities.functions import make_quantities
+from kinegrade.problem.quantities.reader import find_body_names
+from kinegrade.worked.answers.asked_vectors import (
+    find_fact,
+    find_level,
+    is_rotation_call,
+    is_vector_call,
+)
+from kinegrade.worked.case import Case
+from kinegrade.worked.findings import Fact, Piece
+from kinegrade.worked.formulas.atoms import AXES, ZERO, AxisName, Measured, add_squares, add_terms
+from kinegrade.worked.formulas.atoms import Number as Numeral
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.leaves import formulate
+from kinegrade.worked.formulas.measures import bearing, double, length, tidy
+from kinegrade.worked.formulas.numbers import round_number, state_angle
+from kinegrade.worked.formulas.symbols import collect_symbols, name_point
+from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
+from kinegrade.worked.steps.poles import name_pole
+from kinegrade.worked.vectors.stage import multiply_by_cosine
+from kinegrade.worked.vectors.summands import name_component
+
+_RIGHT = 1e-7  # degrees from a right angle that count as a right angle
+_MEASURES = frozenset({"magnitude", "x", "y", "along", "angle", "between"})
+_AXES: tuple[tuple[AxisName, Vector], ...] = (("x", Vector(1, 0)), ("y", Vector(0, 1)))
+
+
+@dataclass(frozen=True)
+class Working:
+    """A number in symbols, and with numbers substituted where that adds something."""
+
+    symbols: Formula
+    numbers: Formula | None = None
+
+
+def work_out(tree: Expression, case: Case) -> Working:
+    """An expression that is a number."""
+    match tree:
+        case Call(function=function, arguments=(vector, *_)) if (
+            function in _MEASURES and is_vector_call(vector)
+        ):
+            return _measure(tree, case)
+        case Call() if is_rotation_call(tree):
+            return _state_rotation(tree, case)
+        case Operation(left=left) if not isinstance(left, Number):
+            return _combine(tree, case)
+        case Operation(sign="-", right=right):
+            inner = work_out(right, case)
+            return Working(-inner.symbols, inner.numbers and -inner.numbers)
+        case Number() | Name() | Call() | Operation():
+            return Working(_place(tree, case))
+        case _:
+            assert_never(tree)
+
+
+def _measure(tree: Call, case: Case) -> Working:
+    """The magnitude, a component or the direction of a vector of the motion."""
+    fact = find_fact(tree.arguments[0], case)
+    match tree.function:
+        case "magnitude":
+            return _state_magnitude(fact, case)
+        case "x" | "y" as axis:
+            return _state_component(fact, axis, case)
+        case "along":
+            return _project(fact, find_value(tree.arguments[1], case), case)
+        case _:
+            return _state_angle(tree, case)
+
+
+def _state_magnitude(fact: Fact, case: Case) -> Working:
+    """The magnitude of a vector, from its components or its normal and tangential parts."""
+    if fact.symbol in case.findings.sized:
+        return Working(fact.symbol)
+    if fact.by_components:
+        return _state_magnitude_of_components(fact)
+    pieces = [piece for piece in fact.parts if double(piece.value.squared())] or fact.parts[:1]
+    if len(pieces) > 1:
+        return Working(
+            add_squares(piece.symbol for piece in pieces),
+            add_squares(_state_signed(piece, case) for piece in pieces),
+        )
+    (piece,) = pieces
+    negative = double(piece.value.dot(piece.positive)) < 0
+    return Working(abs(piece.symbol) if negative else piece.symbol)
+
+
+def _state_magnitude_of_components(fact: Fact) -> Working:
+    """The root of the squares of both components, or the one that is not zero with its sign."""
+    names = [
+        name_component(fact.symbol, axis)
+        for axis, number in zip(AXES, fact.value, strict=True)
+        if double(number)
+    ]
+    if len(names) > 1:
+        return Working(add_squares(names), add_squares(map(round_number, fact.value)))
+    if double(sum(fact.value)) < 0:
+        return Working(-names[0])
+    return Working(add_terms(names))
+
+
+def _state_component(fact: Fact, axis: AxisName, case: Case) -> Working:
+    """A component along an axis of the frame."""
+    if fact.by_components:
+        return Working(name_component(fact.symbol, axis))
+    return _project(fact, dict(_AXES)[axis], case)
+
+
+def _project(fact: Fact, direction: Vector, case: Case) -> Working:
+    """The component along a direction: from the components, or each magnitude times a cosine;
+    those normal to it add nothing.
+    """
+    axis = bearing(direction)
+    symbols, numbers = list[Formula](), list[Formula]()
+    for piece in _list_components(fact) if fact.by_components else fact.parts:
+        angle = abs((bearing(piece.positive) - axis + 180) % 360 - 180)
+        if abs(angle - 90) > _RIGHT and double(piece.positive.squared()):
+            sign, acute = (1 if angle < 90 else -1), tidy(min(angle, 180 - angle))
+            symbols.append(multiply_by_cosine(piece.symbol, acute).signed(sign))
+            number = _state_signed(piece, case)
+            if number != ZERO:
+                cosine = multiply_by_cosine(number.size, acute)
+                numbers.append(cosine.signed(sign * number.sign))
+    shown = add_terms(numbers)
+    return Working(add_terms(symbols), None if shown.is_decimal else shown)
+
+
+def _list_components(fact: Fact) -> tuple[Piece, ...]:
+    """A vector known by its components, as the sum of these."""
+    return tuple(
+        Piece(name_component(fact.symbol, name), axis, axis * number)
+        for (name, axis), number in zip(_AXES, fact.value, strict=True)
+    )
+
+
+def _state_signed(piece: Piece, case: Case) -> Numeral:
+    """The number of a piece, negative where it points against its positive sense."""
+    size = length(piece.value, case.arithmetic)
+    return round_number(-size if double(piece.value.dot(piece.positive)) < 0 else size)
+
+
+def _state_angle(tree: Call, case: Case) -> Working:
+    """The angle from one vector to another, or between them, from their directions."""
+    first, second = (bearing(find_value(argument, case)) for argument in tree.arguments)
+    if tree.function == "between" and second < first:
+        first, second = second, first
+    difference = state_angle(second) - state_angle(first)
+    if tree.function == "angle" or second - first <= 180:
+        return Working(difference)
+    return Working(Measured(Numeral("360"), "deg") - difference)
+
+
+def _state_rotation(tree: Call, case: Case) -> Working:
+    """An angular velocity or acceleration, absolute or relative."""
+    level = find_level(tree)
+    names = [argument.name for argument in tree.arguments if isinstance(argument, Name)]
+    if len(names) == 1 or names[1] == GROUND:
+        return Working(name_rotation(names[0], case, level))
+    first, second = (name_rotation(name, case, level) for name in names)
+    rates = [find_rotation_value(name, case, level) for name in names]
+    symbols = first - second
+    if not any(map(double, rates)):
+        return Working(symbols)
+    return Working(symbols, round_number(rates[0]) - round_number(rates[1]))
+
+
+def _combine(tree: Operation, case: Case) -> Working:
+    """A formula of two numbers."""
+    sides = (tree.left, tree.right)
+    left, right = (work_out(side, case).symbols for side in sides)
+    first, second = (_state_number(side, case) for side in sides)
+    return Working(_join(tree, left, right), _join(tree, first, second))
+
+
+def _join(tree: Operation, left: Formula, right: Formula) -> Formula:
+    """Two sides joined as an operation does."""
+    match tree.sign:
+        case "/":
+            return left / right
+        case "**":
+            return left**right
+        case "+":
+            return left + right
+        case "-":
+            return left - right
+        case "*":
+            return left.dot(right)
+        case _:
+            assert_never(tree.sign)
+
+
+def _state_number(tree: Expression, case: Case) -> Numeral:
+    """The value of a side; a literal as it is."""
+    match tree:
+        case Number(value=value):
+            return round_number(value)
+        case Name() | Operation() | Call():
+            return round_number(find_value(tree, case))
+        case _:
+            assert_never(tree)
+
+
+def _place(tree: Expression, case: Case) -> Formula:
+    """A length, coordinate or constant in symbols, poles by their letters."""
+    letters = {name: name_point(name) for name in case.findings.poles.values()}
+    symbols = {**collect_symbols(case.template), **letters}
+    points = (*case.motion.points, *letters)
+    return formulate(symbols, points).state(_name_poles(tree, case))
+
+
+def _name_poles(tree: Expression, case: Case) -> Expression:
+    """The expression with every velocity pole as a named point."""
+    match tree:
+        case Call(function="pole", arguments=(Name(body), *_)):
+            return Name(name_pole(body, case))
+        case Call(function=function, arguments=arguments):
+            return Call(function, tuple(_name_poles(argument, case) for argument in arguments))
+        case Operation(sign=sign, left=left, right=right):
+            return Operation(sign, _name_poles(left, case), _name_poles(right, case))
+        case Number() | Name():
+            return tree
+        case _:
+            assert_never(tree)
+
+
+def find_value(tree: Expression, case: Case) -> Any:
+    """The exact value of a part of the quantity."""
+    arithmetic, assembly = case.arithmetic.fork(), case.solution.assembly
+    values = {**find_body_names(assembly.mechanism), **assembly.values}
+    functions = {**assembly.functions, **make_quantities(case.motion, arithmetic)}
+    return evaluate(tree, values, functions, arithmetic)

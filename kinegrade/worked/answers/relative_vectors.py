@@ -1,0 +1,157 @@
+"""Relative, Coriolis, normal and tangential vectors that an answer refers to."""
+
+from __future__ import annotations
+
+from itertools import chain
+from typing import Literal, NamedTuple
+
+from kinegrade.expressions.expression import Call, Name
+from kinegrade.language.math.tree import Row
+from kinegrade.language.message import Message
+from kinegrade.mechanics.relations import Term, add_vectors
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.answers.point_vectors import Found, explain_point_vector, keep_fact
+from kinegrade.worked.case import Case
+from kinegrade.worked.findings import Fact, Piece
+from kinegrade.worked.formulas.atoms import AXES, TWO, VectorSymbol
+from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import double, length
+from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.formulas.symbols import join_letters
+from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
+from kinegrade.worked.senses import state_way
+from kinegrade.worked.vectors.points import list_relative_parts
+from kinegrade.worked.vectors.summands import add_components
+from kinegrade.worked.vectors.vectors import name_by_role
+
+
+class Relative(NamedTuple):
+    """The motion of a point of a body relative to another body, the frame."""
+
+    point: str
+    body: str
+    frame: str
+
+    @property
+    def names(self) -> tuple[Name, Name, Name]:
+        """The arguments that functions of relative motions take."""
+        return Name(self.point), Name(self.body), Name(self.frame)
+
+
+def explain_relative(motion: Relative, level: Level, case: Case) -> Found:
+    """The relative velocity or acceleration: along its track, or else what remains of the absolute
+    vector without the transport one.
+    """
+    term = _find_track(motion, case)
+    name = name_by_role("r", level, _find_number(term, case))
+    if term is None:
+        return (yield from _explain_rest(motion, name, level, case))
+    if level == "velocity" or term.kind == "sliding":
+        value = term.coefficient() * case.rates(level)[term.rate]
+        return Fact(name, value, False, (Piece(name, term.coefficient(), value),))
+    parts = [
+        (symbol, value)
+        for symbol, value in list_relative_parts(term, case, level)
+        if symbol != name_by_role("C", level, _find_number(term, case))
+    ]
+    yield case.show(*(add_components(axis, name, parts, level) for axis in AXES))
+    return Fact(name, add_vectors(value for _, value in parts), True)
+
+
+def _find_number(term: Term | None, case: Case) -> Row:
+    """The number of a relative motion, where its step has several."""
+    return case.findings.numbers.get(term.rate, ()) if term else ()
+
+
+def _find_track(motion: Relative, case: Case) -> Term | None:
+    """The term of a point that is guided in the frame, None where no joint guides it."""
+    relations = case.motion.frames.relations
+    for term in chain.from_iterable((*one.left, *one.right) for one in relations):
+        moving = (term.rate.point, term.rate.body, term.frame)
+        if term.rate.is_guided and moving == motion:
+            return term
+    return None
+
+
+def _explain_rest(motion: Relative, name: VectorSymbol, level: Level, case: Case) -> Found:
+    """v_r = v_a - v_e, a_r = a_a - a_e - a_C, by components."""
+    absolute = yield from explain_point_vector(motion.point, motion.body, level, case)
+    transport = yield from explain_point_vector(motion.point, motion.frame, level, case)
+    parts = [(absolute.symbol, absolute.value), (transport.symbol, transport.value)]
+    if level == "acceleration":
+        coriolis = yield from explain_coriolis(motion, case)
+        parts.append((coriolis.symbol, coriolis.value))
+    yield case.say(
+        Message(
+            f"solution.relative-left-{level}",
+            point=case.naming.point(motion.point),
+            frame=case.naming.body(motion.frame),
+        )
+    )
+    yield case.show(*(add_components(axis, name, parts, level, "-") for axis in AXES))
+    return Fact(name, absolute.value - add_vectors(value for _, value in parts[1:]), True)
+
+
+def explain_coriolis(motion: Relative, case: Case) -> Found:
+    """The Coriolis acceleration, twice the frame's angular velocity times the relative speed."""
+    tree = Call("coriolis", motion.names)
+    return (yield from keep_fact(tree, _find_coriolis(motion, case), case))
+
+
+def _find_coriolis(motion: Relative, case: Case) -> Found:
+    asked = Call("relative_velocity", motion.names)
+    found = explain_relative(motion, "velocity", case)
+    relative = yield from keep_fact(asked, found, case)
+    value = case.motion.coriolis(*motion)
+    term = _find_track(motion, case)
+    name = name_by_role("C", "acceleration", _find_number(term, case))
+    omega = abs(name_rotation(motion.frame, case, "velocity"))
+    links = equate(TWO * omega * abs(relative.symbol))
+    if any(map(double, value)):
+        turned = abs(round_number(find_rotation_value(motion.frame, case, "velocity")))
+        speed = round_number(length(relative.value, case.arithmetic))
+        links += equate(TWO.dot(turned).dot(speed))
+    size = state_number(length(value, case.arithmetic), "m/s^2")
+    yield case.show(Equation(name, (*links, *size), state_way(value, case)))
+    return Fact(name, value, False)
+
+
+def explain_normal(point: str, base: str, body: str, case: Case) -> Found:
+    """The normal acceleration of a point about a base point of its body."""
+    omega = case.motion.omega(body)
+    value = _find_arm(point, base, case) * -(omega * omega)
+    factors = case.naming.omega(body) ** TWO, round_number(omega) ** TWO
+    return (yield from _explain_about_base("n", (point, base), value, factors, case))
+
+
+def explain_tangential(point: str, base: str, body: str, case: Case) -> Found:
+    """The tangential acceleration of a point about a base point of its body."""
+    alpha = case.motion.alpha(body)
+    value = _find_arm(point, base, case).turned() * alpha
+    factors = abs(case.naming.alpha(body)), abs(round_number(alpha))
+    return (yield from _explain_about_base("t", (point, base), value, factors, case))
+
+
+def _find_arm(point: str, base: str, case: Case) -> Vector:
+    points = case.motion.points
+    return points[point] - points[base]
+
+
+def _explain_about_base(
+    part: Literal["n", "t"],
+    ends: tuple[str, str],
+    value: Vector,
+    factors: tuple[Formula, Formula],
+    case: Case,
+) -> Found:
+    """A part of an acceleration: the arm times a factor, in symbols and in numbers."""
+    point, base = map(case.naming.letter, ends)
+    name = VectorSymbol("a", (*point.row, *base.row), part)
+    size = round_number(length(_find_arm(*ends, case), case.arithmetic))
+    symbols, numbers = factors
+    formulas = equate(join_letters((base, point)).dot(symbols), size.dot(numbers))
+    result = state_number(length(value, case.arithmetic), "m/s^2")
+    yield case.show(Equation(name, (*formulas, *result)))
+    return Fact(name, value, False)

@@ -1,0 +1,62 @@
+"""What a worked solution has found so far: the vectors of points, their symbols and numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from kinegrade.expressions.expression import Expression
+from kinegrade.language.math.tree import Row
+from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.formulas.atoms import VectorSymbol
+
+Key: TypeAlias = tuple[Level, tuple[tuple[Rate, str, str], ...]]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A vector given by one number: its symbol, the direction in which that counts positive, its
+    value.
+    """
+
+    symbol: VectorSymbol
+    positive: Vector
+    value: Vector
+
+
+@dataclass(frozen=True)
+class Fact:
+    """A vector that the solution has found: its symbol, and whether by components or by magnitudes
+    and directions.
+
+    `pieces` are the vectors whose sum it is where it is given by magnitudes: itself, or a normal
+    and a tangential part.
+    """
+
+    symbol: VectorSymbol
+    value: Vector
+    by_components: bool
+    pieces: tuple[Piece, ...] = ()
+
+    @property
+    def parts(self) -> tuple[Piece, ...]:
+        """The pieces, or the vector itself where it is given by magnitude and direction."""
+        return self.pieces or (Piece(self.symbol, self.value, self.value),)
+
+
+@dataclass
+class Findings:
+    """What a solution has found so far, filled in as it is written.
+
+    `numbers` are those of the relative motions where a step has several, by the rate of each;
+    `sized` the symbols of vectors known by components whose magnitude has been given as well.
+    """
+
+    facts: dict[Key, Fact] = field(default_factory=dict)
+    answered: dict[Expression, Fact] = field(default_factory=dict)
+    poles: dict[str, str] = field(default_factory=dict)
+    circles: set[str] = field(default_factory=set)
+    numbers: dict[Rate, Row] = field(default_factory=dict)
+    sized: set[VectorSymbol] = field(default_factory=set)

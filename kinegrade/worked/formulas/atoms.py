@@ -1,0 +1,207 @@
+"""What formulas are made of: numbers, symbols, and numbers with their units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import reduce
+from operator import add
+from typing import ClassVar, Literal, TypeAlias
+
+from kinegrade.language.math.tree import DEGREE, Letter, Lettering, Row, Scripts, Sign, Space, Unit
+from kinegrade.worked.formulas.formula import Formula, Kind, Product, Root, Sum
+from kinegrade.worked.formulas.rows import enclose, print_decimal, raise_last
+
+AxisName: TypeAlias = Literal["x", "y"]
+OTHER: Mapping[AxisName, AxisName] = {"x": "y", "y": "x"}
+AXES: tuple[AxisName, AxisName] = ("x", "y")
+
+
+@dataclass(frozen=True)
+class Number(Formula):
+    """A decimal as it is printed; a negative one keeps its minus sign wherever it stands.
+
+    >>> Number("-2").sign, abs(Number("-2"))
+    (-1, Number(digits='2'))
+    """
+
+    digits: str
+    kind: ClassVar[Kind] = "number"
+    is_decimal: ClassVar[bool] = True
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        return print_decimal(self.digits, mark)
+
+    @property
+    def begins_with_minus(self) -> bool:
+        """Whether the first that is printed is a minus sign."""
+        return self.digits.startswith("-")
+
+    @property
+    def sign(self) -> int:
+        """-1 or 1."""
+        return -1 if self.begins_with_minus else 1
+
+    @property
+    def size(self) -> Formula:
+        """The formula without its sign."""
+        return Number(self.digits.removeprefix("-"))
+
+    def __abs__(self) -> Formula:
+        return self.size
+
+
+@dataclass(frozen=True)
+class Exact(Formula):
+    """An exact number in place of a symbol, with its roots and fractions; it keeps its sign."""
+
+    form: Formula
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        return self.form.print(mark)
+
+    @property
+    def kind(self) -> Kind:
+        """How it behaves next to others."""
+        return (
+            self.form.size.factors[0].kind
+            if isinstance(self.form.size, Product)
+            else self.form.kind
+        )
+
+    @property
+    def begins_with_minus(self) -> bool:
+        """Whether the first that is printed is a minus sign."""
+        return self.form.begins_with_minus
+
+    @property
+    def sign(self) -> int:
+        """-1 or 1."""
+        return self.form.sign
+
+    @property
+    def size(self) -> Formula:
+        """The formula without its sign."""
+        return Exact(self.form.size)
+
+
+@dataclass(frozen=True)
+class Symbol(Formula):
+    """Letters that stand for a quantity; `closed` where they would read as a product with what
+    follows them.
+    """
+
+    row: Row
+    closed: bool = False
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        return self.row
+
+    @property
+    def kind(self) -> Kind:
+        """How it behaves next to others."""
+        return "closed" if self.closed else "symbol"
+
+
+@dataclass(frozen=True)
+class VectorSymbol(Formula):
+    """A velocity or acceleration: its magnitude, with `axis` a component, in `bold` the vector
+    itself; `part` is n or t for a normal or tangential part.
+    """
+
+    letter: Literal["v", "a"]
+    lower: Row
+    part: Literal["", "n", "t"] = ""
+    axis: AxisName | Literal[""] = ""
+    bold: bool = False
+    kind: ClassVar[Kind] = "symbol"
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        letter = Letter(self.letter)
+        axis = (Sign(","), Letter(self.axis)) if self.axis else ()
+        upper = (Lettering("mathrm", (Letter(self.part),)),) if self.part else None
+        base = Lettering("boldsymbol", (letter,)) if self.bold else letter
+        return (Scripts(base, (*self.lower, *axis), 0, upper),)
+
+
+@dataclass(frozen=True)
+class Tuple(Formula):
+    """Formulas in one pair of brackets: coordinates, or the arguments of what is named before."""
+
+    parts: tuple[Formula, ...]
+    name: str = ""
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        first, *others = (part.print(mark) for part in self.parts)
+        inner = reduce(add, ((Sign(","), Space(" "), *row) for row in others), first)
+        words = [Lettering("mathrm", tuple(map(Letter, word))) for word in self.name.split("_")]
+        head = words[0], *(node for word in words[1:] for node in (Space(" "), word))
+        return (*(head if self.name else ()), *enclose(inner))
+
+
+@dataclass(frozen=True)
+class Measured(Formula):
+    """A number with its unit, "m/s^2"; "deg" is the degree sign, "1" nothing."""
+
+    number: Formula
+    unit: str
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        row = self.number.print(mark)
+        if self.unit == "1":
+            return row
+        row = enclose(row) if self.number.kind == "sum" else row
+        return (
+            raise_last(row, DEGREE) if self.unit == "deg" else (*row, Space(","), Unit(self.unit))
+        )
+
+    @property
+    def kind(self) -> Kind:
+        """How it behaves next to others."""
+        return self.number.kind
+
+    @property
+    def begins_with_minus(self) -> bool:
+        """Whether the first that is printed is a minus sign."""
+        return self.number.begins_with_minus
+
+    @property
+    def sign(self) -> int:
+        """-1 or 1."""
+        return self.number.sign
+
+    @property
+    def size(self) -> Formula:
+        """The formula without its sign."""
+        return Measured(self.number.size, self.unit)
+
+    @property
+    def without_unit(self) -> Formula:
+        """The number alone; degrees keep their sign."""
+        return self if self.unit == "deg" else self.number
+
+
+ZERO, ONE, TWO = Number("0"), Number("1"), Number("2")
+
+
+def add_terms(terms: Iterable[Formula]) -> Formula:
+    """The sum of any number of terms: of none 0, of one itself."""
+    listed = tuple(terms)
+    return Sum(listed) if len(listed) > 1 else next(iter(listed), ZERO)
+
+
+def multiply_factors(factors: Iterable[Formula]) -> Formula:
+    """The product of one or more factors, side by side."""
+    first, *others = factors
+    return Product((first, *others)) if others else first
+
+
+def add_squares(sides: Iterable[Formula]) -> Root:
+    """The root of the sum of squares."""
+    return Root(add_terms(side**TWO for side in sides))

@@ -1,0 +1,100 @@
+"""Equations: a left side and what it is equal to, link by link, and how they fill the lines of a
+display.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+from kinegrade.language.math.tree import Mark, Row, Sign
+from kinegrade.language.math.width import measure_row
+from kinegrade.worked.formulas.formula import Formula
+
+Relation: TypeAlias = Literal["=", r"\approx", r"\propto", ":"]
+WIDEST = 68  # letters that fit on a line of a display
+
+
+@dataclass(frozen=True)
+class Link:
+    """A relation sign and what stands to the right of it."""
+
+    relation: Relation
+    right: Formula
+
+
+@dataclass(frozen=True)
+class Equation:
+    """A left side and its links; `aside` says the sense or direction after the last one."""
+
+    left: Formula
+    links: tuple[Link, ...]
+    aside: Row = ()
+
+    def print_inline(self, mark: str) -> Row:
+        """The equation within a sentence."""
+        return (*self.left.print(mark), *print_links(self.links, mark), *self.aside)
+
+    def print_line(self, mark: str) -> Row:
+        """The equation on one line, which the press breaks where it must."""
+        left = self.left.print(mark)
+        return (*left, Mark(), *print_links(self.links, mark), *self.aside)
+
+    def break_lines(self, mark: str) -> tuple[Row, ...]:
+        """The equation on as many lines as it needs, continued below its first relation sign."""
+        left = self.left.print(mark)
+        lines: list[Row] = [(*left, Mark())]
+        room, used = WIDEST - measure_row(left), 0.0
+        for group in _list_groups(self.links):
+            aside = self.aside if group[-1] is self.links[-1] else ()
+            row = (*print_links(group, mark), *aside)
+            width = measure_row(row)
+            if used and used + width > room:
+                lines.append((Mark(),))
+                used = 0.0
+            lines[-1] += row
+            used += width
+        return tuple(lines)
+
+
+def _list_groups(links: tuple[Link, ...]) -> Iterator[tuple[Link, ...]]:
+    """What stays on one line: each link, and a rounded value with the exact one before it."""
+    starts = [place for place, link in enumerate(links) if not place or link.relation != r"\approx"]
+    for start, end in zip(starts, (*starts[1:], len(links)), strict=True):
+        yield links[start:end]
+
+
+def print_links(links: tuple[Link, ...], mark: str) -> Row:
+    """The right sides of an equation, each after its relation sign."""
+    return tuple(node for link in links for node in (Sign(link.relation), *link.right.print(mark)))
+
+
+def equate(*formulas: Formula) -> tuple[Link, ...]:
+    """= first = second ..."""
+    return tuple(Link("=", formula) for formula in formulas)
+
+
+def approximate(formula: Formula) -> tuple[Link, ...]:
+    """Approximately a formula."""
+    return (Link(r"\approx", formula),)
+
+
+def lead_to(
+    left: Formula, working: tuple[Formula, ...], value: tuple[Link, ...]
+) -> tuple[Link, ...]:
+    """Formulas in symbols and in numbers and then a value, without what says nothing: a formula
+    said before, a number that the value rounds again.
+    """
+    said = dict.fromkeys(working)
+    telling = (formula for formula in said if formula != left and not formula.is_decimal)
+    return (*equate(*telling), *value)
+
+
+def drop_repetition(working: tuple[Link, ...], value: tuple[Link, ...]) -> tuple[Link, ...]:
+    """All links; the last of the working is dropped where it differs from the value only in the
+    unit.
+    """
+    if working and value and working[-1].right.looks_like(value[0].right.without_unit):
+        working = working[:-1]
+    return working + value

@@ -1,0 +1,317 @@
+r"""Formulas as values: what is said, before it is decided how signs, brackets and dots are printed.
+
+A formula is built from numbers and symbols (`kinegrade.worked.formulas.atoms`) by the operations
+of this module, `-a`, `a + b`, `a * b`, `a / b`, `a**2`, `abs(a)`; it is compared as a value and
+printed last, by its method `print`, as the math tree that every press writes, and on which the
+width of a line is measured.
+
+So a chapter can hold one formula in symbols and again in numbers, leave out what repeats, and take
+the two apart: an `Equation` keeps its left side and its links in order, symbols first, then
+numbers, then the value, each link one formula. A solution that tells its idea first, or checks a
+value, chooses among these links; it never looks into what is printed.
+
+Two ways of multiplying differ on purpose: `a * b` sets factors side by side as textbooks set
+letters, `a.dot(b)` sets a dot between them, as where lengths of two letters or numbers stand.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import ClassVar, Literal, TypeAlias
+
+from kinegrade.language.math.tree import Fenced, Row, Scripts, Space, list_nodes
+from kinegrade.language.math.tree import Function as FunctionMark
+from kinegrade.language.math.tree import Number as Digits
+from kinegrade.language.math.tree import Quotient as Fraction
+from kinegrade.language.math.tree import Root as Radical
+from kinegrade.worked.formulas.rows import DOT, MINUS, OPEN, PLUS, enclose, ends_raised, raise_last
+
+Kind: TypeAlias = Literal["number", "symbol", "function", "closed", "fraction", "product", "sum"]
+FunctionName: TypeAlias = Literal["sin", "cos", "tan", "arcsin", "arccos", "arctan"]
+_THIN, _ONE = Space(","), (Digits("1"),)
+
+
+class Formula(ABC):
+    """A formula; where a sign, a bracket or a dot stands is decided when it is printed."""
+
+    @abstractmethod
+    def print(self, mark: str = ".") -> Row:
+        """The math tree, its decimals with this mark."""
+
+    @property
+    def kind(self) -> Kind:
+        """How it behaves next to others."""
+        return "closed"
+
+    @property
+    def begins_with_minus(self) -> bool:
+        """Whether the first that is printed is a minus sign."""
+        return False
+
+    @property
+    def is_decimal(self) -> bool:
+        """Whether it is nothing but a decimal, which its value says again."""
+        return False
+
+    @property
+    def sign(self) -> int:
+        """-1 for the opposite of something, or a negative number; else 1."""
+        return 1
+
+    @property
+    def size(self) -> Formula:
+        """The formula without its sign."""
+        return self
+
+    @property
+    def without_unit(self) -> Formula:
+        """The number alone; degrees keep their sign."""
+        return self
+
+    def __neg__(self) -> Formula:
+        return Negative(self)
+
+    def __abs__(self) -> Formula:
+        return Absolute(self)
+
+    def __add__(self, other: Formula) -> Sum:
+        return Sum((self, other))
+
+    def __sub__(self, other: Formula) -> Sum:
+        return Sum((self, -other))
+
+    def __mul__(self, other: Formula) -> Product:
+        return Product((self, other))
+
+    def signed(self, sign: int) -> Formula:
+        """The formula, or its opposite where the sign is negative."""
+        return -self if sign < 0 else self
+
+    def looks_like(self, other: Formula) -> bool:
+        """Whether it is printed with the same letters and signs."""
+        return self.print() == other.print()
+
+    def dot(self, other: Formula) -> Product:
+        """The product with a dot."""
+        return Product((self, other), dotted=True)
+
+    def __truediv__(self, other: Formula) -> Quotient:
+        return Quotient(self, other)
+
+    def __pow__(self, exponent: Formula) -> Power:
+        return Power(self, exponent)
+
+    def print_after_sign(self, mark: str) -> Row:
+        """How it is printed after another term: in brackets where it begins with a minus sign."""
+        row = self.print(mark)
+        return enclose(row) if self.begins_with_minus else row
+
+    def print_subtracted(self, mark: str) -> Row:
+        """How it is printed after a minus sign."""
+        return enclose(self.print(mark)) if self.kind == "sum" else self.print_after_sign(mark)
+
+    def print_factor(self, mark: str, leads: bool) -> Row:
+        """How it is printed in a product: a sum in brackets, and a negative factor that does not
+        lead.
+        """
+        bracketed = self.kind == "sum" or (self.begins_with_minus and not leads)
+        return enclose(self.print(mark)) if bracketed else self.print(mark)
+
+
+@dataclass(frozen=True)
+class Negative(Formula):
+    """The opposite of a formula."""
+
+    inner: Formula
+    begins_with_minus: ClassVar[bool] = True
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        return (MINUS, *self.inner.print_subtracted(mark))
+
+    @property
+    def kind(self) -> Kind:
+        """How it behaves next to others."""
+        return self.inner.kind
+
+    @property
+    def is_decimal(self) -> bool:
+        """Whether it is nothing but a decimal."""
+        return self.inner.is_decimal and not self.inner.begins_with_minus
+
+    @property
+    def sign(self) -> int:
+        """-1 or 1."""
+        return -self.inner.sign
+
+    @property
+    def size(self) -> Formula:
+        """The formula without its sign."""
+        return self.inner.size
+
+    def __neg__(self) -> Formula:
+        return self.inner
+
+
+@dataclass(frozen=True)
+class Sum(Formula):
+    """Terms; a `Negative` one is subtracted, a negative number stands in brackets."""
+
+    terms: tuple[Formula, ...]
+    kind: ClassVar[Kind] = "sum"
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        first, *others = self.terms
+        row = first.print(mark)
+        for term in others:
+            if isinstance(term, Negative):
+                row += term.print(mark)
+            else:
+                row += (PLUS, *term.print_after_sign(mark))
+        return row
+
+    @property
+    def begins_with_minus(self) -> bool:
+        """Whether the first that is printed is a minus sign."""
+        return self.terms[0].begins_with_minus
+
+
+@dataclass(frozen=True)
+class Product(Formula):
+    """Factors side by side, or `dotted`."""
+
+    factors: tuple[Formula, ...]
+    dotted: bool = False
+    kind: ClassVar[Kind] = "product"
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        return self._print(mark, leads=True)
+
+    def _print(self, mark: str, leads: bool) -> Row:
+        row = self.factors[0].print_factor(mark, leads)
+        for before, factor in pairwise(self.factors):
+            separator = (DOT,) if self.dotted else _choose_separator(before, factor)
+            row += (*separator, *factor.print_factor(mark, leads=False))
+        return row
+
+    def print_after_sign(self, mark: str) -> Row:
+        """How it is printed after another term."""
+        return self._print(mark, leads=False)
+
+    @property
+    def begins_with_minus(self) -> bool:
+        """Whether the first that is printed is a minus sign."""
+        first = self.factors[0]
+        return first.begins_with_minus and first.kind != "sum"
+
+
+def _choose_separator(before: Formula, factor: Formula) -> Row:
+    """What stands between two factors: a dot where they would run into one another, else a thin
+    space or nothing.
+    """
+    first, second = before.kind, factor.kind
+    operator = isinstance(factor.base if isinstance(factor, Power) else factor, Function)
+    one = first == "number" and before.print() == _ONE
+    if second == "number" or one or (first == "function" and not operator):
+        return (DOT,)
+    if first in ("number", "fraction") and second == "fraction":
+        return (DOT,)
+    if operator or (first == "number" and (second == "symbol" or isinstance(factor, Root))):
+        return ()
+    return (_THIN,)
+
+
+@dataclass(frozen=True)
+class Quotient(Formula):
+    """One formula above another."""
+
+    above: Formula
+    below: Formula
+    kind: ClassVar[Kind] = "fraction"
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        return (Fraction("frac", self.above.print(mark), self.below.print(mark)),)
+
+
+@dataclass(frozen=True)
+class Power(Formula):
+    """A formula raised to another; the exponent of a sine stands directly after its name."""
+
+    base: Formula
+    exponent: Formula
+
+    @property
+    def kind(self) -> Kind:
+        """How it behaves next to others."""
+        return self.base.kind if self._is_plain or isinstance(self.base, Function) else "closed"
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        exponent, row = self.exponent.print(mark), self.base.print(mark)
+        if isinstance(self.base, Function) and not self.exponent.begins_with_minus:
+            return (Scripts(row[0], None, 0, exponent), *row[1:])
+        return raise_last(row if self._is_plain else enclose(row), exponent)
+
+    @property
+    def _is_plain(self) -> bool:
+        """Whether the base needs no brackets."""
+        row = self.base.print()
+        letter = self.base.kind in ("number", "symbol") and not self.base.begins_with_minus
+        return letter and DOT not in row and not ends_raised(row)
+
+
+@dataclass(frozen=True)
+class Root(Formula):
+    """A square root."""
+
+    radicand: Formula
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        return (Radical(self.radicand.print(mark), None),)
+
+
+@dataclass(frozen=True)
+class Absolute(Formula):
+    """An absolute value."""
+
+    inner: Formula
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        return (Fenced("|", self.inner.print(mark), "|"),)
+
+
+@dataclass(frozen=True)
+class Function(Formula):
+    """A sine, cosine ... of its argument."""
+
+    name: FunctionName
+    argument: Formula
+
+    @property
+    def kind(self) -> Kind:
+        """How it behaves next to others."""
+        return "function" if self._is_plain else "closed"
+
+    def print(self, mark: str = ".") -> Row:
+        """The math tree."""
+        argument = self.argument.print(mark)
+        return (FunctionMark(self.name), *(argument if self._is_plain else enclose(argument)))
+
+    @property
+    def _is_plain(self) -> bool:
+        """Whether the argument needs no brackets: a product only where nothing parts it."""
+        if self.argument.kind in ("function", "closed", "sum"):
+            return False
+        return not self.argument.begins_with_minus and not any(
+            node in (OPEN, DOT) or isinstance(node, Fenced | Radical | FunctionMark)
+            for node in (
+                list_nodes(self.argument.print()) if self.argument.kind == "product" else ()
+            )
+        )

@@ -1,0 +1,224 @@
+"""Positions of a solved instance in formulas: symbols on one side, this paper's numbers on the
+other.
+
+x_{A} &= r \\cos\\varphi = 0.25 \\cos 60^\\circ = 0.125\\,\\unit{m}
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from kinegrade.expressions.expression import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    evaluate,
+    make_elementary_functions,
+)
+from kinegrade.language.math.tree import Row
+from kinegrade.language.message import Message
+from kinegrade.mechanics.geometry import make_constructions
+from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.balls import PRECISIONS, Balls
+from kinegrade.numbers.text import write_decimal
+from kinegrade.numbers.units import Unit, read_unit
+from kinegrade.problem.quantity import Quantity, express_in_unit
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Prose
+from kinegrade.worked.formulas.atoms import ZERO as NOTHING
+from kinegrade.worked.formulas.atoms import Symbol
+from kinegrade.worked.formulas.equation import (
+    Equation,
+    Link,
+    Relation,
+    drop_repetition,
+    equate,
+)
+from kinegrade.worked.formulas.expression import STRUCTURAL, Formulation
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.leaves import formulate
+from kinegrade.worked.formulas.results import (
+    state_degrees,
+    state_result,
+    state_substituted,
+)
+from kinegrade.worked.formulas.symbols import collect_symbols, name_coordinate, name_point
+from kinegrade.worked.positions.algebra import Pair
+from kinegrade.worked.positions.axes import Axes, choose_axes
+from kinegrade.worked.positions.construction_steps import Step, list_steps
+
+METRE, RADIAN, DEGREE, PURE = read_unit("m"), read_unit("rad"), read_unit("deg"), read_unit("1")
+AREA = read_unit("m^2")
+
+
+@dataclass(frozen=True)
+class Instance:
+    """What the formulas of positions need: the case, its steps and axes, symbols of names, and
+    values in SI.
+    """
+
+    case: Case
+    steps: tuple[Step, ...]
+    axes: Axes
+    symbols: Mapping[str, Symbol]
+    values: Mapping[str, Any]
+    arithmetic: Any
+
+    def named(self, name: str, symbol: Symbol, value: Any) -> Instance:
+        """The instance with one more name that formulas may use."""
+        return replace(
+            self, symbols={**self.symbols, name: symbol}, values={**self.values, name: value}
+        )
+
+    def free(self, letter: str) -> str:
+        """A name for an auxiliary quantity that the template does not use."""
+        return next(
+            name
+            for name in (letter, *(f"{letter}{count}" for count in range(1, 1000)))
+            if name not in self.values
+        )
+
+    def value(self, tree: Expression) -> Any:
+        """The value of an expression in SI: exact where a small field holds it, otherwise a
+        certified enclosure.
+        """
+        try:
+            with self.arithmetic.context():
+                return _evaluate_in(tree, self.values, self.arithmetic)
+        except Inexact:
+            balls = Balls(PRECISIONS[0])
+            with balls.context():
+                return _evaluate_in(
+                    tree,
+                    {name: _enclose(value, balls) for name, value in self.values.items()},
+                    balls,
+                )
+
+    def sign(self, tree: Expression) -> int:
+        """The sign of an expression's value: -1, 0 or 1."""
+        value = float(write_decimal(self.value(tree), 1))
+        return (value > 0) - (value < 0)
+
+    def say(self, message: Message) -> Prose:
+        """A paragraph that says a message."""
+        return self.case.say(message)
+
+    def formula(self, tree: Expression, degrees: bool = False) -> Formula:
+        """An expression in symbols."""
+        return formulate(self.symbols, self.axes.points).state(tree, degrees)
+
+    def text(self, tree: Expression, degrees: bool = False) -> str:
+        """An expression in symbols, as a part of a sentence."""
+        return self.case.text(self.formula(tree, degrees))
+
+    def letter(self, point: str) -> str:
+        """The letter of a point, as a part of a sentence."""
+        return self.case.text(self.symbols[point])
+
+    def _numbers(self, tree: Expression, degrees: bool = False) -> Formula:
+        """An expression with numbers in place of symbols; angles are evaluated."""
+        return Formulation(self._find_number).state(tree, degrees)
+
+    def _find_number(self, tree: Expression, angular: bool) -> Formula | None:
+        """The number that replaces a name, a coordinate or an angle."""
+        if angular:
+            return state_degrees(self.quantity(self.value(tree), DEGREE))
+        if isinstance(tree, Name) and tree.name != "pi":
+            return state_substituted(self.value(tree))
+        if isinstance(tree, Call) and tree.function not in STRUCTURAL:
+            return state_substituted(self.value(tree))
+        return None
+
+    def quantity(self, value: Any, unit: Unit) -> Quantity:
+        """A value in SI as a quantity; angles in degrees are multiples of this arithmetic's pi."""
+        if isinstance(value, int):
+            return express_in_unit("", self.arithmetic.number(value), unit)
+        with Balls(PRECISIONS[0]).context():
+            return express_in_unit("", value, unit)
+
+    def proportion(self, left: Formula, tree: Expression, unit: Unit) -> tuple[Row, ...]:
+        """left, up to a factor, as the formula = the same with numbers = the value; a zero is
+        written without a factor.
+        """
+        value = state_result(self.quantity(self.value(tree), unit))
+        symbols = self.formula(tree)
+        working = (*equate(symbols), *self.worked_out(symbols, tree))
+        first, *others = drop_repetition(() if isinstance(tree, Number) else working, value)
+        relation: Relation = "=" if first.right == NOTHING else r"\propto"
+        return self.lines(left, (Link(relation, first.right), *others))
+
+    def equation(self, left: Formula, tree: Expression, unit: Unit = METRE) -> tuple[Row, ...]:
+        """left = the formula = the same with numbers = the value."""
+        value = state_result(self.quantity(self.value(tree), unit))
+        return self.lines(left, drop_repetition(self.worked_out(left, tree, unit.degrees), value))
+
+    def lines(self, left: Formula, links: tuple[Link, ...]) -> tuple[Row, ...]:
+        """An equation on as many lines as it needs."""
+        return Equation(left, links).break_lines(self.case.mark)
+
+    def coordinates(self, point: str, pair: Pair) -> tuple[Row, ...]:
+        """x = ..., y = ... of a named point worked out."""
+        letter = self.symbols[point]
+        x, y = pair
+        return (
+            *self.equation(name_coordinate("x", letter), x),
+            *self.equation(name_coordinate("y", letter), y),
+        )
+
+    def worked_out(
+        self, left: Formula, tree: Expression, degrees: bool = False
+    ) -> tuple[Link, ...]:
+        """The formula and the same with numbers, each where it adds something."""
+        symbols, numbers = self.formula(tree, degrees), self._numbers(tree, degrees)
+        plain = isinstance(tree, (Name, Number)) or (
+            isinstance(tree, Call) and tree.function not in STRUCTURAL
+        )
+        given = () if symbols == left or isinstance(tree, Number) else equate(symbols)
+        return given if plain or numbers == symbols else (*given, *equate(numbers))
+
+
+def make_instance(case: Case) -> Instance:
+    """The instance of a case, with its auxiliary points evaluated."""
+    instance = Instance(
+        case,
+        (),
+        Axes(frozenset(), frozenset()),
+        collect_symbols(case.template),
+        dict(case.solution.assembly.values),
+        case.arithmetic.fork(),
+    )
+    return add_steps(instance, list_steps(case.template))
+
+
+def add_steps(instance: Instance, more: Iterable[Step]) -> Instance:
+    """The instance with further points; those that the template does not name are evaluated."""
+    all_steps = (*instance.steps, *more)
+    instance = replace(instance, steps=all_steps, axes=choose_axes(all_steps))
+    for step in all_steps:
+        if step.point not in instance.values:
+            place = instance.value(step.tree)
+            instance = instance.named(step.point, name_point(step.point), Vector(place.x, place.y))
+    return instance
+
+
+def _evaluate_in(tree: Expression, values: Mapping[str, Any], arithmetic: Any) -> Any:
+    """The value of an expression in one arithmetic."""
+    points = {name: value for name, value in values.items() if isinstance(value, Vector)}
+    functions: dict[str, Callable[..., Any]] = {
+        **make_elementary_functions(arithmetic),
+        **make_constructions(arithmetic, points),
+    }
+    return evaluate(tree, values, functions, arithmetic)
+
+
+def _enclose(value: Any, balls: Balls) -> Any:
+    """An exact value as an enclosure."""
+    if isinstance(value, Vector):
+        return Vector(balls.number(value.x), balls.number(value.y))
+    if isinstance(value, Angle):
+        return value.ball()
+    return value if isinstance(value, str) else balls.number(value)

@@ -1,0 +1,125 @@
+"""What drivers impose: the motion that is given."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, assert_never
+
+from kinegrade.expressions.expression import Number, find_names
+from kinegrade.language.math.tree import Row, Scripts
+from kinegrade.language.message import Message
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import Imposed, ImposedCircling, ImposedMotion, ImposedRotation
+from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.equation import Equation, Link, equate
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.numbers import state_number
+from kinegrade.worked.formulas.symbols import collect_symbols
+from kinegrade.worked.rates.speeds import Statement, name_relative_rotation, state_expression
+from kinegrade.worked.senses import (
+    describe_direction,
+    state_rotation_sense,
+    state_sense_along,
+)
+from kinegrade.worked.vectors.deductions import UNITS
+from kinegrade.worked.vectors.vectors import name_by_role, name_point_vector
+
+
+def state_imposed(law: Imposed, relation: Relation, case: Case, level: Level) -> Statement:
+    """What a driver imposes."""
+    value = _find_driven_value(relation, level)
+    left = _name_imposed(law, case, level)
+    unit = UNITS[level, isinstance(law, ImposedRotation)]
+    links = (*_state_expression(law, left, case, level), *state_number(value, unit))
+    equation = Equation(left, links, _state_sense(law, value, case))
+    return Statement(Message("solution.title-given"), _state_given(law, case, level), equation)
+
+
+def _name_imposed(law: Imposed, case: Case, level: Level) -> Formula:
+    """The symbol of what a driver imposes."""
+    match law:
+        case ImposedRotation():
+            return name_relative_rotation(law.body, law.of, case, level)
+        case ImposedMotion(of=of) if of != GROUND:
+            return name_by_role("r", level, ())
+        case ImposedMotion():
+            return name_point_vector(law.point, level, case)
+        case ImposedCircling():
+            circling = name_point_vector(law.point, level, case)
+            return {"velocity": circling, "acceleration": replace(circling, part="t")}[level]
+        case _:
+            assert_never(law)
+
+
+def _state_sense(law: Imposed, value: Any, case: Case) -> Row:
+    """The sense of what a driver imposes."""
+    match law:
+        case ImposedRotation() | ImposedCircling():
+            return state_rotation_sense(value, case)
+        case ImposedMotion():
+            return state_sense_along(double(value), law.direction, None, case)
+        case _:
+            assert_never(law)
+
+
+def _find_driven_value(relation: Relation, level: Level) -> Any:
+    """The velocity or acceleration that a driver imposes."""
+    match level:
+        case "velocity":
+            return relation.velocity
+        case "acceleration":
+            return relation.acceleration
+        case _:
+            assert_never(level)
+
+
+def _state_expression(law: Imposed, left: Formula, case: Case, level: Level) -> tuple[Link, ...]:
+    """The template's expression for a driver's value; nothing for a number, nor where the paper's
+    parameter has the same letters as the algebraic value.
+    """
+    sentence = case.template.scheme.drivers[law.driver]
+    tree = {"velocity": sentence.velocity, "acceleration": sentence.acceleration}[level]
+    symbols = collect_symbols(case.template)
+    letters = {_drop_upper(symbols[name].row) for name in find_names(tree) if name in symbols}
+    if isinstance(tree, Number) or _drop_upper(left.print()) in letters:
+        return ()
+    return equate(state_expression(tree, case))
+
+
+def _drop_upper(row: Row) -> Row:
+    """Letters without what stands above them, as the t of a tangential acceleration."""
+    *before, last = row
+    return (*before, replace(last, upper=None)) if isinstance(last, Scripts) else row
+
+
+def _state_given(law: Imposed, case: Case, level: Level) -> Message:
+    """What is given, in a sentence."""
+    match law:
+        case ImposedRotation():
+            return _state_given_rotation(law, case, level)
+        case ImposedMotion():
+            return _state_given_component(law, case, level)
+        case ImposedCircling():
+            point, centre = case.naming.point(law.point), case.naming.point(law.centre)
+            return Message(f"solution.given-circling-{level}", point=point, centre=centre)
+        case _:
+            assert_never(law)
+
+
+def _state_given_rotation(law: ImposedRotation, case: Case, level: Level) -> Message:
+    body = case.naming.body(law.body)
+    if law.of == GROUND:
+        return Message(f"solution.given-rotation-{level}", body=body)
+    other = case.naming.body(law.of)
+    return Message(f"solution.given-relative-rotation-{level}", body=body, other=other)
+
+
+def _state_given_component(law: ImposedMotion, case: Case, level: Level) -> Message:
+    point, way = case.naming.point(law.point), describe_direction(law.direction, case)
+    if law.of == GROUND:
+        return Message(f"solution.given-motion-{level}", point=point, way=way)
+    other = case.naming.body(law.of)
+    return Message(f"solution.given-relative-motion-{level}", point=point, way=way, other=other)

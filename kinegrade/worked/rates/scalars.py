@@ -1,0 +1,84 @@
+"""Steps that need no vectors: what is given, bodies that rotate together, rolling without slipping,
+meshing gears.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import assert_never
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.laws import (
+    EqualPitchSpeed,
+    EqualRotation,
+    GuidedPoint,
+    ImposedCircling,
+    ImposedMotion,
+    ImposedRotation,
+    NoSlip,
+    SharedPoint,
+)
+from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block
+from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.rates.driven import state_imposed
+from kinegrade.worked.rates.rolling import solve_rolling, state_meshing, state_rolling
+from kinegrade.worked.rates.speeds import Statement, name_rotation, state_rate
+
+
+def state_relation(relation: Relation, case: Case, level: Level) -> Statement:
+    """What a scalar relation says about velocities or about accelerations."""
+    source = relation.source
+    match source:
+        case NoSlip():
+            return state_rolling(source, relation, case, level)
+        case EqualPitchSpeed():
+            return state_meshing(source, case, level)
+        case EqualRotation():
+            return _state_equal_rotation(source, case, level)
+        case ImposedRotation() | ImposedMotion() | ImposedCircling():
+            return state_imposed(source, relation, case, level)
+        case SharedPoint() | GuidedPoint() | None:
+            raise TypeError("a pin or a guide states no relation of rates alone")
+        case _:
+            assert_never(source)
+
+
+def _state_equal_rotation(law: EqualRotation, case: Case, level: Level) -> Statement:
+    """Two bodies that do not turn relative to each other."""
+    body, other = case.naming.body(law.body), case.naming.body(law.of)
+    reason = Message(f"solution.parallel-{level}", body=body, other=other)
+    title = Message("solution.title-parallel", body=body, other=other)
+    left, right = (name_rotation(name, case, level) for name in (law.body, law.of))
+    return Statement(title, reason, Equation(left, equate(right)))
+
+
+def explain_scalar_step(
+    relation: Relation, unknown: Rate, case: Case, level: Level
+) -> Iterator[Block]:
+    """A step of one scalar relation: the relation and the rate it gives."""
+    statement = state_relation(relation, case, level)
+    stated, result = statement.equation, state_rate(unknown, case, level)
+    yield case.say(statement.reason)
+    match relation.source:
+        case ImposedRotation() | ImposedMotion() | ImposedCircling() if imposes_single_rate(
+            relation
+        ):
+            yield case.show(stated)
+        case EqualRotation():
+            links = (*stated.links, *result.links)
+            yield case.show(Equation(stated.left, links, result.aside))
+        case ImposedRotation() | ImposedMotion() | ImposedCircling():
+            yield case.show(stated, result)
+        case NoSlip() | EqualPitchSpeed() | SharedPoint() | GuidedPoint() | None:
+            yield case.show(stated, *solve_rolling(relation, unknown, case, level), result)
+        case _:
+            assert_never(relation.source)
+
+
+def imposes_single_rate(relation: Relation) -> bool:
+    """Whether a driver imposes one rate and nothing else."""
+    return len(relation.turning) + len(relation.left) + len(relation.right) == 1

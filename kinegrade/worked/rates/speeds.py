@@ -1,0 +1,108 @@
+"""The speeds and rotations that relations without vectors are about: their symbols and values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, assert_never
+
+from kinegrade.expressions.expression import Call, Expression
+from kinegrade.language.math.tree import Row
+from kinegrade.language.message import Message
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.atoms import ZERO, VectorSymbol
+from kinegrade.worked.formulas.equation import Equation
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.leaves import formulate
+from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.formulas.symbols import collect_symbols
+from kinegrade.worked.senses import state_rotation_sense, state_sense_along
+from kinegrade.worked.vectors.deductions import UNITS, state_rotation_result
+from kinegrade.worked.vectors.known_vectors import find_positive_sense, find_stated_sense
+from kinegrade.worked.vectors.stage import measure_along_direction
+from kinegrade.worked.vectors.vectors import name_by_role, name_point_vector
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A relation between rates: its title, why it holds, and the relation in symbols."""
+
+    title: Message
+    reason: Message
+    equation: Equation
+
+
+def state_rate(rate: Rate, case: Case, level: Level) -> Equation:
+    """The value of a rate: an angular velocity, or the speed that belongs to a guided point."""
+    match rate.kind:
+        case "turning":
+            return state_rotation_result(rate, case, level)
+        case "sliding" | "circling" | "free-x" | "free-y" | "added-x" | "added-y":
+            return _state_speed(find_term(rate, case), case, level)
+        case _:
+            assert_never(rate.kind)
+
+
+def _state_speed(term: Term, case: Case, level: Level) -> Equation:
+    """The value of a guided point's speed with its sense."""
+    value = measure_along_direction(term, case, level) * find_stated_sense(term, case)
+    links = state_number(value, UNITS[level, False])
+    return Equation(name_speed(term, case, level), links, _state_sense(value, term, case))
+
+
+def _state_sense(value: Any, term: Term, case: Case) -> Row:
+    """The sense of a guided point's speed: around its centre, or along its line."""
+    match term.kind:
+        case "arc":
+            return state_rotation_sense(value, case)
+        case "sliding" | "rotation":
+            return state_sense_along(double(value), find_positive_sense(term, case), None, case)
+        case _:
+            assert_never(term.kind)
+
+
+def find_term(rate: Rate, case: Case) -> Term:
+    """The term of a guided point's rate."""
+    frames = case.motion.frames
+    chains = [chain for relation in frames.relations for chain in (relation.left, relation.right)]
+    chains += [base.chain for base in frames.bases.values()]
+    return next(term for chain in chains for term in chain if term.rate == rate)
+
+
+def name_speed(term: Term, case: Case, level: Level) -> VectorSymbol:
+    """The symbol of a guided point's algebraic speed, or of its change."""
+    circling = level == "acceleration" and term.kind == "arc"
+    if term.frame != GROUND:
+        return replace(name_by_role("r", level, ()), part="t" if circling else "")
+    return replace(name_point_vector(term.point, level, case), part="t" if circling else "")
+
+
+def name_rotation(body: str, case: Case, level: Level) -> Formula:
+    """The symbol of a body's rotation; 0 for the ground."""
+    return ZERO if body == GROUND else case.naming.turning(body, level)
+
+
+def find_rotation_value(body: str, case: Case, level: Level) -> Any:
+    """The value of a body's rotation; 0 for the ground."""
+    rates = case.rates(level)
+    return 0 if body == GROUND else rates[make_turning(body)]
+
+
+def name_relative_rotation(body: str, of: str, case: Case, level: Level) -> Formula:
+    """The rotation of one body relative to another."""
+    rotation = name_rotation(body, case, level)
+    return rotation if of == GROUND else rotation - name_rotation(of, case, level)
+
+
+def state_expression(tree: Expression, case: Case) -> Formula:
+    """An expression of the template in symbols."""
+    return formulate(collect_symbols(case.template)).state(tree)
+
+
+def state_radius(circle: Call | None, radius: Any, case: Case) -> Formula:
+    """The radius of a circle in the template's symbols; its number where the template has none."""
+    return state_expression(circle.arguments[1], case) if circle else round_number(radius)

@@ -1,0 +1,87 @@
+"""Senses and directions in words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from kinegrade.language.math.tree import Row, Sign, Space, Text
+from kinegrade.language.message import Message
+from kinegrade.mechanics.vector import Vector
+from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.measures import bearing, double, is_zero
+from kinegrade.worked.formulas.numbers import state_angle
+from kinegrade.worked.formulas.symbols import read_symbol
+
+_AXES: Mapping[float, Message] = {
+    0.0: Message("solution.right"),
+    90.0: Message("solution.up"),
+    180.0: Message("solution.left"),
+    270.0: Message("solution.down"),
+}
+_APART = Space("quad")
+
+
+def find_axis_sense(vector: Vector) -> Message | None:
+    """To which side a vector points along an axis; None for a slanting one."""
+    return _AXES.get(bearing(vector))
+
+
+def find_rotation_sense(value: Any) -> Message | None:
+    """Clockwise or counter-clockwise, None for zero."""
+    number = double(value)
+    return None if number == 0 else name_rotation_sense(number > 0)
+
+
+def name_rotation_sense(counter_clockwise: bool) -> Message:
+    """The sense of a rotation."""
+    if counter_clockwise:
+        return Message("solution.counter-clockwise")
+    return Message("solution.clockwise")
+
+
+def state_rotation_sense(value: Any, case: Case) -> Row:
+    """The sense of a rotation beside its value; nothing for zero."""
+    sense = find_rotation_sense(value)
+    return say_beside(sense, case) if sense else ()
+
+
+def state_sense_along(
+    value: float, positive: Vector, ends: tuple[str, str] | None, case: Case
+) -> Row:
+    """The direction of a vector beside its value: left, right, up, down, from point to point, or
+    reversed.
+
+    `ends` are points of its line in the positive sense, None where it has none.
+    """
+    if value == 0:
+        return ()
+    sense = find_axis_sense(positive if value > 0 else -positive)
+    if sense is not None:
+        return say_beside(sense, case)
+    if ends is not None:
+        start, end = map(case.naming.point, ends if value > 0 else reversed(ends))
+        way = read_symbol(case.write(Message("solution.from-to", start=start, end=end)))
+        return (_APART, Sign("("), *way.row, Sign(")"))
+    return () if value > 0 else say_beside(Message("solution.opposite"), case)
+
+
+def say_beside(message: Message, case: Case) -> Row:
+    """A message in brackets beside a value."""
+    return (_APART, Text(f"({case.write(message)})"))
+
+
+def state_way(vector: Vector, case: Case) -> Row:
+    """The direction of a vector beside its magnitude, nothing for a zero vector."""
+    if is_zero(vector):
+        return ()
+    sense = find_axis_sense(vector)
+    if sense:
+        return say_beside(sense, case)
+    return (Sign(","), _APART, *state_angle(bearing(vector)).print(case.mark))
+
+
+def describe_direction(vector: Vector, case: Case) -> Message:
+    """The direction of a vector other than zero in prose."""
+    sense = find_axis_sense(vector)
+    return sense or Message("solution.at-angle", angle=case.text(state_angle(bearing(vector))))

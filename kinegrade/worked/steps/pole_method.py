@@ -1,0 +1,105 @@
+"""The velocity of a point by the instantaneous centre of its body."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kinegrade.language.math.tree import Sign, Space
+from kinegrade.language.message import Message
+from kinegrade.mechanics.rates import make_turning
+from kinegrade.mechanics.vector import Vector
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block
+from kinegrade.worked.formulas.atoms import ZERO, Symbol
+from kinegrade.worked.formulas.equation import Equation, Link, equate, print_links
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import double, length, size
+from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.formulas.symbols import join_letters
+from kinegrade.worked.senses import state_way
+from kinegrade.worked.steps.couplers import Coupler, explain_base_speed
+from kinegrade.worked.steps.poles import name_pole
+from kinegrade.worked.vectors.deductions import state_rotation_result
+from kinegrade.worked.vectors.projection import PARALLEL
+from kinegrade.worked.vectors.vectors import name_arm, name_part, name_point_vector, name_value
+
+
+def explain_by_pole(coupler: Coupler, case: Case) -> Iterator[Block]:
+    """The pole by its construction, the rotation about it, and the speed of the second point."""
+    body = coupler.body
+    name = name_pole(body, case)
+    yield case.say(_describe_construction(coupler, case.naming.point(name), case))
+    if case.arithmetic.is_zero(case.motion.omega(body)):
+        yield from explain_base_speed(coupler, case)
+        known = name_value(coupler.equation, coupler.base, case)
+        still = Equation(case.naming.omega(body), equate(ZERO))
+        yield case.show(still, *_state_found_speed(coupler, equate(known), case))
+        return
+    case.findings.poles[body] = name
+    yield from explain_base_speed(coupler, case)
+    yield case.show(*_state_pole(coupler, case.naming.letter(name), case))
+
+
+def _describe_construction(coupler: Coupler, pole: str, case: Case) -> Message:
+    """Where the pole of a body lies, by the construction that applies."""
+    body = case.naming.body(coupler.body)
+    first, second = map(case.naming.point, (coupler.base.point, coupler.point.point))
+    if case.arithmetic.is_zero(case.motion.omega(coupler.body)):
+        return Message("solution.pole-at-infinity", body=body, first=first, second=second)
+    if _are_parallel(coupler.base.value, coupler.point.coefficient or Vector(0, 0)):
+        return Message(
+            "solution.pole-by-parallel-velocities", body=body, pole=pole, first=first, second=second
+        )
+    return Message("solution.pole-by-normals", body=body, pole=pole, first=first, second=second)
+
+
+def _are_parallel(first: Vector, second: Vector) -> bool:
+    return abs(double(first.cross(second))) < PARALLEL * size(first) * size(second)
+
+
+def _state_pole(coupler: Coupler, letter: Symbol, case: Case) -> Iterator[Equation]:
+    """The pole, its distances, and the velocities that follow from them."""
+    points = case.motion.points
+    pole = case.motion.pole(coupler.body, case.arithmetic)
+    base, point = coupler.base.point, coupler.point.point
+    yield _state_place(letter, pole, case)
+    arms = {name: length(points[name] - pole, case.arithmetic) for name in (base, point)}
+    letters = {name: join_letters((letter, case.naming.letter(name))) for name in arms}
+    for name, arm in arms.items():
+        yield Equation(letters[name], state_number(arm, "m"))
+    omega = abs(case.naming.omega(coupler.body))
+    speed = name_value(coupler.equation, coupler.base, case)
+    value = round_number(length(coupler.base.value, case.arithmetic))
+    ratios = speed / letters[base], value / round_number(arms[base])
+    yield Equation(omega, equate(*ratios))
+    yield state_rotation_result(make_turning(coupler.body), case, "velocity")
+    case.findings.sized.add(name_point_vector(point, "velocity", case))
+    turned = round_number(abs(case.motion.omega(coupler.body)))
+    how = equate(
+        letters[point].dot(omega),
+        round_number(arms[point]).dot(turned),
+    )
+    yield from _state_found_speed(coupler, how, case)
+
+
+def _state_place(letter: Symbol, pole: Vector, case: Case) -> Equation:
+    """The coordinates of the pole."""
+    (_, *x), (_, *y) = (print_links(state_number(number, "m"), case.mark) for number in pole)
+    inside = (*x, Sign(","), Space("quad"), *y)
+    return Equation(letter, (Link(":", Symbol((Sign("("), *inside, Sign(")")))),))
+
+
+def _state_found_speed(coupler: Coupler, how: tuple[Link, ...], case: Case) -> Iterator[Equation]:
+    """The magnitude and direction of the second point's velocity, and the body's rotation."""
+    sought, term = coupler.point, coupler.point.term
+    if term is None or sought.coefficient is None:
+        return
+    negative = double(sought.value.dot(sought.coefficient)) < 0
+    letters = name_part(coupler.equation, sought, case)
+    speed: Formula = abs(letters) if negative else letters
+    links = (*how, *state_number(length(sought.value, case.arithmetic), "m/s"))
+    yield Equation(speed, links, state_way(sought.value, case))
+    if term.kind == "rotation":
+        ratio = speed / name_arm(sought, case)
+        signed = equate(-ratio if negative else ratio)
+        yield state_rotation_result(term.rate, case, "velocity", signed)

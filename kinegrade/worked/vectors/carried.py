@@ -1,0 +1,76 @@
+"""The components of a point carried by a body that turns, from those of a base point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Literal
+
+from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level, find_term_value
+from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.atoms import OTHER, TWO, AxisName, VectorSymbol
+from kinegrade.worked.formulas.equation import Equation
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.numbers import round_number
+from kinegrade.worked.formulas.symbols import name_coordinate
+from kinegrade.worked.vectors.summands import PLACES, Summand, add_summands, name_component
+
+
+def state_carried_component(
+    axis: AxisName,
+    name: VectorSymbol,
+    base: tuple[VectorSymbol, Vector] | None,
+    term: Term,
+    *,
+    case: Case,
+    level: Level,
+) -> Equation:
+    """v_Ax - omega (y_P - y_A), or a_Ax - alpha (y_P - y_A) - omega^2 (x_P - x_A), with numbers and
+    value.
+
+    `base` is the vector of the base point with its symbol, None where it is fixed. Terms of a
+    rotation that is zero are left out.
+    """
+    place = PLACES[axis]
+    summands = list(_list_turning_summands(axis, term, case, level))
+    value = find_term_value(term, case.motion, level)[place]
+    if base is not None:
+        symbol, vector = base
+        known = Summand("+", name_component(symbol, axis), (round_number(vector[place]),))
+        summands, value = [known, *summands], vector[place] + value
+    return add_summands(name_component(name, axis), summands, value, level)
+
+
+def _list_turning_summands(
+    axis: AxisName, term: Term, case: Case, level: Level
+) -> Iterator[Summand]:
+    """The terms that the rotation about a base point adds to a component; none where the rotation
+    is zero.
+    """
+    other = OTHER[axis]
+    signs: Mapping[AxisName, Literal["+", "-"]] = {"x": "-", "y": "+"}
+    rate, body = case.motion.rates[term.rate], term.rate.body
+    letters, value = case.naming.turning(body, level), case.rates(level)[term.rate]
+    if double(value):
+        yield Summand(
+            signs[axis],
+            letters * _state_arm(other, term, case),
+            (round_number(value), round_number(term.vector[PLACES[other]])),
+        )
+    if level == "acceleration" and double(rate):
+        yield Summand(
+            "-",
+            case.naming.omega(body) ** TWO * _state_arm(axis, term, case),
+            (round_number(rate), round_number(term.vector[PLACES[axis]])),
+            squared=True,
+        )
+
+
+def _state_arm(axis: AxisName, term: Term, case: Case) -> Formula:
+    """A coordinate of a point from its base point."""
+    point, base = (
+        name_coordinate(axis, case.naming.letter(name)) for name in (term.point, term.base)
+    )
+    return point - base

@@ -1,0 +1,155 @@
+"""A deduction as equations: in symbols, with this paper's numbers, and with its results, exact and
+as decimals.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+
+from kinegrade.language.math.tree import Row
+from kinegrade.language.message import Message
+from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.vector_equation import Level, Part
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block, Display
+from kinegrade.worked.formulas.equation import (
+    Equation,
+    Link,
+    equate,
+    lead_to,
+)
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import double, length
+from kinegrade.worked.formulas.numbers import state_angle, state_number
+from kinegrade.worked.senses import state_rotation_sense, state_sense_along
+from kinegrade.worked.vectors.magnitudes import find_track_ends
+from kinegrade.worked.vectors.projection import Deduction, Projection
+from kinegrade.worked.vectors.stage import Stage, measure_along_direction
+from kinegrade.worked.vectors.vectors import name_arm, name_part, name_value
+
+_AXES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.projection-y")}
+UNITS: Mapping[tuple[Level, bool], str] = {  # by whether it is a rotation
+    ("velocity", False): "m/s",
+    ("acceleration", False): "m/s^2",
+    ("velocity", True): "rad/s",
+    ("acceleration", True): "rad/s^2",
+}
+
+
+def explain_deduction(
+    stage: Stage, deduction: Deduction, solved: Collection[Rate]
+) -> Iterator[Block]:
+    """A deduction in words and equations; relations between rates have been written before."""
+    case, single = stage.case, len(deduction.unknowns) == 1 and not deduction.scalars
+    for projection in deduction.projections:
+        yield case.say(_announce_axis(stage, projection))
+        if single:
+            yield show_solution(stage, projection, solved, deduction.unknowns[0])
+        else:
+            yield case.show(*_state_projection(stage, projection, solved))
+    if not single:
+        yield case.say(Message("solution.together"))
+        results = (result for rate in deduction.unknowns for result in _state_results(stage, rate))
+        yield case.show(*results)
+
+
+def _state_projection(
+    stage: Stage, projection: Projection, solved: Collection[Rate]
+) -> tuple[Equation, ...]:
+    """A projection in symbols, and in numbers where that adds something."""
+    symbols, numbers = stage.project(projection, None), stage.project(projection, solved)
+    return (symbols,) if numbers == symbols else (symbols, numbers)
+
+
+def show_solution(
+    stage: Stage, projection: Projection, solved: Collection[Rate], rate: Rate
+) -> Display:
+    """A projection with one unknown and its result; as one chain where the unknown stands alone on
+    a side.
+    """
+    first, *others = _state_results(stage, rate)
+    symbols, numbers = (
+        _turn_toward(first.left, stage.project(projection, rates)) for rates in (None, solved)
+    )
+    if symbols is None:
+        return stage.case.show(*_state_projection(stage, projection, solved), first, *others)
+    working = (symbols,) if numbers is None else (symbols, numbers)
+    links = lead_to(first.left, working, first.links)
+    mark = stage.case.mark
+    lines: tuple[Row, ...] = Equation(first.left, links, first.aside).break_lines(mark)
+    return Display((*lines, *(other.print_line(mark) for other in others)))
+
+
+def _turn_toward(sought: Formula, projection: Equation) -> Formula | None:
+    """What a projection says is equal to the formula sought, None where that does not stand alone
+    on a side.
+    """
+    (link,) = projection.links
+    if projection.left == sought:
+        return link.right
+    return projection.left if link.right == sought else None
+
+
+def _announce_axis(stage: Stage, projection: Projection) -> Message:
+    """On which axis the equation is projected, and why."""
+    axis = _name_axis(projection.axis, stage.case)
+    if projection.dropped is None:
+        return Message("solution.project-along", axis=axis)
+    dropped = name_part(projection.equation, projection.dropped, stage.case, bold=True)
+    return Message("solution.project-drop", axis=axis, dropped=stage.case.text(dropped))
+
+
+def _name_axis(angle: float, case: Case) -> Message:
+    """The axis at an angle in degrees."""
+    slanting = Message("solution.projection-at", angle=case.text(state_angle(angle)))
+    return _AXES.get(angle) or slanting
+
+
+def _state_results(stage: Stage, rate: Rate) -> Iterator[Equation]:
+    """The value of a vector along its direction, and of the rotation it belongs to."""
+    case, level = stage.case, stage.level
+    found = stage.occurrences(rate)
+    turning = rate.kind == "turning"
+    if found and (len(found) == 1 or not turning):
+        equation, part = found[0]
+        symbol = name_value(equation, part, case)
+        yield _state_vector_value(symbol, part, case, level)
+        if turning:
+            ratio = symbol / name_arm(part, case)
+            yield state_rotation_result(rate, case, level, equate(ratio))
+    elif turning:
+        yield state_rotation_result(rate, case, level)
+
+
+def state_rotation_result(
+    rate: Rate, case: Case, level: Level, how: tuple[Link, ...] = ()
+) -> Equation:
+    """The value of an angular velocity or acceleration with its sense."""
+    value = case.rates(level)[rate]
+    links = (*how, *state_number(value, UNITS[level, True]))
+    letters = case.naming.turning(rate.body, level)
+    return Equation(letters, links, state_rotation_sense(value, case))
+
+
+def _state_vector_value(symbol: Formula, part: Part, case: Case, level: Level) -> Equation:
+    """The algebraic value of an unknown vector along its positive direction, with its sense in
+    words.
+    """
+    unit = UNITS[level, False]
+    if part.term is None or part.coefficient is None:
+        return Equation(symbol, state_number(length(part.value, case.arithmetic), unit))
+    value = measure_along_direction(part.term, case, level)
+    ends = _find_path_ends(part, case)
+    sense = state_sense_along(double(value), part.coefficient, ends, case)
+    return Equation(symbol, state_number(value, unit), sense)
+
+
+def _find_path_ends(part: Part, case: Case) -> tuple[str, str] | None:
+    """The points that give the line along which a part lies, in its positive sense; None where no
+    two points do.
+    """
+    ends = find_track_ends(part.term, case) if part.term and part.term.kind == "sliding" else None
+    if ends is None or part.coefficient is None:
+        return None
+    start, end = (case.motion.points[point] for point in ends)
+    return ends if float((end - start).dot(part.coefficient)) > 0 else (ends[1], ends[0])

@@ -1,0 +1,189 @@
+"""The magnitude and direction of each vector of an equation, as the table below it states them."""
+
+from __future__ import annotations
+
+from typing import Any, assert_never
+
+from kinegrade.expressions.expression import Name
+from kinegrade.language.math.tree import Letter, Row, Sign
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.rates import make_turning
+from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Part, VectorEquation
+from kinegrade.worked.case import Case, write_row
+from kinegrade.worked.formulas.atoms import TWO
+from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import NEGLIGIBLE, bearing, length
+from kinegrade.worked.formulas.numbers import round_number, state_angle
+from kinegrade.worked.formulas.symbols import join_letters
+from kinegrade.worked.vectors.vectors import (
+    name_arm,
+    name_by_role,
+    name_point_vector,
+    number_composition,
+)
+
+
+def describe_magnitude(equation: VectorEquation, part: Part, case: Case) -> str:
+    """The magnitude of a part in prose: its formula, and its number or a question mark."""
+    formula = state_magnitude(equation, part, case)
+    if part.unknown:
+        return f"? $({case.text(formula)})$" if formula else "?"
+    number = round_number(length(part.value, case.arithmetic))
+    if formula is None:
+        return f"${case.text(number)}$"
+    return case.tell(Equation(formula, equate(number)))
+
+
+def state_magnitude(equation: VectorEquation, part: Part, case: Case) -> Formula | None:
+    """The formula of a part's magnitude, None where it has none."""
+    term = part.term
+    if term is None:
+        return None
+    match part.role:
+        case "coriolis":
+            relative = name_by_role("r", "velocity", number_composition(equation, part))
+            omega = _find_omega(case, term.frame)
+            speed = case.motion.rates[term.rate]
+            turned = _take_size(case.naming.omega(term.frame), omega)
+            return TWO * turned * _take_size(relative, speed)
+        case "absolute" | "transport" | "relative" | "rotation":
+            return _state_term_magnitude(equation, part, term, case)
+        case _:
+            assert_never(part.role)
+
+
+def _state_term_magnitude(
+    equation: VectorEquation, part: Part, term: Term, case: Case
+) -> Formula | None:
+    """The formula of the magnitude of a term's velocity, or of a part of its acceleration; None
+    where it has none.
+    """
+    match term.kind:
+        case "sliding":
+            return None
+        case "arc" if part.part != "n":
+            return None
+        case "arc":
+            return _name_speed(equation, part, case) ** TWO / name_arm(part, case)
+        case "rotation":
+            return _state_rotation_magnitude(equation, part, term, case)
+        case _:
+            assert_never(term.kind)
+
+
+def _state_rotation_magnitude(
+    equation: VectorEquation, part: Part, term: Term, case: Case
+) -> Formula:
+    """The length times the angular velocity, its square, or the angular acceleration."""
+    arm, body = name_arm(part, case), term.rate.body
+    match part.part:
+        case "n":
+            return arm.dot(case.naming.omega(body) ** TWO)
+        case "" | "t":
+            rate = case.naming.turning(body, equation.level)
+            value = case.rates(equation.level)[term.rate]
+            return arm.dot(rate if part.unknown else _take_size(rate, value))
+        case _:
+            assert_never(part.part)
+
+
+def _name_speed(equation: VectorEquation, part: Part, case: Case) -> Formula:
+    """The speed on a circular path: v_r, or v_A on a fixed circle."""
+    match part.role:
+        case "relative":
+            return name_by_role("r", "velocity", number_composition(equation, part))
+        case "absolute" | "transport" | "rotation" | "coriolis":
+            return name_point_vector(part.point, "velocity", case)
+        case _:
+            assert_never(part.role)
+
+
+def _take_size(symbol: Formula, value: Any) -> Formula:
+    """A symbol, between bars where its value is negative."""
+    return symbol if float(value) >= 0 else abs(symbol)
+
+
+def _find_omega(case: Case, body: str) -> Any:
+    """A body's angular velocity; zero for the ground."""
+    return 0 if body == GROUND else case.motion.rates[make_turning(body)]
+
+
+def describe_direction(equation: VectorEquation, part: Part, case: Case) -> str:
+    """The direction of a part in prose: how it lies, and its angle from +x; of an unknown part its
+    positive sense.
+    """
+    angle = case.text(state_angle(bearing(find_heading(part))))
+    how = _find_orientation(equation, part, case)
+    return f"${write_row(how)}$, ${angle}$" if how else f"${angle}$"
+
+
+def find_heading(part: Part) -> Vector:
+    """The vector whose direction a part has: itself, or the positive sense of an unknown one."""
+    return part.value if part.coefficient is None else part.coefficient
+
+
+def _find_orientation(equation: VectorEquation, part: Part, case: Case) -> Row:
+    """How a part lies, nothing where only its angle describes it."""
+    match part.role:
+        case "coriolis":
+            relative = name_by_role("r", "velocity", number_composition(equation, part))
+            return (Sign(r"\perp"), *relative.print())
+        case "absolute" | "transport" | "relative" | "rotation":
+            return _find_alignment(part, case)
+        case _:
+            assert_never(part.role)
+
+
+def _find_alignment(part: Part, case: Case) -> Row:
+    """How a part lies: perpendicular to or along what; nothing where only its angle describes
+    it.
+    """
+    term = part.term
+    if term is None:
+        return ()
+    match part.part:
+        case "n":
+            point, base = map(case.naming.letter, (part.point, part.base))
+            return (*point.row, Sign(r"\to"), *base.row)
+        case "" | "t":
+            return _align_term(part, term, case)
+        case _:
+            assert_never(part.part)
+
+
+def _align_term(part: Part, term: Term, case: Case) -> Row:
+    """The line to which a rotating part is perpendicular, or along which a sliding part lies."""
+    match term.kind:
+        case "rotation" | "arc":
+            return (Sign(r"\perp"), *name_arm(part, case).row)
+        case "sliding":
+            line = _find_track(term, case)
+            return (Sign(r"\parallel"), *line) if line else ()
+        case _:
+            assert_never(term.kind)
+
+
+def _find_track(term: Term, case: Case) -> Row:
+    """The line along which a point slides: by two points, or an axis parallel to it."""
+    ends = find_track_ends(term, case)
+    if ends:
+        return join_letters(map(case.naming.letter, ends)).row
+    x, y = abs(float(term.vector.x)), abs(float(term.vector.y))
+    if y < NEGLIGIBLE:
+        return (Letter("x"),)
+    return (Letter("y"),) if x < NEGLIGIBLE else ()
+
+
+def find_track_ends(term: Term, case: Case) -> tuple[str, str] | None:
+    """The two points by which the line is given along which a point slides, None where it is given
+    otherwise.
+    """
+    sentence = case.joint(term)
+    if sentence and sentence.on and len(sentence.on.arguments) == 2:
+        start, end = sentence.on.arguments
+        if isinstance(start, Name) and isinstance(end, Name) and end.name in case.motion.points:
+            return start.name, end.name
+    return None

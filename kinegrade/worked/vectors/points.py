@@ -1,0 +1,193 @@
+"""The velocity or acceleration of a point of a body whose motion is known: from its distance to a
+fixed axis, or from its base point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterator
+from dataclasses import replace
+from typing import Literal, assert_never
+
+from kinegrade.language.math.tree import Row
+from kinegrade.language.message import Message
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.relations import Chain, Term, add_vectors
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level, Part, find_term_value, list_term_parts
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block
+from kinegrade.worked.findings import Fact, Piece
+from kinegrade.worked.formulas.atoms import AXES, TWO, VectorSymbol
+from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.measures import double, length
+from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.formulas.symbols import join_letters
+from kinegrade.worked.senses import state_way
+from kinegrade.worked.vectors.carried import state_carried_component
+from kinegrade.worked.vectors.facts import make_key
+from kinegrade.worked.vectors.known_vectors import find_positive_sense
+from kinegrade.worked.vectors.summands import add_components
+from kinegrade.worked.vectors.vectors import name_by_role, name_point_vector
+
+_Place = Literal["of", "at"]  # a point of the body that turns, or one at the same place
+_Start = Literal["point", "base"]  # from a fixed axis, or from a moving base point
+
+
+def find_vector(chain: Chain, motion: Motion, level: Level) -> Vector:
+    """The vector of a chain."""
+    return add_vectors(find_term_value(term, motion, level) for term in chain)
+
+
+def find_point(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> Iterator[Block]:
+    """How the vector of a chain is found, if that has not been written yet; `name` is its
+    symbol.
+    """
+    if make_key(chain, level) in case.findings.facts or not chain:
+        return
+    last, value = chain[-1], find_vector(chain, case.motion, level)
+    if all(term.kind == "sliding" and term.frame == GROUND for term in chain):
+        pieces = (Piece(name, find_positive_sense(last, case), value),) if len(chain) == 1 else ()
+        fact = Fact(name, value, len(chain) > 1, pieces)
+    elif len(chain) == 1 and level == "velocity":
+        yield from _explain_single(last, name, case)
+        fact = Fact(name, value, False, (Piece(name, _find_single_sense(last, value), value),))
+    elif len(chain) == 1 and last.kind == "arc":
+        fact = yield from _explain_circling(last, name, case)
+    else:
+        yield from _explain_sum(chain, name, case, level)
+        fact = Fact(name, value, True)
+    case.findings.facts[make_key(chain, level)] = fact
+
+
+def _find_single_sense(term: Term, value: Vector) -> Vector:
+    """The direction in which the speed of a single term counts positive."""
+    match term.kind:
+        case "rotation":
+            return value
+        case "sliding" | "arc":
+            return term.coefficient()
+        case _:
+            assert_never(term.kind)
+
+
+def _explain_sum(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> Iterator[Block]:
+    """The components of a point's vector: its last term added to the terms before."""
+    match chain[-1].kind:
+        case "rotation":
+            yield from _explain_carried(chain, name, case, level)
+        case "sliding" | "arc":
+            yield from _explain_composed(chain, name, case, level)
+        case _:
+            assert_never(chain[-1].kind)
+
+
+def _explain_single(term: Term, name: VectorSymbol, case: Case) -> Iterator[Block]:
+    """The velocity of a point that turns about a fixed axis; nothing for a guided point, whose
+    speed has been given.
+    """
+    if term.kind != "rotation":
+        return
+    yield case.say(_announce_rotation(term, "point", case))
+    value = term.velocity(case.motion.rates)
+    omega = case.naming.omega(term.rate.body)
+    turned = omega if double(case.motion.rates[term.rate]) >= 0 else abs(omega)
+    arm = join_letters(map(case.naming.letter, (term.base, term.point)))
+    size = state_number(length(value, case.arithmetic), "m/s")
+    links = (*equate(arm.dot(turned)), *size)
+    yield case.show(Equation(name, links, state_way(value, case)))
+
+
+def _announce_rotation(term: Term, start: _Start, case: Case) -> Message:
+    """About which point of its body a point turns."""
+    return Message(
+        f"solution.known-{start}-{_find_place(term, case)}",
+        point=case.naming.point(term.point),
+        base=case.naming.point(term.base),
+        body=case.naming.body(term.rate.body),
+    )
+
+
+def _find_place(term: Term, case: Case) -> _Place:
+    """Whether a point is one of the body that turns, or is only at the same place."""
+    bodies = case.motion.frames.mechanism.bodies
+    points = next(body.points for body in bodies if body.name == term.rate.body)
+    return "of" if term.point in points else "at"
+
+
+def _explain_circling(term: Term, name: VectorSymbol, case: Case) -> Generator[Block, None, Fact]:
+    """The acceleration of a point on a fixed circle: the normal part from its speed, the tangential
+    part as given.
+    """
+    point, centre = case.naming.point(term.point), case.naming.point(term.base)
+    yield case.say(Message("solution.known-circle", point=point, centre=centre))
+    normal = term.normal(case.motion.rates)
+    tangential = term.coefficient() * case.motion.changes[term.rate]
+    speed = round_number(length(term.velocity(case.motion.rates), case.arithmetic))
+    radius = round_number(length(term.vector, case.arithmetic))
+    letters = join_letters(map(case.naming.letter, (term.base, term.point)))
+    symbols = name_point_vector(term.point, "velocity", case) ** TWO / letters
+    first, second = replace(name, part="n"), replace(name, part="t")
+    links = equate(symbols, speed**TWO / radius)
+    size = state_number(length(normal, case.arithmetic), "m/s^2")
+    yield case.show(Equation(first, (*links, *size)))
+    pieces = Piece(first, normal, normal), Piece(second, term.coefficient(), tangential)
+    return Fact(name, normal + tangential, False, pieces)
+
+
+def _explain_carried(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> Iterator[Block]:
+    """The components of a point's vector from its base point: the base point's plus those of the
+    rotation about it.
+    """
+    last, before = chain[-1], chain[:-1]
+    base_name = name_point_vector(last.base, level, case)
+    yield from find_point(before, base_name, case, level)
+    yield case.say(_announce_rotation(last, "base" if before else "point", case))
+    base = (base_name, find_vector(before, case.motion, level)) if before else None
+    yield case.show(
+        *(state_carried_component(axis, name, base, last, case=case, level=level) for axis in AXES)
+    )
+
+
+def _explain_composed(
+    chain: Chain, name: VectorSymbol, case: Case, level: Level
+) -> Iterator[Block]:
+    """The components of a point that moves within a moving body: transport, relative and Coriolis
+    parts added.
+    """
+    last, before = chain[-1], chain[:-1]
+    number = case.findings.numbers.get(last.rate, ())
+    transport = name_by_role("e", level, number)
+    yield from find_point(before, transport, case, level)
+    yield case.say(
+        Message(
+            "solution.known-relative",
+            point=case.naming.point(last.point),
+            frame=case.naming.body(last.frame),
+        )
+    )
+    parts = [
+        (transport, find_vector(before, case.motion, level)),
+        *list_relative_parts(last, case, level),
+    ]
+    yield case.show(*(add_components(axis, name, parts, level) for axis in AXES))
+
+
+def list_relative_parts(
+    term: Term, case: Case, level: Level
+) -> Iterator[tuple[VectorSymbol, Vector]]:
+    """The relative and Coriolis parts of a term, by their symbols."""
+    number = case.findings.numbers.get(term.rate, ())
+    for part in list_term_parts(term, case.motion, tuple(case.motion.rates), level):
+        yield _name_relative_part(part, level, number), part.value
+
+
+def _name_relative_part(part: Part, level: Level, number: Row) -> VectorSymbol:
+    """The symbol of a relative or Coriolis part."""
+    match part.role:
+        case "coriolis":
+            return name_by_role("C", level, number)
+        case "relative" | "absolute" | "transport" | "rotation":
+            return replace(name_by_role("r", level, number), part=part.part)
+        case _:
+            assert_never(part.role)
