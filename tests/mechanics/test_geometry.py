@@ -12,8 +12,8 @@ from kinegrade.expressions.expression import evaluate, make_elementary_functions
 from kinegrade.mechanics.geometry import BRANCHES, make_constructions
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.field import Field
-from tests.exact.numbers import rationals
 from tests.laws.growing import DIRECTIONS, RADII
+from tests.numbers.numbers import rationals
 
 
 def construct(text: str, field: Field | None = None) -> Any:

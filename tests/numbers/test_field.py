@@ -20,7 +20,7 @@ from kinegrade.numbers.refusals import NegativeRoot
 from kinegrade.numbers.surd import Surd, height
 from kinegrade.numbers.surd import sign as surd_sign
 from kinegrade.numbers.text import write_exact
-from tests.exact.numbers import build, digits, rationals, towers
+from tests.numbers.numbers import build, digits, rationals, towers
 
 Q = fmpq
 

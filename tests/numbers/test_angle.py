@@ -16,7 +16,7 @@ from kinegrade.numbers.balls import Balls
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.refusals import NoDirection
 from kinegrade.numbers.text import LATEX, write_angle
-from tests.exact.numbers import digits
+from tests.numbers.numbers import digits
 
 Q = fmpq
 NICE = sorted(

@@ -18,7 +18,7 @@ from kinegrade.numbers.elimination import (
 )
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.floats import Floats
-from tests.exact.numbers import rationals
+from tests.numbers.numbers import rationals
 
 Q = fmpq
 

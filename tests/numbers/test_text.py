@@ -18,7 +18,7 @@ from kinegrade.expressions.expression import evaluate, make_elementary_functions
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.text import LATEX, write_decimal, write_exact, write_multiple_of_pi
-from tests.exact.numbers import build, digits, rationals, towers
+from tests.numbers.numbers import build, digits, rationals, towers
 
 Q = fmpq
 

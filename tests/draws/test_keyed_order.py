@@ -94,7 +94,7 @@ def test_an_address_is_the_hmac_of_its_parts_each_with_its_length() -> None:
 
 def test_another_process_orders_the_same() -> None:
     code = (
-        "import json; from tests.problem.test_keyed_order import first;"
+        "import json; from tests.draws.test_keyed_order import first;"
         "print(json.dumps(first('spring', 'q1', 1000)))"
     )
     ran = subprocess.run(

@@ -16,8 +16,8 @@ from kinegrade.numbers.field import Field
 from kinegrade.numbers.refusals import NegativeRoot, NoDirection
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names
-from tests.exact.numbers import build, digits, rationals, towers
 from tests.laws.cases import arbitrary_values, drawn_values, shipped
+from tests.numbers.numbers import build, digits, rationals, towers
 
 Q = fmpq
 BALLS = Balls(256)
