@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, Operator
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, Operator
 
 ANGLES = frozenset({"asin", "acos", "atan", "atan2", "direction", "angle", "between"})
 

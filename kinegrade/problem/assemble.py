@@ -14,13 +14,8 @@ from flint import fmpq
 
 from kinegrade.errors import ExpressionError, KinegradeError, MechanismError
 from kinegrade.expressions.angular import is_angle
-from kinegrade.expressions.expression import (
-    Call,
-    Expression,
-    Name,
-    evaluate,
-    make_elementary_functions,
-)
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.tree import Call, Expression, Name
 from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.geometry import BRANCHES, Constructions, Round, make_constructions

@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError
-from kinegrade.expressions.expression import Operation, evaluate, make_elementary_functions
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.tree import Operation
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.solving import find_parameter_values, read_values, solve_certified

@@ -22,7 +22,9 @@ from kinegrade.errors import (
     TemplateError,
     suggest,
 )
-from kinegrade.expressions.expression import Expression, evaluate, read_expression
+from kinegrade.expressions.evaluation import evaluate
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Expression
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion

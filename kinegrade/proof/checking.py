@@ -15,7 +15,7 @@ from kinegrade.draws.deck import Combination, Deck, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.draws.examining import Reason, Refused, examine
 from kinegrade.errors import ExpressionError, KinegradeError, Problem
-from kinegrade.expressions.expression import evaluate, make_elementary_functions
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.problem.holding import choose_wording, condition_holds

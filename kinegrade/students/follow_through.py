@@ -15,7 +15,8 @@ from math import isfinite, modf, pi
 from typing import Any
 
 from kinegrade.errors import KinegradeError
-from kinegrade.expressions.expression import Call, Expression, evaluate
+from kinegrade.expressions.evaluation import evaluate
+from kinegrade.expressions.tree import Call, Expression
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.motion import Motion

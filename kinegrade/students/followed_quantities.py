@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, assert_never
 
-from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, walk
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.rates import make_turning

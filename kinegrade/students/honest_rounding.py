@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from kinegrade.errors import KinegradeError
-from kinegrade.expressions.expression import (
+from kinegrade.expressions.evaluation import (
     evaluate,
     make_elementary_functions,
 )

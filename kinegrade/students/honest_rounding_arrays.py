@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.expressions.expression import Expression, Operation, walk
+from kinegrade.expressions.tree import Expression, Operation, walk
 from kinegrade.mechanics.motion_arrays import (
     stack_motions,
     stack_numbers,

@@ -13,7 +13,7 @@ from typing import Any, Literal
 
 from flint import arb, fmpq
 
-from kinegrade.expressions.expression import Call, Expression, Name, walk
+from kinegrade.expressions.tree import Call, Expression, Name, walk
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.number import Arithmetic

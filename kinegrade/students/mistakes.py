@@ -17,7 +17,8 @@ import numpy as np
 from flint import arb, fmpq
 
 from kinegrade.errors import AtInfinity, ExpressionError, KinegradeError
-from kinegrade.expressions.expression import evaluate, read_expression
+from kinegrade.expressions.evaluation import evaluate
+from kinegrade.expressions.reading import read_expression
 from kinegrade.mechanics.configuration import require_assembled
 from kinegrade.mechanics.geometry import Round
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion

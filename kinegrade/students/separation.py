@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 
 from kinegrade.errors import KinegradeError
-from kinegrade.expressions.expression import Operation, evaluate, make_elementary_functions
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.tree import Operation
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, assert_never
 
-from kinegrade.expressions.expression import Call, Name
+from kinegrade.expressions.tree import Call, Name
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.math.latex import SOURCE, write_latex_row

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from kinegrade.expressions.expression import Expression
+from kinegrade.expressions.tree import Expression
 from kinegrade.language.math.tree import Row
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector import Vector

@@ -21,7 +21,7 @@ from kinegrade.exam.bank import keys as bank_keys
 from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.folder.contents import CONTENTS
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.expressions.expression import read_expression
+from kinegrade.expressions.reading import read_expression
 from kinegrade.grading.policy import keys as policy_keys
 from kinegrade.grading.policy.reading import read_policy
 from kinegrade.marks_folder.layout import FILES

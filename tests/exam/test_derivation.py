@@ -21,7 +21,7 @@ from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.derivation import derive_question
 from kinegrade.exam.setting.key_record import make_key_question
-from kinegrade.expressions.expression import read_expression
+from kinegrade.expressions.reading import read_expression
 from tests.small_class import write_class
 
 REMEDY = (

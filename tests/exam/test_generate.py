@@ -18,7 +18,8 @@ from openpyxl import load_workbook
 from pypdf import PdfReader
 
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.reading import read_expression
 from kinegrade.numbers.balls import Balls
 from kinegrade.numbers.text import write_decimal
 from kinegrade.problem.template.library.library import find_shipped, load_template

@@ -16,19 +16,9 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import ExpressionError
 from kinegrade.expressions.angular import find_angular_degree, is_angle
-from kinegrade.expressions.expression import (
-    MAX_DEPTH,
-    MAX_LENGTH,
-    Call,
-    Name,
-    Number,
-    Operation,
-    evaluate,
-    find_names,
-    make_elementary_functions,
-    read_expression,
-    read_rational,
-)
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.reading import MAX_DEPTH, MAX_LENGTH, read_expression, read_rational
+from kinegrade.expressions.tree import Call, Name, Number, Operation, find_names
 from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.balls import Balls

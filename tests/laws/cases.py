@@ -15,7 +15,8 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 from kinegrade.errors import MechanismError
-from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.reading import read_expression
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.mechanics.vector import Vector

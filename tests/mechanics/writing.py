@@ -6,7 +6,8 @@ from typing import Any
 
 from flint import fmpq
 
-from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.reading import read_expression
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import Circle, Joint, Line
 from kinegrade.mechanics.mechanism import Body, Mechanism

@@ -10,7 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import atan2, cos, mp, mpf, pi, sin
 
-from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.reading import read_expression
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.balls import Balls
 from kinegrade.numbers.field import Field

@@ -14,7 +14,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from mpmath import mp, mpf, nstr
 
-from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.reading import read_expression
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.text import LATEX, write_decimal, write_exact, write_multiple_of_pi

@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.expressions.expression import make_elementary_functions, read_expression
+from kinegrade.expressions.evaluation import make_elementary_functions
+from kinegrade.expressions.reading import read_expression
 from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.numbers.field import Field
 from kinegrade.problem.centrode import Centrodes

@@ -13,7 +13,8 @@ import pytest
 from mpmath import mpf
 
 from kinegrade.errors import MechanismError
-from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_expression
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.reading import read_expression
 from kinegrade.numbers.angle import Angle
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template

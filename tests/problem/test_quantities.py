@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from kinegrade.expressions.angular import ANGLES
-from kinegrade.expressions.expression import read_expression
+from kinegrade.expressions.reading import read_expression
 from kinegrade.problem import quantities
 from kinegrade.problem.quantities.functions import needs_configurations
 from kinegrade.problem.quantities.measures import MEASURES

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import FieldError
-from kinegrade.expressions.expression import Number
+from kinegrade.expressions.tree import Number
 from kinegrade.problem.template.sections.asks import read_sign
 from kinegrade.problem.template.sentences import read_driver, read_joint
 from kinegrade.problem.template.translated import Translated

@@ -11,17 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import ExpressionError
-from kinegrade.expressions.expression import (
-    Call,
-    Expression,
-    Name,
-    Number,
-    Operation,
-    evaluate,
-    find_names,
-    make_elementary_functions,
-    read_expression,
-)
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, find_names
 from kinegrade.language.math.typst import write_typst_math
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.template.library.library import find_template_names, load_template

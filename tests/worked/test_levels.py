@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.expressions.expression import read_expression
+from kinegrade.expressions.reading import read_expression
 from kinegrade.worked.answers.asked_vectors import find_level
 
 

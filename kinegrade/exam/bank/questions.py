@@ -18,7 +18,7 @@ from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Slot
 from kinegrade.exam.bank.keys import DRAWN, FAMILY, NAMED, TAG
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.exam.bank.terms import read_bank_tolerance
-from kinegrade.expressions.expression import read_expression
+from kinegrade.expressions.reading import read_expression
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import found, text, whole

@@ -17,12 +17,9 @@ from typing import Any, assert_never
 from kinegrade.errors import ExpressionError, PolicyError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting
-from kinegrade.expressions.expression import (
-    evaluate,
-    find_names,
-    make_elementary_functions,
-    read_expression,
-)
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import find_names
 from kinegrade.grading.policy.policy import Accepted, Policy
 from kinegrade.grading.typed.amount import PRECISION, Amount, convert, make_rational_amount
 from kinegrade.grading.typed.number_text import Unreadable

@@ -13,7 +13,8 @@ from kinegrade.errors import FieldError, find_nearest, suggest
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.expressions.angular import is_angle
-from kinegrade.expressions.expression import Expression, find_names, read_expression
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Expression, find_names
 from kinegrade.files.fields.digits import Digits
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import found, share

@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import Literal, assert_never
 
 from kinegrade.exam.folder.keys import Ask, Key
-from kinegrade.expressions.expression import Expression
+from kinegrade.expressions.tree import Expression
 from kinegrade.grading.typed.conversion import Conversion
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.stated_marking import StatedTolerance

@@ -10,7 +10,8 @@ from fractions import Fraction
 from typing import Any
 
 from kinegrade.errors import ExpressionError
-from kinegrade.expressions.expression import evaluate, make_elementary_functions, read_rational
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.reading import read_rational
 from kinegrade.grading.typed.number_text import LARGEST_EXPONENT, Unreadable
 from kinegrade.grading.typed.value import Formula
 from kinegrade.language.message import Message, list_plainly

@@ -17,7 +17,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from unicodedata import numeric
 
-from kinegrade.expressions.expression import (
+from kinegrade.expressions.reading import read_rational
+from kinegrade.expressions.tree import (
     PRODUCTS,
     SUMS,
     Call,
@@ -26,7 +27,6 @@ from kinegrade.expressions.expression import (
     Name,
     Number,
     Operation,
-    read_rational,
 )
 from kinegrade.grading.typed import formula_signs as signs
 from kinegrade.grading.typed.keyboard import show

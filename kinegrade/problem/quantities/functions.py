@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
-from kinegrade.expressions.expression import Call, Expression, walk
+from kinegrade.expressions.tree import Call, Expression, walk
 from kinegrade.mechanics.motion import Motion
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, Signature

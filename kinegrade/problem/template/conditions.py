@@ -9,7 +9,8 @@ from collections.abc import Mapping
 
 from kinegrade.errors import FieldError
 from kinegrade.expressions.angular import is_angle
-from kinegrade.expressions.expression import Number, read_expression
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Number
 from kinegrade.files.fields.values import found
 from kinegrade.language.message import Message
 from kinegrade.problem.template.template import Condition, Relation

@@ -8,13 +8,8 @@ from typing import Any
 from flint import arb, fmpq
 
 from kinegrade.errors import FieldError
-from kinegrade.expressions.expression import (
-    MAX_LENGTH,
-    evaluate,
-    make_elementary_functions,
-    read_expression,
-    read_rational,
-)
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.reading import MAX_LENGTH, read_expression, read_rational
 from kinegrade.files.fields.values import found
 from kinegrade.language.message import Message
 from kinegrade.numbers.balls import PRECISIONS, Balls

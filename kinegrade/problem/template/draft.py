@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kinegrade.expressions.expression import Expression
+from kinegrade.expressions.tree import Expression
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.sentences import DriverSentence, JointSentence

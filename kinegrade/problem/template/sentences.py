@@ -27,7 +27,8 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from kinegrade.errors import FieldError
-from kinegrade.expressions.expression import MAX_LENGTH, Call, Expression, Name, read_expression
+from kinegrade.expressions.reading import MAX_LENGTH, read_expression
+from kinegrade.expressions.tree import Call, Expression, Name
 from kinegrade.files.fields.values import found
 from kinegrade.language.message import Message, Quoted, list_plainly
 from kinegrade.mechanics.drivers import DRIVERS, Driver

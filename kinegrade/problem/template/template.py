@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from kinegrade.expressions.expression import Expression
+from kinegrade.expressions.tree import Expression
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.numbers.units import Unit
 from kinegrade.problem.template.beside import Translations

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from kinegrade.expressions.expression import Call, Name
+from kinegrade.expressions.tree import Call, Name
 from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
 from kinegrade.language.message import Message
 from kinegrade.problem.kinds.kinds import Scalar

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import assert_never
 
-from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, list_parts
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.kinds.kinds import Arrow
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS

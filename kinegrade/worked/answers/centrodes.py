@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import islice
 
-from kinegrade.expressions.expression import Name
+from kinegrade.expressions.tree import Name
 from kinegrade.language.math.tree import Letter, Text
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector

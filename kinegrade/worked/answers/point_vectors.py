@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TypeAlias
 
 from kinegrade.errors import ExpressionError
-from kinegrade.expressions.expression import Expression
+from kinegrade.expressions.tree import Expression
 from kinegrade.language.math.tree import Sign
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from kinegrade.expressions.expression import Call, Expression, Name, Operation
+from kinegrade.expressions.tree import Call, Expression, Name, Operation
 from kinegrade.language.math.tree import Letter, Row
 from kinegrade.language.message import Message
 from kinegrade.numbers.units import Unit

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from kinegrade.expressions.expression import Call, Expression, Name
+from kinegrade.expressions.tree import Call, Expression, Name
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.worked.document import Block, Display

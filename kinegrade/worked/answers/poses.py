@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import assert_never
 
-from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.problem.quantities.functions import find_motion_calls

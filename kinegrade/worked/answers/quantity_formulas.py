@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, assert_never
 
-from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, evaluate
+from kinegrade.expressions.evaluation import evaluate
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.quantities.functions import make_quantities

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import chain
 from typing import Literal, NamedTuple
 
-from kinegrade.expressions.expression import Call, Name
+from kinegrade.expressions.tree import Call, Name
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term, add_vectors

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kinegrade.expressions.expression import Call, Name
+from kinegrade.expressions.tree import Call, Name
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.asked_vectors import explain_vector

@@ -14,15 +14,9 @@ from dataclasses import dataclass
 from math import prod
 from typing import assert_never
 
-from kinegrade.expressions.expression import (
-    Call,
-    Expression,
-    Name,
-    Operation,
-    is_literal_zero,
-    read_expression,
-)
-from kinegrade.expressions.expression import Number as Literal
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Call, Expression, Name, Operation, is_literal_zero
+from kinegrade.expressions.tree import Number as Literal
 from kinegrade.numbers.text import write_decimal
 from kinegrade.problem.quantity import is_short_decimal
 from kinegrade.worked.formulas.atoms import Number, Tuple, add_terms, multiply_factors

@@ -7,16 +7,9 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import Any, assert_never
 
-from kinegrade.expressions.expression import (
-    Call,
-    Expression,
-    Name,
-    Operation,
-    evaluate,
-    find_names,
-    walk,
-)
-from kinegrade.expressions.expression import Number as Literal
+from kinegrade.expressions.evaluation import evaluate
+from kinegrade.expressions.tree import Call, Expression, Name, Operation, find_names, walk
+from kinegrade.expressions.tree import Number as Literal
 from kinegrade.language.math.tree import Letter
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.text import write_decimal

@@ -6,15 +6,8 @@ from __future__ import annotations
 
 from typing import TypeAlias, TypeGuard, assert_never
 
-from kinegrade.expressions.expression import (
-    Call,
-    Expression,
-    Name,
-    Number,
-    Operation,
-    is_literal_zero,
-    read_expression,
-)
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, is_literal_zero
 
 Pair: TypeAlias = tuple[Expression, Expression]
 ZERO, ONE, TWO = read_expression("0"), read_expression("1"), read_expression("2")

@@ -11,14 +11,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal, assert_never
 
-from kinegrade.expressions.expression import (
-    Call,
-    Expression,
-    Name,
-    Number,
-    Operation,
-    read_expression,
-)
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.worked.formulas.leaves import count_quarter_turns
 from kinegrade.worked.positions.algebra import (
     ONE,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from kinegrade.expressions.expression import Call, Expression, Name, Operation
+from kinegrade.expressions.tree import Call, Expression, Name, Operation
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.worked.document import Block, Display

@@ -10,14 +10,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import assert_never
 
-from kinegrade.expressions.expression import (
-    Call,
-    Expression,
-    Name,
-    Number,
-    Operation,
-    find_names,
-)
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, find_names
 from kinegrade.problem.template.template import Template
 
 _CENTRED = frozenset({"polar", "foot", "toward", "circle", "line"})

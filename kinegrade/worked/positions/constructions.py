@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal, assert_never
 
-from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, list_parts
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.worked.document import (

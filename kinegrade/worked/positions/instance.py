@@ -10,14 +10,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from kinegrade.expressions.expression import (
-    Call,
-    Expression,
-    Name,
-    Number,
-    evaluate,
-    make_elementary_functions,
-)
+from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.expressions.tree import Call, Expression, Name, Number
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.geometry import make_constructions

@@ -7,7 +7,7 @@ from its given point. Two circles are in `kinegrade.worked.positions.circles_mee
 
 from __future__ import annotations
 
-from kinegrade.expressions.expression import Call, Expression, Name, Operation, list_parts
+from kinegrade.expressions.tree import Call, Expression, Name, Operation, list_parts
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.worked.document import Block, Display

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from kinegrade.expressions.expression import Call
+from kinegrade.expressions.tree import Call
 from kinegrade.language.message import Message
 from kinegrade.worked.formulas.leaves import count_quarter_turns
 from kinegrade.worked.positions.algebra import ZERO

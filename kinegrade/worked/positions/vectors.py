@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.language.message import Message, Text
 from kinegrade.worked.formulas.formula import Quotient
 from kinegrade.worked.positions.algebra import ZERO, is_negated, minus

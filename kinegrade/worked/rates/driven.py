@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, assert_never
 
-from kinegrade.expressions.expression import Number, find_names
+from kinegrade.expressions.tree import Number, find_names
 from kinegrade.language.math.tree import Row, Scripts
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, assert_never
 
-from kinegrade.expressions.expression import Call, Expression
+from kinegrade.expressions.tree import Call, Expression
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND

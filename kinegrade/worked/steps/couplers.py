@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import assert_never
 
-from kinegrade.expressions.expression import Name
+from kinegrade.expressions.tree import Name
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
 from kinegrade.problem.quantities.functions import find_motion_calls

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinegrade.expressions.expression import Call, Name
+from kinegrade.expressions.tree import Call, Name
 from kinegrade.language.math.tree import Letter, Scripts
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, assert_never
 
-from kinegrade.expressions.expression import Name
+from kinegrade.expressions.tree import Name
 from kinegrade.language.math.tree import Letter, Row, Sign
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.rates import make_turning

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from kinegrade.errors import MechanismError
-from kinegrade.expressions.expression import Call, Expression, Name
+from kinegrade.expressions.tree import Call, Expression, Name
 from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import assert_never
 
-from kinegrade.expressions.expression import Call, Name
+from kinegrade.expressions.tree import Call, Name
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.math.tree import Row

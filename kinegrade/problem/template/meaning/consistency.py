@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from kinegrade.errors import ExpressionError, FieldError
-from kinegrade.expressions.expression import Expression, find_names
+from kinegrade.expressions.tree import Expression, find_names
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.place import Place, key_path
 from kinegrade.language.message import Listing, Message, Quoted, list_choices

@@ -14,14 +14,8 @@ from typing import Literal, assert_never
 
 from kinegrade.errors import FieldError, suggest
 from kinegrade.expressions.angular import is_angle
-from kinegrade.expressions.expression import (
-    Call,
-    Expression,
-    Name,
-    Number,
-    Operation,
-    read_whole_power,
-)
+from kinegrade.expressions.evaluation import read_whole_power
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.language.message import Message, Quoted, list_all
 from kinegrade.problem.kinds.dimension import NUMBER, Dimension
 from kinegrade.problem.kinds.kinds import (

@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import Any, assert_never
 
 from kinegrade.errors import FieldError
-from kinegrade.expressions.expression import Call, Expression, Name, Number, Operation, Operator
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, Operator
 from kinegrade.language.message import Message
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinegrade.expressions.expression import read_expression
+from kinegrade.expressions.reading import read_expression
 from kinegrade.files.fields.table import Table
 from kinegrade.numbers.units import Unit, read_unit
 from kinegrade.problem.template.domain import read_choices

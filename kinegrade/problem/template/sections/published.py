@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from kinegrade.expressions.expression import Expression, read_expression
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Expression
 from kinegrade.files.fields.table import Table
 from kinegrade.problem.template.sections import keys
 from kinegrade.problem.template.sections.values import present, written

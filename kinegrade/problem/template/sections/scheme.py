@@ -7,7 +7,8 @@ from __future__ import annotations
 from functools import partial
 
 from kinegrade.errors import FieldError
-from kinegrade.expressions.expression import Expression, read_expression
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Expression
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import found
 from kinegrade.language.message import Message

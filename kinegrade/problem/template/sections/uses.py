@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
 from kinegrade.errors import suggest
-from kinegrade.expressions.expression import Expression, find_names
+from kinegrade.expressions.tree import Expression, find_names
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.place import Place
 from kinegrade.language.message import Message, Quoted, Text

@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Literal, TypeVar
 
 from kinegrade.errors import FieldError, suggest
-from kinegrade.expressions.expression import Expression, read_expression
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Expression
 from kinegrade.files.fields.values import found
 from kinegrade.language.message import Message, Part
 
