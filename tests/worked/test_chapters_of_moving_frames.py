@@ -1,0 +1,207 @@
+"""Chapters of small solutions as a reader sees them: a point that moves in a moving frame."""
+
+from __future__ import annotations
+
+from tests.worked.chapters import as_read, read_chapter, solve_small
+
+SLOT = """
+joints = ["pin O: ground OB", "pin O1: ground crank", "A of crank slides on line(O, B) of OB"]
+inputs = [{ motion = "crank turns", velocity = "2" }]
+[points]
+O = "(0, 0)"
+O1 = "(0, 3)"
+A = "(4, 3)"
+B = "(8, 6)"
+[bodies]
+OB = "O B"
+crank = "O1 A"
+"""
+
+YOKE = """
+joints = ["block translates", "D of block slides on line(O, 0)","pin O: ground crank","C of crank slides on line(C, pi/2) of block"]
+inputs = [{ motion = "crank turns", velocity = "2" }]
+[points]
+O = "(0, 0)"
+D = "(4, 0)"
+C = "(3, 4)"
+[bodies]
+crank = "O C"
+block = "D"
+"""
+
+LINK = """
+joints = ["pin O: ground arm", "pin A: arm link"]
+inputs = [{ motion = "arm turns", velocity = "2" }, {motion="link turns relative to arm", velocity="-5"}]
+[points]
+O = "(0, 0)"
+A = "(3, 0)"
+B = "(3, 1)"
+[bodies]
+arm = "O A"
+link = "A B"
+"""
+
+
+def test_a_composition_of_velocities() -> None:
+    # v_a = 8 upwards, the slot rises 3 in 4: v_r = 8 * 3/5, v_e = 8 * 4/5 at 5 m from O
+    solution = solve_small(SLOT, omega="omega(OB) in rad/s")
+    assert read_chapter("# Velocities", solution) == as_read(
+        r"""
+        Angular velocities and angular accelerations count positive counter-clockwise. Directions
+            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
+            positive in the direction assumed for it; a known one stands for its magnitude.
+        ## 1. The given motion
+        Given: the angular velocity of the crank $O_{1}A$.
+        \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        ## 2. Composition of motions: moving point $A$, moving frame on $OB$
+        Moving point: $A$ (of the crank $O_{1}A$); moving frame: fixed to $OB$. Composition of
+            velocities
+            $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
+        [ ] \boldsymbol{v}_{\mathrm{a}} | $O_{1}A \cdot \omega_{O_{1}A} = 8$ | $\perp O_{1}A$,
+            $90^\circ$
+        [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA$, $126.87^\circ$
+        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel OB$, $36.87^\circ$
+        Projected on the axis at $36.87^\circ$, normal to $\boldsymbol{v}_{\mathrm{e}}$, which so
+            drops out:
+        v_{\mathrm{r}} &= v_{\mathrm{a}}\cos 53.13^\circ = 8\cos 53.13^\circ =
+            4.8\,\unit{m/s}\quad(\text{from }O\text{ to }B)
+        Projected on the axis at $126.87^\circ$, normal to $\boldsymbol{v}_{\mathrm{r}}$, which so
+            drops out:
+        v_{\mathrm{e}} &= v_{\mathrm{a}}\cos 36.87^\circ = 8\cos 36.87^\circ = 6.4\,\unit{m/s}
+        \omega &= \frac{v_{\mathrm{e}}}{OA} = 1.28\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        """
+    )
+
+
+def test_a_composition_of_accelerations_with_coriolis() -> None:
+    # a_C = 2 * 1.28 * 4.8; a_e^t = 16 * 3/5 - a_C
+    solution = solve_small(SLOT, alpha="alpha(OB) in rad/s^2")
+    assert read_chapter("# Accelerations", solution) == as_read(
+        r"""
+        ## 1. The given motion
+        Given: the angular acceleration of the crank $O_{1}A$.
+        \alpha_{O_{1}A} &= 0\,\unit{rad/s^2}
+        ## 2. Composition of motions: moving point $A$, moving frame on $OB$
+        Moving point $A$, moving frame fixed to $OB$. Composition of accelerations
+            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{C}}$:
+        [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $O_{1}A \cdot \omega_{O_{1}A}^{2} = 16$ |
+            $A \to O_{1}$, $180^\circ$
+        [=] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{n}} | $OA \cdot \omega^{2} = 8.192$ | $A \to O$,
+            $216.87^\circ$
+        [+] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}} | ? $(OA \cdot \alpha)$ | $\perp OA$,
+            $126.87^\circ$
+        [+] \boldsymbol{a}_{\mathrm{r}} | ? | $\parallel OB$, $36.87^\circ$
+        [+] \boldsymbol{a}_{\mathrm{C}} | $2\omega\,v_{\mathrm{r}} = 12.29$ | $\perp
+            v_{\mathrm{r}}$, $126.87^\circ$
+        At this instant $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
+        Projected on the axis at $216.87^\circ$, normal to
+            $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$, which so drops out:
+        a_{\mathrm{a}}^{\mathrm{n}}\cos 36.87^\circ &= a_{\mathrm{e}}^{\mathrm{n}} -
+            a_{\mathrm{r}}
+        16\cos 36.87^\circ &= 8.192 - a_{\mathrm{r}}
+        a_{\mathrm{r}} &= -4.608\,\unit{m/s^2}\quad(\text{from }B\text{ to }O)
+        Projected on the axis at $126.87^\circ$, normal to $\boldsymbol{a}_{\mathrm{r}}$, which so
+            drops out:
+        a_{\mathrm{a}}^{\mathrm{n}}\cos 53.13^\circ &= a_{\mathrm{e}}^{\mathrm{t}} +
+            a_{\mathrm{C}}
+        16\cos 53.13^\circ &= a_{\mathrm{e}}^{\mathrm{t}} + 12.29
+        a_{\mathrm{e}}^{\mathrm{t}} &= -2.688\,\unit{m/s^2}\quad\text{(opposite to the direction
+            assumed)}
+        \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} =
+            -0.5376\,\unit{rad/s^2}\quad\text{(clockwise)}
+        """
+    )
+
+
+def test_a_composition_of_velocities_in_a_translating_frame() -> None:
+    # v_a = 10 at right angles to OC, whose slope is 4 in 3
+    solution = solve_small(YOKE, v_D="x(velocity(D)) in m/s")
+    assert read_chapter(
+        "## 2. Composition of motions: moving point $C$, moving frame on block", solution
+    ) == as_read(
+        r"""
+        Moving point: $C$ (of the crank $OC$); moving frame: fixed to block. Composition of
+            velocities
+            $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
+        [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10$ | $\perp OC$, $143.13^\circ$
+        [=] \boldsymbol{v}_{D} | ? | $\parallel x$, $0^\circ$
+        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel y$, $90^\circ$
+        Here $\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{D}$.
+        Block translates: all its points have the same velocity.
+        Projected on the $x$ axis, normal to $\boldsymbol{v}_{\mathrm{r}}$, which so drops out:
+        v_{D} &= -v_{\mathrm{a}}\cos 36.87^\circ = -10\cos 36.87^\circ =
+            -8\,\unit{m/s}\quad\text{(to the left)}
+        Projected on the $y$ axis, normal to $\boldsymbol{v}_{D}$, which so drops out:
+        v_{\mathrm{r}} &= v_{\mathrm{a}}\cos 53.13^\circ = 10\cos 53.13^\circ =
+            6\,\unit{m/s}\quad\text{(upwards)}
+        """
+    )
+
+
+def test_a_composition_of_accelerations_without_coriolis() -> None:
+    solution = solve_small(YOKE, a_D="x(acceleration(D)) in m/s^2")
+    assert read_chapter("# Accelerations", solution) == as_read(
+        r"""
+        ## 1. The given motion
+        Given: the angular acceleration of the crank $OC$.
+        \alpha_{OC} &= 0\,\unit{rad/s^2}
+        ## 2. Composition of motions: moving point $C$, moving frame on block
+        Moving point $C$, moving frame fixed to block. Composition of accelerations
+            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{C}}$:
+        [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20$ | $C \to
+            O$, $233.13^\circ$
+        [=] \boldsymbol{a}_{D} | ? | $\parallel x$, $0^\circ$
+        [+] \boldsymbol{a}_{\mathrm{r}} | ? | $\parallel y$, $90^\circ$
+        Here $\boldsymbol{a}_{\mathrm{e}} = \boldsymbol{a}_{D}$.
+        Block translates: all its points have the same acceleration, and there is no Coriolis
+            acceleration.
+        At this instant $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
+        Projected on the $x$ axis, normal to $\boldsymbol{a}_{\mathrm{r}}$, which so drops out:
+        a_{D} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos 53.13^\circ = -20\cos 53.13^\circ =
+            -12\,\unit{m/s^2}\quad\text{(to the left)}
+        Projected on the $y$ axis, normal to $\boldsymbol{a}_{D}$, which so drops out:
+        a_{\mathrm{r}} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos 36.87^\circ = -20\cos 36.87^\circ =
+            -16\,\unit{m/s^2}\quad\text{(downwards)}
+        """
+    )
+
+
+def test_a_relative_vector_that_is_asked_for() -> None:
+    # B is 1 m from A and turns at -5 relative to the arm
+    solution = solve_small(LINK, v_r="magnitude(relative_velocity(B, link, arm)) in m/s")
+    assert read_chapter("# Answers", solution) == as_read(
+        r"""
+        $A$ is a point of the carrier $OA$, which turns about $O$:
+        v_{A} &= OA \cdot \omega_{OA} = 6\,\unit{m/s}\quad\text{(upwards)}
+        $B$ is a point of link, base point $A$:
+        v_{B,x} &= v_{A,x} - \omega_{AB}\,(y_{B} - y_{A}) = -(-3) \cdot 1 = 3\,\unit{m/s}
+        v_{B,y} &= v_{A,y} + \omega_{AB}\,(x_{B} - x_{A}) = 6\,\unit{m/s}
+        The point of the carrier $OA$ that coincides with $B$ turns about $O$:
+        v_{B(OA)} &= OB \cdot \omega_{OA} = 2\sqrt{10} \approx 6.325\,\unit{m/s},\quad
+            108.43^\circ
+        Now the moving frame is the carrier $OA$:
+            $\boldsymbol{v}_{\mathrm{r}}=\boldsymbol{v}_{\mathrm{a}}-\boldsymbol{v}_{\mathrm{e}}$
+            is the velocity of $B$ relative to it.
+        v_{\mathrm{r},x} &= v_{B,x} - v_{B(OA),x} = 3 - (-2) = 5\,\unit{m/s}
+        v_{\mathrm{r},y} &= v_{B,y} - v_{B(OA),y} = 6 - 6 = 0\,\unit{m/s}
+        v_{r} &= v_{\mathrm{r},x} = 5\,\unit{m/s}
+        v_{r} = 5 = 5 m/s (to the right)
+        """
+    )
+
+
+def test_an_acceleration_about_a_base_point_that_moves_itself() -> None:
+    solution = solve_small(LINK, a_B="magnitude(acceleration(B)) in m/s^2")
+    assert read_chapter("# Answers", solution) == as_read(
+        r"""
+        $A$ is a point of the carrier $OA$, which turns about $O$:
+        a_{A,x} &= -\omega_{OA}^{2}\,(x_{A} - x_{O}) = -2^{2} \cdot 3 = -12\,\unit{m/s^2}
+        a_{A,y} &= -\omega_{OA}^{2}\,(y_{A} - y_{O}) = 0\,\unit{m/s^2}
+        $B$ is a point of link, base point $A$:
+        a_{B,x} &= a_{A,x} - \omega_{AB}^{2}\,(x_{B} - x_{A}) = -12\,\unit{m/s^2}
+        a_{B,y} &= a_{A,y} - \omega_{AB}^{2}\,(y_{B} - y_{A}) = -(-3)^{2} \cdot 1 =
+            -9\,\unit{m/s^2}
+        a_{B} &= \sqrt{a_{B,x}^{2} + a_{B,y}^{2}} = \sqrt{(-12)^{2} + (-9)^{2}} = 15\,\unit{m/s^2}
+        a_{B} = 15 = 15 m/s^2 (in the direction $216.87^\circ$)
+        """
+    )

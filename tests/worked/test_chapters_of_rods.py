@@ -1,0 +1,190 @@
+"""Chapters of small solutions as a reader sees them: rods whose ends are guided, by each method."""
+
+from __future__ import annotations
+
+from tests.worked.chapters import as_read, read_chapter, solve_small
+
+LADDER = """
+joints = ["A of AB slides on line(O, pi/2)", "B of AB slides on line(O, 0)"]
+inputs = [{ motion = "B of AB moves along +x", velocity = "2" }]
+[points]
+O = "(0, 0)"
+A = "(0, 3)"
+B = "(4, 0)"
+[bodies]
+AB = "A B"
+"""
+
+CRANK_UP = """
+joints = ["pin O: ground OA", "pin A: OA AB", "B of AB slides on line(O, 0)"]
+inputs = [{ motion = "OA turns", velocity = "2" }]
+[points]
+O = "(0, 0)"
+A = "(0, 3)"
+B = "(4, 0)"
+[bodies]
+OA = "O A"
+AB = "A B"
+"""
+
+
+def test_velocities_by_a_base_point() -> None:
+    # A ladder of 5 m: v_B = 2, so v_A = -2 * 4/3 and omega = 2/3 about the point above B
+    solution = solve_small(LADDER, v_A="y(velocity(A)) in m/s", omega="omega(AB) in rad/s")
+    assert read_chapter("## 2. $AB$: base point $B$", solution) == as_read(
+        r"""
+        Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
+            that of the rotation about $B$.
+        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$, $90^\circ$
+        [=] \boldsymbol{v}_{B} | $2$ | $\parallel x$, $0^\circ$
+        [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$, $233.13^\circ$
+        Projected on the axis at $143.13^\circ$, normal to $\boldsymbol{v}_{AB}$, which so drops
+            out:
+        v_{A}\cos 53.13^\circ &= -v_{B}\cos 36.87^\circ
+        v_{A}\cos 53.13^\circ &= -2\cos 36.87^\circ
+        v_{A} &= -\frac{8}{3} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
+        Projected on the axis at $180^\circ$, normal to $\boldsymbol{v}_{A}$, which so drops out:
+        0 &= -v_{B} + v_{AB}\cos 53.13^\circ
+        0 &= -2 + v_{AB}\cos 53.13^\circ
+        v_{AB} &= \frac{10}{3} \approx 3.333\,\unit{m/s}
+        \omega &= \frac{v_{AB}}{BA} = \frac{2}{3} \approx
+            0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        """
+    )
+
+
+def test_velocities_by_the_projection_theorem() -> None:
+    solution = solve_small(LADDER, v_A="y(velocity(A)) in m/s")
+    assert read_chapter(
+        "## 2. $AB$: velocity projection theorem", solution, "projection"
+    ) == as_read(
+        r"""
+        Velocity projection theorem: the velocities of $B$ and $A$ of $AB$ have equal projections
+            on the line $BA$.
+        v_{A}\cos 53.13^\circ &= -v_{B}\cos 36.87^\circ
+        v_{A}\cos 53.13^\circ &= -2\cos 36.87^\circ
+        v_{A} &= -\frac{8}{3} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
+        Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
+            that of the rotation about $B$.
+        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$, $90^\circ$
+        [=] \boldsymbol{v}_{B} | $2$ | $\parallel x$, $0^\circ$
+        [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA$, $233.13^\circ$
+        Projected on the axis at $180^\circ$, normal to $\boldsymbol{v}_{A}$, which so drops out:
+        0 &= -v_{B} + v_{AB}\cos 53.13^\circ
+        0 &= -2 + v_{AB}\cos 53.13^\circ
+        v_{AB} &= \frac{10}{3} \approx 3.333\,\unit{m/s}
+        \omega_{AB} &= \frac{v_{AB}}{BA} = \frac{2}{3} \approx
+            0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        """
+    )
+
+
+def test_velocities_by_the_instantaneous_centre() -> None:
+    solution = solve_small(LADDER, v_A="y(velocity(A)) in m/s", omega="omega(AB) in rad/s")
+    assert read_chapter(
+        "## 2. $AB$: instantaneous centre of velocity", solution, "pole"
+    ) == as_read(
+        r"""
+        Instantaneous centre of $AB$: the normals to the velocities of $B$ and $A$ meet in the
+            pole $P$.
+        P &: (4\,\unit{m},\quad 3\,\unit{m})
+        PB &= 3\,\unit{m}
+        PA &= 4\,\unit{m}
+        \left|\omega\right| &= \frac{v_{B}}{PB} = \frac{2}{3}
+        \omega &= \frac{2}{3} \approx 0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        \left|v_{A}\right| &= PA \cdot \left|\omega\right| = 4 \cdot 0.6667 = \frac{8}{3} \approx
+            2.667\,\unit{m/s}\quad\text{(downwards)}
+        """
+    )
+
+
+def test_a_pole_that_is_asked_for() -> None:
+    solution = solve_small(
+        LADDER, x_S="x(pole(AB)) in m", y_S="y(pole(AB)) in m", OS="distance(O, pole(AB)) in m"
+    )
+    assert read_chapter("# Answers", solution, "pole") == as_read(
+        r"""
+        x_{S} = 4 = 4 m ()
+        y_{S} = 3 = 3 m ()
+        OS = 5 = 5 m ()
+        """
+    )
+
+
+def test_a_rod_whose_end_stands_still() -> None:
+    # Nothing moves: no vector of length zero is drawn into a table
+    solution = solve_small(
+        LADDER.replace('"2"', '"0"'), v_A="y(velocity(A)) in m/s", omega="omega(AB) in rad/s"
+    )
+    assert read_chapter("## 2. $AB$: base point $B$", solution) == as_read(
+        r"""
+        Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
+            that of the rotation about $B$.
+        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$, $90^\circ$
+        [=] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$, $233.13^\circ$
+        At this instant $v_{B} = 0$.
+        Projected on the axis at $143.13^\circ$, normal to $\boldsymbol{v}_{AB}$, which so drops
+            out:
+        v_{A}\cos 53.13^\circ &= 0
+        v_{A} &= 0\,\unit{m/s}
+        Projected on the axis at $180^\circ$, normal to $\boldsymbol{v}_{A}$, which so drops out:
+        0 &= v_{AB}\cos 53.13^\circ
+        v_{AB} &= 0\,\unit{m/s}
+        \omega &= \frac{v_{AB}}{BA} = 0\,\unit{rad/s}
+        """
+    )
+
+
+def test_a_rod_in_instantaneous_translation() -> None:
+    # The crank stands upright: both ends of the rod move horizontally
+    solution = solve_small(CRANK_UP, v_B="x(velocity(B)) in m/s", omega="omega(AB) in rad/s")
+    assert read_chapter("# Velocities", solution) == as_read(
+        r"""
+        Angular velocities and angular accelerations count positive counter-clockwise. Directions
+            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
+            positive in the direction assumed for it; a known one stands for its magnitude.
+        ## 1. The given motion
+        Given: the angular velocity of $OA$.
+        \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        ## 2. $AB$: instantaneous centre of velocity
+        The normals to the velocities of $A$ and $B$ are parallel: the pole of $AB$ is at
+            infinity, the body is in instantaneous translation and all its points have the same
+            velocity.
+        v_{A} &= OA \cdot \omega_{OA} = 6\,\unit{m/s}\quad\text{(to the left)}
+        \omega &= 0
+        \left|v_{B}\right| &= v_{A} = 6\,\unit{m/s}\quad\text{(to the left)}
+        """
+    )
+
+
+def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
+    # a_A = 2^2 * 3 downwards, so alpha = 12/4 and a_B = 3 * 3
+    solution = solve_small(
+        CRANK_UP, a_B="x(acceleration(B)) in m/s^2", alpha="alpha(AB) in rad/s^2"
+    )
+    assert read_chapter("# Accelerations", solution) == as_read(
+        r"""
+        ## 1. The given motion
+        Given: the angular acceleration of $OA$.
+        \alpha_{OA} &= 0\,\unit{rad/s^2}
+        ## 2. $AB$: base point $A$
+        Base point method for $AB$: the acceleration of $B$ is that of the base point $A$ plus the
+            normal and tangential accelerations of the rotation about $A$.
+        [ ] \boldsymbol{a}_{B} | ? | $\parallel x$, $0^\circ$
+        [=] \boldsymbol{a}_{A}^{\mathrm{n}} | $OA \cdot \omega_{OA}^{2} = 12$ | $A \to O$,
+            $270^\circ$
+        [+] \boldsymbol{a}_{BA}^{\mathrm{t}} | ? $(AB \cdot \alpha)$ | $\perp AB$, $53.13^\circ$
+        At this instant $a_{A}^{\mathrm{t}} = 0$, $a_{BA}^{\mathrm{n}} = 0$.
+        Projected on the axis at $323.13^\circ$, normal to $\boldsymbol{a}_{BA}^{\mathrm{t}}$,
+            which so drops out:
+        a_{B}\cos 36.87^\circ &= a_{A}^{\mathrm{n}}\cos 53.13^\circ
+        a_{B}\cos 36.87^\circ &= 12\cos 53.13^\circ
+        a_{B} &= 9\,\unit{m/s^2}\quad\text{(to the right)}
+        Projected on the $y$ axis, normal to $\boldsymbol{a}_{B}$, which so drops out:
+        0 &= -a_{A}^{\mathrm{n}} + a_{BA}^{\mathrm{t}}\cos 36.87^\circ
+        0 &= -12 + a_{BA}^{\mathrm{t}}\cos 36.87^\circ
+        a_{BA}^{\mathrm{t}} &= 15\,\unit{m/s^2}
+        \alpha &= \frac{a_{BA}^{\mathrm{t}}}{AB} =
+            3\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
+        """
+    )

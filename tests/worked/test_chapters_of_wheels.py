@@ -1,0 +1,229 @@
+"""Chapters of small solutions as a reader sees them: wheels on lines, on circles and inside them."""
+
+from __future__ import annotations
+
+from tests.worked.chapters import as_read, read_chapter, solve_small
+
+ON_A_LINE = """
+joints = ["circle(C, 2) of wheel rolls on line(D, 0)"]
+inputs = [{ motion = "C of wheel moves along +x", velocity = "6", acceleration="2" }]
+[points]
+D = "(0, 0)"
+C = "(0, 2)"
+P = "(2, 2)"
+[bodies]
+wheel = "C D P"
+"""
+
+ON_A_CIRCLE = """
+joints = ["circle(C, 2) of wheel rolls on circle(O, 4)"]
+inputs = [{ motion = "wheel turns", velocity = "3" }]
+[points]
+O = "(0, 0)"
+C = "(0, 6)"
+D = "(0, 4)"
+[bodies]
+wheel = "C D"
+"""
+
+GEARS = """
+joints = [
+  "pin O: ground gear",
+  "pin C: ground pinion",
+  "circle(C, 1) of pinion rolls on circle(O, 3) of gear",
+]
+inputs = [{ motion = "gear turns", velocity = "2", acceleration="5" }]
+[points]
+O = "(0, 0)"
+C = "(4, 0)"
+[bodies]
+gear = "O"
+pinion = "C"
+"""
+
+DRIVEN_ROUND = """
+joints = ["circle(A, 1) of W rolls on circle(O, 4) inside"]
+inputs = [{ motion = "A of W circles O", velocity = "6", acceleration="3" }]
+[points]
+O = "(0, 0)"
+A = "(3, 0)"
+B = "(3, 1)"
+[bodies]
+W = "A B"
+"""
+
+
+def test_rolling_on_a_line() -> None:
+    solution = solve_small(ON_A_LINE, omega="omega(wheel) in rad/s")
+    assert read_chapter("# Velocities", solution) == as_read(
+        r"""
+        Angular velocities and angular accelerations count positive counter-clockwise. Directions
+            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
+            positive in the direction assumed for it; a known one stands for its magnitude.
+        ## 1. The given motion
+        Given: the velocity of $C$, positive to the right.
+        v_{C} &= 6\,\unit{m/s}\quad\text{(to the right)}
+        ## 2. The wheel rolls without slipping on the ground
+        The point of contact is the velocity pole of the wheel. There is no slip at the contact,
+            so the motion of $C$ along its path ($v_{C}$ positive to the right) and the rotation
+            of the wheel are linked:
+        v_{C} &= -2\omega
+        \omega &= -\frac{6}{2}
+        \omega &= -3\,\unit{rad/s}\quad\text{(clockwise)}
+        """
+    )
+
+
+def test_the_points_of_a_rolling_wheel() -> None:
+    # The point of contact accelerates towards the centre: omega^2 r = 18
+    solution = solve_small(
+        ON_A_LINE, v_P="magnitude(velocity(P)) in m/s", a_D="magnitude(acceleration(D)) in m/s^2"
+    )
+    assert read_chapter("# Answers", solution) == as_read(
+        r"""
+        $P$ is a point of the wheel, base point $C$:
+        v_{P,x} &= v_{C,x} - \omega_{CD}\,(y_{P} - y_{C}) = 6\,\unit{m/s}
+        v_{P,y} &= v_{C,y} + \omega_{CD}\,(x_{P} - x_{C}) = -3 \cdot 2 = -6\,\unit{m/s}
+        v_{P} &= \sqrt{v_{P,x}^{2} + v_{P,y}^{2}} = \sqrt{6^{2} + (-6)^{2}} = 6\sqrt{2} \approx
+            8.485\,\unit{m/s}
+        $D$ is a point of the wheel, base point $C$:
+        a_{D,x} &= a_{C,x} - \alpha_{CD}\,(y_{D} - y_{C}) - \omega_{CD}^{2}\,(x_{D} - x_{C}) = 2 -
+            (-1) \cdot (-2) = 0\,\unit{m/s^2}
+        a_{D,y} &= a_{C,y} + \alpha_{CD}\,(x_{D} - x_{C}) - \omega_{CD}^{2}\,(y_{D} - y_{C}) =
+            -(-3)^{2} \cdot (-2) = 18\,\unit{m/s^2}
+        a_{D} &= a_{D,y} = 18\,\unit{m/s^2}
+        v_{P} = 6 \sqrt{2} = 8.48528 m/s (in the direction $315^\circ$)
+        a_{D} = 18 = 18 m/s^2 (upwards)
+        """
+    )
+
+
+def test_rolling_on_a_circle() -> None:
+    # C is above the contact: it goes to the left, counter-clockwise about O
+    solution = solve_small(ON_A_CIRCLE, v_C="magnitude(velocity(C)) in m/s")
+    assert read_chapter(
+        "## 2. The wheel rolls without slipping on a fixed circle", solution
+    ) == as_read(
+        r"""
+        The point of contact is the velocity pole of the wheel. There is no slip at the contact,
+            so the motion of $C$ along its path ($v_{C}$ positive counter-clockwise about $O$) and
+            the rotation of the wheel are linked:
+        v_{C} &= 2\omega_{CD}
+        v_{C} &= 2 \cdot 3
+        v_{C} &= 6\,\unit{m/s}\quad\text{(counter-clockwise)}
+        """
+    )
+
+
+def test_rolling_inside_a_circle() -> None:
+    # C is below the contact: it goes to the right, clockwise about O
+    solution = solve_small(
+        ON_A_CIRCLE.replace("(0, 6)", "(0, 2)").replace("O, 4)", "O, 4) inside"),
+        v_C="magnitude(velocity(C)) in m/s",
+        a_C="magnitude(acceleration(C)) in m/s^2",
+    )
+    assert read_chapter("# Velocities", solution) == as_read(
+        r"""
+        Angular velocities and angular accelerations count positive counter-clockwise. Directions
+            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
+            positive in the direction assumed for it; a known one stands for its magnitude.
+        ## 1. The given motion
+        Given: the angular velocity of the wheel.
+        \omega_{CD} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        ## 2. The wheel rolls without slipping on a fixed circle
+        The point of contact is the velocity pole of the wheel. There is no slip at the contact,
+            so the motion of $C$ along its path ($v_{C}$ positive counter-clockwise about $O$) and
+            the rotation of the wheel are linked:
+        v_{C} &= -2\omega_{CD}
+        v_{C} &= -2 \cdot 3
+        v_{C} &= -6\,\unit{m/s}\quad\text{(clockwise)}
+        """
+    )
+
+
+def test_the_centre_of_a_wheel_on_a_circle_accelerates_towards_the_middle() -> None:
+    # 6^2 / 6, and inside 6^2 / 2
+    solution = solve_small(
+        ON_A_CIRCLE.replace("(0, 6)", "(0, 2)").replace("O, 4)", "O, 4) inside"),
+        a_C="magnitude(acceleration(C)) in m/s^2",
+    )
+    assert read_chapter("# Answers", solution) == as_read(
+        r"""
+        $C$ moves on the circle about $O$; its normal acceleration follows from its speed, the
+            tangential one is known:
+        a_{C}^{\mathrm{n}} &= \frac{v_{C}^{2}}{OC} = \frac{6^{2}}{2} = 18\,\unit{m/s^2}
+        a_{C} &= a_{C}^{\mathrm{n}} = 18\,\unit{m/s^2}
+        a_{C} = 18 = 18 m/s^2 (downwards)
+        """
+    )
+
+
+def test_a_centre_that_is_driven_on_its_circle() -> None:
+    solution = solve_small(DRIVEN_ROUND, omega="omega(W) in rad/s", alpha="alpha(W) in rad/s^2")
+    assert read_chapter("# Velocities", solution) == as_read(
+        r"""
+        Angular velocities and angular accelerations count positive counter-clockwise. Directions
+            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
+            positive in the direction assumed for it; a known one stands for its magnitude.
+        ## 1. The given motion
+        Given: the velocity of $A$ on its circle about $O$, positive counter-clockwise.
+        v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise)}
+        ## 2. The wheel rolls without slipping on a fixed circle
+        The point of contact is the velocity pole of the wheel. There is no slip at the contact,
+            so the motion of $A$ along its path ($v_{A}$ positive counter-clockwise about $O$) and
+            the rotation of the wheel are linked:
+        v_{A} &= -1 \cdot \omega
+        \omega &= -\frac{6}{1}
+        \omega &= -6\,\unit{rad/s}\quad\text{(clockwise)}
+        """
+    )
+
+
+def test_the_given_tangential_acceleration() -> None:
+    solution = solve_small(DRIVEN_ROUND, alpha="alpha(W) in rad/s^2")
+    assert read_chapter("# Accelerations", solution) == as_read(
+        r"""
+        ## 1. The given motion
+        Given: the tangential acceleration of $A$ on its circle about $O$, positive
+            counter-clockwise.
+        a_{A}^{\mathrm{t}} &= 3\,\unit{m/s^2}\quad\text{(counter-clockwise)}
+        ## 2. The wheel rolls without slipping on a fixed circle
+        There is no slip at the contact, so the motion of $A$ along its path ($a_{A}^{\mathrm{t}}$
+            positive counter-clockwise about $O$) and the rotation of the wheel are linked:
+        a_{A}^{\mathrm{t}} &= -1 \cdot \alpha
+        \alpha &= -\frac{3}{1}
+        \alpha &= -3\,\unit{rad/s^2}\quad\text{(clockwise)}
+        """
+    )
+
+
+def test_gears_with_fixed_axes() -> None:
+    # Radii 3 and 1: the pinion turns three times as fast, the other way
+    solution = solve_small(GEARS, omega="omega(pinion) in rad/s")
+    assert read_chapter("# Velocities", solution) == as_read(
+        r"""
+        Angular velocities and angular accelerations count positive counter-clockwise. Directions
+            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
+            positive in the direction assumed for it; a known one stands for its magnitude.
+        ## 1. The given motion
+        Given: the angular velocity of the gear.
+        \omega_{O} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        ## 2. Composition of motions: moving point $C$, moving frame on the gear
+        Moving point: $C$ (of pinion); moving frame: fixed to the gear. Composition of velocities
+            $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
+        [ ] 0 | |
+        [=] \boldsymbol{v}_{\mathrm{e}} | $OC \cdot \omega_{O} = 8$ | $\perp OC$, $90^\circ$
+        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\perp OC$, $90^\circ$
+        Here $\boldsymbol{v}_{\mathrm{a}} = 0$.
+        Projected on the $y$ axis:
+        0 &= v_{\mathrm{e}} + v_{\mathrm{r}}
+        0 &= 8 + v_{\mathrm{r}}
+        v_{\mathrm{r}} &= -8\,\unit{m/s}\quad\text{(downwards)}
+        ## 3. Pinion rolls without slipping on the gear
+        There is no slip at the contact, so the motion of $C$ along its path and the rotation of
+            pinion relative to the gear are linked:
+        v_{\mathrm{r}} &= 1 \cdot (\omega - \omega_{O})
+        \omega &= 2 - \frac{8}{1}
+        \omega &= -6\,\unit{rad/s}\quad\text{(clockwise)}
+        """
+    )
