@@ -209,6 +209,9 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         "mechanics/joints/arc.py": [
             "... stays on circle(C, r) of ...",
         ],
+        "mechanics/joints/belt.py": [
+            "open belt: ..., ... on ...",
+        ],
         "mechanics/joints/contact.py": [
             "{} touches {}{}{}",
         ],

@@ -63,7 +63,7 @@ EXCEPTIONS = {
 }
 
 OWN = """
-Joint = Pin | Slide | Belt
+Joint = Pin | Slide | Chain
 Driver = Spin | Push
 Language = Literal["en", "zh", "fr"]
 Level = Literal["velocity", "acceleration"]
@@ -71,7 +71,7 @@ WORDS: Mapping[Language, str] = {"en": "a", "zh": "b", "fr": "c"}
 LETTERS = {"velocity": "v", "acceleration": "a"}
 class Pin: ...
 class Slide: ...
-class Belt: ...
+class Chain: ...
 class Spin: ...
 class Push: ...
 class Stage:
@@ -93,7 +93,7 @@ def f(joint: Joint):
             return 1
         case _:
             return g(joint)
-def g(joint: Slide | Belt):
+def g(joint: Slide | Chain):
     return 2
 """,
     "a last case handed on to a function that takes anything": """
@@ -107,7 +107,7 @@ def g(joint: object):
     match joint:
         case Slide():
             return 2
-        case Belt():
+        case Chain():
             return 3
         case _:
             raise TypeError("no such joint")
@@ -119,7 +119,7 @@ def f(joint: Joint, driver: Driver):
             return 1
         case _:
             return g(joint, driver)
-def g(joint: Slide | Belt, driver: Spin | Push):
+def g(joint: Slide | Chain, driver: Spin | Push):
     match driver:
         case Spin() | Push():
             return 2
@@ -140,9 +140,9 @@ def f(joint: Joint):
             return 1
         case _:
             return 1 + g(joint)
-def g(joint: Slide | Belt):
+def g(joint: Slide | Chain):
     match joint:
-        case Slide() | Belt():
+        case Slide() | Chain():
             return 2
         case _:
             assert_never(joint)
@@ -225,7 +225,7 @@ def f(joint: Joint):
             return 1
         case _:
             return g(joint)
-def g(joint: Slide | Belt):
+def g(joint: Slide | Chain):
     match joint:
         case Slide():
             return 2
@@ -237,7 +237,7 @@ PASSED = {
 match joint:
     case Pin(point=point) | Slide():
         x = 1
-    case Belt():
+    case Chain():
         x = 2
     case _:
         assert_never(joint)
@@ -256,11 +256,11 @@ def f(joint: Joint, scale: int):
             return 1
         case _:
             return g(joint, scale)
-def g(joint: Slide | Belt, scale: int):
+def g(joint: Slide | Chain, scale: int):
     match joint:
         case Slide():
             return 2
-        case Belt():
+        case Chain():
             return 3
         case _:
             assert_never(joint)
@@ -273,9 +273,9 @@ def f(joint: Joint):
         case _:
             x = g(2, joint=joint)
     return x
-def g(scale: int, joint: Slide | Belt):
+def g(scale: int, joint: Slide | Chain):
     match joint:
-        case Slide() | Belt():
+        case Slide() | Chain():
             return 2
         case _:
             assert_never(joint)
@@ -349,9 +349,15 @@ def test_what_names_all_refuses_or_only_filters_is_no_default(form: str) -> None
 
 def test_our_own_types_and_literals_are_known_from_the_package_itself() -> None:
     _, words = words_of_package()
-    assert {"Pin", "Belt", "Rotation", "Label", "Heading", "Operation", "Line"} - words.classes == {
-        "Belt"
-    }
+    assert {
+        "Pin",
+        "Chain",
+        "Rotation",
+        "Label",
+        "Heading",
+        "Operation",
+        "Line",
+    } - words.classes == {"Chain"}
     assert {"Pin", "Slide", "Mesh", "Rotation", "Circulation"} <= words.unpositional
     assert words.languages >= {"en", "zh"}
     assert words.values["level"] == {"velocity", "acceleration"}

@@ -143,7 +143,7 @@ def test_a_kind_of_file_that_no_press_writes_is_refused() -> None:
 
 
 def joint(text: str) -> str:
-    new = "class Belt:\n    body: str\n    of: str\n\n\nJoint = Belt | "
+    new = "class Chain:\n    body: str\n    of: str\n\n\nJoint = Chain | "
     return text.replace("Joint = ", new)
 
 
@@ -157,10 +157,10 @@ ADDED: dict[str, Callable[[str], str]] = {
     "mechanics/drivers/__init__.py": driver,
 }
 REPORTED = (
-    ("problem/assemble.py", "Belt"),
-    ("mechanics/frames.py", "Belt"),
-    ("mechanics/configuration.py", "Belt"),
-    ("figure/joints/table.py", "Belt"),
+    ("problem/assemble.py", "Chain"),
+    ("mechanics/frames.py", "Chain"),
+    ("mechanics/configuration.py", "Chain"),
+    ("figure/joints/table.py", "Chain"),
     ("mechanics/frames.py", "Spin"),
     ("figure/joints/drivers.py", "Spin"),
 )

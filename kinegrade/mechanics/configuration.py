@@ -9,6 +9,7 @@ from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.geometry import round_short
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints import Joint
+from kinegrade.mechanics.laws import SharedPoint
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.numbers.number import Arithmetic
 
@@ -76,8 +77,17 @@ def _find_misfits(mechanism: Mechanism, joint: Joint, arithmetic: Arithmetic) ->
         for circle in joint.list_circles()
         if arithmetic.is_zero(circle.radius) or arithmetic.sign(circle.radius) <= 0
     ]
+    wrong += [
+        _name_loose_centre(pin) for pin in joint.list_needed_pins() if not mechanism.holds(pin)
+    ]
     if any(arithmetic.is_zero(line.direction.squared()) for line in joint.list_lines()):
         wrong.append(Message("mechanics.no-direction"))
     else:
         wrong += joint.find_misfits(mechanism.points, arithmetic)
     return (Fault(joint.describe(), what) for what in wrong)
+
+
+def _name_loose_centre(needed: SharedPoint) -> Message:
+    """That a body does not turn on its carrier about its centre."""
+    body, carrier = needed.bodies
+    return Message("mechanics.not-carried", point=needed.point, body=body, carrier=carrier)

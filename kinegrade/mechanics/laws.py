@@ -20,6 +20,8 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 
 Turning = tuple[tuple[Rate, Number], ...]
+# The point of a carried centre, the centre about which it runs, and the share of their distance
+Arm = tuple[str, str, Number]
 
 
 @dataclass(frozen=True)
@@ -27,11 +29,13 @@ class Shares:
     """What is taken of the parts of a law: 1 is right, 0 forgotten, -1 reversed.
 
     - meshing: the sense in which two circles turn: -1 takes inside for outside.
+    - crossing: the sense in which a belt's pulleys turn: -1 takes open for crossed.
     - carried: the turning of the body that carries the other one, or the track.
     - arm: the radius of the carried wheel within the arm r1 + r2.
     """
 
     meshing: Number = 1
+    crossing: Number = 1
     carried: Number = 1
     arm: Number = 1
 
@@ -57,6 +61,14 @@ class Reason(ABC):
         """The factors of the turning rates and of a guided centre's rate; none for an equation of
         vectors.
         """
+
+    def list_arms(self, shares: Shares) -> tuple[Arm, ...]:
+        """The arms that carry wheels on circles, with the shares that are taken of them: none."""
+        return ()
+
+    def find_guided_body(self) -> str | None:
+        """The moving body whose point it guides; None where it guides none."""
+        return None
 
     def map(self, number: Callable[[Number], Number]) -> Self:
         """The law with `number` applied to its vectors, lines and circles."""
@@ -111,6 +123,10 @@ class GuidedPoint(_OfVectors):
     def is_given(self) -> bool:
         """No: it closes a loop."""
         return False
+
+    def find_guided_body(self) -> str | None:
+        """The body of the point, unless that is fixed."""
+        return self.body if self.body != GROUND else None
 
 
 @dataclass(frozen=True)
@@ -190,11 +206,17 @@ class NoSlip(Reason):
                 assert_never(self.on)
         return ((self.rate, 1), *_relate((self.body, slip), (self.of, -carried)))
 
+    def list_arms(self, shares: Shares) -> tuple[Arm, ...]:
+        """That of the rolling circle's centre about the centre of a circular track."""
+        if not isinstance(self.on, Circle):
+            return ()
+        return (_measure_arm(self.circle, self.on, self.inside, shares),)
+
 
 @dataclass(frozen=True)
-class EqualPitchSpeed(Reason):
-    """Two circles with their centres on one `carrier` have the same speed where they meet, relative
-    to it. `joint` numbers the joints of the mechanism.
+class EqualRimSpeed(Reason):
+    """Two circles with their centres on one `carrier` have equal rim speeds relative to it. `joint`
+    numbers the joints of the mechanism.
     """
 
     joint: int
@@ -203,7 +225,6 @@ class EqualPitchSpeed(Reason):
     of: str
     on: Circle
     carrier: str
-    inside: bool
 
     def describe(self, element: Message) -> Message:
         """The joint's own name."""
@@ -214,12 +235,22 @@ class EqualPitchSpeed(Reason):
         """No: it links two rotations."""
         return False
 
+    @property
+    @abstractmethod
+    def is_opposite(self) -> bool:
+        """Whether the two turn in opposite senses, seen from the carrier."""
+
+    @abstractmethod
+    def select_share(self, shares: Shares) -> Number:
+        """What is taken of their sense."""
+
     def list_factors(self, shares: Shares) -> Turning:
-        """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), with -r2 inside; c is the share of the
-        carrier's rotation that is taken into account, at the second circle where the first one is
-        the ground's.
+        """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), with -r2 where both turn in the same
+        sense; c is the share of the carrier's rotation that is taken into account, at the second
+        circle where the first one is the ground's.
         """
-        radius, other = self.circle.radius, self.on.radius * _find_sense(self.inside, shares)
+        sense = self.select_share(shares)
+        radius, other = self.circle.radius, self.on.radius * (sense if self.is_opposite else -sense)
         first, second = (shares.carried, 1) if self.body != GROUND else (1, shares.carried)
         return _relate(
             (self.body, radius),
@@ -227,6 +258,42 @@ class EqualPitchSpeed(Reason):
             (self.of, other),
             (self.carrier, -other * second),
         )
+
+
+@dataclass(frozen=True)
+class EqualPitchSpeed(EqualRimSpeed):
+    """The circles roll on each other as gears do; `inside` where one lies within the other."""
+
+    inside: bool
+
+    @property
+    def is_opposite(self) -> bool:
+        """Where they touch from outside."""
+        return not self.inside
+
+    def select_share(self, shares: Shares) -> Number:
+        """That of inside for outside."""
+        return shares.meshing
+
+    def list_arms(self, shares: Shares) -> tuple[Arm, ...]:
+        """That of the first centre about the second one."""
+        return (_measure_arm(self.circle, self.on, self.inside, shares),)
+
+
+@dataclass(frozen=True)
+class EqualBeltSpeed(EqualRimSpeed):
+    """A belt runs about the circles; `crossed` where its strands cross between them."""
+
+    crossed: bool
+
+    @property
+    def is_opposite(self) -> bool:
+        """Where the belt is crossed."""
+        return self.crossed
+
+    def select_share(self, shares: Shares) -> Number:
+        """That of open for crossed."""
+        return shares.crossing
 
 
 class _Imposed(Reason):
@@ -286,12 +353,21 @@ class ImposedCircling(_Imposed):
 
 Condition = SharedPoint | GuidedPoint | GuidedBody | EqualRotation
 Imposed = ImposedRotation | ImposedMotion | ImposedCircling
-Law = SharedPoint | GuidedPoint | EqualRotation | NoSlip | EqualPitchSpeed | Imposed
+Law = (
+    SharedPoint | GuidedPoint | EqualRotation | NoSlip | EqualPitchSpeed | EqualBeltSpeed | Imposed
+)
 
 
 def _find_sense(inside: bool, shares: Shares) -> Number:
     """1 where two circles touch from outside, -1 where one lies within the other."""
     return -shares.meshing if inside else shares.meshing
+
+
+def _measure_arm(circle: Circle, on: Circle, inside: bool, shares: Shares) -> Arm:
+    """The distance of the centres of two circles that touch: the share of r1 in r1 + r2."""
+    radius = -circle.radius if inside else circle.radius
+    share = (on.radius + shares.arm * radius) / (on.radius + radius)
+    return circle.centre, on.centre, share
 
 
 def _relate(*factors: tuple[str, Number]) -> Turning:

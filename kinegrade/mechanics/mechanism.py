@@ -50,6 +50,16 @@ class Mechanism:
         """The points at which bodies are pinned together."""
         return select_shared(self.list_conditions())
 
+    def holds(self, needed: SharedPoint) -> bool:
+        """Whether pins at that point join all those bodies, some perhaps by way of others."""
+        joined, found = set(needed.bodies[:1]), 0
+        while len(joined) > found:
+            found = len(joined)
+            for shared in self.shared_points:
+                if shared.point == needed.point and not joined.isdisjoint(shared.bodies):
+                    joined.update(shared.bodies)
+        return joined.issuperset(needed.bodies)
+
     def find_pivots(self) -> dict[str, str]:
         """The fixed point of each body that is pinned to the ground."""
         return {

@@ -18,6 +18,8 @@ INSIDE = r"(?P<inside> inside)?"
 class JointParts:
     """The parts of a joint's sentence by their names in its pattern, worked out at an instance's
     values; those that the sentence lacks are empty, `of` is then the ground.
+
+    `options` are the words of the pattern's own that it has, such as `inside`.
     """
 
     point: str
@@ -27,7 +29,7 @@ class JointParts:
     circle: Any
     on: Any
     carrier: str
-    inside: bool
+    options: frozenset[str]
 
 
 @dataclass(frozen=True)

@@ -176,7 +176,7 @@ class _Parts:
             self.shape(sentence.circle),
             self.shape(sentence.on),
             sentence.carrier,
-            sentence.inside,
+            sentence.options,
         )
         return sentence.stated.make(parts)
 

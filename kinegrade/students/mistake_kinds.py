@@ -107,6 +107,7 @@ MISTAKES = (
     Mistake("relative-for-absolute", {"carried": fmpq(0)}),
     Mistake("absolute-for-relative", {"asked_relative": fmpq(0)}),
     Mistake("meshing-reversed", {"meshing": fmpq(-1)}),
+    Mistake("belt-reversed", {"crossing": fmpq(-1)}),
     Mistake("arm-for-sum", {"arm": fmpq(0)}),
     Mistake("wrong-pole", {"pole": fmpq(0)}),
     Mistake("centre-for-pole", {"centre": fmpq(0)}),
@@ -181,14 +182,17 @@ def _find_share_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[s
         driver.of != GROUND for driver in template.scheme.drivers
     )
     accelerations = any(ask.unit.time == -2 for ask in asks.values())
-    wheels = bool(kinds & {"roll", "mesh"})
+    wheels, belts = bool(kinds & {"roll", "mesh"}), "belt" in kinds
     return {
         "coriolis": accelerations and relative,
         "relative_normal": accelerations,
         "path_normal": accelerations,
-        "carried": wheels or any(driver.of != GROUND for driver in template.scheme.drivers),
+        "carried": wheels
+        or belts
+        or any(driver.of != GROUND for driver in template.scheme.drivers),
         "asked_relative": any(_calls(ask.quantity, ("omega", "alpha"), 2) for ask in asks.values()),
         "meshing": wheels,
+        "crossing": belts,
         "arm": wheels,
         "centre": wheels,
         "relative": relative,

@@ -22,6 +22,7 @@ MistakeName = Literal[
     "relative-for-absolute",
     "absolute-for-relative",
     "meshing-reversed",
+    "belt-reversed",
     "arm-for-sum",
     "wrong-pole",
     "centre-for-pole",

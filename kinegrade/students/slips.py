@@ -10,25 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import assert_never
 
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import (
-    EqualPitchSpeed,
-    EqualRotation,
-    GuidedPoint,
-    ImposedCircling,
-    ImposedMotion,
-    ImposedRotation,
-    NoSlip,
-    SharedPoint,
-    Shares,
-    Turning,
-)
+from kinegrade.mechanics.laws import NoSlip, Shares, Turning
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Chain, Reading, Relation, Term
-from kinegrade.mechanics.shapes import Circle
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 
@@ -45,6 +32,7 @@ class Slips:
     - relative_normal: the normal part of the acceleration of a point relative to a base point.
     - path_normal: the normal part on a circular path, about a fixed pin or along an arc.
     - meshing: the sense of a meshing or rolling on a circle: -1 takes inside for outside.
+    - crossing: the sense in which a belt's pulleys turn: -1 takes open for crossed.
     - carried: the carrier's turning within a relative angular velocity; 0 takes relative for
       absolute.
     - asked_relative: the second body's turning where a relative angular velocity is asked for.
@@ -59,12 +47,17 @@ class Slips:
     relative_normal: Share = 1
     path_normal: Share = 1
     meshing: Share = 1
+    crossing: Share = 1
     carried: Share = 1
     asked_relative: Share = 1
     arm: Share = 1
     pole: Share = 1
     centre: Share = 1
     relative: Share = 1
+
+    def select_shares(self) -> Shares:
+        """Those of the parts of laws."""
+        return Shares(self.meshing, self.crossing, self.carried, self.arm)
 
 
 @dataclass(frozen=True)
@@ -112,8 +105,7 @@ class MistakenReading(Reading):
         """The rates that turn, with the slips made in their factors."""
         if relation.source is None:
             return relation.turning
-        slips = self.slips
-        return relation.source.list_factors(Shares(slips.meshing, slips.carried, slips.arm))
+        return relation.source.list_factors(self.slips.select_shares())
 
     def normal(self, rate: Rate, point: str, base: str, normal: Vector) -> Vector:
         """The share of a normal acceleration, on a path or relative to a base point."""
@@ -145,21 +137,11 @@ def is_right(share: Share) -> bool:
 
 
 def _find_carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str], Share]]:
-    """For each wheel that runs on a circle the share taken of the distance of the two centres: of
-    r1 in r1 + r2.
-    """
+    """For each wheel that runs on a circle the share taken of the distance of the two centres."""
     for relation in frames.relations:
-        match relation.source:
-            case NoSlip(on=Circle() as on) | EqualPitchSpeed(on=on) as law:
-                radius = -law.circle.radius if law.inside else law.circle.radius
-                share = (on.radius + slips.arm * radius) / (on.radius + radius)
-                yield (law.circle.centre, on.centre), share
-            case NoSlip() | SharedPoint() | GuidedPoint() | EqualRotation():
-                pass  # no wheel runs on a circle
-            case ImposedRotation() | ImposedMotion() | ImposedCircling() | None:
-                pass
-            case _:
-                assert_never(relation.source)
+        if relation.source is not None:
+            for point, base, share in relation.source.list_arms(slips.select_shares()):
+                yield (point, base), share
 
 
 def _find_rolling_centres(frames: Frames) -> dict[Rate, str]:

@@ -11,6 +11,7 @@ from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.joints import (
     GROUND,
     Arc,
+    Belt,
     Circle,
     Contact,
     Line,
@@ -112,6 +113,37 @@ def meshing_gears() -> Case:
     return hinted(
         Mechanism(points, bodies, joints, drivers), labels={"sun": "1", "planet": "2", "arm": "H"}
     )
+
+
+def belt_on_arm(crossed: bool = False) -> Case:
+    points = {"O": ORIGIN, "A": polar(0.6, 130)}
+    joints = (
+        Pin("O", ("arm", "I", GROUND)),
+        Pin("A", ("arm", "II")),
+        Belt("II", Circle("A", 0.1), "I", Circle("O", 0.25), "arm", crossed),
+    )
+    bodies = (Body("arm", ("O", "A")), Body("I", ("O",)), Body("II", ("A",)))
+    drivers = (Rotation("arm", 2.0, 0.0), Rotation("I", -1.0, 0.0))
+    return hinted(
+        Mechanism(points, bodies, joints, drivers),
+        labels={"I": "1", "II": "2"},
+        radii=[{"symbol": "r_1", "centre": "O"}, {"symbol": "r_2", "centre": "A"}],
+    )
+
+
+def crossed_belt_on_arm() -> Case:
+    return belt_on_arm(crossed=True)
+
+
+def belt_about_fixed_pulley() -> Case:
+    points = {"O": ORIGIN, "A": polar(0.5, -20)}
+    joints = (
+        Pin("O", ("arm", GROUND)),
+        Pin("A", ("arm", "II")),
+        Belt("II", Circle("A", 0.15), GROUND, Circle("O", 0.15), "arm"),
+    )
+    bodies = (Body("arm", ("O", "A")), Body("II", ("A",)))
+    return hinted(Mechanism(points, bodies, joints, (Rotation("arm", 2.0, 0.0),)))
 
 
 def bar_pushing_disc() -> Case:
@@ -345,6 +377,9 @@ MORE: dict[str, tuple[Callable[..., Case], list[tuple[float, ...]]]] = {
         wheel_in_track,
         planet_in_ring,
         meshing_gears,
+        belt_on_arm,
+        crossed_belt_on_arm,
+        belt_about_fixed_pulley,
         bar_pushing_disc,
         sleeve_with_arm,
         swivelling_rod,

@@ -23,6 +23,7 @@ from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import (
     GROUND,
     Arc,
+    Belt,
     Circle,
     Contact,
     Joint,
@@ -81,6 +82,7 @@ ADDED: tuple[tuple[Joint, set[str]], ...] = (
     (Contact("I", SMALL, "II", LARGE), {"rims"}),
     (Roll("I", SMALL, GROUND, BELOW), {"rims", "foot"}),
     (Mesh("I", SMALL, "II", LARGE, GROUND), {"rims"}),
+    (Belt("I", SMALL, "II", Circle("A", 1.5), GROUND, crossed=True), {"rims", "strands"}),
     (Parallel("I", GROUND), {"translating"}),
     (Parallel("I", "II"), set()),
 )

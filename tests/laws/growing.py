@@ -18,6 +18,7 @@ from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import (
     GROUND,
     Arc,
+    Belt,
     Circle,
     Contact,
     Joint,
@@ -306,6 +307,24 @@ def geared_pair(growth: Growth) -> None:
     )
 
 
+def belted_pair(growth: Growth) -> None:
+    """Two pulleys on a carrier, one of them driven relative to it."""
+    carrier, first = growth.host()
+    own, other = growth.draw(RADII), growth.draw(RADII)
+    second = growth.away(first, own + other + growth.draw(RADII))
+    growth.bodies[carrier].append(second)
+    driven, pulley = growth.body(first), growth.body(second, growth.point())
+    circles = Circle(second, own), Circle(first, other)
+    growth.joints += [
+        Pin(first, (carrier, driven)),
+        Pin(second, (carrier, pulley)),
+        Belt(pulley, circles[0], driven, circles[1], carrier, growth.draw(st.booleans())),
+    ]
+    growth.drivers.append(
+        Rotation(driven, *growth.imposed(), of=growth.draw(st.sampled_from([carrier, GROUND])))
+    )
+
+
 def platform(growth: Growth) -> None:
     """A bar carried by a host that does not turn relative to the ground or a moving body."""
     frame = growth.frame()
@@ -352,6 +371,7 @@ GROUPS = (
     rod_and_wheel,
     planet,
     geared_pair,
+    belted_pair,
     platform,
     driven_arm,
     particle_in_a_slot,

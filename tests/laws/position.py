@@ -13,16 +13,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, assert_never
 
 import numpy as np
 from flint import arb
-from mpmath import atan2, cos, mp, mpf, sin
+from mpmath import acos, atan2, cos, mp, mpf, sin
 
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import (
     GROUND,
     Arc,
+    Belt,
     Circle,
     Contact,
     Joint,
@@ -181,8 +182,34 @@ class PositionModel:
                 own, other = turn[body] - turn[carrier], turn[of] - turn[carrier]
                 sense = -1 if inside else 1
                 yield precise(circle.radius) * own + sense * precise(on.radius) * other
+            case Belt():
+                yield self.run(poses, joint)
             case Parallel(body, of):
                 yield turn[body] - turn[of]
+            case _:
+                assert_never(joint)
+
+    def run(self, poses: dict[str, Pose], belt: Belt) -> Any:
+        """How much longer the belt has become between a mark on one rim and a mark on the other:
+        along the first rim to where the strand leaves it, along the strand, along the second rim.
+        """
+        first, second = belt.circle.centre, belt.on.centre
+        start, now = [
+            minus(
+                self.moved(at, belt.of, self.start[second]),
+                self.moved(at, belt.body, self.start[first]),
+            )
+            for at in (self.poses([mpf(0)] * self.count), poses)
+        ]
+        own, other = precise(belt.circle.radius), precise(belt.on.radius)
+        opposite = own + other if belt.crossed else own - other
+        strand = [(dot(arm, arm) - opposite**2) ** mpf("0.5") for arm in (start, now)]
+        # the strand leaves at the right of the arm, where a belt that runs on turns the rim forwards
+        leans = [acos(opposite / dot(arm, arm) ** mpf("0.5")) for arm in (start, now)]
+        swept = atan2(cross(start, now), dot(start, now)) - (leans[1] - leans[0])
+        left = own * (swept - poses[belt.body][2])
+        right = other * (swept - poses[belt.of][2])
+        return left + strand[1] - strand[0] + (right if belt.crossed else -right)
 
     def offset(self, line: Line, now: Place) -> Any:
         """The distance to the left of a directed line."""

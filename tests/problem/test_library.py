@@ -47,7 +47,7 @@ def test_an_unknown_name_is_refused_with_the_nearest_ones(name: str) -> None:
     assert refusal(name).count('"') <= 2 + 2 * 3
 
 
-def test_a_name_like_no_other_lists_three_of_fifty() -> None:
+def test_a_name_like_no_other_lists_three_of_all() -> None:
     message = refusal("")
     assert message.endswith(f" and {len(find_template_names()) - 3} more")
     assert sum(name in message for name in find_template_names()) == 3

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from kinegrade.mechanics.joints import JOINTS
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.reading import read_template
 from tests.problem.turning_crank import CRANK, faults
+
+SENTENCES = ", ".join(f'"{joint.EXAMPLE}"' for joint in JOINTS)
 
 
 def test_the_small_template_is_sound() -> None:
@@ -238,7 +241,7 @@ def test_the_small_template_is_sound() -> None:
             '"pin O: ground OA"',
             '"OA slides on O"',
             [
-                'crank.toml:4: joints[1]: "OA slides on O": no such joint - expected one of "pin A: OA AB", "B of AB slides on line(O, 0)", "... stays on circle(C, r) of ...", "... touches ...", "... rolls on ...", "... meshes with ... on ...", "... slides through ... along ...", "... translates"'
+                f'crank.toml:4: joints[1]: "OA slides on O": no such joint - expected one of {SENTENCES}'
             ],
         ),
         (

@@ -1,7 +1,7 @@
 """All proofs: how much of each `make prove` and `make test` run.
 
 In full they take about 4,300 seconds of processor time, 36 minutes on two free cores. "fair marks"
-looks at 1,000 papers of each of fifty templates.
+looks at 1,000 papers of each of the fifty-one templates.
 """
 
 from __future__ import annotations

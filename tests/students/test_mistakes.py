@@ -88,6 +88,7 @@ def test_identifiers_are_a_promise_to_banks() -> None:
         "relative-for-absolute",
         "absolute-for-relative",
         "meshing-reversed",
+        "belt-reversed",
         "arm-for-sum",
         "wrong-pole",
         "centre-for-pole",
@@ -151,6 +152,20 @@ def test_a_slider_crank_worked_out_by_hand() -> None:
     assert v_B["sine-for-cosine"] == pytest.approx(
         sin(pi / 6) + cos(pi / 6) * sin(pi / 6) / (3 - 0.25) ** 0.5
     )
+
+
+def test_a_belt_taken_for_the_other_kind_worked_out_by_hand() -> None:
+    # relative to the arm I turns with 8 - 2 = 6, II with 6 * 0.2/0.1 = 12: crossed -12, open 12
+    answers = kinegrade.template("crossed-belt-drive").solve(
+        r1="0.2", r2="0.1", l="0.7", phi=30, omega1=8, omega0=2, alpha0=4
+    )
+    omega, alpha = answers["omega_II"], answers["alpha_II"]
+    assert (omega.value, omega.mistakes["belt-reversed"]) == (-10, pytest.approx(14))
+    # the arm's 4 and, relative to it, that of I: -4, doubled
+    assert (alpha.value, alpha.mistakes["belt-reversed"]) == (12, pytest.approx(-4))
+    # B moves with 0.7 * 2 across the arm and with 0.1 * 14 along it
+    assert answers["v_B"].mistakes["belt-reversed"] == pytest.approx(1.4 * 2**0.5)
+    assert "meshing-reversed" not in omega.mistakes
 
 
 def answers_in(

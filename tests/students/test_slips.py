@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from flint import fmpq
 
-from kinegrade.mechanics.joints import GROUND, Mesh, Pin, Roll, Slide
+from kinegrade.mechanics.joints import GROUND, Belt, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.numbers.elimination import Singular
@@ -219,6 +219,33 @@ def test_gears_in_mesh_on_a_carrier(share: dict[str, int], omega: int) -> None:
             Pin("O", ("arm", "S", GROUND)),
             Pin("A", ("arm", "P")),
             Mesh("P", p.circle("A", 1), "S", p.circle("O", 2), "arm"),
+        ],
+        [p.turns("arm", 3), p.turns("S", 0)],
+    )
+    assert slipped(mechanism, p.field, **share).omega("P") == omega
+
+
+@pytest.mark.parametrize(
+    ("share", "crossed", "omega"),
+    [
+        ({}, False, -3),
+        ({}, True, 9),
+        ({"crossing": -1}, False, 9),
+        ({"crossing": -1}, True, -3),
+        ({"meshing": -1}, True, 9),
+        ({"carried": 0}, True, 6),
+    ],
+)
+def test_a_belt_on_a_carrier(share: dict[str, int], crossed: bool, omega: int) -> None:
+    # omega_P - 3 = +-2 (0 - 3); of the carrier's turning, 6 is lost with its share
+    p = Paper()
+    mechanism = p.mechanism(
+        {"O": (0, 0), "A": (4, 0)},
+        {"arm": "O A", "P": "A", "S": "O"},
+        [
+            Pin("O", ("arm", "S", GROUND)),
+            Pin("A", ("arm", "P")),
+            Belt("P", p.circle("A", 1), "S", p.circle("O", 2), "arm", crossed),
         ],
         [p.turns("arm", 3), p.turns("S", 0)],
     )

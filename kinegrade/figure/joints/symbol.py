@@ -15,6 +15,7 @@ from kinegrade.mechanics.vector import Vector
 
 Kind = Literal["wheel", "gear", "slot", "cam", "edge"]
 Use = Literal["link", "slot", "bar", "face", "rack"]
+Strand = tuple[Vector, Vector]  # a straight part of a belt, from rim to rim
 NO_BACK = Vector(0.0, 0.0)
 
 
@@ -73,6 +74,7 @@ class Symbol:
       when it stands on the ground; `turning` are the bodies that share it;
     - `translating`: a body that the joint keeps from turning against the ground;
     - `rims`, `features`, `foot`, `guide`: circles, lines of bodies, a track and a guide;
+    - `strands`: the straight parts of a belt;
     - `sleeve`, `block`: where one is, with the unit vector along which it slides.
     """
 
@@ -85,6 +87,7 @@ class Symbol:
     features: tuple[Feature, ...] = ()
     foot: Foot | None = None
     guide: Guide | None = None
+    strands: tuple[Strand, ...] = ()
     sleeve: Line | None = None
     block: Line | None = None
 

@@ -10,12 +10,14 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import assert_never
 
+from kinegrade.figure.joints.belts import find_belt_symbol
 from kinegrade.figure.joints.profiles import find_arc_symbol, find_mesh_symbol, find_touch_symbol
 from kinegrade.figure.joints.slides import find_sleeve_symbol, find_slide_symbol
 from kinegrade.figure.joints.symbol import Symbol
 from kinegrade.mechanics.joints import (
     GROUND,
     Arc,
+    Belt,
     Circle,
     Contact,
     Joint,
@@ -51,6 +53,8 @@ def _find_symbol(mechanism: Mechanism, joint: Joint, shapes: Mapping[str, str]) 
             return find_touch_symbol(mechanism, joint, shapes)
         case Mesh():
             return find_mesh_symbol(mechanism, joint)
+        case Belt():
+            return find_belt_symbol(mechanism, joint)
         case Parallel(body=body, of=of):
             return Symbol(translating=body if of == GROUND else None)
         case _:
@@ -69,7 +73,7 @@ def scale_joint(joint: Joint, scale: float) -> Joint:
         case Contact() | Roll():
             on = _scale_shape(joint.on, scale)
             return replace(joint, circle=_scale_circle(joint.circle, scale), on=on)
-        case Mesh():
+        case Mesh() | Belt():
             on = _scale_circle(joint.on, scale)
             return replace(joint, circle=_scale_circle(joint.circle, scale), on=on)
         case _:

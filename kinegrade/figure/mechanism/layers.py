@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.anatomy import Anatomy
+from kinegrade.figure.mechanism.belts import draw_belts
 from kinegrade.figure.mechanism.pins import draw_points
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.round_bodies import draw_round_bodies
@@ -40,6 +41,7 @@ def draw(mechanism: Mechanism, hints: FigureHints) -> Drawing:
 
 def _draw_layers(anatomy: Anatomy) -> Iterator[Primitive]:
     yield from draw_round_bodies(anatomy)
+    yield from draw_belts(anatomy)
     yield from draw_tracks(anatomy)
     for part in anatomy.parts:
         if isinstance(part, Plate | SlottedDisc):

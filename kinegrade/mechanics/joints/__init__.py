@@ -11,6 +11,7 @@ from typing import get_args
 
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints.arc import Arc
+from kinegrade.mechanics.joints.belt import Belt
 from kinegrade.mechanics.joints.contact import Contact
 from kinegrade.mechanics.joints.mesh import Mesh
 from kinegrade.mechanics.joints.parallel import Parallel
@@ -20,13 +21,14 @@ from kinegrade.mechanics.joints.sleeve import Sleeve
 from kinegrade.mechanics.joints.slide import Slide
 from kinegrade.mechanics.shapes import Circle, Line
 
-Joint = Pin | Slide | Arc | Contact | Roll | Mesh | Sleeve | Parallel
+Joint = Pin | Slide | Arc | Contact | Roll | Mesh | Belt | Sleeve | Parallel
 JOINTS: tuple[type[Joint], ...] = get_args(Joint)
 
 __all__ = [
     "GROUND",
-    "Arc",
     "JOINTS",
+    "Arc",
+    "Belt",
     "Circle",
     "Contact",
     "Joint",

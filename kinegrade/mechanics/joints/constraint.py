@@ -9,7 +9,7 @@ from typing import ClassVar, Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.element import Element
-from kinegrade.mechanics.laws import Condition, Law
+from kinegrade.mechanics.laws import Condition, Law, SharedPoint
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.sentence import JointParts
 from kinegrade.mechanics.shapes import Circle, Line, Shape
@@ -38,6 +38,10 @@ class Constraint(Element):
     @abstractmethod
     def list_conditions(self) -> tuple[Condition, ...]:
         """The points that it holds or guides, and the bodies that it keeps parallel."""
+
+    def list_needed_pins(self) -> tuple[SharedPoint, ...]:
+        """The points that its bodies have to share already, by other joints: none."""
+        return ()
 
     @cached_property
     def conditions(self) -> tuple[Condition, ...]:

@@ -38,7 +38,7 @@ class Contact(Constraint):
     @classmethod
     def make(cls, parts: JointParts) -> Self:
         """The joint that a sentence states."""
-        return cls(parts.body, parts.circle, parts.of, parts.on, parts.inside)
+        return cls(parts.body, parts.circle, parts.of, parts.on, "inside" in parts.options)
 
     def list_bodies(self) -> tuple[str, ...]:
         """The moving body, then the other one."""

@@ -8,6 +8,8 @@
     circle(C, R) of cam touches line(A, 0) of BC
     circle(A, r2) of II rolls on circle(O, r1) inside
     circle(A, r1) of I meshes with circle(B, r2) of II on arm
+    open belt: circle(A, r1) of I, circle(B, r2) of II on arm
+    crossed belt: circle(A, r1) of I, circle(B, r2) of II on ground
     BC translates
     rod turns with arm
 
@@ -23,7 +25,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TypeVar
 
 from kinegrade.errors import FieldError
@@ -51,12 +53,15 @@ class JointSentence:
     circle: Call | None = None
     on: Call | None = None
     carrier: str = ""
-    inside: bool = False
+    options: frozenset[str] = frozenset()
 
     @property
     def kind(self) -> str:
         """Which joint it is."""
         return self.stated.KIND
+
+
+_PARTS = {part.name for part in fields(JointSentence)}
 
 
 @dataclass(frozen=True)
@@ -97,7 +102,7 @@ def read_joint(text: str) -> JointSentence:
         circle=_shape(parts.get("circle")),
         on=_shape(parts.get("on")),
         carrier=parts.get("carrier", ""),
-        inside="inside" in parts,
+        options=frozenset(parts) - _PARTS,
     )
 
 

@@ -1,4 +1,4 @@
-"""Bodies that roll without slipping, and gears that mesh."""
+"""Bodies that roll without slipping."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import EqualPitchSpeed, NoSlip
+from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Relation, Term
 from kinegrade.mechanics.vector_equation import Level
@@ -122,22 +122,3 @@ def solve_rolling(
             turned_by = (known.size / radius).signed(known.sign)
             right = add_terms((track, turned_by) if double(other) else (turned_by,))
             yield Equation(name_rotation(roll.body, case, level), equate(right))
-
-
-def state_meshing(mesh: EqualPitchSpeed, case: Case, level: Level) -> Statement:
-    """Equal pitch speeds relative to the carrier, of opposite senses for external gears."""
-    body, other = case.naming.body(mesh.body), case.naming.body(mesh.of)
-    sentence = case.template.scheme.joints[mesh.joint]
-    left, right = (
-        state_radius(circle, radius, case)
-        * name_relative_rotation(turned, mesh.carrier, case, level)
-        for circle, radius, turned in (
-            (sentence.circle, mesh.circle.radius, mesh.body),
-            (sentence.on, mesh.on.radius, mesh.of),
-        )
-    )
-    return Statement(
-        Message("solution.title-mesh", body=body, other=other),
-        Message("solution.mesh", carrier=case.naming.body(mesh.carrier)),
-        Equation(left, equate(right.signed(1 if mesh.inside else -1))),
-    )

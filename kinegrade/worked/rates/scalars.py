@@ -1,5 +1,5 @@
 """Steps that need no vectors: what is given, bodies that rotate together, rolling without slipping,
-meshing gears.
+meshing gears, belts.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from typing import assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.laws import (
+    EqualBeltSpeed,
     EqualPitchSpeed,
     EqualRotation,
     GuidedPoint,
@@ -25,7 +26,8 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.rates.driven import state_imposed
-from kinegrade.worked.rates.rolling import solve_rolling, state_meshing, state_rolling
+from kinegrade.worked.rates.rims import state_belt, state_meshing
+from kinegrade.worked.rates.rolling import solve_rolling, state_rolling
 from kinegrade.worked.rates.speeds import Statement, name_rotation, state_rate
 
 
@@ -37,6 +39,8 @@ def state_relation(relation: Relation, case: Case, level: Level) -> Statement:
             return state_rolling(source, relation, case, level)
         case EqualPitchSpeed():
             return state_meshing(source, case, level)
+        case EqualBeltSpeed():
+            return state_belt(source, case, level)
         case EqualRotation():
             return _state_equal_rotation(source, case, level)
         case ImposedRotation() | ImposedMotion() | ImposedCircling():
@@ -73,7 +77,7 @@ def explain_scalar_step(
             yield case.show(Equation(stated.left, links, result.aside))
         case ImposedRotation() | ImposedMotion() | ImposedCircling():
             yield case.show(stated, result)
-        case NoSlip() | EqualPitchSpeed() | SharedPoint() | GuidedPoint() | None:
+        case NoSlip() | EqualPitchSpeed() | EqualBeltSpeed() | SharedPoint() | GuidedPoint() | None:
             yield case.show(stated, *solve_rolling(relation, unknown, case, level), result)
         case _:
             assert_never(relation.source)

@@ -7,17 +7,6 @@ from functools import reduce
 from typing import assert_never
 
 from kinegrade.language.message import Listing, Message, Text, list_all
-from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import (
-    EqualPitchSpeed,
-    EqualRotation,
-    GuidedPoint,
-    ImposedCircling,
-    ImposedMotion,
-    ImposedRotation,
-    NoSlip,
-    SharedPoint,
-)
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import Relation, Term
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
@@ -133,16 +122,11 @@ def _introduce_composition(equation: VectorEquation, relative: Part, case: Case)
 
 def _introduce_velocities(relation: Relation, point: Text, frame: Text, case: Case) -> Message:
     """The composition of the velocities of a guided point, or of a fixed one."""
-    match relation.source:
-        case GuidedPoint(body=body) if body != GROUND:
-            owner = case.naming.body(body)
-            return Message("solution.composed-velocity", point=point, frame=frame, body=owner)
-        case GuidedPoint() | SharedPoint() | EqualRotation() | NoSlip() | EqualPitchSpeed() | None:
-            return Message("solution.composed-velocity-of-fixed-point", point=point, frame=frame)
-        case ImposedRotation() | ImposedMotion() | ImposedCircling():
-            return Message("solution.composed-velocity-of-fixed-point", point=point, frame=frame)
-        case _:
-            assert_never(relation.source)
+    body = relation.source.find_guided_body() if relation.source is not None else None
+    if body is None:
+        return Message("solution.composed-velocity-of-fixed-point", point=point, frame=frame)
+    owner = case.naming.body(body)
+    return Message("solution.composed-velocity", point=point, frame=frame, body=owner)
 
 
 def _introduce_chained_bases(

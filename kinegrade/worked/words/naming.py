@@ -34,6 +34,9 @@ from kinegrade.worked.words.bodies import name_barely, name_by_number, name_kind
 # Named by their end points
 _LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"})
 
+# Round bodies by a part of the template's family; wheels in others
+_ROUND = {"gear": "gear", "belt": "pulley"}
+
 
 @dataclass(frozen=True)
 class _Label:
@@ -102,16 +105,20 @@ class Naming:
         return _Label(kind, number=name[len(kind) :])
 
     def _is_round(self, body: str) -> bool:
-        """Whether a body has a circle with which it rolls, meshes or touches."""
+        """Whether a body has a circle with which it rolls, meshes or touches, or runs with a
+        belt.
+        """
         return len(body) < 3 and any(
-            joint.circle and joint.body == body for joint in self.template.scheme.joints
+            joint.circle and body in (joint.body, joint.of if joint.carrier else "")
+            for joint in self.template.scheme.joints
         )
 
     def _label_wheel(self, body: str) -> _Label:
-        """The wheel, or the gear; with its letter where there are several, or where the letter is a
-        Roman numeral.
+        """The wheel, gear or pulley; with its letter where there are several, or where the letter
+        is a Roman numeral.
         """
-        kind = "gear" if "gear" in self.template.about.family else "wheel"
+        family = self.template.about.family
+        kind = next((kind for part, kind in _ROUND.items() if part in family), "wheel")
         if set(body) <= set("IV"):
             return _Label(kind, number=body)
         if sum(self._is_round(other.name) for other in self.template.scheme.bodies) > 1:
