@@ -1,0 +1,69 @@
+"""Chapters of small solutions as a reader sees them: pulleys that a belt joins."""
+
+from __future__ import annotations
+
+from tests.worked.chapters import as_read, read_chapter, solve_small
+
+FIXED = """
+joints = [
+  "pin O: ground pulley1",
+  "pin C: ground pulley2",
+  "open belt: circle(C, 1) of pulley2, circle(O, 3) of pulley1 on ground",
+]
+inputs = [{ motion = "pulley1 turns", velocity = "2", acceleration="5" }]
+[points]
+O = "(0, 0)"
+C = "(6, 0)"
+[bodies]
+pulley1 = "O"
+pulley2 = "C"
+"""
+CARRIED = """
+joints = [
+  "pin O: ground arm",
+  "pin C: arm pulley",
+  "crossed belt: circle(C, 1 + 1) of pulley, circle(O, 3) of ground on arm",
+]
+inputs = [{ motion = "arm turns", velocity = "2" }]
+[points]
+O = "(0, 0)"
+C = "(6, 0)"
+[bodies]
+arm = "O C"
+pulley = "C"
+"""
+
+
+def test_an_open_belt_between_fixed_pulleys() -> None:
+    solution = solve_small(FIXED, alpha="alpha(pulley2) in rad/s^2")
+    title = "## 2. A belt joins pulley 2 and pulley 1"
+    chapter = read_chapter("# Velocities", solution)
+    assert chapter.partition(f"{title}\n")[2] == as_read(
+        r"""
+        Seen from the ground both rims always move with the speed of the belt. The belt is open,
+            so both pulleys turn in the same sense:
+        1 \cdot \omega &= 3\omega_{O}
+        \omega &= 6\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        """
+    )
+    assert read_chapter("# Accelerations", solution).partition(f"{title}\n")[2] == as_read(
+        r"""
+        Seen from the ground both rims always move with the speed of the belt. The belt is open,
+            so both pulleys turn in the same sense:
+        1 \cdot \alpha &= 3\alpha_{O}
+        \alpha &= 15\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
+        """
+    )
+
+
+def test_a_crossed_belt_about_a_fixed_pulley() -> None:
+    # omega - 2 = -3/2 (0 - 2)
+    solution = solve_small(CARRIED, omega="omega(pulley) in rad/s")
+    assert read_chapter("## 2. A belt joins the pulley and the ground", solution) == as_read(
+        r"""
+        Seen from the carrier $OC$ both rims always move with the speed of the belt. The belt is
+            crossed, so the pulleys turn in opposite senses:
+        (1 + 1)\,(\omega - \omega_{OC}) &= -3\,(0 - \omega_{OC})
+        \omega &= 5\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        """
+    )
