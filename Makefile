@@ -7,7 +7,7 @@
 # make measure   how large and how dense the code is, beside what its rebuilding aims at
 # make prove   every proof in full, at new seeds (less than an hour on two cores)
 # make catalogue LANGUAGE=de   the words of a language brought up to the English ones, or begun
-# make tools  what tests and benchmarks need beside Python: LaTeX with siunitx, poppler (Debian and Ubuntu;
+# make tools  what tests and benchmarks need besides Python: LaTeX with siunitx, poppler (Debian and Ubuntu;
 #             elsewhere it says what to install)
 # They set themselves up in .venv on a machine with Python 3.11 or newer and pip.
 

@@ -1,4 +1,4 @@
-"""What tests and benchmarks need beside Python, and how it gets onto this machine.
+"""What tests and benchmarks need besides Python, and how it gets onto this machine.
 
     python -m tests.tools     # installs what is missing; it needs no package, so any Python will do
 

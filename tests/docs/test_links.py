@@ -1,4 +1,6 @@
-"""Links and pictures of the pages lead somewhere, without the site being built."""
+"""Links and pictures of the pages lead somewhere, without the site being built, and CONTRIBUTING
+names files that exist.
+"""
 
 from __future__ import annotations
 
@@ -9,10 +11,11 @@ from pathlib import Path
 import pytest
 
 from docs.generator.pages import PAGES
-from tests.docs.pages import DOCS, list_pages
+from tests.docs.pages import DOCS, ROOT, list_pages
 
 LINK = re.compile(r"\]\((?P<target>[^)#:\s]+)(?:#[\w-]*)?\)")
 TREE = re.compile(r"^```\{toctree\}\n(.*?)^```", re.MULTILINE | re.DOTALL)
+FILE = re.compile(r"`(?P<path>[a-z_]+(?:/[\w.]+)*/\w+\.(?:csv|md|po|py|sty|txt|typ))`")
 GENERATED = {DOCS / "reference" / f"{name}.md" for name in PAGES}
 
 
@@ -46,3 +49,11 @@ def test_every_page_is_reached_from_the_first_one() -> None:
             todo += children(page)
     written = {page for page in list_pages() if page.is_relative_to(DOCS)}
     assert reached == written | GENERATED | {DOCS / "reference" / "index.md"}
+
+
+def test_the_files_that_contributing_names_exist() -> None:
+    named = set(FILE.findall((ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")))
+    real = {name for name in named if "NAME" not in name}
+    assert len(real) > 20
+    roots = (ROOT, ROOT / "kinegrade")
+    assert {name for name in real if not any((root / name).exists() for root in roots)} == set()
