@@ -21,7 +21,7 @@ QUESTION = (
     #: Shares of the points in this question.
     "credit",
     #: `drop` takes the question's points out of everyone's total; `full` gives them to everyone who
-    #: handed in.
+    #: handed in answers.
     "void",
     #: Rules for single asks: tables `[questions.q1.asks.v_B]`.
     "asks",
