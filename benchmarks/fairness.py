@@ -5,8 +5,8 @@
 For every template N papers are drawn as for an exam (1,000 unless said otherwise). Promised is
 
 1. full marks in every ask for an honest student who carries three significant figures, in the three
-   ways of `kinegrade.students.honest_rounding`, whether three figures are typed in, four, or the
-   calculator's whole display;
+   ways of `kinegrade.students.rounding.honest_rounding`, whether three figures are typed in, four,
+   or the calculator's whole display;
 2. full marks in no ask for a student who makes a known mistake, except where the template reports
    it as inseparable;
 3. that the marks name the mistake which was made in at least 99 % of these answers, alone or among

@@ -36,7 +36,7 @@ from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.students.consequences import attach_mistakes
-from kinegrade.students.honest_rounding import find_full_turn, find_nearest_turn
+from kinegrade.students.rounding.targets import find_full_turn, find_nearest_turn
 from kinegrade.students.separation import Separation
 
 CLASS = 50  # students of one exam: no template is short of instances for so few

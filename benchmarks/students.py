@@ -2,8 +2,8 @@
 mistake.
 
 Each gives for every paper of a class what is typed in, by ask. Working by hand is that of
-`kinegrade.students.honest_rounding`; the unpromised ways round in another manner, so that they are
-no copy of what draws are accepted by.
+`kinegrade.students.rounding.honest_rounding`; the unpromised ways round in another manner, so that
+they are no copy of what draws are accepted by.
 """
 
 from __future__ import annotations
@@ -15,19 +15,19 @@ from typing import Any
 
 from benchmarks.simulated_class import FIGURES, Answer, SimulatedClass
 from kinegrade.errors import KinegradeError
+from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.rounding import Rounded, Sparing
 from kinegrade.problem.quantities.functions import needs_configurations
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Ask
-from kinegrade.students.honest_rounding import (
+from kinegrade.students.mistake_kinds import Mistake, find_candidates
+from kinegrade.students.mistakes import choose_way, work_out
+from kinegrade.students.rounding.honest_rounding import (
     LOST,
-    convert_number,
     work_by_arms,
     work_by_coordinates,
 )
-from kinegrade.students.mistake_kinds import Mistake, find_candidates
-from kinegrade.students.mistakes import choose_way, work_out
 
 CARRIED = 3
 DISPLAY = 10  # digits of a calculator

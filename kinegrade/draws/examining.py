@@ -21,9 +21,9 @@ from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.problem.tolerance import find_effective_tolerance, find_scale_of_mechanism
-from kinegrade.students.honest_rounding import find_stray
-from kinegrade.students.honest_rounding_arrays import surely_honest
-from kinegrade.students.kept_decimals import RightRange, find_fitting_factor
+from kinegrade.students.rounding.honest_rounding import find_stray
+from kinegrade.students.rounding.honest_rounding_arrays import surely_honest
+from kinegrade.students.rounding.kept_decimals import RightRange, find_fitting_factor
 
 SMALLEST, LARGEST = (
     1e-3,

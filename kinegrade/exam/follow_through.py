@@ -25,12 +25,12 @@ from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.template.template import Template
-from kinegrade.students.follow_through import (
-    Follower,
+from kinegrade.students.following.connections import (
     find_connections,
     find_generic_plan,
     order_by_plan,
 )
+from kinegrade.students.following.follow_through import Follower
 from kinegrade.students.mistakes import convert_parameter
 
 KEPT = 256  # instances kept in memory, so that the student's next answers find theirs

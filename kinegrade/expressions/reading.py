@@ -34,21 +34,13 @@ from kinegrade.expressions.tree import (
 from kinegrade.language.message import Message, Quoted, Text
 
 MAX_LENGTH = 400
-
-
 MAX_DEPTH = 40
-
-
 _MAX_DIGITS = 60
-
-
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,2})?)"
     r"|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),]))",
     re.ASCII,
 )
-
-
 _Taken = TypeVar("_Taken", bound=str)
 
 

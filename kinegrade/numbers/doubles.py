@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.floats import DEPENDENT, Floats
 
@@ -62,6 +63,15 @@ class Doubles(Floats):
             raise Singular
         unknowns: list[Any] = (across.T @ (left.T @ np.array(right, dtype=float) / sizes)).tolist()
         return unknowns
+
+
+def convert_number(number: Any) -> Any:
+    """A number of any arithmetic as a double, angles in radians; arrays of doubles stay what they
+    are.
+    """
+    if isinstance(number, np.ndarray):
+        return number
+    return float(number.ball() if isinstance(number, Angle) else number)
 
 
 def _pair(rows: list[list[Any]], right: list[Any]) -> list[Any]:

@@ -12,6 +12,7 @@ from typing import Any
 
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.units import Unit
 
 
@@ -47,11 +48,11 @@ def _list_turning(motion: Motion, time: int) -> Iterator[Any]:
     """
     for body in motion.frames.mechanism.bodies:
         if not body.particle:
-            rate = abs(_convert_number(motion.omega(body.name)))
+            rate = abs(convert_number(motion.omega(body.name)))
             if time == -1:
                 yield rate
             else:
-                yield from (rate * rate, abs(_convert_number(motion.alpha(body.name))))
+                yield from (rate * rate, abs(convert_number(motion.alpha(body.name))))
 
 
 def _list_moving(motion: Motion, time: int) -> Iterator[Any]:
@@ -66,9 +67,4 @@ def _list_moving(motion: Motion, time: int) -> Iterator[Any]:
 
 def _measure_size(vector: Vector) -> Any:
     """The length of a vector in doubles."""
-    return abs(_convert_number(vector.x) + 1j * _convert_number(vector.y))
-
-
-def _convert_number(number: Any) -> Any:
-    """A number as a double; arrays of doubles stay what they are."""
-    return number if hasattr(number, "shape") else float(number)
+    return abs(convert_number(vector.x) + 1j * convert_number(vector.y))

@@ -24,7 +24,8 @@ from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.mistake_kinds import Mistake, find_candidates, list_answer_factors
-from kinegrade.students.mistakes import SAME, Outcomes, Values, convert_parameters, find_outcomes
+from kinegrade.students.mistake_outcomes import SAME, Outcomes, find_outcomes
+from kinegrade.students.mistakes import Values, convert_parameters
 
 _WRITTEN = 0.005  # relative: what three significant figures may be off
 _HALF = 0.5  # share of instances above which a mistake is inseparable from the truth

@@ -13,8 +13,9 @@ from kinegrade.numbers.doubles import Doubles
 from kinegrade.numbers.rounding import Rounded
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
-from kinegrade.students.by_hand import solve_by_hand
-from kinegrade.students.followed import OwnValue, follow_values
+from kinegrade.students.following.followed import follow_values
+from kinegrade.students.following.substituting import OwnValue
+from kinegrade.students.rounding.by_hand import solve_by_hand
 from kinegrade.students.slips import Slips, read_with_slips
 
 NAMES = ("slider-crank", "pin-in-two-rings", "rolling-wheel-rim-points")

@@ -14,7 +14,7 @@ from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.rounding import Rounded
-from kinegrade.students.by_hand import WrittenReading, solve_by_hand
+from kinegrade.students.rounding.by_hand import WrittenReading, solve_by_hand
 
 
 def slotted_rocker() -> Motion:

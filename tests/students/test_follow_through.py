@@ -14,22 +14,27 @@ import pytest
 from kinegrade.errors import MechanismError
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
-from kinegrade.students.follow_through import (
-    Follower,
+from kinegrade.students.following.connections import (
     choose_generic_values,
     find_connections,
     find_generic_plan,
-    follow_through,
     order_by_plan,
 )
-from kinegrade.students.followed_quantities import find_calls, find_level, find_name, find_share
+from kinegrade.students.following.follow_through import Follower, follow_through
+from kinegrade.students.following.followed_quantities import (
+    find_calls,
+    find_level,
+    find_name,
+    find_share,
+)
 from kinegrade.students.mistake_kinds import MISTAKES, Mistake
 from kinegrade.students.mistaken import make_mistaken_motion
-from kinegrade.students.mistakes import Mistakes, convert_number
+from kinegrade.students.mistakes import Mistakes
 from kinegrade.students.slips import Slips
 
 MOVING = [name for name in find_template_names() if load_template(name).scheme.drivers]

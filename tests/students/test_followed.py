@@ -17,8 +17,9 @@ from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.floats import Floats
-from kinegrade.students.followed import OwnValue, follow_values
-from kinegrade.students.followed_terms import Share
+from kinegrade.students.following.followed import follow_values
+from kinegrade.students.following.followed_terms import Share
+from kinegrade.students.following.substituting import OwnValue
 
 ROOT = sqrt(3)
 LEVEL = Line(Vector(0.0, 0.0), Vector(1.0, 0.0))

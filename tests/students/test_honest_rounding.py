@@ -17,16 +17,14 @@ from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.checking import check, choose_drawable
-from kinegrade.students.honest_rounding import (
+from kinegrade.students.rounding.honest_rounding import (
     Stray,
-    Target,
-    find_nearest_turn,
     find_stray,
-    find_target,
     work_by_arms,
     work_by_coordinates,
     work_honestly,
 )
+from kinegrade.students.rounding.targets import Target, find_nearest_turn, find_target
 from tests.problem.crank import crank
 from tests.problem.draws import dealt, draw_filter, drawn
 from tests.said import all_said, said

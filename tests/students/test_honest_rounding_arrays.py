@@ -14,8 +14,8 @@ from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
-from kinegrade.students.honest_rounding import find_stray
-from kinegrade.students.honest_rounding_arrays import surely_honest
+from kinegrade.students.rounding.honest_rounding import find_stray
+from kinegrade.students.rounding.honest_rounding_arrays import surely_honest
 from tests.problem.crank import crank
 
 NAMES = (

@@ -17,6 +17,7 @@ import kinegrade
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.language import Language
 from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.tolerance import ONE_PER_CENT
 from kinegrade.problem.solving import (
     find_parameter_values,
@@ -33,13 +34,11 @@ from kinegrade.proof.reporting import write_findings
 from kinegrade.students.consequences import attach_mistakes
 from kinegrade.students.mistake_kinds import MISTAKES, find_candidates, take_degrees_as_radians
 from kinegrade.students.mistake_names import MISTAKE_NAMES, describe_mistakes
+from kinegrade.students.mistake_outcomes import RIGHT, find_outcomes
 from kinegrade.students.mistakes import (
-    RIGHT,
     choose_way,
-    convert_number,
     convert_parameters,
     find_known_mistakes,
-    find_outcomes,
     work_out,
 )
 from kinegrade.students.separation import collect_columns, measure_distance

@@ -19,7 +19,7 @@ from kinegrade.exam.setting.derivation import derive_question
 from kinegrade.exam.setting.setting import Exam, SetPaper, SetQuestion
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
-from kinegrade.students.follow_through import find_generic_plan
+from kinegrade.students.following.connections import find_generic_plan
 
 _Term: TypeAlias = Literal["code", "version", "questions", "printed"]
 

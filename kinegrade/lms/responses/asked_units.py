@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message
-from kinegrade.students.kept_decimals import list_finer_units
+from kinegrade.students.rounding.kept_decimals import list_finer_units
 
 _TAG = re.compile(r"<[^>]*>")
 _POWER = re.compile(r"\^(-?\d+)")

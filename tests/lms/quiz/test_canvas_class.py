@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.students.kept_decimals import RightRange, find_fitting_factor, round_as_kept
+from kinegrade.students.rounding.kept_decimals import RightRange, find_fitting_factor, round_as_kept
 from tests.lms.quiz.packages import files_of
 from tests.problem.crank import crank_text
 from tests.small_class import kinegrade

@@ -8,7 +8,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from kinegrade.exam.quiz.document import QuizAsk
-from kinegrade.students.kept_decimals import RightRange, find_fitting_factor, list_finer_units
+from kinegrade.students.rounding.kept_decimals import (
+    RightRange,
+    find_fitting_factor,
+    list_finer_units,
+)
 
 Place = tuple[str, str]  # the question and the ask
 

@@ -8,9 +8,9 @@ stay, and all later steps use it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeVar, assert_never
+from typing import assert_never
 
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.frames import Frames
@@ -21,7 +21,7 @@ from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.numbers.number import Arithmetic, Number
-from kinegrade.students.followed_terms import (
+from kinegrade.students.following.followed_terms import (
     FollowedReading,
     Place,
     Share,
@@ -29,32 +29,17 @@ from kinegrade.students.followed_terms import (
     read_to_follow,
     write_relations,
 )
+from kinegrade.students.following.substituting import (
+    NOTHING,
+    SAME,
+    OwnValue,
+    measure,
+    measure_slope,
+    move_to_value,
+)
 from kinegrade.students.unsuspecting import Unsuspecting
 
-_NOTHING = 1e-12  # relative: anything smaller is rounding
-_SAME = 1e-9  # relative: how near a reading must come to the student's value
-_STRAIGHT = 1e-4  # relative: the largest miss of one step along a tangent, to be refined
 _NEARBY = 1e-3  # relative: how far a number is changed to see what depends on it
-
-
-@dataclass(frozen=True)
-class OwnValue:
-    """A student's value: `read` reads the quantity off a motion, `value` is the number that
-    replaces it.
-
-    `read` gives None where the motion does not determine the quantity yet. `place` is the body and
-    point whose velocity or acceleration it is, `part` the share of a Coriolis or normal part; both
-    None for angular and for relative motions.
-    """
-
-    read: Callable[[Motion], float | None]
-    value: float
-    level: Level
-    place: Place | None = None
-    part: Share | None = None
-
-
-_Key = TypeVar("_Key", bound=Hashable)
 
 
 def follow_values(
@@ -92,7 +77,7 @@ def _put_in_parts(motion: Motion, reading: FollowedReading, values: Iterable[Own
     for value in values:
         if value.part:
             open_shares = {value.part: 1.0, **shares}
-            shares = _move(take, value, open_shares, {value.part: _NEARBY})
+            shares = move_to_value(take, value, open_shares, {value.part: _NEARBY})
     return take(shares)
 
 
@@ -151,11 +136,13 @@ class _Run:
         """What is found, with a student's value substituted for what the step determines it by."""
         rate = None if self._is_given(step) else self._one_rate(wanted, found, step)
         if rate is not None:
-            return _move(self._take, wanted, found, {rate: _choose_reach(found, rate)})
+            return move_to_value(self._take, wanted, found, {rate: _choose_reach(found, rate)})
         if not wanted.place:
             return found
         reach = _NEARBY * max(map(abs, self._read_vector(wanted.place, found)))
-        return _move(self._take, wanted, found, dict.fromkeys(make_offsets(wanted.place), reach))
+        return move_to_value(
+            self._take, wanted, found, dict.fromkeys(make_offsets(wanted.place), reach)
+        )
 
     def _read_vector(self, place: Place, found: Rates) -> Vector:
         """The velocity or acceleration of a point."""
@@ -175,18 +162,18 @@ class _Run:
         """
         if wanted.place and not self._moves_by_one(wanted.place):
             return None
-        now = _measure(wanted, self._take(found))
+        now = measure(wanted, self._take(found))
         reaches = {rate: _choose_reach(found, rate) for rate in step.unknowns}
         rates = [
             rate
             for rate, reach in reaches.items()
-            if abs(_measure_slope(self._take, wanted, found, rate, reach)) * reach
-            > _NOTHING * abs(now)
+            if abs(measure_slope(self._take, wanted, found, rate, reach)) * reach
+            > NOTHING * abs(now)
         ]
         if len(rates) != 1:
             return None
-        without = _measure(wanted, self._take({**found, rates[0]: 0.0})) if wanted.place else 0.0
-        return None if abs(without) > _SAME * abs(now) else rates[0]
+        without = measure(wanted, self._take({**found, rates[0]: 0.0})) if wanted.place else 0.0
+        return None if abs(without) > SAME * abs(now) else rates[0]
 
     def _moves_by_one(self, place: Place) -> bool:
         """Whether one rate alone determines the motion of a point."""
@@ -202,59 +189,3 @@ class _Run:
 def _choose_reach(found: Rates, rate: Rate) -> float:
     """How far to change a rate to see what depends on it."""
     return _NEARBY * float(abs(found[rate]) or max(map(abs, found.values())) or 1.0)
-
-
-def _measure(wanted: OwnValue, motion: Motion) -> float:
-    """The student's quantity in a motion, 0 where it has none."""
-    return wanted.read(motion) or 0.0
-
-
-def _measure_slope(
-    take: Callable[[Mapping[_Key, Number]], Motion],
-    wanted: OwnValue,
-    found: Mapping[_Key, Number],
-    changed: _Key,
-    reach: float,
-) -> float:
-    """The derivative of the student's quantity with respect to one of the numbers that are
-    found; `take` gives the motion with them.
-    """
-    if not reach:
-        return 0.0
-    above, below = (
-        _measure(wanted, take({**found, changed: found[changed] + step}))
-        for step in (reach, -reach)
-    )
-    return (above - below) / (2 * reach)
-
-
-def _move(
-    take: Callable[[Mapping[_Key, Number]], Motion],
-    wanted: OwnValue,
-    found: Mapping[_Key, Number],
-    reaches: Mapping[_Key, float],
-) -> Mapping[_Key, Number]:
-    """What is found, with some numbers changed by as little as possible so that the student's
-    quantity has the student's value.
-
-    Unchanged where the quantity is not linear in them: an angle, or a magnitude that cannot be
-    negative.
-    """
-    moved, now = found, _measure(wanted, take(found))
-    change = abs(wanted.value - now)
-    for tolerance in (_STRAIGHT, _SAME, _SAME):
-        missing = wanted.value - now
-        if not abs(missing) > _NOTHING * abs(wanted.value):
-            return moved
-        slopes = {
-            name: _measure_slope(take, wanted, moved, name, reach)
-            for name, reach in reaches.items()
-        }
-        steepness = sum(slope * slope for slope in slopes.values())
-        if steepness:
-            steps = {name: missing * slope / steepness for name, slope in slopes.items()}
-            moved = {**moved, **{name: moved[name] + step for name, step in steps.items()}}
-            now = _measure(wanted, take(moved))
-        if not abs(wanted.value - now) <= tolerance * change:
-            return found
-    return moved

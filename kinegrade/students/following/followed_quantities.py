@@ -21,7 +21,7 @@ from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.quantities.functions import make_quantities
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS, read_normal
 from kinegrade.problem.quantities.reader import MotionReader
-from kinegrade.students.followed_terms import Share
+from kinegrade.students.following.followed_terms import Share
 
 _ROTATION = "rotation_velocity"
 

@@ -1,9 +1,9 @@
 """Honest work with rounded numbers for many instances at once: for which of them all answers surely
 come out right.
 
-The ways of working are those of `kinegrade.students.honest_rounding`, in arithmetic that gives
-every instance what it gives alone, to the last bit; so it does not matter which instances are
-looked at together. What is not settled here, or not right, is left to `honest_rounding.stray`.
+The ways of working are those of `honest_rounding`, in arithmetic that gives every instance what it
+gives alone, to the last bit; so it does not matter which instances are looked at together. What is
+not settled here, or not right, is left to `find_stray`.
 """
 
 from __future__ import annotations
@@ -28,15 +28,17 @@ from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantities.functions import needs_configurations
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template.template import Template
-from kinegrade.students.honest_rounding import (
-    Target,
+from kinegrade.students.rounding.honest_rounding import (
     convert_value,
+    work_by_arms,
+    work_by_coordinates,
+)
+from kinegrade.students.rounding.targets import (
+    Target,
     find_nearest_turn,
     find_targets,
     list_carried_figures,
     safe_room,
-    work_by_arms,
-    work_by_coordinates,
 )
 
 _FEW = 4  # so few instances are worked out sooner one by one
@@ -65,7 +67,7 @@ class _Instance:
 
 def surely_honest(solutions: Sequence[Solution], tolerances: Mapping[str, Tolerance]) -> list[bool]:
     """For each solution of a template whether all honest work surely comes out right; else
-    `honest_rounding.stray` decides.
+    `find_stray` decides.
     """
     sure = [False] * len(solutions)
     if not solutions or not _can_be_stacked(solutions[0].template, solutions[0].answers):

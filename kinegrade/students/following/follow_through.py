@@ -7,11 +7,10 @@ keeps one instance.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from math import isfinite, modf, pi
+from math import isfinite, pi
 from typing import Any
 
 from kinegrade.errors import KinegradeError
@@ -21,13 +20,13 @@ from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan
-from kinegrade.numbers.doubles import Doubles
+from kinegrade.numbers.doubles import Doubles, convert_number
 from kinegrade.problem.assemble import Assembly, assemble
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.quantities.reader import MotionReader, find_body_names
 from kinegrade.problem.template.template import Ask, Template
-from kinegrade.students.followed import OwnValue, follow_values
-from kinegrade.students.followed_quantities import (
+from kinegrade.students.following.followed import follow_values
+from kinegrade.students.following.followed_quantities import (
     find_calls,
     find_level,
     find_name,
@@ -35,12 +34,11 @@ from kinegrade.students.followed_quantities import (
     make_functions,
     replace_differences,
 )
-from kinegrade.students.followed_terms import Place
-from kinegrade.students.mistakes import CloseCentrodes, convert_number, convert_parameter
+from kinegrade.students.following.followed_terms import Place
+from kinegrade.students.following.substituting import OwnValue
+from kinegrade.students.mistaken_answers import CloseCentrodes
 
-_SAME = 1e-9  # relative: what is closer is not changed, only rounded
-_INSTANCES = 8  # looked at to see which asks are connected
-_GOLDEN, _ROOT = 0.6180339887, 0.4142135624  # steps along choices that never meet again
+SAME = 1e-9  # relative: what is closer is not changed, only rounded
 # Times the right answer, or below its thousandth part: from there nothing sensible follows
 _FARTHEST = 1000
 
@@ -97,7 +95,7 @@ class Follower:
             or abs(found) * _FARTHEST <= abs(right)
         ):
             return None
-        return found if abs(perturbed - found) > _SAME * max(abs(found), abs(right)) else None
+        return found if abs(perturbed - found) > SAME * max(abs(found), abs(right)) else None
 
     def _sensible(self, name: str, value: float) -> bool:
         """Whether a student's answer may be put in: it is within a factor of a thousand of the
@@ -106,7 +104,7 @@ class Follower:
         right = self.right(name)
         return (
             right is not None
-            and abs(right) > _SAME
+            and abs(right) > SAME
             and 1 / _FARTHEST <= abs(value / right) <= _FARTHEST
         )
 
@@ -241,75 +239,8 @@ class Follower:
         return value if isfinite(value) else None
 
 
-def find_connections(template: Template) -> frozenset[tuple[str, str]]:
-    """Which ask (first) another one (second) depends on in a template: at one of several sets of
-    values at least.
-    """
-    found: set[tuple[str, str]] = set()
-    for number in range(_INSTANCES):
-        with suppress(KinegradeError, ArithmeticError):
-            found.update(
-                _find_connected(Follower(template, choose_generic_values(template, number)))
-            )
-    return frozenset(found)
-
-
-def find_generic_plan(template: Template) -> Plan | None:
-    """The plan of a template, found where nothing is special; None where no drawable values have
-    one.
-    """
-    for number in range(_INSTANCES):
-        with suppress(KinegradeError, ArithmeticError):
-            return Follower(template, choose_generic_values(template, number)).plan
-    return None
-
-
-def choose_generic_values(template: Template, number: int) -> dict[str, float]:
-    """One of many sets of drawable parameters, in SI: each as far along its choices as chance would
-    have it.
-    """
-    shares = (
-        modf(number * _GOLDEN + place * _ROOT)[0] for place in range(len(template.parameters))
-    )
-    return {
-        name: convert_parameter(parameter, parameter.choices[int(share * len(parameter.choices))])
-        for (name, parameter), share in zip(template.parameters.items(), shares, strict=True)
-    }
-
-
-def _find_connected(follower: Follower) -> Iterator[tuple[str, str]]:
-    """Which ask each one depends on in an instance: a change of the first by one per cent changes
-    the second.
-    """
-    asks = follower.template.asks
-    right = {name: follower.right(name) for name in asks}
-    for earlier, number in right.items():
-        motion = follower.motion({earlier: number * 1.01}) if number else None
-        for later, before in right.items():
-            after = follower.read(asks[later], motion) if motion and later != earlier else None
-            if (
-                before is not None
-                and after is not None
-                and abs(after - before) > _SAME * max(abs(before), abs(after))
-            ):
-                yield earlier, later
-
-
 def _perturb_values(answers: Mapping[str, float]) -> dict[str, float]:
     """The answers, each changed a little, and no two of them by the same share."""
     return {
         name: value * (1 + (place + 1) / 97) for place, (name, value) in enumerate(answers.items())
     }
-
-
-def order_by_plan(template: Template, asks: Iterable[str]) -> tuple[str, ...]:
-    """The asks in the order in which the plan comes to them: of velocities, of Coriolis and normal
-    parts, which velocities decide, then of accelerations; alike ones stay as they stand.
-    """
-
-    def stage(name: str) -> int:
-        calls = find_calls(template.asks[name].quantity) if name in template.asks else ()
-        accelerations = [call for call in calls if find_level(call) == "acceleration"]
-        return bool(accelerations) + any(not find_share(call) for call in accelerations)
-
-    return tuple(sorted(asks, key=stage))
