@@ -18,6 +18,8 @@ import kinegrade
 from kinegrade.language import ENGLISH, Language
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.joints import Joint
+from kinegrade.mechanics.relations import Kind as TermKind
+from kinegrade.mechanics.vector_equation import Role
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.texts import list_lines, list_prose
 
@@ -216,6 +218,29 @@ def list_asked_classes(tree: ast.Module) -> Iterator[str]:
             yield from (part.id for part in ast.walk(node.args[1]) if isinstance(part, ast.Name))
 
 
+def list_compared_texts(tree: ast.AST) -> Iterator[str]:
+    """The texts that a module compares something with: by an operator, in a set, or in a pattern."""
+    compared = ast.Compare | ast.MatchValue | ast.Set
+    for node in ast.walk(tree):
+        if isinstance(node, compared):
+            yield from texts_without_docstrings(node)
+
+
+def test_a_joint_that_is_asked_for_by_its_name_is_seen_in_every_form() -> None:
+    asked = 'a.kind == "roll"; "pin" in kinds; kinds & {"mesh"}'
+    matched = 'match kind:\n    case "contact" | "sleeve":\n        ...'
+    assert set(list_compared_texts(ast.parse(asked))) == {"roll", "pin", "mesh"}
+    assert set(list_compared_texts(ast.parse(matched))) == {"contact", "sleeve"}
+
+
+def test_no_module_compares_anything_with_the_name_of_a_joint_or_driver() -> None:
+    other_words = {*get_args(TermKind), *get_args(Role)}  # they mean a term of a vector equation
+    names = {part.__name__.lower() for kinds in (Joint, Driver) for part in get_args(kinds)}
+    assert {"pin", "mesh", "circulation"} <= names - other_words
+    found = {name: set(list_compared_texts(tree)) & names for name, tree in TREES.items()}
+    assert {name: words - other_words for name, words in found.items() if words - other_words} == {}
+
+
 def test_no_module_asks_which_joint_or_driver_it_has_but_the_symbol_table_of_figures() -> None:
     rooms = ("kinegrade.mechanics.joints", "kinegrade.mechanics.drivers", "kinegrade.figure.joints")
     parts = {part.__name__ for kinds in (Joint, Driver) for part in get_args(kinds)}
@@ -271,7 +296,7 @@ def test_only_what_hands_values_to_other_processes_knows_pickle() -> None:
     assert knowing == {"kinegrade.processes.executor"}
 
 
-def texts_without_docstrings(tree: ast.Module) -> Iterator[str]:
+def texts_without_docstrings(tree: ast.AST) -> Iterator[str]:
     """The string constants of a module, parts of f-strings too; no docstrings."""
     documented = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
     docstrings = {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from kinegrade.language.message import Message
 
@@ -33,3 +33,18 @@ class Element(ABC):
         """What makes it meaningless: that it is of a body with itself."""
         if len(set(self.list_bodies()[:2])) < 2:
             yield Message("mechanics.relative-to-itself")
+
+
+def require_attributes(element: type[Element], names: Iterable[str]) -> None:
+    """Refuse a class of joints or drivers that lacks an attribute, unless it lacks a method as well
+    and so can be a base only. Raises TypeError.
+    """
+    lacking = [name for name in names if not hasattr(element, name)]
+    if lacking and not _is_abstract(element):
+        raise TypeError(f"{element.__name__} lacks {', '.join(lacking)}")
+
+
+def _is_abstract(element: type[Element]) -> bool:
+    """Whether a class still lacks a method; Python notes it only after the class is made."""
+    members = (getattr(element, name, None) for name in dir(element))
+    return any(getattr(member, "__isabstractmethod__", False) for member in members)

@@ -54,11 +54,15 @@ class Base:
 
 @dataclass(frozen=True)
 class Frames:
-    """The chains of a mechanism's points and the relations that determine its rates."""
+    """The chains of a mechanism's points and the relations that determine its rates.
+
+    `guiding` are the numbers of the joints that guide points, by the rate of each point's motion.
+    """
 
     mechanism: Mechanism
     bases: Mapping[str, Base]
     relations: tuple[Relation, ...]
+    guiding: Mapping[Rate, int]
 
     def chain(self, body: str, point: str) -> Chain:
         """The terms whose sum is the velocity of `point`, taken as a point of `body`."""
@@ -81,7 +85,8 @@ def build_frames(mechanism: Mechanism, arithmetic: Arithmetic) -> Frames:
         driver.state(number, find_chain, mechanism.points, arithmetic)
         for number, driver in enumerate(mechanism.drivers)
     ]
-    return Frames(mechanism, bases, tuple(relations))
+    guiding = {guide.term.rate: number for number, guide in enumerate(guides) if guide}
+    return Frames(mechanism, bases, tuple(relations), guiding)
 
 
 def build_chain(mechanism: Mechanism, bases: Mapping[str, Base], body: str, point: str) -> Chain:

@@ -156,7 +156,7 @@ def _map_frames(frames: Frames, number: Callable[[Number], Number]) -> Frames:
         for name, base in frames.bases.items()
     }
     relations = tuple(relation.map(number) for relation in frames.relations)
-    return Frames(replace(frames.mechanism, points=points), bases, relations)
+    return Frames(replace(frames.mechanism, points=points), bases, relations, frames.guiding)
 
 
 class _Undriven(dict[Rate, Number]):

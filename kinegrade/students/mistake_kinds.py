@@ -177,26 +177,24 @@ def find_candidates(template: Template, asks: Mapping[str, Ask]) -> Iterator[Mis
 
 def _find_share_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
     """For each share of a term whether the template has such terms."""
-    kinds = {joint.kind for joint in template.scheme.joints}
+    slips = {slip for joint in template.scheme.joints for slip in joint.stated.SLIPS}
     relative = any(joint.of != GROUND for joint in template.scheme.joints) or any(
         driver.of != GROUND for driver in template.scheme.drivers
     )
     accelerations = any(ask.unit.time == -2 for ask in asks.values())
-    wheels, belts = bool(kinds & {"roll", "mesh"}), "belt" in kinds
     return {
         "coriolis": accelerations and relative,
         "relative_normal": accelerations,
         "path_normal": accelerations,
-        "carried": wheels
-        or belts
+        "carried": "carried" in slips
         or any(driver.of != GROUND for driver in template.scheme.drivers),
         "asked_relative": any(_calls(ask.quantity, ("omega", "alpha"), 2) for ask in asks.values()),
-        "meshing": wheels,
-        "crossing": belts,
-        "arm": wheels,
-        "centre": wheels,
+        "meshing": "meshing" in slips,
+        "crossing": "crossing" in slips,
+        "arm": "arm" in slips,
+        "centre": "centre" in slips,
         "relative": relative,
-        "pole": "pin" in kinds,
+        "pole": "pole" in slips,
     }
 
 

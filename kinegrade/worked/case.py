@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, assert_never
 
-from kinegrade.expressions.tree import Call, Name
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.math.latex import SOURCE, write_latex_row
@@ -103,30 +102,10 @@ class Case:
         """The sentence of the joint that guides a sliding or circling point, None for a free
         point.
         """
-        rate = term.rate
-        if not rate.is_guided:
-            return None
-        for sentence in self.template.scheme.joints:
-            same = sentence.body == rate.body and sentence.of == rate.of
-            if same and (
-                sentence.point == rate.point
-                or _find_centre(sentence) == rate.point
-                or sentence.kind == "sleeve"
-            ):
-                return sentence
-        return None
+        number = self.motion.frames.guiding.get(term.rate)
+        return None if number is None else self.template.scheme.joints[number]
 
 
 def write_row(row: Row) -> str:
     """A math tree as LaTeX math for sentences and pictures."""
     return write_latex_row(row, SOURCE)
-
-
-def _find_centre(sentence: JointSentence) -> str:
-    """The point about which a touching or rolling circle lies, "" where the joint has none."""
-    return _find_first_name(sentence.circle) if sentence.circle else ""
-
-
-def _find_first_name(call: Call) -> str:
-    """The name that stands first in the brackets of a line or a circle, "" where none does."""
-    return call.arguments[0].name if call.arguments and isinstance(call.arguments[0], Name) else ""

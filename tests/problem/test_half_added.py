@@ -33,9 +33,11 @@ SPINS = (('motion = "OA turns"', 'motion = "OA spins"'),)
 
 
 def borrow(name: str, whole: type[Element], base: type[Element], lacking: str = "") -> Any:
-    """A new class of joints or drivers that borrows its methods from another one, but for one."""
-    methods = {method: getattr(whole, method) for method in base.__abstractmethods__ - {lacking}}
-    return type(name, (base,), methods)
+    """A new class of joints or drivers that borrows all that it needs from another one, but for one
+    method or attribute.
+    """
+    needed = base.__abstractmethods__ | set(base.__annotations__)
+    return type(name, (base,), {part: getattr(whole, part) for part in needed - {lacking}})
 
 
 BELT_JOINT = borrow("Belt", Parallel, Constraint)
@@ -77,7 +79,6 @@ def test_no_answers_come_of_the_sentence_of_a_half_done_input(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     half = state(borrow("Spin", Rotation, DrivingConstraint, "state"), r"(?P<body>\w+) spins")
-    half.TURNS = True
     monkeypatch.setattr(sentences, "DRIVERS", (*sentences.DRIVERS, half))
     assert "abstract class Spin" in solved(crank_text(*SPINS), tmp_path)
 
@@ -86,6 +87,23 @@ def test_no_answers_come_of_the_sentence_of_a_half_done_input(
 def test_a_joint_that_lacks_a_method_cannot_be_made(method: str) -> None:
     with pytest.raises(TypeError, match=f"abstract .* {method}"):
         borrow("Belt", Parallel, Constraint, method)()
+
+
+@pytest.mark.parametrize("attribute", ["EXAMPLE", "PATTERN", "SLIPS"])
+def test_a_joint_that_lacks_an_attribute_is_refused_as_a_class(attribute: str) -> None:
+    with pytest.raises(TypeError, match=f"Belt lacks {attribute}$"):
+        borrow("Belt", Parallel, Constraint, attribute)
+
+
+@pytest.mark.parametrize("attribute", ["EXAMPLES", "PATTERN", "TURNS"])
+def test_a_driver_that_lacks_an_attribute_is_refused_as_a_class(attribute: str) -> None:
+    with pytest.raises(TypeError, match=f"Spin lacks {attribute}$"):
+        borrow("Spin", Rotation, DrivingConstraint, attribute)
+
+
+def test_what_joints_have_in_common_may_leave_the_attributes_to_them() -> None:
+    pair = type("Pair", (Constraint,), {})
+    assert not hasattr(pair, "PATTERN")
 
 
 @pytest.mark.parametrize("method", sorted(DrivingConstraint.__abstractmethods__))

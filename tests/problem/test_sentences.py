@@ -8,94 +8,106 @@ import pytest
 
 from kinegrade.errors import FieldError
 from kinegrade.expressions.tree import Number
+from kinegrade.mechanics.drivers import Circulation, Component, Rotation
+from kinegrade.mechanics.joints import (
+    Arc,
+    Belt,
+    Contact,
+    Mesh,
+    Parallel,
+    Pin,
+    Roll,
+    Sleeve,
+    Slide,
+)
 from kinegrade.problem.template.sections.asks import read_sign
 from kinegrade.problem.template.sentences import read_driver, read_joint
 from kinegrade.problem.template.translated import Translated
 
 
 @pytest.mark.parametrize(
-    ("text", "kind", "fields"),
+    ("text", "stated", "fields"),
     [
-        ("pin A: OA AB", "pin", {"point": "A", "bodies": ("OA", "AB")}),
-        ("pin A: OA, AB, AC", "pin", {"bodies": ("OA", "AB", "AC")}),
-        ("B of AB slides on line(O, 0)", "slide", {"point": "B", "body": "AB", "of": "ground"}),
-        ("A of AB slides on line(O, A) of OC", "slide", {"of": "OC"}),
-        ("O of ground slides on line(O, A) of AB", "slide", {"body": "ground", "of": "AB"}),
-        ("AB slides through sleeve along line(O, A)", "sleeve", {"body": "AB", "of": "sleeve"}),
-        ("M stays on circle(O1, R) of ring1", "arc", None),
+        ("pin A: OA AB", Pin, {"point": "A", "bodies": ("OA", "AB")}),
+        ("pin A: OA, AB, AC", Pin, {"bodies": ("OA", "AB", "AC")}),
+        ("B of AB slides on line(O, 0)", Slide, {"point": "B", "body": "AB", "of": "ground"}),
+        ("A of AB slides on line(O, A) of OC", Slide, {"of": "OC"}),
+        ("O of ground slides on line(O, A) of AB", Slide, {"body": "ground", "of": "AB"}),
+        ("AB slides through sleeve along line(O, A)", Sleeve, {"body": "AB", "of": "sleeve"}),
+        ("M stays on circle(O1, R) of ring1", Arc, None),
         (
             "M of rod stays on circle(O1, R) of ring1",
-            "arc",
+            Arc,
             {"point": "M", "body": "rod", "of": "ring1"},
         ),
         (
             "circle(C, R) of cam touches line(A, 0) of BC",
-            "contact",
+            Contact,
             {"body": "cam", "of": "BC", "options": set()},
         ),
         (
             "circle(C, R) of cam touches circle(D, r + 1) of BC inside",
-            "contact",
+            Contact,
             {"options": {"inside"}},
         ),
         (
             "circle(A, r2) of II rolls on circle(O, r1) inside",
-            "roll",
+            Roll,
             {"body": "II", "of": "ground", "options": {"inside"}},
         ),
         (
             "circle(A, (r1 + r2)/2) of II rolls on line(O, 0) of rack",
-            "roll",
+            Roll,
             {"of": "rack", "options": set()},
         ),
         (
             "circle(A, r1) of I meshes with circle(B, r2) of II on arm",
-            "mesh",
+            Mesh,
             {"of": "II", "carrier": "arm", "options": set()},
         ),
         (
             "circle(A, r1) of I meshes with circle(B, r2) of ground on arm inside",
-            "mesh",
+            Mesh,
             {"of": "ground", "options": {"inside"}},
         ),
         (
             "open belt: circle(A, r1) of I, circle(B, r2) of II on arm",
-            "belt",
+            Belt,
             {"body": "I", "of": "II", "carrier": "arm", "options": set()},
         ),
         (
             "crossed belt: circle(A, (r1 + r2)/2) of I, circle(B, r2) of ground on arm",
-            "belt",
+            Belt,
             {"of": "ground", "options": {"crossed"}},
         ),
-        ("belt: circle(A, r1) of I, circle(B, r2) of II on arm", "belt", None),
-        ("BC translates", "parallel", {"body": "BC", "of": "ground"}),
-        ("rod turns with arm", "parallel", {"body": "rod", "of": "arm"}),
+        ("belt: circle(A, r1) of I, circle(B, r2) of II on arm", Belt, None),
+        ("BC translates", Parallel, {"body": "BC", "of": "ground"}),
+        ("rod turns with arm", Parallel, {"body": "rod", "of": "arm"}),
     ],
 )
-def test_joint_sentences(text: str, kind: str, fields: dict[str, Any] | None) -> None:
+def test_joint_sentences(text: str, stated: type, fields: dict[str, Any] | None) -> None:
     if fields is None:
         with pytest.raises(FieldError, match="no such joint"):
             read_joint(text)
         return
     sentence = read_joint(f"  {text} ")
-    assert sentence.kind == kind
+    assert sentence.stated is stated
     assert {name: getattr(sentence, name) for name in fields} == fields
 
 
 @pytest.mark.parametrize(
-    ("text", "kind", "fields"),
+    ("text", "stated", "fields"),
     [
-        ("OA turns", "rotation", {"body": "OA", "of": "ground"}),
-        ("AB turns relative to OA", "rotation", {"of": "OA"}),
-        ("B of AB moves along -x", "component", {"point": "B", "body": "AB", "of": "ground"}),
-        ("M of M moves along direction(O, A) relative to AE", "component", {"of": "AE"}),
-        ("A of W circles O", "circulation", {"point": "A", "body": "W", "centre": "O"}),
+        ("OA turns", Rotation, {"body": "OA", "of": "ground"}),
+        ("AB turns relative to OA", Rotation, {"of": "OA"}),
+        ("B of AB moves along -x", Component, {"point": "B", "body": "AB", "of": "ground"}),
+        ("M of M moves along direction(O, A) relative to AE", Component, {"of": "AE"}),
+        ("A of W circles O", Circulation, {"point": "A", "body": "W", "centre": "O"}),
     ],
 )
-def test_input_sentences(text: str, kind: str, fields: dict[str, str]) -> None:
+def test_input_sentences(text: str, stated: type, fields: dict[str, str]) -> None:
     sentence = read_driver(text, Number(1), Number(0))
-    assert sentence.kind == kind
+    assert sentence.stated is stated
     assert {name: getattr(sentence, name) for name in fields} == fields
 
 

@@ -24,9 +24,9 @@ from kinegrade.mechanics.laws import DoubledRotation
 class Doubling(Constraint):
     """`body` turns twice as fast as `of`."""
 
-    KIND = "doubling"
     PATTERN = r"(?P<body>\\w+) turns twice with (?P<of>\\w+)"
     EXAMPLE = "... turns twice with ..."
+    SLIPS = ()
 
     body: str
     of: str
@@ -216,7 +216,7 @@ def add_proof(room: Path) -> None:
         room / "position.py",
         (
             "            case Parallel(body, of):",
-            "            case _ if joint.KIND == 'doubling':\n"
+            "            case _ if type(joint).__name__ == 'Doubling':\n"
             "                yield turn[joint.body] - 2 * turn[joint.of]\n"
             "            case Parallel(body, of):",
         ),

@@ -24,7 +24,6 @@ class Circulation(DrivingConstraint):
     positive.
     """
 
-    KIND = "circulation"
     PATTERN = r"(?P<point>\w+) of (?P<body>\w+) circles (?P<centre>\w+)"
     EXAMPLES = ("A of W circles O",)
     TURNS = False

@@ -24,7 +24,6 @@ class Component(DrivingConstraint):
     For a point that moves on a straight path this is its motion along the path.
     """
 
-    KIND = "component"
     PATTERN = (
         r"(?P<point>\w+) of (?P<body>\w+) moves along (?P<along>.+?)(?: relative to (?P<of>\w+))?"
     )

@@ -6,7 +6,7 @@ from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from typing import ClassVar, Self
 
-from kinegrade.mechanics.element import Element
+from kinegrade.mechanics.element import Element, require_attributes
 from kinegrade.mechanics.relations import Chain, Relation
 from kinegrade.mechanics.sentence import DriverParts
 from kinegrade.mechanics.vector import Vector
@@ -20,10 +20,14 @@ class DrivingConstraint(Element):
     `EXAMPLES` are shown, and what it drives `TURNS` or moves along a path.
     """
 
-    KIND: ClassVar[str]
     PATTERN: ClassVar[str]
     EXAMPLES: ClassVar[tuple[str, ...]]
     TURNS: ClassVar[bool]
+
+    def __init_subclass__(cls) -> None:
+        """Refuses a driver that lacks one of them. Raises TypeError."""
+        super().__init_subclass__()
+        require_attributes(cls, DrivingConstraint.__annotations__)
 
     @classmethod
     @abstractmethod

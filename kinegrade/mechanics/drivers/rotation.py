@@ -22,7 +22,6 @@ class Rotation(DrivingConstraint):
     positive.
     """
 
-    KIND = "rotation"
     PATTERN = r"(?P<body>\w+) turns(?: relative to (?P<of>\w+))?"
     EXAMPLES = ("OA turns", "AB turns relative to OA")
     TURNS = True

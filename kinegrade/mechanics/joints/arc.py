@@ -21,9 +21,9 @@ from kinegrade.numbers.number import Arithmetic
 class Arc(Constraint):
     """`point` of `body` stays on a circle fixed in the body `of`; the centre is a point of `of`."""
 
-    KIND = "arc"
     PATTERN = rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){OF}"
     EXAMPLE = "... stays on circle(C, r) of ..."
+    SLIPS = ()
 
     point: str
     body: str

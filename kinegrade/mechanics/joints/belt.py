@@ -22,12 +22,12 @@ class Belt(CarriedPair):
     `crossed` when its strands cross between them, so that the pulleys turn in opposite senses.
     """
 
-    KIND = "belt"
     PATTERN = (
         rf"(?:(?P<crossed>crossed)|open) belt: {CIRCLE}, (?P<on>circle\(.+?\)) of (?P<of>\w+) "
         r"on (?P<carrier>\w+)"
     )
     EXAMPLE = "open belt: ..., ... on ..."
+    SLIPS = ("crossing", "carried")
 
     crossed: bool = False
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Iterator, Mapping
 from functools import cached_property
-from typing import ClassVar, Self
+from typing import ClassVar, Literal, Self
 
 from kinegrade.language.message import Message
-from kinegrade.mechanics.element import Element
+from kinegrade.mechanics.element import Element, require_attributes
 from kinegrade.mechanics.laws import Condition, Law, SharedPoint
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.sentence import JointParts
@@ -16,15 +16,26 @@ from kinegrade.mechanics.shapes import Circle, Line, Shape
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
 
+Slip = Literal["meshing", "crossing", "carried", "arm", "centre", "pole"]
+
 
 class Constraint(Element):
     """A joint; `PATTERN` is the regular expression of its sentence, with its parts by name, and
     `EXAMPLE` one that is shown.
+
+    `SLIPS` are the parts of what it states that students are known to take wrongly; it `TOUCHES`
+    where the profile of one body may slip on that of another.
     """
 
-    KIND: ClassVar[str]
     PATTERN: ClassVar[str]
     EXAMPLE: ClassVar[str]
+    SLIPS: ClassVar[tuple[Slip, ...]]
+    TOUCHES: ClassVar[bool] = False
+
+    def __init_subclass__(cls) -> None:
+        """Refuses a joint that lacks one of them. Raises TypeError."""
+        super().__init_subclass__()
+        require_attributes(cls, Constraint.__annotations__)
 
     @classmethod
     @abstractmethod

@@ -25,9 +25,10 @@ class Contact(Constraint):
     `inside` is for two circles only: one lies within the other.
     """
 
-    KIND = "contact"
     PATTERN = rf"{CIRCLE} touches {ON_SHAPE}{OF}{INSIDE}"
     EXAMPLE = "... touches ..."
+    SLIPS = ()
+    TOUCHES = True
 
     body: str
     circle: Circle

@@ -22,12 +22,12 @@ class Mesh(CarriedPair):
     around the other.
     """
 
-    KIND = "mesh"
     PATTERN = (
         rf"{CIRCLE} meshes with (?P<on>circle\(.+?\)) of (?P<of>\w+) "
         rf"on (?P<carrier>\w+){INSIDE}"
     )
     EXAMPLE = "... meshes with ... on ..."
+    SLIPS = ("meshing", "carried", "arm", "centre")
 
     inside: bool = False
 

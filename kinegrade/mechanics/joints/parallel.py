@@ -20,9 +20,9 @@ from kinegrade.numbers.number import Arithmetic
 class Parallel(Constraint):
     """`body` does not turn relative to the body `of`; with the ground: it translates."""
 
-    KIND = "parallel"
     PATTERN = r"(?P<body>\w+) (?:translates|turns with (?P<of>\w+))"
     EXAMPLE = "... translates"
+    SLIPS = ()
 
     body: str
     of: str

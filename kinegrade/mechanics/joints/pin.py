@@ -20,9 +20,9 @@ from kinegrade.numbers.number import Arithmetic
 class Pin(Constraint):
     """Two or more bodies (the ground may be one) share `point`."""
 
-    KIND = "pin"
     PATTERN = r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)"
     EXAMPLE = "pin A: OA AB"
+    SLIPS = ("pole",)
 
     point: str
     bodies: tuple[str, ...]

@@ -23,9 +23,9 @@ class Roll(Constraint):
     for Contact.
     """
 
-    KIND = "roll"
     PATTERN = rf"{CIRCLE} rolls on {ON_SHAPE}{OF}{INSIDE}"
     EXAMPLE = "... rolls on ..."
+    SLIPS = ("meshing", "carried", "arm", "centre")
 
     body: str
     circle: Circle

@@ -21,9 +21,9 @@ from kinegrade.numbers.number import Arithmetic
 class Sleeve(Constraint):
     """`body` slides along `line` in the body `of` and does not turn relative to it."""
 
-    KIND = "sleeve"
     PATTERN = r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))"
     EXAMPLE = "... slides through ... along ..."
+    SLIPS = ()
 
     body: str
     line: Line

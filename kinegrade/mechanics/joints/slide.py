@@ -22,9 +22,9 @@ class Slide(Constraint):
     about a pin).
     """
 
-    KIND = "slide"
     PATTERN = rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){OF}"
     EXAMPLE = "B of AB slides on line(O, 0)"
+    SLIPS = ()
 
     point: str
     body: str

@@ -55,11 +55,6 @@ class JointSentence:
     carrier: str = ""
     options: frozenset[str] = frozenset()
 
-    @property
-    def kind(self) -> str:
-        """Which joint it is."""
-        return self.stated.KIND
-
 
 _PARTS = {part.name for part in fields(JointSentence)}
 
@@ -77,11 +72,6 @@ class DriverSentence:
     of: str = GROUND
     along: Expression | None = None
     centre: str = ""
-
-    @property
-    def kind(self) -> str:
-        """Which driver it is."""
-        return self.stated.KIND
 
 
 def read_joint(text: str) -> JointSentence:

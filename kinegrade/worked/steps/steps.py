@@ -123,7 +123,7 @@ def _explain_contact(equation: VectorEquation, case: Case) -> Iterator[Block]:
         sentence = case.joint(relative.term) if relative.term else None
         if (
             sentence
-            and sentence.kind == "contact"
+            and sentence.stated.TOUCHES
             and relative.part == ""
             and equation.level == "velocity"
         ):
