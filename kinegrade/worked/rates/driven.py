@@ -13,7 +13,7 @@ from kinegrade.mechanics.laws import Imposed, ImposedCircling, ImposedMotion, Im
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
-from kinegrade.worked.formulas.equation import Equation, Link, equate
+from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import state_number
@@ -33,7 +33,7 @@ def state_imposed(law: Imposed, relation: Relation, case: Case, level: Level) ->
     value = _find_driven_value(relation, level)
     left = _name_imposed(law, case, level)
     unit = UNITS[level, isinstance(law, ImposedRotation)]
-    links = (*_state_expression(law, left, case, level), *state_number(value, unit))
+    links = drop_repetition(_state_expression(law, left, case, level), state_number(value, unit))
     equation = Equation(left, links, _state_sense(law, value, case))
     return Statement(Message("solution.title-given"), _state_given(law, case, level), equation)
 
