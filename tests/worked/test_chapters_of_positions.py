@@ -1,0 +1,112 @@
+"""Chapters of small solutions as a reader sees them: where points are, and in which direction."""
+
+from __future__ import annotations
+
+from tests.worked.chapters import as_read, read_chapter, solve_small
+
+FOUR_BAR = """
+joints = ["pin O: ground OA", "pin A: OA AB", "pin B: AB BC", "pin C: ground BC"]
+inputs = []
+[points]
+O = "(0, 0)"
+C = "(8, 0)"
+A = "(0, 6)"
+B = "meet(circle(A, 6), circle(C, 8), upper)"
+M = "midpoint(A, C)"
+[bodies]
+OA = "O A"
+AB = "A B"
+BC = "B C"
+"""
+
+
+def test_circles_that_meet() -> None:
+    # A triangle of 6, 8 and 10 has its right angle at B
+    solution = solve_small(FOUR_BAR, x_B="x(B) in m")
+    assert read_chapter("# Positions", solution) == as_read(
+        r"""
+        $O$ is the origin of the coordinates.
+        Coordinates of $C$, $A$:
+        x_{C} &= 8\,\unit{m}
+        y_{C} &= 0
+        x_{A} &= 0
+        y_{A} &= 6\,\unit{m}
+        $B$ lies on the circle about $A$ of radius $6$ and on the circle about $C$ of radius $8$,
+            on the left of the line from $A$ to $C$. In the triangle $ACB$ all sides are known;
+            the law of cosines gives its angle at $A$:
+        AC &= \sqrt{x_{C}^{2} + y_{A}^{2}} = \sqrt{8^{2} + 6^{2}} = 10\,\unit{m}
+        \cos\angle CAB &= \frac{36 + AC^{2} - 64}{2 \cdot 6AC} = \frac{36 + 10^{2} - 64}{2 \cdot 6
+            \cdot 10} = 0.6
+        \angle CAB &\approx 53.13^\circ
+        From $A$ the point $B$ is seen in the direction of $AC$ turned through this angle
+            counter-clockwise:
+        \angle(x,\overrightarrow{AC}) &\approx -36.87^\circ
+        x_{B} &= 6\cos(\angle(x,\overrightarrow{AC}) + \angle CAB) = 6\cos 16.26^\circ =
+            5.76\,\unit{m}
+        y_{B} &= y_{A} + 6\sin(\angle(x,\overrightarrow{AC}) + \angle CAB) = 6 + 6\sin 16.26^\circ
+            = 7.68\,\unit{m}
+        $M$ is the midpoint of $AC$:
+        x_{M} &= \frac{x_{C}}{2} = \frac{8}{2} = 4\,\unit{m}
+        y_{M} &= \frac{y_{A}}{2} = \frac{6}{2} = 3\,\unit{m}
+        """
+    )
+
+
+def test_a_distance_in_centimetres() -> None:
+    solution = solve_small(FOUR_BAR, AC="distance(A, C) in cm", OM="distance(O, M) in m")
+    assert read_chapter("# Answers", solution) == as_read(
+        r"""
+        AC &= \sqrt{x_{C}^{2} + y_{A}^{2}} = \sqrt{8^{2} + 6^{2}} = 10\,\unit{m} = 1000\,\unit{cm}
+        OM &= \sqrt{x_{M}^{2} + y_{M}^{2}} = \sqrt{4^{2} + 3^{2}} = 5\,\unit{m}
+        AC = 1000 = 1000 cm ()
+        OM = 5 = 5 m ()
+        """
+    )
+
+
+def test_an_angle_in_degrees() -> None:
+    solution = solve_small(FOUR_BAR, gamma="angle((1, 0), C - A) in deg")
+    assert read_chapter("# Answers", solution) == as_read(
+        r"""
+        The angle is counted counter-clockwise from the $x$ axis to $\overrightarrow{AC}$. Its
+            cosine and its sine are proportional to the coordinates of this vector:
+        \cos\gamma &\propto x_{C} = 8\,\unit{m}
+        \sin\gamma &\propto -y_{A} = -6\,\unit{m}
+        \tan\gamma &= \frac{\sin\gamma}{\cos\gamma} = -\frac{6}{8} = -0.75
+        The cosine is positive, the sine negative: the angle lies between $-90^\circ$ and
+            $0^\circ$.
+        \gamma &\approx -36.87^\circ
+        \gamma = \frac{180}{\pi}\,\arctan\left(-\frac{3}{4}\right) = -36.8699 deg ()
+        """
+    )
+
+
+def test_an_angle_in_radians() -> None:
+    solution = solve_small(FOUR_BAR, gamma="angle((1, 0), A - C) in rad")
+    assert read_chapter("# Answers", solution) == as_read(
+        r"""
+        The angle is counted counter-clockwise from the $x$ axis to $\overrightarrow{CA}$. Its
+            cosine and its sine are proportional to the coordinates of this vector:
+        \cos\gamma &\propto -x_{C} = -8\,\unit{m}
+        \sin\gamma &\propto y_{A} = 6\,\unit{m}
+        \tan\gamma &= \frac{\sin\gamma}{\cos\gamma} = -\frac{6}{8} = -0.75
+        The cosine is negative, the sine positive: the angle lies between $90^\circ$ and
+            $180^\circ$.
+        \gamma &= \arctan\left(-\frac{3}{4}\right) + \pi \approx 143.13^\circ \approx
+            2.498\,\unit{rad}
+        \gamma = \arctan\left(-\frac{3}{4}\right) + \pi = 2.49809 rad ()
+        """
+    )
+
+
+def test_a_component_along_a_direction() -> None:
+    solution = solve_small(FOUR_BAR, u="along(A - O, C - A) in m")
+    assert read_chapter("# Answers", solution) == as_read(
+        r"""
+        The component of $\overrightarrow{OA}$ in the direction of $\overrightarrow{AC}$ is their
+            scalar product over the length of the latter:
+        AC &= \sqrt{x_{C}^{2} + y_{A}^{2}} = \sqrt{8^{2} + 6^{2}} = 10\,\unit{m}
+        u &= -\frac{y_{A}^{2}}{AC} = -\frac{6^{2}}{10} = -3.6\,\unit{m}
+        u = -3.6 = -3.6 m ()
+        """
+    )
