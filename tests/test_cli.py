@@ -15,6 +15,7 @@ from pathlib import Path
 
 import click
 import pytest
+from pypdf import PdfReader
 
 import kinegrade as api
 from kinegrade.cli import main
@@ -175,6 +176,15 @@ def test_a_pole_at_infinity_is_shown_in_the_language_of_the_terminal(
     assert [line.split() for line in solved.stdout.splitlines() if line.startswith("x_P")] == [
         ["x_P", "无穷大", "m", "无穷大"]
     ]
+
+
+def test_a_solution_with_an_answer_at_infinity_is_typeset(tmp_path: Path) -> None:
+    ask = 'x_P = { quantity = "x(pole(AB))", unit = "m", points = 1, means = "where it is" }'
+    text = load_template("slider-crank").file.text.replace("[asks]", f"[asks]\n{ask}")
+    (tmp_path / "pole.toml").write_text(text, encoding="utf-8")
+    pdf = tmp_path / "pole.pdf"
+    kinegrade("solve", str(tmp_path / "pole.toml"), "--set", "phi=90", "-o", str(pdf))
+    assert "∞" in "".join(page.extract_text() for page in PdfReader(pdf).pages)
 
 
 def test_solve_prints_a_table() -> None:

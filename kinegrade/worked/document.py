@@ -89,7 +89,7 @@ class Result:
 
     symbol: str  # LaTeX
     exact: str | None  # LaTeX, without unit
-    decimal: str  # plain
+    decimal: str  # plain; "" at infinity
     unit: str  # plain, "m/s^2"
     sense: str  # prose: "clockwise", "to the left"; "" where there is none
     is_settled: bool = False  # whether the decimal is the exact value, as it is of a quarter

@@ -63,5 +63,7 @@ def read_chapter(
 
 
 def as_read(text: str) -> str:
-    """A text stated in a test: an indented line goes on the line before it."""
-    return dedent(text).strip().replace("\n    ", " ")
+    """A text stated in a test: an indented line goes on the line before it, without a blank where
+    that ends with a backslash.
+    """
+    return dedent(text).strip().replace("\\\n    ", "").replace("\n    ", " ")

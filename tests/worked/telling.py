@@ -75,6 +75,9 @@ def lines(blocks: Iterable[Block]) -> Iterator[str]:
                 for result in results:
                     exact = result.decimal if result.is_settled else result.exact
                     exact = result.exact or exact
+                    if not result.decimal:
+                        yield f"    {result.symbol} = {exact}"
+                        continue
                     yield (
                         f"    {result.symbol} = {exact} = {result.decimal} {result.unit} "
                         f"({result.sense})"

@@ -18,7 +18,12 @@ crank = "O1 A"
 """
 
 YOKE = """
-joints = ["block translates", "D of block slides on line(O, 0)","pin O: ground crank","C of crank slides on line(C, pi/2) of block"]
+joints = [
+  "block translates",
+  "D of block slides on line(O, 0)",
+  "pin O: ground crank",
+  "C of crank slides on line(C, pi/2) of block",
+]
 inputs = [{ motion = "crank turns", velocity = "2" }]
 [points]
 O = "(0, 0)"
@@ -31,7 +36,10 @@ block = "D"
 
 LINK = """
 joints = ["pin O: ground arm", "pin A: arm link"]
-inputs = [{ motion = "arm turns", velocity = "2" }, {motion="link turns relative to arm", velocity="-5"}]
+inputs = [
+  { motion = "arm turns", velocity = "2" },
+  { motion = "link turns relative to arm", velocity = "-5" },
+]
 [points]
 O = "(0, 0)"
 A = "(3, 0)"
@@ -83,7 +91,8 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         \alpha_{O_{1}A} &= 0\,\unit{rad/s^2}
         ## 2. Composition of motions: moving point $A$, moving frame on $OB$
         Moving point $A$, moving frame fixed to $OB$. Composition of accelerations
-            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{C}}$:
+            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}\
+            +\boldsymbol{a}_{\mathrm{C}}$:
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $O_{1}A \cdot \omega_{O_{1}A}^{2} = 16$ |
             $A \to O_{1}$, $180^\circ$
         [=] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{n}} | $OA \cdot \omega^{2} = 8.192$ | $A \to O$,
@@ -147,7 +156,8 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
         \alpha_{OC} &= 0\,\unit{rad/s^2}
         ## 2. Composition of motions: moving point $C$, moving frame on block
         Moving point $C$, moving frame fixed to block. Composition of accelerations
-            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{C}}$:
+            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}\
+            +\boldsymbol{a}_{\mathrm{C}}$:
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20$ | $C \to
             O$, $233.13^\circ$
         [=] \boldsymbol{a}_{D} | ? | $\parallel x$, $0^\circ$

@@ -157,6 +157,17 @@ def test_a_rod_in_instantaneous_translation() -> None:
     )
 
 
+def test_a_pole_at_infinity_that_is_asked_for() -> None:
+    solution = solve_small(CRANK_UP, x_S="x(pole(AB)) in m", OS="distance(O, pole(AB)) in m")
+    assert read_chapter("# Answers", solution) == as_read(
+        r"""
+        $AB$ does not turn at this instant: its pole is at infinity.
+        x_{S} = \infty
+        OS = \infty
+        """
+    )
+
+
 def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
     # a_A = 2^2 * 3 downwards, so alpha = 12/4 and a_B = 3 * 3
     solution = solve_small(

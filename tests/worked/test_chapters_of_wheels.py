@@ -1,4 +1,4 @@
-"""Chapters of small solutions as a reader sees them: wheels on lines, on circles and inside them."""
+"""Chapters of small solutions as a reader sees them: wheels on lines and on circles."""
 
 from __future__ import annotations
 

@@ -108,6 +108,8 @@ def _write_entry(cell: str) -> str:
 
 def _write_result(result: Result) -> str:
     exact = f"= {result.exact} " if result.exact else ""
+    if not result.decimal:
+        return write_math_html(f"{result.symbol} {exact}", _WHERE)
     relation = "=" if result.is_settled else r"\approx"
     decimal = result.decimal.replace(",", "{,}")  # or a blank would follow the comma
     value = write_math_html(rf"{result.symbol} {exact}{relation} {decimal}", _WHERE)

@@ -182,10 +182,8 @@ def _write_result(result: Result, where: Location) -> str:
         sense=lambda: write_line(result.sense, where),
     )
     relation = "=" if result.is_settled else r"\approx"
-    value = rf"{{}}{parts['exact']} {relation} {{}}"
-    return write_command(
-        "result",
-        parts["symbol"],
-        f"${value}${write_value(result.decimal, result.unit)}",
-        parts["sense"],
-    )
+    value = rf"${{}}{parts['exact']}$"
+    if result.decimal:
+        rounded = write_value(result.decimal, result.unit)
+        value = rf"${{}}{parts['exact']} {relation} {{}}${rounded}"
+    return write_command("result", parts["symbol"], value, parts["sense"])

@@ -180,5 +180,5 @@ def _write_result(result: Result, where: Location) -> Sheet:
     )
     return sheet | {
         "relation": "=" if result.is_settled else "≈",
-        "decimal": write_value(result.decimal, result.unit),
+        "decimal": write_value(result.decimal, result.unit) if result.decimal else "",
     }

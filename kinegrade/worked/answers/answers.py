@@ -82,7 +82,7 @@ def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
         one for one in (working.symbols, *numbers) if one != ZERO and not one.looks_like(symbol)
     ]
     values: tuple[Link, ...] = state_quantity(answer)
-    if between and _PREFIXED.match(answer.unit):
+    if between and not answer.at_infinity and _PREFIXED.match(answer.unit):
         base = state_number(find_value(ask.quantity, case), _PREFIXED.sub("m", answer.unit))
         values = (*base, *equate(Measured(Number(answer.decimal(DIGITS)), answer.unit)))
     return Equation(symbol, (*equate(*between), *values))
@@ -91,6 +91,8 @@ def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
 def state_result(ask: Ask, case: Case) -> Result:
     """An answer as the list at the end states it."""
     answer, sense = case.solution.answers[ask.name], _find_sense(ask, case)
+    if answer.at_infinity:
+        return Result(ask.symbol, answer.latex, "", answer.unit, "")
     decimal, exact = answer.decimal(6), answer.closed_form
     return Result(
         ask.symbol,
