@@ -33,7 +33,7 @@ from kinegrade.grading.marking import mark
 from kinegrade.grading.marks import Mark
 from kinegrade.grading.sheets.class_sheet import read_sheet
 from kinegrade.press.sheet import KeyPaper
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.students.consequences import attach_mistakes
 from kinegrade.students.rounding.targets import find_full_turn, find_nearest_turn

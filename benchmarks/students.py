@@ -19,7 +19,7 @@ from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.rounding import Rounded, Sparing
 from kinegrade.problem.quantities.functions import needs_configurations
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask
 from kinegrade.students.mistake_kinds import Mistake, find_candidates
 from kinegrade.students.mistakes import choose_way, work_out

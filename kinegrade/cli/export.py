@@ -137,7 +137,7 @@ def _read_columns(columns: tuple[str, ...], questions: tuple[str, ...]) -> Mappi
 
 def _read_maximum(text: str | None) -> Fraction | None:
     """A number above zero. Raises BadParameter."""
-    from kinegrade.lms.grades.item_columns import number
+    from kinegrade.lms.grades.item_candidates import number
 
     value = None if text is None else number(text)
     if text is not None and not value:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from kinegrade.language import Language
     from kinegrade.language.catalogue import Catalogue
     from kinegrade.problem.quantity import Quantity
-    from kinegrade.problem.solving import Solution
+    from kinegrade.problem.solution import Solution
     from kinegrade.problem.template.template import Method
 
 

@@ -24,7 +24,8 @@ from kinegrade.draws.examining import (
 )
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.tolerance import Tolerance
-from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Template
 from kinegrade.students.separation import Separation, collect_columns, find_separation
 

@@ -18,7 +18,8 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.problem.tolerance import find_effective_tolerance, find_scale_of_mechanism
 from kinegrade.students.rounding.honest_rounding import find_stray

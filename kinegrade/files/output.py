@@ -13,11 +13,7 @@ never deleted automatically.
 
 from __future__ import annotations
 
-import ctypes
-import errno
 import os
-import secrets
-import sys
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -25,13 +21,10 @@ from pathlib import Path
 
 from kinegrade.errors import OutputError
 from kinegrade.files.leftovers import clear_leftovers, make_process_name, remove
+from kinegrade.files.publishing import move_to_free_place, publish, sync_folder
 from kinegrade.files.temporary import clear_temporary_folders
 from kinegrade.language.message import Fault, Message, list_plainly
 
-_CURRENT_FOLDER = -100  # AT_FDCWD
-_LINUX_NO_REPLACE, _LINUX_EXCHANGE = 1, 2
-_MACOS_SWAP, _MACOS_EXCLUSIVE = 2, 4
-_UNSUPPORTED = (errno.ENOSYS, errno.EINVAL, errno.ENOTSUP, errno.EOPNOTSUPP)
 DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 
 
@@ -78,7 +71,7 @@ def output_folder(
         _bring_to_disk(partial)
         # Another process may have written there in the meantime
         _check_folder(path, target, marker, contents, force)
-        _publish(path, partial, target)
+        publish(path, partial, target)
 
 
 def write_file(path: Path, content: bytes, *, force: bool = False) -> None:
@@ -105,8 +98,8 @@ def output_file(path: Path, *, force: bool = False) -> Iterator[Path]:
         if force:
             os.replace(partial, target)
         else:
-            _move_to_free_place(path, partial, target)
-        _sync_folder(target.parent)
+            move_to_free_place(path, partial, target)
+        sync_folder(target.parent)
 
 
 def _find_place(path: Path) -> Path:
@@ -199,7 +192,7 @@ def _bring_to_disk(folder: Path) -> None:
     for place, _, names in os.walk(folder):
         for name in names:
             _flush(Path(place, name))
-        _sync_folder(Path(place))
+        sync_folder(Path(place))
 
 
 def _flush(file: Path) -> None:
@@ -208,60 +201,3 @@ def _flush(file: Path) -> None:
         os.fsync(handle)
     finally:
         os.close(handle)
-
-
-def _sync_folder(folder: Path) -> None:
-    if os.name == "nt":  # folders cannot be opened there
-        return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
-
-
-def _publish(path: Path, partial: Path, target: Path) -> None:
-    if not target.exists():
-        _move_to_free_place(path, partial, target)
-    elif not _rename_atomically(partial, target, exchange=True):
-        _replace_in_two_steps(partial, target)
-    _sync_folder(target.parent)
-
-
-def _move_to_free_place(path: Path, partial: Path, target: Path) -> None:
-    """Refuses if the place was taken while the output was being made."""
-    try:
-        if not _rename_atomically(partial, target, exchange=False):
-            if target.exists():
-                raise FileExistsError
-            os.rename(partial, target)
-    except FileExistsError:
-        raise OutputError(Fault(str(path), Message("files.name-taken"))) from None
-
-
-def _replace_in_two_steps(partial: Path, target: Path) -> None:
-    previous = target.with_name(f".{target.name}.previous-{secrets.token_hex(4)}")
-    os.rename(target, previous)
-    os.rename(partial, target)
-    remove(previous)
-
-
-def _rename_atomically(source: Path, target: Path, *, exchange: bool) -> bool:
-    """Swaps two entries, or moves one to a free name; False where the system cannot. Raises
-    OSError.
-    """
-    if os.name != "posix":
-        return False
-    library = ctypes.CDLL(None, use_errno=True)
-    old, new = os.fsencode(source), os.fsencode(target)
-    if sys.platform == "darwin" and hasattr(library, "renamex_np"):
-        status = library.renamex_np(old, new, _MACOS_SWAP if exchange else _MACOS_EXCLUSIVE)
-    elif sys.platform == "linux" and hasattr(library, "renameat2"):
-        flag = _LINUX_EXCHANGE if exchange else _LINUX_NO_REPLACE
-        status = library.renameat2(_CURRENT_FOLDER, old, _CURRENT_FOLDER, new, ctypes.c_uint(flag))
-    else:
-        return False
-    code = ctypes.get_errno()
-    if status != 0 and code not in _UNSUPPORTED:
-        raise OSError(code, os.strerror(code), str(target))
-    return bool(status == 0)

@@ -20,7 +20,8 @@ from typing import Any
 from openpyxl import load_workbook
 
 from kinegrade.errors import TableError
-from kinegrade.files.tables import Complaint, Row, Table, shorten, trim
+from kinegrade.files.cell_text import shorten, trim
+from kinegrade.files.tables import Complaint, Row, Table
 from kinegrade.files.workbook_inspection import (
     SAVE_AS_XLSX,
     explain_damaged,

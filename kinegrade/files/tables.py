@@ -7,33 +7,19 @@ or a cell.
 
 from __future__ import annotations
 
-import csv
-import io
-import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass
-from itertools import chain, islice
 from pathlib import Path
 from typing import NamedTuple
 
 from kinegrade.errors import TableError
+from kinegrade.files.cell_text import shorten, trim
+from kinegrade.files.csv_reading import cells_of_any_size, find_separator, read_records
 from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.files.decoding import CSV_FILE, Decoded, decode, name_encoding
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Text
-
-_SHOWN_CHARACTERS = 1000
-_SEPARATORS = ",;\t"
-_BLANKS = f"{_SEPARATORS} "
-INVISIBLE = "\ufeff\u200b\u200c\u200d\u200e\u200f\u2060"
-_SURROUNDING = "".join(chr(code) for code in range(0x3001) if chr(code).isspace()) + INVISIBLE
-_DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d "
-_END = "\x00end of table"
-_MOST_STRAY_QUOTES = (
-    20  # each takes a second reading of the rest; a file with more is read without quotation marks
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,9 +95,9 @@ def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table
     """
     decoded = decode(content, file, encoding)
     text = decoded.text
-    with _cells_of_any_size(text):
-        separator, width = _find_separator(text)
-        records, stray_quotes = _read_records(text, separator, width)
+    with cells_of_any_size(text):
+        separator, width = find_separator(text)
+        records, stray_quotes = read_records(text, separator, width)
     filled = [Row(line, tuple(cells)) for line, cells in records if any(map(trim, cells))]
     if not filled:
         raise TableError(Fault(file, Message("files.empty-table")))
@@ -122,33 +108,6 @@ def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table
         *_find_ragged(rows, len(header.cells), file),
     )
     return Table(file, header.cells, tuple(rows), decoded.encoding, separator, complaints)
-
-
-def trim(text: str) -> str:
-    """Without surrounding blanks of any kind: no-break, ideographic, zero-width, byte-order mark.
-
-    >>> trim("\\u3000 007\\u200b ")
-    '007'
-    """
-    return text.strip(_SURROUNDING)
-
-
-def is_answered(cell: str) -> bool:
-    """Whether anything but blanks and dashes was typed.
-
-    >>> is_answered("0"), is_answered(" - ")
-    (True, False)
-    """
-    return cell[:1].isalnum() or bool(trim(cell).strip(_DASHES))
-
-
-def make_header_key(text: str) -> str:
-    """A column name for comparison: no full-width forms, single blanks, no upper case.
-
-    >>> make_header_key(" Q1\\uff0ev_B ")
-    'q1.v_b'
-    """
-    return " ".join(trim(unicodedata.normalize("NFKC", text)).casefold().split())
 
 
 def drop_headers(table: Table) -> tuple[Row, ...]:
@@ -165,94 +124,6 @@ def drop_headers(table: Table) -> tuple[Row, ...]:
 
 def _is_header(row: Row, header: Sequence[str]) -> bool:
     return [trim(cell) for cell in row.cells] == [trim(cell) for cell in header]
-
-
-def shorten(text: str) -> str:
-    """A cell for a report: of a longer one the first SHOWN_CHARACTERS, and how many there are.
-
-    >>> shorten("9" * 5000)[-14:]
-    '9… (1000/5000)'
-    """
-    if len(text) <= _SHOWN_CHARACTERS:
-        return text
-    return f"{text[:_SHOWN_CHARACTERS]}… ({_SHOWN_CHARACTERS}/{len(text)})"
-
-
-@contextmanager
-def _cells_of_any_size(text: str) -> Iterator[None]:
-    before = csv.field_size_limit(len(text) + len(_END) + 1)
-    try:
-        yield
-    finally:
-        csv.field_size_limit(before)
-
-
-def _find_separator(text: str) -> tuple[str, int]:
-    """The separator that gives the header the most columns (a comma if any), and how many."""
-
-    def columns(separator: str) -> int:
-        records = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
-        return next(
-            (len(cells) for cells in records if any(trim(cell).strip(_BLANKS) for cell in cells)),
-            0,
-        )
-
-    separator = max(_SEPARATORS, key=columns)
-    return separator, columns(separator)
-
-
-def _read_records(
-    text: str, separator: str, width: int
-) -> tuple[list[tuple[int, list[str]]], list[int]]:
-    """All records with the lines on which they begin, and the lines with a stray quotation mark.
-
-    A quotation mark is stray if it is never closed, or closed on a later line so that the record
-    does not have the header's width or is not proper CSV. Such a line is read by itself; otherwise
-    it would swallow those after it.
-    """
-    lines = list(io.StringIO(text, newline=""))
-    records: list[tuple[int, list[str]]] = []
-    stray: list[int] = []
-    first = 0
-    while True:
-        quoting = len(stray) < _MOST_STRAY_QUOTES
-        for line, cells, after in _read(lines, first, separator, quoting):
-            if after - line > 1 and (
-                len(cells) != width or not _is_strict(lines[line - 1 : after - 1], separator)
-            ):
-                records.append((line, lines[line - 1].rstrip("\r\n").split(separator)))
-                stray.append(line)
-                first = line
-                break
-            records.append((line, cells))
-        else:
-            return records[:-1], stray
-
-
-def _read(
-    lines: list[str], first: int, separator: str, quoting: bool
-) -> Iterator[tuple[int, list[str], int]]:
-    """Records from the index `first` on, each with its line and the next; the last is the end
-    mark.
-    """
-    source = chain(islice(lines, first, None), [_END])
-    if quoting:
-        reader = csv.reader(source, delimiter=separator)
-    else:
-        reader = csv.reader(source, delimiter=separator, quoting=csv.QUOTE_NONE)
-    line = first + 1
-    for cells in reader:
-        after = first + reader.line_num + 1
-        yield line, cells, after
-        line = after
-
-
-def _is_strict(lines: list[str], separator: str) -> bool:
-    try:
-        list(csv.reader(lines, delimiter=separator, strict=True))
-    except csv.Error:
-        return False
-    return True
 
 
 def _complain_of_encoding(file: str, decoded: Decoded) -> Iterator[Complaint]:

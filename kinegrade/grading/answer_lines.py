@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain
 
+from kinegrade.files.cell_text import shorten
 from kinegrade.files.csv_writing import neutralise, write_csv_cell
-from kinegrade.files.tables import shorten
 from kinegrade.grading.fast.judged_block import JudgedBlock
 from kinegrade.grading.fast.typed_cells import TypedCells
 from kinegrade.grading.marks import MarkedBlock

@@ -9,7 +9,8 @@ from functools import partial
 from typing import NamedTuple
 
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.files.tables import Complaint, shorten
+from kinegrade.files.cell_text import shorten
+from kinegrade.files.tables import Complaint
 from kinegrade.grading.fast.judged_block import JudgedBlock
 from kinegrade.language.message import Message, Text
 

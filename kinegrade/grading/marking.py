@@ -13,7 +13,8 @@ from itertools import chain, islice
 from typing import assert_never
 
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting
-from kinegrade.files.tables import Complaint, is_answered
+from kinegrade.files.cell_text import is_answered
+from kinegrade.files.tables import Complaint
 from kinegrade.grading.doubts import find_doubts
 from kinegrade.grading.fast.block_judge import BlockJudge
 from kinegrade.grading.fast.judged_block import USUAL_CREDITS, JudgedBlock, Row

@@ -11,7 +11,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from kinegrade.exam.folder.keys import Ask, Sitting, list_questions
-from kinegrade.files.tables import Complaint, trim
+from kinegrade.files.cell_text import trim
+from kinegrade.files.tables import Complaint
 from kinegrade.grading.fast.judged_block import JudgedBlock
 from kinegrade.grading.judging.judge import Verdict
 from kinegrade.grading.sheets.sheet import Sheet

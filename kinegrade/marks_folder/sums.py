@@ -9,8 +9,8 @@ from itertools import groupby
 from pathlib import Path
 
 from kinegrade.errors import TableError
+from kinegrade.files.cell_text import is_answered
 from kinegrade.files.csv_writing import restore
-from kinegrade.files.tables import is_answered
 from kinegrade.language.message import Message, Quoted
 from kinegrade.marks_folder.cells import Record, explain_edited, read_amount, read_records
 from kinegrade.marks_folder.layout import ANSWERS

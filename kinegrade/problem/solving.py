@@ -4,10 +4,7 @@ else.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import suppress
-from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
 from flint import arb, fmpq
@@ -17,16 +14,11 @@ from kinegrade.errors import (
     ExpressionError,
     KinegradeError,
     MechanismError,
-    NoSuchAsk,
-    Problem,
     TemplateError,
-    suggest,
 )
 from kinegrade.expressions.evaluation import evaluate
-from kinegrade.expressions.reading import read_expression
 from kinegrade.expressions.tree import Expression
-from kinegrade.language.lines import show_in_one_line
-from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.angle import Angle, Inexact
@@ -34,51 +26,19 @@ from kinegrade.numbers.balls import PRECISIONS, Balls, Undecided
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.surd import Surd
-from kinegrade.problem.assemble import Assembly, assemble, read_parameter
+from kinegrade.problem.assemble import Assembly, assemble
 from kinegrade.problem.centrode import Centrodes
+from kinegrade.problem.given_values import find_certain_values, find_parameter_values, read_values
 from kinegrade.problem.quantities.functions import make_quantities
 from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.problem.quantity import Quantity, express_in_unit
+from kinegrade.problem.solution import Solution, explain_no_ask
 from kinegrade.problem.template.template import Ask, Template
 
 _Result = TypeVar("_Result")
 _CERTIFIED = (
     120  # bits: an enclosure counts as certified when narrower than 2^-120, below 1e-36, relative
 )
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Solution(Mapping[str, Quantity]):
-    """An instance solved: its parameters and answers in their units, and the motion they come
-    from. It maps the names of what is asked to the answers, and equals any mapping of equal ones.
-    """
-
-    template: Template
-    parameters: Mapping[str, Quantity]
-    answers: Mapping[str, Quantity]
-    assembly: Assembly
-    motion: Motion
-    arithmetic: Arithmetic
-
-    @cached_property
-    def doubles(self) -> Motion:
-        """The motion in doubles: for scales, and for working it out again by hand."""
-        return self.motion.map(float)
-
-    def __getitem__(self, ask: str) -> Quantity:
-        """The answer of an ask. Raises NoSuchAsk, a KeyError."""
-        if ask not in self.answers:
-            raise NoSuchAsk(Fault(self.template.name, _explain_no_ask(str(ask), self.answers)))
-        return self.answers[ask]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.answers)
-
-    def __len__(self) -> int:
-        return len(self.answers)
-
-    def __repr__(self) -> str:
-        return f"<{self.template.name}: {', '.join(map(str, self.answers.values()))}>"
 
 
 def solve_template(
@@ -122,69 +82,17 @@ def solve_certified(work: Callable[[Any], _Result]) -> _Result:
     raise MechanismError(Message("template.degenerate", bits=PRECISIONS[-1]))
 
 
-def read_values(template: Template, given: Mapping[str, str]) -> dict[str, Expression]:
-    """The trees of all parameters' values. Raises TemplateError with every fault."""
-    faults: list[Problem] = []
-    trees: dict[str, Expression] = {}
-    for name in given:
-        if name not in template.parameters:
-            hint = suggest(name, template.parameters)
-            problem = Message("template.no-parameter", name=Quoted(name), hint=hint)
-            faults.append(Fault(template.name, problem))
-    for name, parameter in template.parameters.items():
-        text = given.get(name, parameter.default)
-        try:
-            trees[name] = _read_cached(text)
-        except ExpressionError as error:
-            where = f"{template.name}: {name} = {show_in_one_line(text[:60])}"
-            faults += error.faults_at(where)
-    if faults:
-        raise TemplateError(*faults)
-    return trees
-
-
-@lru_cache(maxsize=4096)
-def _read_cached(text: str) -> Expression:
-    """The tree of a value, read once: few values are drawn often. Raises ExpressionError."""
-    return read_expression(text)
-
-
-def find_parameter_values(
-    template: Template, trees: Mapping[str, Expression], arithmetic: Arithmetic
-) -> dict[str, Any]:
-    """All parameters in SI. Raises TemplateError with every value that is no number (roots of
-    negative numbers, unknown names), Inexact where the exact field does not hold them.
-    """
-    faults: list[Problem] = []
-    values: dict[str, Any] = {}
-    for name, parameter in template.parameters.items():
-        try:
-            values[name] = read_parameter(parameter, trees[name], arithmetic)
-            if parameter.is_size and arithmetic.sign(values[name]) < 0:
-                raise ExpressionError(Message("template.negative-length"))
-        except ExpressionError as error:
-            faults += error.faults_at(f"{template.name}: {name}")
-    if faults:
-        raise TemplateError(*faults)
-    return values
-
-
 def _require_asks(template: Template, asks: Iterable[str] | None) -> tuple[Ask, ...]:
     """The asks named, or all. Raises TemplateError for unknown ones."""
     chosen = tuple(template.asks if asks is None else asks)
     unknown = [
-        Fault(template.name, _explain_no_ask(name, template.asks))
+        Fault(template.name, explain_no_ask(name, template.asks))
         for name in chosen
         if name not in template.asks
     ]
     if unknown:
         raise TemplateError(*unknown)
     return tuple(template.asks[name] for name in chosen)
-
-
-def _explain_no_ask(name: str, known: Iterable[str]) -> Message:
-    hint = suggest(name, known)
-    return Message("template.no-ask", name=Quoted(name), hint=hint)
 
 
 def _solve_in(
@@ -258,16 +166,3 @@ def _require_certified(number: Any) -> None:
     )
     if not narrow:
         raise Undecided  # an enclosure is too wide
-
-
-def find_certain_values(
-    template: Template, trees: Mapping[str, Expression], values: Mapping[str, Any]
-) -> dict[str, Any]:
-    """The parameters in SI, exact wherever they can be, although the instance is solved by
-    balls.
-    """
-    found = dict(values)
-    for name, parameter in template.parameters.items():
-        with suppress(Inexact):
-            found[name] = read_parameter(parameter, trees[name], Field())
-    return found

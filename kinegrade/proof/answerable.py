@@ -15,7 +15,8 @@ from kinegrade.errors import KinegradeError, Problem
 from kinegrade.language.message import Fault, Message, Part
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.holding import condition_holds
-from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Template
 
 

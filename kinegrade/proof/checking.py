@@ -4,26 +4,22 @@ for students.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
 from statistics import median
 from time import perf_counter
-from typing import Any
 
 from kinegrade.draws.deck import Combination, Deck, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
-from kinegrade.draws.examining import Reason, Refused, examine
-from kinegrade.errors import ExpressionError, KinegradeError, Problem
-from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
+from kinegrade.draws.examining import Refused, examine
 from kinegrade.language.message import Fault, Message
-from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.problem.holding import choose_wording, condition_holds
-from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement import find_statement_faults
-from kinegrade.problem.template.template import Ask, Published, Template
+from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import find_unfinished_translations
 from kinegrade.proof.answerable import find_answerable, write_values
+from kinegrade.proof.published import prove_published
+from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
 from kinegrade.proof.spread import Spread
 
@@ -31,44 +27,9 @@ _FEWEST = 500  # distinct instances: fewer, and a large class finds out the patt
 _TEXTS_TRIED = 1000  # draws at which the texts that depend on values are tried
 _SEARCHED = 300  # instances that the search for breaking values tries
 _OFTEN_ASTRAY = 0.1  # a share of refused draws that is reported to the author
-_SECRET = "check"  # the instances looked at are the same every time
-_INSTANCES = 5  # values at which a published formula is proved, besides the values it states
 
 
-@dataclass
-class Report:
-    """What the check of a template found; `faults` is empty when the template is sound.
-
-    `secret` is what the instances were drawn from. `sound` are the asks that can be worked out at
-    all drawn values; the others are faults. `inseparable` holds for each ask the mistakes that
-    cannot be distinguished from the truth, at all or in most instances. `blamed` counts the
-    refusals caused by a single answer, by reason and ask. `seconds` is the median time of an
-    instance; `remarks` are for the author to weigh.
-    """
-
-    template: Template
-    secret: str = _SECRET
-    sound: tuple[str, ...] = ()
-    proved: int = 0
-    instances: int = 0
-    refused: Counter[Reason] = field(default_factory=Counter)
-    blamed: Counter[tuple[Reason, str]] = field(default_factory=Counter)
-    spreads: dict[str, Spread] = field(default_factory=dict)
-    inseparable: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    seconds: float = 0.0
-    remarks: list[Message] = field(default_factory=list)
-    faults: list[Problem] = field(default_factory=list)
-
-    @property
-    def distinct(self) -> int:
-        """How many distinct instances there are: all combinations, less the share that the sample
-        refused.
-        """
-        examined = self.instances + sum(self.refused.values())
-        return self.template.combinations * self.instances // examined if examined else 0
-
-
-def check(template: Template, sample: int = 200, secret: str = _SECRET) -> Report:
+def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report:
     """Check published results exactly, and `sample` drawn instances (all, where there are no more).
 
     Another `secret` draws other instances. An ask that cannot be worked out is one fault; what
@@ -87,7 +48,7 @@ def check(template: Template, sample: int = 200, secret: str = _SECRET) -> Repor
         report.faults.append(Message("template.no-drawn-solved", reason=asks.stuck))
         return report
     for published in template.published:
-        _prove(report, published)
+        prove_published(report, published)
     _draw(report, draws)
     _weigh(report)
     _search(report, min(sample, _SEARCHED))
@@ -198,7 +159,7 @@ def _find_rounding_remarks(report: Report) -> Iterator[Message]:
             yield Message("template.often-astray", ask=ask, number=count, examined=examined)
 
 
-def choose_drawable(template: Template, sample: int, secret: str = _SECRET) -> list[Combination]:
+def choose_drawable(template: Template, sample: int, secret: str = SECRET) -> list[Combination]:
     """Values of `sample` different combinations; all of them if there are no more."""
     return _check_deck(template, secret).first(sample)
 
@@ -213,89 +174,3 @@ def _note(report: Report, solution: Solution) -> None:
     report.instances += 1
     for name, answer in solution.answers.items():
         report.spreads.setdefault(name, Spread()).note(answer, solution.parameters)
-
-
-def _prove(report: Report, published: Published) -> None:
-    """Compare the published results with the engine's: at the stated values, and at several for
-    those left open.
-    """
-    where, complete = (
-        f"published ({published.source})",
-        set(published.given) == set(report.template.parameters),
-    )
-    proofs: list[tuple[Solution, dict[str, Problem]]] = []
-    problem: Problem = ""
-    gives = [name for name in published.gives if name in report.sound]
-    for values in _choose_settled(report, published, 1 if complete else 20 * _INSTANCES):
-        try:
-            solution = solve_template(report.template, values, gives)
-            proofs.append((solution, dict(_find_differences(report.template, published, solution))))
-        except KinegradeError as error:
-            problem = error.faults[0]
-        except Inexact:
-            problem = Message("template.no-small-field")
-        if len(proofs) == _INSTANCES:
-            break
-    wrong: dict[str, Fault] = {}
-    for solution, found in proofs:
-        report.proved += len(gives) - len(found)
-        for name, fault in found.items():
-            place = Message("template.at-instance", where=where, values=_write_instance(solution))
-            wrong.setdefault(name, Fault(place, fault))
-    report.faults += wrong.values()
-    if not proofs:
-        what = Message("template.no-instance-solved", reason=problem)
-        report.faults.append(Fault(where, what))
-
-
-def _choose_settled(report: Report, published: Published, count: int) -> list[Combination]:
-    """The values that a source states, with `count` draws of those it leaves open."""
-    fixed = {name: (text,) for name, text in published.given.items()}
-    return make_deck(report.template, report.secret, published.source, fixed).first(count)
-
-
-def _write_instance(solution: Solution) -> str:
-    """The values of an instance, for a message."""
-    return ", ".join(
-        f"{name} = {quantity.exact or quantity.decimal(6)}"
-        for name, quantity in solution.parameters.items()
-    )
-
-
-def _find_differences(
-    template: Template, published: Published, solution: Solution
-) -> Iterator[tuple[str, Problem]]:
-    """The published results that the engine's answers do not equal exactly, by name, and how."""
-    for name, answer in solution.answers.items():
-        ask, tree = template.asks[name], published.gives[name]
-        try:
-            expected = evaluate(
-                tree,
-                _quote(solution),
-                make_elementary_functions(solution.arithmetic),
-                solution.arithmetic,
-            )
-        except ExpressionError as error:
-            yield name, Fault(name, error.faults[0])
-            continue
-        if not solution.arithmetic.exact:
-            yield name, Fault(name, Message("template.stated-in-no-field"))
-        elif not _is_equal(expected, answer.number, ask, solution.arithmetic):
-            stated, given = published.texts[name], str(answer.exact)
-            yield name, Message("template.engine-gives", ask=name, stated=stated, given=given)
-
-
-def _quote(solution: Solution) -> dict[str, Any]:
-    """The parameters as a source quotes them: numbers in their units, degrees as angles."""
-    values = {name: quantity.number for name, quantity in solution.parameters.items()}
-    return {**values, "pi": solution.arithmetic.turns(1)}
-
-
-def _is_equal(expected: Any, answer: Any, ask: Ask, field_: Any) -> bool:
-    """Exact equality within one field; angles are equal when they point the same way."""
-    number = field_.embed(answer)
-    if isinstance(number, Angle) or isinstance(expected, Angle):
-        if not isinstance(expected, Angle):
-            expected = field_.turns(expected / 180) if ask.unit.degrees else field_.turns(expected)
-        return bool((expected - number).direction(field_) == (1, 0))
-    return bool(field_.is_zero(expected - number))

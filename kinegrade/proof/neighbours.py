@@ -13,7 +13,8 @@ from math import floor, log10
 from typing import Any
 
 from kinegrade.numbers.text import write_decimal
-from kinegrade.problem.solving import find_parameter_values, read_values, solve_certified
+from kinegrade.problem.given_values import find_parameter_values, read_values
+from kinegrade.problem.solving import solve_certified
 from kinegrade.problem.template.template import Parameter, Template
 
 _STEP = 8  # a neighbour is this part of the way to the next drawable value

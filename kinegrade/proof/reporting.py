@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from kinegrade.draws.deal import count_reasons
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.problem.template.texts import find_languages
-from kinegrade.proof.checking import Report
+from kinegrade.proof.report import Report
 
 
 def write_verdict(report: Report) -> Message:

@@ -13,7 +13,8 @@ from kinegrade.language import ENGLISH, Language
 from kinegrade.language.html_text import write_plain_html
 from kinegrade.press.html.notebook import write_question
 from kinegrade.press.sheet import QuestionSheet
-from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import list_statement_languages
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template

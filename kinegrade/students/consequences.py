@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 
 if TYPE_CHECKING:
     from kinegrade.students.mistakes import Mistakes

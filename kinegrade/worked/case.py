@@ -16,7 +16,7 @@ from kinegrade.mechanics.rates import Rates
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities.reader import MotionReader
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.sentences import JointSentence
 from kinegrade.problem.template.template import Method, Template
 from kinegrade.worked.document import Display, Prose, say

@@ -16,7 +16,7 @@ from kinegrade.mechanics.laws import EqualRotation, Imposed
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask, Method
 from kinegrade.worked.answers.answers import explain_answer, state_result
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional

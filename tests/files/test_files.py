@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import OutputError
-from kinegrade.files import output as files
+from kinegrade.files import publishing
 from kinegrade.files.leftovers import make_process_name
-from kinegrade.files.output import output_folder, write_file
+from kinegrade.files.output import Access, output_folder, write_file
 
 FILES = 25
 WRITE_VERSIONS = f"""
@@ -130,7 +130,7 @@ def test_a_folder_made_by_somebody_else_meanwhile_is_not_touched(tmp_path: Path)
 def test_where_nothing_atomic_exists_two_renames_do_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(files, "_rename_atomically", lambda *_, **__: False)
+    monkeypatch.setattr(publishing, "_rename_atomically", lambda *_, **__: False)
     write(tmp_path / "EXAM", "one")
     write(tmp_path / "EXAM", "two", force=True)
     assert (tmp_path / "EXAM" / "exam.json").read_text() == "two"
@@ -209,7 +209,7 @@ def test_what_a_running_process_is_building_is_not_cleared(tmp_path: Path) -> No
 def test_a_folder_with_access_is_closed_from_its_first_moment(tmp_path: Path) -> None:
     target = tmp_path / "EXAM"
     target.mkdir(mode=0o755)
-    access = files.Access(0o750, 0o640, ordinary=("papers",))
+    access = Access(0o750, 0o640, ordinary=("papers",))
     with output_folder(target, marker="a", force=True, access=access) as folder:
         assert stat.S_IMODE(folder.stat().st_mode) == 0o700
         for name in ("papers", "keys"):

@@ -13,8 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TableError
+from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.csv_writing import neutralise, restore, write_csv, write_csv_text
-from kinegrade.files.tables import Complaint, Table, parse_table, read_table, shorten, trim
+from kinegrade.files.tables import Complaint, Table, parse_table, read_table
 from tests.said import said
 
 CHINESE = "student,name,q1.v_B\n007,王伟,0.5\n008,李娜,1.5\n"

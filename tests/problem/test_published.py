@@ -16,7 +16,8 @@ from kinegrade.errors import MechanismError
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.reading import read_expression
 from kinegrade.numbers.angle import Angle
-from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Published, Template
 

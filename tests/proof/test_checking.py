@@ -13,8 +13,9 @@ from click.testing import CliRunner
 from kinegrade.cli import main
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.library.reading import read_template
-from kinegrade.proof.checking import Report, check, choose_drawable
+from kinegrade.proof.checking import check, choose_drawable
 from kinegrade.proof.neighbours import list_probed
+from kinegrade.proof.report import Report
 from kinegrade.proof.reporting import write_findings, write_verdict
 from tests.problem.crank import crank, crank_text
 from tests.said import all_said, said

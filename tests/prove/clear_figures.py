@@ -10,7 +10,7 @@ from pathlib import Path
 
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import HEIGHT, WIDTH, sketch
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.worked.document import Pictures
 from kinegrade.worked.solution import write_worked_solution
 from tests.figure.clear import faults

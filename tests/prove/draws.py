@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Template
 from tests.problem.draws import draw_filter, drawn

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from random import Random
 
-from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from tests.laws.cases import Case, moving_templates, values_between
 from tests.laws.differences import hold_against_positions

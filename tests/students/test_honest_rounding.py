@@ -13,7 +13,8 @@ import pytest
 from kinegrade.draws.examining import Refused, examine
 from kinegrade.numbers.rounding import Rounded, Sparing
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
-from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.checking import check, choose_drawable

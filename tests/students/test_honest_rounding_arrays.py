@@ -11,7 +11,7 @@ import pytest
 from kinegrade.draws.deck import make_deck
 from kinegrade.draws.examining import Refused, examine, examine_together, solve_sensible
 from kinegrade.numbers.tolerance import Tolerance
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
 from kinegrade.students.rounding.honest_rounding import find_stray

@@ -19,12 +19,8 @@ from kinegrade.language import Language
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.tolerance import ONE_PER_CENT
-from kinegrade.problem.solving import (
-    find_parameter_values,
-    read_values,
-    solve_certified,
-    solve_template,
-)
+from kinegrade.problem.given_values import find_parameter_values, read_values
+from kinegrade.problem.solving import solve_certified, solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.template import Template

@@ -16,7 +16,8 @@ from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.math.width import measure_row
 from kinegrade.language.prose.typst import write_prose
-from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional

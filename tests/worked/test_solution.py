@@ -20,7 +20,8 @@ from kinegrade.language.prose.typst import write_prose
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.relations import Relation, add_vectors
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.template import METHODS, Method

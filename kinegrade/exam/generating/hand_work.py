@@ -11,8 +11,9 @@ from pathlib import Path
 from kinegrade.errors import OutputError, TableError
 from kinegrade.exam.folder.contents import ANSWERS
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.output import DESKTOP_DROPPINGS
-from kinegrade.files.tables import make_header_key, read_table, trim
+from kinegrade.files.tables import read_table
 from kinegrade.language.message import Fault, Message, list_plainly
 
 OWN_COLUMNS = ("student", "name")  # of the answer sheet; all others are for answers

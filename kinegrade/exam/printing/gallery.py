@@ -23,7 +23,7 @@ from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.press.legible import make_legible
 from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure
 from kinegrade.press.typst.press import TypstPress
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement import Given, write_with_unit
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template

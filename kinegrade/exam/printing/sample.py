@@ -18,7 +18,7 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.tolerance import ONE_PER_CENT
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.press.typst.press import TypstPress
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.template import Method, Template
 from kinegrade.problem.template.texts import require_language

@@ -33,14 +33,10 @@ from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
 from kinegrade.press.html.solution import write_blocks
 from kinegrade.problem.assemble import assemble
+from kinegrade.problem.given_values import find_certain_values, find_parameter_values, read_values
 from kinegrade.problem.quantity import express_in_unit
-from kinegrade.problem.solving import (
-    Solution,
-    find_certain_values,
-    find_parameter_values,
-    read_values,
-    solve_certified,
-)
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_certified
 from kinegrade.problem.template.template import Method, Template
 from kinegrade.students.mistake_names import describe_mistakes
 from kinegrade.worked.solution import write_worked_solution

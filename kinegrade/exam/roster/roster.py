@@ -19,16 +19,8 @@ from unicodedata import normalize
 from urllib.parse import quote
 
 from kinegrade.errors import Problem, TableError
-from kinegrade.files.tables import (
-    Complaint,
-    Row,
-    Table,
-    make_header_key,
-    parse_table,
-    read_table,
-    shorten,
-    trim,
-)
+from kinegrade.files.cell_text import make_header_key, shorten, trim
+from kinegrade.files.tables import Complaint, Row, Table, parse_table, read_table
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, Quoted, list_all, list_choices, list_plainly
 from kinegrade.language.spellings import list_preferred_spellings

@@ -13,7 +13,7 @@ from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping
 
 from kinegrade.exam.roster.roster import make_student_key
-from kinegrade.files.tables import shorten, trim
+from kinegrade.files.cell_text import shorten, trim
 from kinegrade.language.message import Message, Quoted
 
 # As programs write a column of numbers with gaps

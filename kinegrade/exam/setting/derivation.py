@@ -28,7 +28,8 @@ from kinegrade.exam.setting.setting import Drawn, SetAsk, SetQuestion, set_drawn
 from kinegrade.language.message import Fault, Message, Part, Text
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.quantity import CERTIFIED_DIGITS, Quantity
-from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
 
 # Relative: between certified decimals, between doubles, and where a drawn value is only a double
 _CERTIFIED = Fraction(1, 10 ** (CERTIFIED_DIGITS - 2))

@@ -17,7 +17,7 @@ from kinegrade.exam.roster.roster import Student
 from kinegrade.mechanics.motion import Motion
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.tolerance import find_effective_tolerance
 
 

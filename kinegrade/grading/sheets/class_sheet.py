@@ -13,7 +13,8 @@ from functools import reduce
 
 from kinegrade.exam.folder.keys import Sitting
 from kinegrade.files.answer_file import AnswerFile, LeftOut
-from kinegrade.files.tables import Complaint, Table, is_answered, shorten, trim
+from kinegrade.files.cell_text import is_answered, shorten, trim
+from kinegrade.files.tables import Complaint, Table
 from kinegrade.grading.sheets.part import read_part
 from kinegrade.grading.sheets.sheet import Entry, Part, Place, Sheet
 from kinegrade.language.message import Message, Quoted

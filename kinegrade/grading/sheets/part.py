@@ -18,16 +18,9 @@ from kinegrade.exam.folder.keys import Ask, Sitting
 from kinegrade.exam.roster.roster import list_column_names, make_student_key
 from kinegrade.exam.roster.student_ids import StudentIds, describe_restoration
 from kinegrade.files.answer_file import AnswerFile, Sources
+from kinegrade.files.cell_text import make_header_key, shorten, trim
 from kinegrade.files.csv_writing import write_csv_text
-from kinegrade.files.tables import (
-    Complaint,
-    Row,
-    Table,
-    drop_headers,
-    make_header_key,
-    shorten,
-    trim,
-)
+from kinegrade.files.tables import Complaint, Row, Table, drop_headers
 from kinegrade.grading.sheets.sheet import Entry, Part
 from kinegrade.language.message import (
     Fault,

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from kinegrade.files.answer_file import Sources
-from kinegrade.files.tables import Complaint, trim
+from kinegrade.files.cell_text import trim
+from kinegrade.files.tables import Complaint
 from kinegrade.language.message import Message
 
 

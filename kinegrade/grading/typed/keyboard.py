@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kinegrade.files.tables import INVISIBLE
+from kinegrade.files.cell_text import INVISIBLE
 
 BLANKS = "".join(chr(code) for code in range(0x3001) if chr(code).isspace()) + INVISIBLE
 _SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"

@@ -13,8 +13,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kinegrade.errors import TableError
+from kinegrade.files.cell_text import trim
 from kinegrade.files.decoding import STRANGE_UTF_8
-from kinegrade.files.tables import read_table, trim
+from kinegrade.files.tables import read_table
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message
 

@@ -22,7 +22,8 @@ from kinegrade.language.message import Message, Quoted, list_plainly
 from kinegrade.lms.grades.cells import BYTE_ORDER_MARK
 from kinegrade.lms.grades.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
 from kinegrade.lms.grades.grades import TOTAL, ClassGrades, StudentGrade, feedback_text, known_as
-from kinegrade.lms.grades.item_columns import item_title, items_of, number
+from kinegrade.lms.grades.item_candidates import number
+from kinegrade.lms.grades.item_columns import item_title, items_of
 from kinegrade.lms.grades.maximum import maximum_faults, scaled, target_maximum
 from kinegrade.numbers.amounts import write_amount
 

@@ -15,8 +15,8 @@ from typing import NamedTuple, assert_never
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.files.cell_text import trim
 from kinegrade.files.csv_writing import neutralise
-from kinegrade.files.tables import trim
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.lms.grades.dialect import Field

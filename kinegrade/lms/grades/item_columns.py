@@ -7,28 +7,17 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 
 from kinegrade.errors import Problem, TableError, suggest
-from kinegrade.files.tables import trim
+from kinegrade.files.cell_text import trim
 from kinegrade.language.message import Fault, Message, Part, Quoted, list_plainly
-from kinegrade.lms.grades.cells import CellTable, Record
+from kinegrade.lms.grades.cells import CellTable
 from kinegrade.lms.grades.dialect import Dialect, Download, ExportOptions
 from kinegrade.lms.grades.grades import TOTAL, ClassGrades
-from kinegrade.lms.grades.implied_maximum import implied_maximum
+from kinegrade.lms.grades.item_candidates import ItemColumn, list_candidates, select_points
 from kinegrade.lms.grades.item_groups import ItemGroup, content_below, item_groups
 
 _KIND = re.compile(r"^[^:\uff1a]*[:\uff1a]")
-
-
-@dataclass(frozen=True, slots=True)
-class ItemColumn:
-    """A column to be filled in: its place, header and title, and its maximum where stated."""
-
-    place: int
-    header: str
-    title: str
-    maximum: Fraction | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,9 +61,7 @@ def item_columns(
     """
     words = download.item_words
     groups = () if words is None else item_groups(table, keys, words)
-    candidates = (
-        _list_candidates(table, download) if words is None else _select_points(table, groups)
-    )
+    candidates = list_candidates(table, download) if words is None else select_points(table, groups)
     chooser = _Chooser(table, dialect, download, candidates, groups, keys)
     chosen: dict[str, ItemColumn] = {}
     faults: list[Problem] = []
@@ -119,80 +106,6 @@ def _find_feedback_places(
         place for place, title in enumerate(table.titles) if title == channel.format_header != ""
     ]
     return {places[0]: False, **dict.fromkeys(formats, True)}
-
-
-def _list_candidates(table: CellTable, download: Download) -> Sequence[ItemColumn]:
-    row = _find_maximum_row(table, download)
-    found = []
-    for place, header in enumerate(table.titles):
-        shape = download.item.fullmatch(header)
-        stated = trim(row.cells[place].text) if row else ""
-        if (
-            place < download.first_item
-            or shape is None
-            or (download.not_item and download.not_item.search(header))
-            or (download.read_only and download.read_only.search(stated))
-        ):
-            continue
-        maximum = shape.groupdict().get("maximum") or stated or _same_everywhere(table, download)
-        found.append(ItemColumn(place, header, shape["title"], number(maximum)))
-    return found
-
-
-def _select_points(table: CellTable, groups: Sequence[ItemGroup]) -> Sequence[ItemColumn]:
-    """The columns that hold points, judged by their cells."""
-    return [
-        ItemColumn(
-            column.place, table.titles[column.place], group.title, _find_implied(table, group)
-        )
-        for group in groups
-        for column in group.of_kind("points")
-    ]
-
-
-def _find_implied(table: CellTable, group: ItemGroup) -> Fraction | None:
-    """The maximum that follows from grades in points and, in another column, in per cent."""
-    points, shares = group.of_kind("points"), group.of_kind("percentage")
-    if len(points) != 1 or len(shares) != 1:
-        return None
-    pairs = (
-        (
-            number(trim(row.cells[points[0].place].text)),
-            number(trim(row.cells[shares[0].place].text.replace("%", ""))),
-        )
-        for row in table.rows
-    )
-    return implied_maximum(
-        (amount, share) for amount, share in pairs if amount is not None and share is not None
-    )
-
-
-def _find_maximum_row(table: CellTable, download: Download) -> Record | None:
-    shape = download.maximum_row
-    return next((row for row in table.rows if shape and shape.match(row.cells[0].text)), None)
-
-
-def _same_everywhere(table: CellTable, download: Download) -> str:
-    """The maximum where every row states the same."""
-    if download.maximum_column not in table.titles:
-        return ""
-    place = table.titles.index(download.maximum_column)
-    stated = {trim(row.cells[place].text) for row in table.rows} - {"", "-"}
-    return stated.pop() if len(stated) == 1 else ""
-
-
-def number(text: str) -> Fraction | None:
-    """A maximum as systems write it, with a point or a comma; None for anything else.
-
-    >>> number("10,5"), number("(read only)")
-    (Fraction(21, 2), None)
-    """
-    digits = text.replace(",", ".", 1)
-    return (
-        Fraction(digits)
-        if digits.replace(".", "", 1).isascii() and digits.replace(".", "", 1).isdigit()
-        else None
-    )
 
 
 def _drop_kind(title: str) -> str:

@@ -14,7 +14,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, assert_never
 
-from kinegrade.files.tables import trim
+from kinegrade.files.cell_text import trim
 from kinegrade.lms.grades.cells import CellTable
 from kinegrade.lms.grades.dialect import ItemKind, ItemWords
 

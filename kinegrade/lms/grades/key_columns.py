@@ -11,13 +11,14 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from kinegrade.errors import TableError
-from kinegrade.files.tables import trim
+from kinegrade.files.cell_text import trim
 from kinegrade.language.message import Fault, Message, Text, list_plainly
 from kinegrade.lms.grades.cells import CellTable, Record
 from kinegrade.lms.grades.dialect import Dialect, Download, ExportOptions, Key
 from kinegrade.lms.grades.grades import StudentGrade
 from kinegrade.lms.grades.item_groups import is_item_header
-from kinegrade.lms.grades.matching import KeyColumn, folded
+from kinegrade.lms.grades.key_column import KeyColumn
+from kinegrade.lms.grades.probable_rows import folded
 
 _ENOUGH = 5  # ids of the class in a column without repetitions are no coincidence
 _MOST_REPEATED = 10  # one cell in ten may be a repetition

@@ -12,10 +12,9 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from decimal import Decimal
-from unicodedata import normalize
 
-from kinegrade.files.tables import Complaint, trim
+from kinegrade.files.cell_text import trim
+from kinegrade.files.tables import Complaint
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import (
     Listing,
@@ -26,33 +25,11 @@ from kinegrade.language.message import (
     list_statements,
 )
 from kinegrade.lms.grades.cells import CellTable, Record
-from kinegrade.lms.grades.dialect import Key
-from kinegrade.lms.grades.grades import StudentGrade, known_as
+from kinegrade.lms.grades.grades import StudentGrade
+from kinegrade.lms.grades.key_column import KeyColumn
+from kinegrade.lms.grades.probable_rows import ProbableRows
 
-_CUT_NUMBER = re.compile(r"([0-9])(?:[.,]([0-9]{1,15}))?E\+?([0-9]{1,2})", re.IGNORECASE)
 _MOST_HINTS = 3
-_WRAPPED = re.compile(r'=?"(.*)"|[\'#](.*)')
-
-
-@dataclass(frozen=True, slots=True)
-class KeyColumn:
-    """A key of the system and the place of its column in the file."""
-
-    key: Key
-    place: int
-
-    def value(self, row: Record) -> str:
-        """The row's value, as the system compares it."""
-        text = trim(row.cells[self.place].text)
-        return self.compared(text.removeprefix(self.key.prefix) if self.key.prefix else text)
-
-    def wanted(self, grade: StudentGrade) -> str:
-        """The value that a student's row must have; empty where that is not known."""
-        return self.compared(known_as(grade, self.key.field))
-
-    def compared(self, text: str) -> str:
-        """A value as the system compares it."""
-        return text.casefold() if self.key.ignores_case else text
 
 
 @dataclass(frozen=True)
@@ -89,7 +66,7 @@ def match(
     }
     unclaimed = [row for row in rows if row.line not in claimants]
     free = [row for row in unclaimed if not _is_test_person(row, test_person)]
-    wanted, alike = set(graded), [_Alike(table, column, free) for column in columns]
+    wanted, alike = set(graded), [ProbableRows(table, column, free) for column in columns]
     complaints = [
         *(
             _complain_of_ambiguous(table, columns, each, claims[each.student])
@@ -172,7 +149,10 @@ def _complain_of_contested(
 
 
 def _complain_of_missing(
-    table: CellTable, columns: Sequence[KeyColumn], grade: StudentGrade, alike: Sequence[_Alike]
+    table: CellTable,
+    columns: Sequence[KeyColumn],
+    grade: StudentGrade,
+    alike: Sequence[ProbableRows],
 ) -> Complaint:
     problem = Message(
         "grades.no-row", student=Quoted(grade.student), keys=_write_names(table, columns)
@@ -182,52 +162,6 @@ def _complain_of_missing(
     if hints:
         done = Message("grades.not-exported-but", hints=list_statements(hints))
     return Complaint(table.file, None, "", grade.student, problem, done)
-
-
-class _Alike:
-    """The rows that no student matches, by what their cell of one key column may once have been."""
-
-    def __init__(self, table: CellTable, column: KeyColumn, free: Iterable[Record]) -> None:
-        self.column, self.title = column, table.titles[column.place]
-        self.folded: dict[str, list[Record]] = defaultdict(list)
-        self.cut: dict[int, dict[str, list[Record]]] = defaultdict(lambda: defaultdict(list))
-        for row in free:
-            cell = trim(row.cells[column.place].text)
-            self.folded[folded(cell)].append(row)
-            found = _CUT_NUMBER.fullmatch(cell)
-            if found:
-                self.cut[len(found[2] or "")][
-                    f"{found[1]}.{found[2] or ''}E+{int(found[3])}"
-                ].append(row)
-
-    def hints(self, grade: StudentGrade) -> Iterator[Message]:
-        """Rows that may be the student's, each with what to do about it."""
-        wanted = self.column.wanted(grade)
-        for row in self.folded.get(folded(wanted), ()) if wanted else ():
-            yield Message("grades.probably-the-same", row=self._shown(row))
-        if not (wanted.isascii() and wanted.isdigit()):
-            return
-        for digits, rows in self.cut.items():
-            whole, _, rest = f"{Decimal(wanted):.{digits}E}".partition("E+")
-            for row in rows.get(f"{whole}{'' if digits else '.'}E+{rest}", ()):
-                yield Message("grades.cut-number", row=self._shown(row))
-
-    def _shown(self, row: Record) -> Message:
-        cell = Quoted(trim(row.cells[self.column.place].text)[:60])
-        return Message("grades.row-has", line=row.line, title=self.title, text=cell)
-
-
-def folded(text: str) -> str:
-    """A value without what spreadsheets and keyboards change: wrappers, leading zeros, full-width
-    forms, case.
-
-    >>> folded("０0７"), folded('="007"'), folded("7.0")
-    ('7', '7', '7')
-    """
-    plain = trim(normalize("NFKC", text))
-    wrapped = _WRAPPED.fullmatch(plain)
-    inner = (wrapped[1] or wrapped[2] or "") if wrapped else plain
-    return trim(inner).casefold().removesuffix(".0").lstrip("0")
 
 
 def _list_strangers(

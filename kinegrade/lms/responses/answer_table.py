@@ -17,16 +17,10 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.answer_file import AnswerFile, LeftOut, Sources
+from kinegrade.files.cell_text import trim
 from kinegrade.files.decoding import name_encoding
 from kinegrade.files.spreadsheet import read_workbook
-from kinegrade.files.tables import (
-    Complaint,
-    Row,
-    Table,
-    drop_headers,
-    read_table,
-    trim,
-)
+from kinegrade.files.tables import Complaint, Row, Table, drop_headers, read_table
 from kinegrade.files.workbook_inspection import is_workbook
 from kinegrade.language.message import (
     Fault,

@@ -10,7 +10,8 @@ from collections.abc import Mapping, Sequence
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.files.tables import Table, make_header_key
+from kinegrade.files.cell_text import make_header_key
+from kinegrade.files.tables import Table
 from kinegrade.language.message import Fault, Listing, Message, Quoted, list_plainly
 
 _NAME_ASKS = Message("responses.name-asks")

@@ -10,7 +10,8 @@ from functools import cache
 
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster.roster import Column, list_column_names
-from kinegrade.files.tables import Table, make_header_key
+from kinegrade.files.cell_text import make_header_key
+from kinegrade.files.tables import Table
 from kinegrade.language.message import Message, Quoted
 from kinegrade.language.spellings import match_spellings
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks, without_derived

@@ -13,7 +13,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from kinegrade.errors import TableError
-from kinegrade.files.tables import Table, make_header_key, trim
+from kinegrade.files.cell_text import make_header_key, trim
+from kinegrade.files.tables import Table
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, list_all, list_plainly
 

@@ -11,7 +11,7 @@ import re
 from collections.abc import Mapping, Sequence
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.files.tables import trim
+from kinegrade.files.cell_text import trim
 from kinegrade.language.message import Message
 
 _NUMBER = re.compile(r"[-+]?\d{1,30}(?:[.,]\d{1,60})?(?:[eE][-+]?\d{1,3})?")

@@ -12,7 +12,8 @@ from typing import Literal
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.roster import make_student_key
 from kinegrade.exam.roster.student_ids import StudentIds
-from kinegrade.files.tables import Row, make_header_key, shorten, trim
+from kinegrade.files.cell_text import make_header_key, shorten, trim
+from kinegrade.files.tables import Row
 from kinegrade.language.message import Message, Quoted, Text, list_all
 
 Kind = Literal["id", "email"]

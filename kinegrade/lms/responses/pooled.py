@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.answer_file import Sources
-from kinegrade.files.tables import trim
+from kinegrade.files.cell_text import trim
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.lms.responses.other_paper import agree, difference, right_answers, value_of
 from kinegrade.lms.responses.people import Found

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster.roster import Column, list_column_names
-from kinegrade.files.tables import Table, make_header_key
+from kinegrade.files.cell_text import make_header_key
+from kinegrade.files.tables import Table
 from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows

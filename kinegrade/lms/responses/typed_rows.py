@@ -8,8 +8,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+from kinegrade.files.cell_text import shorten
 from kinegrade.files.csv_writing import write_csv_text
-from kinegrade.files.tables import Complaint, Row, shorten
+from kinegrade.files.tables import Complaint, Row
 from kinegrade.language.message import Message
 from kinegrade.lms.responses.people import Kind
 

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.files.tables import Table, trim
+from kinegrade.files.cell_text import trim
+from kinegrade.files.tables import Table
 from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows

@@ -36,7 +36,7 @@ from kinegrade.problem.assemble import assemble
 from kinegrade.problem.quantities.functions import make_quantities, needs_configurations
 from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask
 from kinegrade.students.rounding.by_hand import solve_by_hand, write_down
 from kinegrade.students.rounding.targets import find_targets, list_carried_figures

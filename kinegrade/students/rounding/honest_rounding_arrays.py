@@ -26,7 +26,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.rounded_arrays import RoundedArrays
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantities.functions import needs_configurations
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.students.rounding.honest_rounding import (
     convert_value,

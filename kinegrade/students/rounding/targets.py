@@ -16,7 +16,7 @@ from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.rounding import NOTHING, Rounded
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.solving import Solution
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask
 from kinegrade.problem.tolerance import find_effective_tolerance
 

@@ -1,0 +1,96 @@
+"""CSV read record by record; a stray quotation mark swallows no line."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import chain, islice
+
+from kinegrade.files.cell_text import trim
+
+_SEPARATORS = ",;\t"
+_BLANKS = f"{_SEPARATORS} "
+_END = "\x00end of table"
+_MOST_STRAY_QUOTES = (
+    20  # each takes a second reading of the rest; a file with more is read without quotation marks
+)
+
+
+@contextmanager
+def cells_of_any_size(text: str) -> Iterator[None]:
+    """While it holds, `csv` reads cells of any size that the text can have."""
+    before = csv.field_size_limit(len(text) + len(_END) + 1)
+    try:
+        yield
+    finally:
+        csv.field_size_limit(before)
+
+
+def find_separator(text: str) -> tuple[str, int]:
+    """The separator that gives the header the most columns (a comma if any), and how many."""
+
+    def columns(separator: str) -> int:
+        records = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+        return next(
+            (len(cells) for cells in records if any(trim(cell).strip(_BLANKS) for cell in cells)),
+            0,
+        )
+
+    separator = max(_SEPARATORS, key=columns)
+    return separator, columns(separator)
+
+
+def read_records(
+    text: str, separator: str, width: int
+) -> tuple[list[tuple[int, list[str]]], list[int]]:
+    """All records with the lines on which they begin, and the lines with a stray quotation mark.
+
+    A quotation mark is stray if it is never closed, or closed on a later line so that the record
+    does not have the header's width or is not proper CSV. Such a line is read by itself; otherwise
+    it would swallow those after it.
+    """
+    lines = list(io.StringIO(text, newline=""))
+    records: list[tuple[int, list[str]]] = []
+    stray: list[int] = []
+    first = 0
+    while True:
+        quoting = len(stray) < _MOST_STRAY_QUOTES
+        for line, cells, after in _read(lines, first, separator, quoting):
+            if after - line > 1 and (
+                len(cells) != width or not _is_strict(lines[line - 1 : after - 1], separator)
+            ):
+                records.append((line, lines[line - 1].rstrip("\r\n").split(separator)))
+                stray.append(line)
+                first = line
+                break
+            records.append((line, cells))
+        else:
+            return records[:-1], stray
+
+
+def _read(
+    lines: list[str], first: int, separator: str, quoting: bool
+) -> Iterator[tuple[int, list[str], int]]:
+    """Records from the index `first` on, each with its line and the next; the last is the end
+    mark.
+    """
+    source = chain(islice(lines, first, None), [_END])
+    if quoting:
+        reader = csv.reader(source, delimiter=separator)
+    else:
+        reader = csv.reader(source, delimiter=separator, quoting=csv.QUOTE_NONE)
+    line = first + 1
+    for cells in reader:
+        after = first + reader.line_num + 1
+        yield line, cells, after
+        line = after
+
+
+def _is_strict(lines: list[str], separator: str) -> bool:
+    try:
+        list(csv.reader(lines, delimiter=separator, strict=True))
+    except csv.Error:
+        return False
+    return True

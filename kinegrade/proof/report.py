@@ -1,0 +1,48 @@
+"""What the check of a template found."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from kinegrade.draws.examining import Reason
+from kinegrade.errors import Problem
+from kinegrade.language.message import Message
+from kinegrade.problem.template.template import Template
+from kinegrade.proof.spread import Spread
+
+SECRET = "check"  # the instances looked at are the same every time
+
+
+@dataclass
+class Report:
+    """What the check of a template found; `faults` is empty when the template is sound.
+
+    `secret` is what the instances were drawn from. `sound` are the asks that can be worked out at
+    all drawn values; the others are faults. `inseparable` holds for each ask the mistakes that
+    cannot be distinguished from the truth, at all or in most instances. `blamed` counts the
+    refusals caused by a single answer, by reason and ask. `seconds` is the median time of an
+    instance; `remarks` are for the author to weigh.
+    """
+
+    template: Template
+    secret: str = SECRET
+    sound: tuple[str, ...] = ()
+    proved: int = 0
+    instances: int = 0
+    refused: Counter[Reason] = field(default_factory=Counter)
+    blamed: Counter[tuple[Reason, str]] = field(default_factory=Counter)
+    spreads: dict[str, Spread] = field(default_factory=dict)
+    inseparable: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    seconds: float = 0.0
+    remarks: list[Message] = field(default_factory=list)
+    faults: list[Problem] = field(default_factory=list)
+
+    @property
+    def distinct(self) -> int:
+        """How many distinct instances there are: all combinations, less the share that the sample
+        refused.
+        """
+        examined = self.instances + sum(self.refused.values())
+        return self.template.combinations * self.instances // examined if examined else 0
