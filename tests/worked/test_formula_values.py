@@ -129,6 +129,9 @@ def test_no_two_signs_stand_side_by_side(first: Formula, second: Formula) -> Non
 @pytest.mark.parametrize(
     ("formula", "latex"),
     [
+        (A * (B - C), "v_{1}(v_{2} - v_{3})"),
+        (TWO * A * Absolute(B), r"2 v_{1}\left|v_{2}\right|"),
+        (A * (B - C) * (B + C), r"v_{1}(v_{2} - v_{3})\,(v_{2} + v_{3})"),
         (A - (B + C), "v_{1} - (v_{2} + v_{3})"),
         (A + (B - C), "v_{1} + v_{2} - v_{3}"),
         (A - (-B), "v_{1} + v_{2}"),
@@ -136,7 +139,7 @@ def test_no_two_signs_stand_side_by_side(first: Formula, second: Formula) -> Non
         (Function("cos", MINUS_TWO**TWO), r"\cos((-2)^{2})"),
         (-MINUS_TWO, "-(-2)"),
         (A + MINUS_TWO, "v_{1} + (-2)"),
-        (A * -B, r"v_{1}\,(-v_{2})"),
+        (A * -B, r"v_{1}(-v_{2})"),
         (MINUS_TWO.dot(Number("-1.5")), r"-2 \cdot (-1.5)"),
         (A - MINUS_TWO.dot(B), r"v_{1} - (-2) \cdot v_{2}"),
         ((A + B) * C, r"(v_{1} + v_{2})\,v_{3}"),

@@ -222,7 +222,20 @@ def _choose_separator(before: Formula, factor: Formula) -> Row:
         return (DOT,)
     if operator or (first == "number" and (second == "symbol" or isinstance(factor, Root))):
         return ()
+    if _end(before).kind in ("number", "symbol") and _is_enclosed(factor):
+        return ()
     return (_THIN,)
+
+
+def _end(factor: Formula) -> Formula:
+    """The last that is printed of a factor."""
+    return _end(factor.factors[-1]) if isinstance(factor, Product) else factor
+
+
+def _is_enclosed(factor: Formula) -> bool:
+    """Whether a factor that does not lead is printed between brackets or bars."""
+    row = factor.print_factor(".", leads=False)
+    return isinstance(row[0], Fenced) or row[0] == OPEN
 
 
 @dataclass(frozen=True)
