@@ -14,7 +14,6 @@ import numpy as np
 import pytest
 
 from kinegrade.errors import MechanismError, TemplateError
-from kinegrade.language import Language
 from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.prose.typst import write_prose
 from kinegrade.mechanics.plan import Plan
@@ -35,23 +34,13 @@ from kinegrade.worked.vectors.needed_rates import select_steps
 from kinegrade.worked.vectors.projection import Projection, Share, find_deductions
 from kinegrade.worked.vectors.stage import Stage, measure_along_direction
 from tests.laws.cases import moving_templates
-from tests.problem.draws import draw_filter
-from tests.problem.draws import drawn as draws_of
 from tests.worked.chains import chains, disagreements, part_value
+from tests.worked.draws import drawn, kept, told
 from tests.worked.telling import displayed, mathematics, proses, tidy
 
-DRAWS = 1
 CLOSE = 1e-9
 TIDY = 1e-7  # angles are whole where they are so to within 1e-7 degrees
 Told = tuple[Stage, tuple[Relation, ...], tuple[str, ...]]
-
-
-@cache
-def drawn(name: str) -> tuple[Solution, ...]:
-    """The published instance and a drawn one, solved for all asks that an exam may put."""
-    template = load_template(name)
-    values = [one.values for one in draws_of(draw_filter(template), DRAWS)]
-    return tuple(solve_template(template, given) for given in ({}, *values))
 
 
 @cache
@@ -75,20 +64,6 @@ def stages_of(solution: Solution) -> Iterator[Told]:
 
 def all_stages(name: str) -> Iterator[Told]:
     return (told for place in range(len(drawn(name))) for told in stages(name, place))
-
-
-def told(
-    solution: Solution, method: Method | None = None, language: Language = "en"
-) -> tuple[Block, ...]:
-    return write_worked_solution(solution, solution.template.asks, language, method).blocks
-
-
-@cache
-def kept(
-    name: str, place: int = 0, method: Method | None = None, language: Language = "en"
-) -> tuple[Block, ...]:
-    """The solution of one drawn instance, worked out once for all tests."""
-    return told(drawn(name)[place], method, language)
 
 
 def every_telling(name: str) -> Iterator[tuple[Block, ...]]:

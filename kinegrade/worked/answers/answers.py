@@ -69,23 +69,29 @@ def _count_as_asked(ask: Ask, case: Case) -> Equation:
     size = abs(symbol)
     links = equate(-size if double(answer.number) < 0 else size)
     aside = say_beside(Message("solution.as-asked"), case)
-    return Equation(symbol, (*links, *state_quantity(answer)), aside)
+    return Equation(symbol, (*links, *_state_value(ask, case)), aside)
 
 
 def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
-    """The answer's symbol, its formula, its numbers and its value from the key; in SI first where
-    the numbers give a value in centimetres or millimetres.
-    """
+    """The answer's symbol, its formula, its numbers and its value from the key."""
     answer, symbol = case.solution.answers[ask.name], read_symbol(ask.symbol)
     numbers = () if working.numbers is None else (working.numbers,)
     between = [
         one for one in (working.symbols, *numbers) if one != ZERO and not one.looks_like(symbol)
     ]
-    values: tuple[Link, ...] = state_quantity(answer)
-    if between and not answer.at_infinity and _PREFIXED.match(answer.unit):
-        base = state_number(find_value(ask.quantity, case), _PREFIXED.sub("m", answer.unit))
-        values = (*base, *equate(Measured(Number(answer.decimal(DIGITS)), answer.unit)))
+    values = _state_value(ask, case) if between else state_quantity(answer)
     return Equation(symbol, (*equate(*between), *values))
+
+
+def _state_value(ask: Ask, case: Case) -> tuple[Link, ...]:
+    """The value that a formula in SI gives; in SI first where the key has centimetres or
+    millimetres.
+    """
+    answer = case.solution.answers[ask.name]
+    if answer.at_infinity or not _PREFIXED.match(answer.unit):
+        return state_quantity(answer)
+    base = state_number(find_value(ask.quantity, case), _PREFIXED.sub("m", answer.unit))
+    return (*base, *equate(Measured(Number(answer.decimal(DIGITS)), answer.unit)))
 
 
 def state_result(ask: Ask, case: Case) -> Result:
