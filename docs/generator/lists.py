@@ -68,7 +68,8 @@ def write_language_page() -> str:
     return write_page(
         "# Languages",
         "Everything that kinegrade prints or says is available in these languages. `--lang` "
-        "chooses that of files, the environment (`LC_ALL`, `LC_MESSAGES`, `LANG`) that of messages.",
+        "chooses that of files, the environment (`LC_ALL`, `LC_MESSAGES`, `LANG`) that of "
+        "messages.",
         write_table(("language", "name", "templates"), rows),
     )
 
