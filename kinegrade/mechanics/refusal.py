@@ -38,6 +38,8 @@ def explain_refusal(
         return MechanismError(describe_looseness(frames, motions))
     culprits = _find_contradiction(matrix, sides, arithmetic)
     names = list_all(frames.relations[index].origin for index in culprits)
+    if not loose and len(culprits) == 1:
+        return MechanismError(Message("mechanics.contradicts-joints", relation=names))
     if not loose:
         return MechanismError(Message("mechanics.contradiction", relations=names))
     if line:

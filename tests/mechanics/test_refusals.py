@@ -114,6 +114,14 @@ def test_loose_contradictory_and_dead_mechanisms(joints: Any, drivers: Any, mess
     assert message in problem(written(joints, drivers))
 
 
+def test_a_given_motion_of_a_point_that_the_joints_hold() -> None:
+    held = [Pin("A", ("AB", GROUND)), Pin("B", ("AB", GROUND))]
+    driven = written(held, [P.moves("A", "AB", X, 1)], bodies={"AB": "A B"})
+    assert problem(driven) == (
+        "the given motion of A of AB contradicts the joints: leave it out or change the joints"
+    )
+
+
 def test_a_refusal_is_said_in_chinese() -> None:
     chinese = open_catalogue(Language("zh"))
     with pytest.raises(MechanismError) as loose:
