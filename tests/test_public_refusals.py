@@ -109,3 +109,28 @@ def test_a_part_of_an_exam_is_no_place_for_a_report(small_class: Path, work: Pat
     with pytest.raises(OutputError, match="is a part of the EXAM folder EXAM, which would be lost"):
         kinegrade.report(exam, marks, key, force=True)
     assert key.read_bytes() == before
+
+
+def test_a_path_in_place_of_what_is_read_from_it(tmp_path: Path) -> None:
+    text: Any = "SPRING"
+    path: Any = Path("SPRING")
+    exam = "exam: is a path, not what it leads to - read it first: kinegrade.open_exam('SPRING')"
+    marks = exam.replace("exam:", "marks:").replace("open_exam", "open_marks")
+    output = tmp_path / "output"
+    roster = (
+        "roster: is a path, not what it leads to - read it first: kinegrade.Roster.read('SPRING')"
+    )
+    bank = roster.replace("roster:", "bank:").replace("Roster", "Bank")
+    late = roster.replace("roster:", "late:")
+    asked: list[tuple[Callable[[], object], list[str]]] = [
+        (lambda: kinegrade.generate(text, path, output), [bank, roster]),
+        (lambda: kinegrade.add_students(text, text, text, text), [exam, bank, roster, late]),
+        (lambda: kinegrade.grade(path, "answers.csv", output), [exam]),
+        (lambda: kinegrade.export(text, output, to="moodle", exam=text), [marks, exam]),
+        (lambda: kinegrade.quiz(text, output, to="qti12"), [exam]),
+        (lambda: kinegrade.feedback(text, text, output), [exam, marks]),
+        (lambda: kinegrade.report(text, path, output), [exam, marks]),
+    ]
+    for run, faults in asked:
+        assert refused(run).splitlines() == faults
+    assert not output.exists()

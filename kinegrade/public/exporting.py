@@ -19,6 +19,7 @@ from kinegrade.lms.grades.grades import ClassGrades, read_grades
 from kinegrade.lms.grades.systems import GRADE_FILES, SYSTEMS, WORKBOOK
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.public.folders import expect_own_place
+from kinegrade.public.opened import expect_opened
 from kinegrade.public.options import require_known, require_word
 from kinegrade.public.outcome import Outcome
 
@@ -45,6 +46,7 @@ def export(
     Traceback (most recent call last):
     kinegrade.errors.OptionError: to: unknown: "modle" - did you mean "moodle"? ...
     """
+    expect_opened(marks=marks, exam=exam)
     place = Path(output)
     expect_own_place(place)
     require_word("to", to, GRADE_FILES)

@@ -19,6 +19,7 @@ from kinegrade.exam.roster.roster import Roster
 from kinegrade.language.message import Message
 from kinegrade.public.bank import Bank
 from kinegrade.public.folders import expect_own_place
+from kinegrade.public.opened import expect_opened
 from kinegrade.public.opening import open_exam
 from kinegrade.public.options import find_language, require_known
 from kinegrade.public.outcome import Outcome
@@ -57,6 +58,7 @@ def generate(
     Traceback (most recent call last):
     kinegrade.errors.OutputError: SPRING: already exists - ...
     """
+    expect_opened(bank=bank, roster=roster)
     place = Path(output)
     expect_own_place(place)
     require_known(options)
@@ -90,6 +92,7 @@ def add_students(
     Traceback (most recent call last):
     kinegrade.errors.TableError: ...
     """
+    expect_opened(exam=exam, bank=bank, roster=roster, late=late)
     require_known(options)
     added = add_to_exam(exam.path, bank.blueprint, roster, late, options)
     note = Message("terminal.of", where=str(exam.path), what=added.summary)

@@ -23,6 +23,7 @@ from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import KEPT
 from kinegrade.public.folders import expect_own_place
+from kinegrade.public.opened import expect_opened
 from kinegrade.public.opening import open_marks
 from kinegrade.public.options import require_known
 from kinegrade.public.outcome import Outcome
@@ -115,6 +116,7 @@ def grade(
     Traceback (most recent call last):
     kinegrade.errors.TableError: absent.csv: cannot be read ...
     """
+    expect_opened(exam=exam)
     place = Path(output)
     expect_own_place(place)
     require_known(options)

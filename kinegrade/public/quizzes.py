@@ -19,6 +19,7 @@ from kinegrade.lms.quiz.moodle.questions import Form
 from kinegrade.problem.template.template import Method
 from kinegrade.processes.executor import open_executor
 from kinegrade.public.folders import expect_own_place
+from kinegrade.public.opened import expect_opened
 from kinegrade.public.options import find_language, require_known, require_word
 from kinegrade.public.outcome import Outcome
 
@@ -84,6 +85,7 @@ def quiz(
     Traceback (most recent call last):
     kinegrade.errors.OptionError: to: unknown: "moodle" - did you mean "moodle-xml"? ...
     """
+    expect_opened(exam=exam)
     place = Path(output)
     expect_own_place(place)
     require_word("to", to, FORMATS)
