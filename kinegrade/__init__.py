@@ -4,9 +4,9 @@
 >>> kinegrade.template("slider-crank").solve(r="1/5", phi=60)["v_B"].exact
 '2*sqrt(3)/15'
 
-The names below are all that is meant for programs and notebooks; the command line is made of them.
-Each is loaded when it is first used. What they refuse raises KinegradeError, whose text is what the
-terminal says.
+The names below are all that is meant for programs and notebooks; the commands of the same names are
+made of them. Each is loaded when it is first used. What they refuse raises KinegradeError, whose
+text is what the terminal says.
 """
 
 from __future__ import annotations

@@ -8,6 +8,7 @@ from dataclasses import is_dataclass
 
 import kinegrade
 from docs.generator.markdown import write_page
+from kinegrade.public.problem import Problem
 
 
 def write_python_page() -> str:
@@ -28,21 +29,32 @@ def _describe(name: str, value: Callable[..., object]) -> Iterator[str]:
     if hasattr(value, "read"):
         yield _write_call(f"{name}.read", value.read)
         yield from _write_docstring(value.read)
+    if value is kinegrade.template:
+        yield _write_call("template(...).solve", Problem.solve)
+        yield from _write_docstring(Problem.solve)
 
 
 def _write_call(name: str, value: Callable[..., object]) -> str:
-    """How it is called, a parameter a line; a star stands before the first that has to be named."""
+    """How it is called, a parameter a line, and the type of what it gives; a star stands before the
+    first that has to be named.
+    """
     lines = ["```text", f"{name}("]
-    for each in inspect.signature(value).parameters.values():
+    signature = inspect.signature(value)
+    for each in signature.parameters.values():
+        if each.name == "self":
+            continue
         if each.kind is inspect.Parameter.KEYWORD_ONLY and "    *," not in lines:
             lines.append("    *,")
         lines.append(f"    {_write_parameter(each)},")
-    return "\n".join((*lines, ")", "```"))
+    given = signature.return_annotation
+    gives = "" if given in (None, "None", inspect.Signature.empty) else f" -> {given}"
+    return "\n".join((*lines, f"){gives}", "```"))
 
 
 def _write_parameter(parameter: inspect.Parameter) -> str:
     """Name, type and default; a default that has no short text of its own is left out."""
-    written = f"{parameter.name}: {parameter.annotation}"
+    stars = "**" if parameter.kind is inspect.Parameter.VAR_KEYWORD else ""
+    written = f"{stars}{parameter.name}: {parameter.annotation}"
     default = parameter.default
     if is_dataclass(default) and not isinstance(default, type):
         return f"{written} = {type(default).__name__}()"

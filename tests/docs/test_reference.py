@@ -14,6 +14,7 @@ from docs.generator.commands import write_commands
 from docs.generator.described import read_constants, read_words
 from docs.generator.folders import write_folder_page
 from docs.generator.pages import PAGES, write_reference
+from docs.generator.python import write_python_page
 from docs.generator.templates import list_sentences, write_expression_page, write_template_page
 from kinegrade.cli import main
 from kinegrade.errors import FieldError
@@ -119,3 +120,11 @@ def test_the_examples_of_a_bank_and_a_policy_are_read(tmp_path: Path) -> None:
 
 def first_block(page: str) -> str:
     return re.findall(r"^```toml\n(.*?)^```", page, re.MULTILINE | re.DOTALL)[0]
+
+
+def test_the_page_of_python_says_what_is_given_back_and_how_a_problem_is_solved() -> None:
+    page = write_python_page()
+    assert "grade(\n    exam: ExamFolder," in page
+    assert "    options: GradeOptions = GradeOptions(),\n) -> Graded\n" in page
+    assert "template(...).solve(\n    **values: str | int | float,\n) -> Solution\n" in page
+    assert "`.decimal(digits)`" in page
