@@ -28,12 +28,10 @@ Role = Literal["absolute", "transport", "relative", "rotation", "coriolis"]
 class Part:
     """One vector of a vector equation.
 
-    absolute:  of `point`, about the fixed `base` where there is one, else along its path, or drawn
-    together; transport: of the point of the moving body that coincides with `point`; relative:  of
-    `point` relative to `frame`; rotation:  of `point` relative to `base`, a point of the same body;
-    `coincident` when it stands for the point of
-               the moving body at `point`;
-    coriolis:  the Coriolis acceleration of the relative motion.
+    absolute: of `point`, about the fixed `base` where there is one, else along its path, or drawn
+    together; transport: of the point of the moving body that coincides with `point`; relative: of
+    `point` relative to `frame`; rotation: of `point` relative to `base`, a point of the same body;
+    `coincident` when it stands for the moving body's point at `point`; coriolis: the acceleration.
 
     `composition` numbers the compositions of motions of an equation, from 0: transport, relative
     and Coriolis parts of one have the same number. `part` is "n" or "t" for the normal and
