@@ -18,6 +18,7 @@ import kinegrade
 from kinegrade.language import ENGLISH, Language
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.joints import Joint
+from kinegrade.mechanics.laws import Law
 from kinegrade.mechanics.relations import Kind as TermKind
 from kinegrade.mechanics.vector_equation import Role
 from kinegrade.problem.template.library.library import find_template_names, load_template
@@ -214,8 +215,7 @@ def list_asked_classes(tree: ast.Module) -> Iterator[str]:
     for node in ast.walk(tree):
         if isinstance(node, ast.MatchClass):
             yield ast.unparse(node.cls)
-        elif isinstance(node, ast.Call) and ast.unparse(node.func) == "isinstance":
-            yield from (part.id for part in ast.walk(node.args[1]) if isinstance(part, ast.Name))
+    yield from list_tested_classes(tree)
 
 
 def list_compared_texts(tree: ast.AST) -> Iterator[str]:
@@ -239,6 +239,26 @@ def test_no_module_compares_anything_with_the_name_of_a_joint_or_driver() -> Non
     assert {"pin", "mesh", "circulation"} <= names - other_words
     found = {name: set(list_compared_texts(tree)) & names for name, tree in TREES.items()}
     assert {name: words - other_words for name, words in found.items() if words - other_words} == {}
+
+
+def list_tested_classes(tree: ast.Module) -> Iterator[str]:
+    """The names of the classes that a module asks for by `isinstance`, where nothing makes it
+    consider the others.
+    """
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "isinstance":
+            yield from (part.id for part in ast.walk(node.args[1]) if isinstance(part, ast.Name))
+
+
+def test_only_mechanics_tests_for_a_law_others_match_all_or_ask_it() -> None:
+    laws = {law.__name__ for law in get_args(Law)} | {"Law", "Condition", "Imposed"}
+    assert {"NoSlip", "EqualRotation", "ImposedMotion"} <= laws
+    found = {
+        module: laws & set(list_tested_classes(tree))
+        for module, tree in TREES.items()
+        if not module.startswith("kinegrade.mechanics")
+    }
+    assert {module: asked for module, asked in found.items() if asked} == {}
 
 
 def test_no_module_asks_which_joint_or_driver_it_has_but_the_symbol_table_of_figures() -> None:

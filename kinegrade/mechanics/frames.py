@@ -22,9 +22,8 @@ from kinegrade.mechanics.laws import (
     GuidedBody,
     GuidedPoint,
     SharedPoint,
-    select_shared,
 )
-from kinegrade.mechanics.mechanism import Body, Mechanism
+from kinegrade.mechanics.mechanism import Body, Mechanism, select_shared
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.shapes import Circle, Line

@@ -7,9 +7,9 @@ them are 1 where it is right.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
-from typing import Self, assert_never
+from typing import ClassVar, Self, assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.geometry import foot
@@ -45,7 +45,9 @@ RIGHT = Shares()
 
 @dataclass(frozen=True)
 class Reason(ABC):
-    """What every law can say."""
+    """What every law can say, and whether it `keeps_parallel` two bodies."""
+
+    keeps_parallel: ClassVar[bool] = False
 
     @abstractmethod
     def describe(self, element: Message) -> Message:
@@ -68,6 +70,14 @@ class Reason(ABC):
 
     def find_guided_body(self) -> str | None:
         """The moving body whose point it guides; None where it guides none."""
+        return None
+
+    def find_rolling(self) -> NoSlip | None:
+        """The rolling without slipping that it is; None where it is something else."""
+        return None
+
+    def find_imposed_direction(self) -> Vector | None:
+        """The direction along which a driver imposes a motion; None where none does."""
         return None
 
     def map(self, number: Callable[[Number], Number]) -> Self:
@@ -147,6 +157,7 @@ class EqualRotation(Reason):
     body: str
     of: str
     is_sole: bool
+    keeps_parallel = True
 
     def describe(self, element: Message) -> Message:
         """That the two rotations are equal."""
@@ -205,6 +216,10 @@ class NoSlip(Reason):
             case _:
                 assert_never(self.on)
         return ((self.rate, 1), *_relate((self.body, slip), (self.of, -carried)))
+
+    def find_rolling(self) -> NoSlip | None:
+        """Itself."""
+        return self
 
     def list_arms(self, shares: Shares) -> tuple[Arm, ...]:
         """That of the rolling circle's centre about the centre of a circular track."""
@@ -333,6 +348,10 @@ class ImposedMotion(_Imposed):
     of: str
     direction: Vector
 
+    def find_imposed_direction(self) -> Vector | None:
+        """That of the point's motion."""
+        return self.direction
+
     def list_factors(self, shares: Shares) -> Turning:
         """None: it is a component of a vector."""
         return ()
@@ -378,8 +397,3 @@ def _relate(*factors: tuple[str, Number]) -> Turning:
             rate = make_turning(body)
             rates[rate] = rates[rate] + factor if rate in rates else factor
     return tuple(rates.items())
-
-
-def select_shared(conditions: Iterable[Condition]) -> tuple[SharedPoint, ...]:
-    """The shared points among some conditions."""
-    return tuple(condition for condition in conditions if isinstance(condition, SharedPoint))

@@ -4,7 +4,7 @@ them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -12,7 +12,7 @@ from typing import Any
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints import Joint
-from kinegrade.mechanics.laws import Condition, EqualRotation, SharedPoint, select_shared
+from kinegrade.mechanics.laws import Condition, EqualRotation, SharedPoint
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 
@@ -70,6 +70,15 @@ class Mechanism:
             if body != GROUND
         }
 
+    def find_translating(self) -> set[str]:
+        """The bodies that cannot rotate: kept parallel to the ground, or to a body that is."""
+        held = {GROUND}
+        for _ in self.bodies:
+            for law in self.list_conditions():
+                if isinstance(law, EqualRotation) and held & {law.body, law.of}:
+                    held |= {law.body, law.of}
+        return held - {GROUND}
+
     @cached_property
     def held_parallel(self) -> frozenset[str]:
         """The bodies that a joint does nothing else with but keep them from turning."""
@@ -103,3 +112,8 @@ def _map_part(part: Any, number: Callable[[Number], Number]) -> Any:
             return replace(part, **{name: _map_part(each, number) for name, each in parts.items()})
         case _:
             return number(part)
+
+
+def select_shared(conditions: Iterable[Condition]) -> tuple[SharedPoint, ...]:
+    """The shared points among some conditions."""
+    return tuple(condition for condition in conditions if isinstance(condition, SharedPoint))

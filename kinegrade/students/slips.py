@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import NoSlip, Shares, Turning
+from kinegrade.mechanics.laws import Shares, Turning
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Chain, Reading, Relation, Term
 from kinegrade.mechanics.vector import Vector
@@ -147,7 +147,7 @@ def _find_carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str
 def _find_rolling_centres(frames: Frames) -> dict[Rate, str]:
     """For each rolling body the point that is its centre, by the body's turning rate."""
     return {
-        make_turning(relation.source.body): relation.source.circle.centre
+        make_turning(roll.body): roll.circle.centre
         for relation in frames.relations
-        if isinstance(relation.source, NoSlip)
+        if relation.source and (roll := relation.source.find_rolling())
     }

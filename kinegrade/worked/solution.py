@@ -12,7 +12,6 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from kinegrade.language import Language
 from kinegrade.language.message import Message
-from kinegrade.mechanics.laws import EqualRotation, Imposed
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import Level
@@ -128,7 +127,8 @@ def _write_step_title(number: int, title: Message, case: Case) -> Heading:
 def _is_given(step: Step, case: Case) -> bool:
     """Whether a step only says what a driver imposes on one rate."""
     relations = [case.motion.frames.relations[index] for index in step.relations]
-    imposed = isinstance(relations[0].source, Imposed)
+    law = relations[0].source
+    imposed = law is not None and law.is_given and not law.keeps_parallel
     return len(relations) == 1 and imposed and imposes_single_rate(relations[0])
 
 
@@ -137,5 +137,6 @@ def _holds_still(step: Step, case: Case) -> bool:
     said.
     """
     relations = [case.motion.frames.relations[index] for index in step.relations]
-    held = isinstance(relations[0].source, EqualRotation)
+    law = relations[0].source
+    held = law is not None and law.keeps_parallel
     return len(relations) == 1 and held and len(relations[0].turning) == 1

@@ -9,7 +9,7 @@ from kinegrade.expressions.tree import Number, find_names
 from kinegrade.language.math.tree import Row, Scripts
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import Imposed, ImposedCircling, ImposedMotion, ImposedRotation
+from kinegrade.mechanics.laws import RIGHT, Imposed, ImposedCircling, ImposedMotion, ImposedRotation
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
@@ -32,7 +32,7 @@ def state_imposed(law: Imposed, relation: Relation, case: Case, level: Level) ->
     """What a driver imposes."""
     value = _find_driven_value(relation, level)
     left = _name_imposed(law, case, level)
-    unit = UNITS[level, isinstance(law, ImposedRotation)]
+    unit = UNITS[level, bool(law.list_factors(RIGHT))]
     links = drop_repetition(_state_expression(law, left, case, level), state_number(value, unit))
     equation = Equation(left, links, _state_sense(law, value, case))
     return Statement(Message("solution.title-given"), _state_given(law, case, level), equation)

@@ -7,7 +7,7 @@ from typing import assert_never
 
 from kinegrade.language.message import Message, list_statements
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import EqualRotation, NoSlip
+from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.shapes import Circle, Line
@@ -30,11 +30,11 @@ def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
     pivot = mechanism.find_pivots().get(body.name)
     if pivot is not None:
         return Message("solution.rotates", body=name, point=case.naming.point(pivot))
-    if body.name in find_translating(mechanism):
+    if body.name in mechanism.find_translating():
         return Message("solution.translates", body=name)
     laws = (relation.source for relation in case.motion.frames.relations)
-    rolls = (law for law in laws if isinstance(law, NoSlip) and law.body == body.name)
-    roll = next(rolls, None)
+    rolls = (law.find_rolling() for law in laws if law)
+    roll = next((roll for roll in rolls if roll and roll.body == body.name), None)
     if roll is not None:
         return Message("solution.rolls", body=name, other=describe_track(roll, case))
     still = make_turning(body.name) in case.motion.rates and case.arithmetic.is_zero(
@@ -56,13 +56,3 @@ def describe_track(roll: NoSlip, case: Case) -> Message:
             return Message("solution.fixed-circle")
         case _:
             assert_never(roll.on)
-
-
-def find_translating(mechanism: Mechanism) -> set[str]:
-    """The bodies that cannot rotate: kept parallel to the ground, or to a body that is."""
-    held = {GROUND}
-    for _ in mechanism.bodies:
-        for law in mechanism.list_conditions():
-            if isinstance(law, EqualRotation) and held & {law.body, law.of}:
-                held |= {law.body, law.of}
-    return held - {GROUND}

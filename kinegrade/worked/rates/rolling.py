@@ -101,8 +101,8 @@ def solve_rolling(
     relation: Relation, unknown: Rate, case: Case, level: Level
 ) -> Iterator[Equation]:
     """The relation of a rolling body solved for a rate, with numbers unless they are zero."""
-    roll = relation.source
-    if not isinstance(roll, NoSlip):
+    roll = relation.source.find_rolling() if relation.source else None
+    if roll is None:
         return
     term = find_term(relation.turning[0][0], case)
     sign = _find_slip_sign(roll, relation, case)

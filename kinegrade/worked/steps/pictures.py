@@ -118,8 +118,9 @@ def _draw_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
 
 def _find_rolling(step: Step, case: Case) -> NoSlip | None:
     """The rolling without slipping that a step is about."""
-    sources = (case.motion.frames.relations[index].source for index in step.relations)
-    return next((source for source in sources if isinstance(source, NoSlip)), None)
+    laws = (case.motion.frames.relations[index].source for index in step.relations)
+    rolls = (law.find_rolling() for law in laws if law)
+    return next((roll for roll in rolls if roll), None)
 
 
 def draw_answer(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:

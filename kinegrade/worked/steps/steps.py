@@ -25,7 +25,6 @@ from kinegrade.worked.formulas.atoms import AXES, ZERO, VectorSymbol, add_square
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import round_number, state_number
-from kinegrade.worked.rates.kinds import find_translating
 from kinegrade.worked.rates.scalars import explain_scalar_step, state_relation
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
@@ -200,7 +199,7 @@ def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
         yield case.say(Message("solution.here", equations=_list_equations(listed)))
     shifted = {
         part.term.rate.body for part in equation.parts if part.coincident and part.term
-    } & find_translating(case.motion.frames.mechanism)
+    } & case.motion.frames.mechanism.find_translating()
     for name in sorted(shifted):
         yield case.say(Message(f"solution.shifted-{equation.level}", frame=case.naming.body(name)))
     zeros = [

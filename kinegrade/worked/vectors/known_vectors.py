@@ -5,7 +5,6 @@ positive sense.
 from __future__ import annotations
 
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import ImposedMotion
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
@@ -21,12 +20,9 @@ def find_stated_sense(term: Term, case: Case) -> int:
     A driver may impose a point's motion in the direction opposite to the joint's.
     """
     for relation in case.motion.frames.relations:
-        if (
-            isinstance(relation.source, ImposedMotion)
-            and relation.along is not None
-            and _imposes(relation, term)
-        ):
-            return 1 if double(relation.along.dot(term.coefficient())) > 0 else -1
+        along = relation.source.find_imposed_direction() if relation.source else None
+        if along is not None and _imposes(relation, term):
+            return 1 if double(along.dot(term.coefficient())) > 0 else -1
     return 1
 
 
