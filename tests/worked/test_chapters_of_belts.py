@@ -63,7 +63,7 @@ def test_a_crossed_belt_about_a_fixed_pulley() -> None:
         r"""
         Seen from the carrier $OC$ both rims always move with the speed of the belt. The belt is
             crossed, so the pulleys turn in opposite senses:
-        (1 + 1)\,(\omega - \omega_{OC}) &= -3\,(0 - \omega_{OC})
+        (1 + 1)\,(\omega - \omega_{OC}) &= -3(0 - \omega_{OC})
         \omega &= 5\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )

@@ -82,14 +82,14 @@ def test_the_points_of_a_rolling_wheel() -> None:
     assert read_chapter("# Answers", solution) == as_read(
         r"""
         $P$ is a point of the wheel, base point $C$:
-        v_{P,x} &= v_{C,x} - \omega_{CD}\,(y_{P} - y_{C}) = 6\,\unit{m/s}
-        v_{P,y} &= v_{C,y} + \omega_{CD}\,(x_{P} - x_{C}) = -3 \cdot 2 = -6\,\unit{m/s}
+        v_{P,x} &= v_{C,x} - \omega_{CD}(y_{P} - y_{C}) = 6\,\unit{m/s}
+        v_{P,y} &= v_{C,y} + \omega_{CD}(x_{P} - x_{C}) = -3 \cdot 2 = -6\,\unit{m/s}
         v_{P} &= \sqrt{v_{P,x}^{2} + v_{P,y}^{2}} = \sqrt{6^{2} + (-6)^{2}} = 6\sqrt{2} \approx
             8.485\,\unit{m/s}
         $D$ is a point of the wheel, base point $C$:
-        a_{D,x} &= a_{C,x} - \alpha_{CD}\,(y_{D} - y_{C}) - \omega_{CD}^{2}\,(x_{D} - x_{C}) = 2 -
+        a_{D,x} &= a_{C,x} - \alpha_{CD}(y_{D} - y_{C}) - \omega_{CD}^{2}(x_{D} - x_{C}) = 2 -
             (-1) \cdot (-2) = 0\,\unit{m/s^2}
-        a_{D,y} &= a_{C,y} + \alpha_{CD}\,(x_{D} - x_{C}) - \omega_{CD}^{2}\,(y_{D} - y_{C}) =
+        a_{D,y} &= a_{C,y} + \alpha_{CD}(x_{D} - x_{C}) - \omega_{CD}^{2}(y_{D} - y_{C}) =
             -(-3)^{2} \cdot (-2) = 18\,\unit{m/s^2}
         a_{D} &= a_{D,y} = 18\,\unit{m/s^2}
         v_{P} = 6 \sqrt{2} = 8.48528 m/s (in the direction $315^\circ$)
