@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from fractions import Fraction
 from os import PathLike
 from pathlib import Path
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.quiz.document import QuizPaper
+from kinegrade.exam.quiz.document import Quiz, QuizPaper
 from kinegrade.exam.quiz.paper import QuizWishes
 from kinegrade.exam.quiz.quiz import Progress, read_quiz
 from kinegrade.exam.quiz.variants import variants_stored
+from kinegrade.language import Language
 from kinegrade.language.message import Message
 from kinegrade.lms.quiz.formats import FORMATS, FileWishes, choose_writer
 from kinegrade.lms.quiz.moodle.questions import Form
@@ -93,15 +95,22 @@ def quiz(
     chosen = None if language is None else find_language(language)
     writer = choose_writer(to, options.file)
     with open_executor(options.jobs, "quiz") as workers:
-        put = read_quiz(
-            exam,
-            chosen,
-            variants=options.variants,
-            wishes=options.wishes,
-            workers=workers,
-            progress=options.progress,
-        )
+        put = _read(exam, chosen, options, workers)
         with variants_stored(exam, options.variants or 0):
             remarks = writer(put, place, force=force)
     written = Message("terminal.quiz-written", file=str(place))
     return Outcome(place, (written, Message("terminal.marked-there")), tuple(remarks))
+
+
+def _read(
+    exam: ExamFolder, language: Language | None, options: QuizOptions, workers: Executor
+) -> Quiz:
+    """The quiz of an exam, whose questions are read while it is written."""
+    return read_quiz(
+        exam,
+        language,
+        variants=options.variants,
+        wishes=options.wishes,
+        workers=workers,
+        progress=options.progress,
+    )
