@@ -4,17 +4,16 @@
 
 For every template N papers are drawn as for an exam (1,000 unless said otherwise). Promised is
 
-1. full marks in every ask for an honest student who carries three significant figures, in the three
-   ways of `kinegrade.students.rounding.honest_rounding`, whether three figures are typed in, four,
-   or the calculator's whole display;
+1. full marks in every ask for an honest student who carries four significant figures, every
+   operation rounded or off by anything that rounding can leave, whether four figures are typed in,
+   five, or the calculator's whole display;
 2. full marks in no ask for a student who makes a known mistake, except where the template reports
    it as inseparable;
 3. that the marks name the mistake which was made in at least 99 % of these answers, alone or among
    those that lead there too. A mistake that leads to the same number within what is typed in (four
    figures) is as good a name: answers for which only such a one is named are counted apart.
 
-`students` simulates, `fairness` counts. Measured without a promise: students who round some of
-their intermediate values only, or err anywhere within the rounding; and mistaken ones who carry
+`students` simulates, `fairness` counts. Measured without a promise: mistaken students who carry
 three figures.
 """
 
@@ -28,7 +27,7 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass, field
 
 from benchmarks.simulated_class import Answer, SimulatedClass, answered, classes
-from benchmarks.students import honest_students, mistaken_students, unpromised_students
+from benchmarks.students import honest_students, mistaken_students
 from kinegrade.grading.marks import Mark
 from kinegrade.problem.template.library.library import find_template_names, load_template
 
@@ -41,7 +40,7 @@ SHOWN = 5  # broken promises told of each template
 class Fairness:
     """What was counted for one template.
 
-    `honest` and `others` have for each way of working how many answers were given and how many got
+    `honest` has for each way of working how many answers were given and how many got
     full marks, `mistakes` counts answers with a known mistake by what the marks made of them,
     `inseparable` those that nothing is promised of. `broken` are examples of promises not kept,
     `confused` of mistakes named instead of others.
@@ -50,7 +49,6 @@ class Fairness:
     template: str
     instances: int = 0
     honest: dict[str, Counter[str]] = field(default_factory=dict)
-    others: dict[str, Counter[str]] = field(default_factory=dict)
     mistakes: Counter[str] = field(default_factory=Counter)
     inseparable: Counter[str] = field(default_factory=Counter)
     rounded: Counter[str] = field(default_factory=Counter)
@@ -77,9 +75,8 @@ class Fairness:
     def add(self, other: Fairness) -> None:
         """Count the students of another class or template too."""
         self.instances += other.instances
-        for mine, theirs in ((self.honest, other.honest), (self.others, other.others)):
-            for way, count in theirs.items():
-                mine.setdefault(way, Counter()).update(count)
+        for way, count in other.honest.items():
+            self.honest.setdefault(way, Counter()).update(count)
         for name in ("mistakes", "inseparable", "rounded", "confused"):
             getattr(self, name).update(getattr(other, name))
         self.broken += other.broken[: SHOWN - len(self.broken)]
@@ -105,7 +102,6 @@ def count_class(simulated: SimulatedClass, *, measured: bool) -> Fairness:
             way,
             simulated,
             answers,
-            promised=True,
         )
     for answers in mistaken_students(simulated, rounded=False):
         count_mistaken(found, simulated, answers)
@@ -116,10 +112,6 @@ def count_class(simulated: SimulatedClass, *, measured: bool) -> Fairness:
 
 def measure(found: Fairness, simulated: SimulatedClass) -> None:
     """Students of whom nothing is promised."""
-    for way, answers in unpromised_students(simulated):
-        count_honest(
-            found, found.others.setdefault(way, Counter()), way, simulated, answers, promised=False
-        )
     for answers in mistaken_students(simulated, rounded=True):
         count_rounded(found, simulated, answers)
 
@@ -130,15 +122,13 @@ def count_honest(
     way: str,
     simulated: SimulatedClass,
     answers: Sequence[Mapping[str, Answer]],
-    *,
-    promised: bool,
 ) -> None:
     """Mark a class that works rightly; what is not answered gets no full marks."""
     for place, mark in simulated.marked(answers):
         full = mark.points == mark.ask.points
         count["given"] += 1
         count["full"] += full
-        if promised and not full and len(found.broken) < SHOWN:
+        if not full and len(found.broken) < SHOWN:
             found.broken.append(f"honest, {way}: {told(simulated, place, mark)}")
 
 
@@ -219,12 +209,11 @@ def row(name: str, found: Fairness) -> str:
 
 def summary(total: Fairness) -> Iterator[str]:
     """What the totals say of each promise, and what is measured beside them."""
-    for title, counts in (("promised", total.honest), ("measured", total.others)):
-        for way, count in sorted(counts.items()):
-            yield (
-                f"{title:<10}{way:<50}{count['full']:>9} of {count['given']:>9} answers got full "
-                f"marks, {share(count, 'full'):.4%}"
-            )
+    for way, count in sorted(total.honest.items()):
+        yield (
+            f"{'promised':<10}{way:<60}{count['full']:>9} of {count['given']:>9} answers got full "
+            f"marks, {share(count, 'full'):.4%}"
+        )
     made, rounded = total.mistakes, total.rounded
     yield f"{'promised':<10}known mistakes that got full marks: {made['full']} of {made['given']}"
     yield (

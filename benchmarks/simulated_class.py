@@ -36,8 +36,7 @@ from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.students.consequences import attach_mistakes
-from kinegrade.students.rounding.targets import find_full_turn, find_nearest_turn
-from kinegrade.students.separation import Separation
+from kinegrade.students.separation import Separation, measure_distance
 
 CLASS = 50  # students of one exam: no template is short of instances for so few
 FIGURES = 4  # that mistaken students type in
@@ -96,9 +95,8 @@ class SimulatedClass:
         led = self.solutions[place][ask].mistakes.get(name)
         if led is None:
             return False
-        led = find_nearest_turn(led, answer.value, find_full_turn(self.template.asks[ask]))
         unit = 10.0 ** (floor(log10(abs(answer.value))) + 1 - FIGURES) if answer.value else 0.0
-        return abs(led - answer.value) <= unit
+        return bool(measure_distance(led, answer.value, self.template.asks[ask]) <= unit)
 
     @staticmethod
     def named(each: Mark) -> tuple[str, ...]:

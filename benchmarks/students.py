@@ -1,115 +1,77 @@
 """Simulated students: those who work rightly with rounded numbers, and those who make a known
 mistake.
 
-Each gives for every paper of a class what is typed in, by ask. Working by hand is that of
-`kinegrade.students.rounding.honest_rounding`; the unpromised ways round in another manner, so that
-they are no copy of what draws are accepted by.
+Each gives for every paper of a class what is typed in, by ask. They round in the arithmetic of
+`jotting`, which knows nothing of the bound by which draws are accepted.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from math import isfinite
-from random import Random
+from collections.abc import Iterator, Mapping
+from math import degrees, isfinite
 from typing import Any
 
+import numpy as np
+
+from benchmarks.jotting import Jotting
 from benchmarks.simulated_class import FIGURES, Answer, SimulatedClass
 from kinegrade.errors import KinegradeError
 from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.elimination import Singular
-from kinegrade.numbers.rounding import Rounded, Sparing
+from kinegrade.numbers.tolerance import USUAL_CARRY
 from kinegrade.problem.quantities.functions import needs_configurations
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask
 from kinegrade.students.mistake_kinds import Mistake, find_candidates
 from kinegrade.students.mistakes import choose_way, work_out
-from kinegrade.students.rounding.honest_rounding import (
-    LOST,
-    work_by_arms,
-    work_by_coordinates,
-)
+from kinegrade.students.rounding.working import Working
 
-CARRIED = 3
+CARRIED = 3  # by mistaken students
 DISPLAY = 10  # digits of a calculator
 EVERY = 10  # of so many papers one is also worked out with a mistake and rounded numbers
 
 Answers = list[Mapping[str, Answer]]
-Working = Callable[[Solution, Rounded], Mapping[str, float]]
-
-
-class Moody(Rounded):
-    """The arithmetic of one who writes some intermediate values down rounded, and keeps others in
-    the calculator.
-    """
-
-    def __init__(self, figures: int, chance: Random) -> None:
-        super().__init__(figures)
-        self.chance = chance
-
-    def written(self, number: float) -> float:
-        """The number, rounded half of the time."""
-        return (
-            super().written(number)
-            if self.chance.random() < 0.5
-            else Sparing(self.figures).noted(number)
-        )
-
-
-class Vague(Moody):
-    """The arithmetic of one whose intermediate values may be off by anything that rounding can
-    leave.
-    """
-
-    def written(self, number: float) -> float:
-        """The number and up to half a unit of its last figure more or less, with equal
-        probability.
-        """
-        rounded = Rounded(self.figures).written(number)
-        if not rounded:
-            return 0.0
-        unit = 10.0 ** (int(f"{rounded:e}".partition("e")[2]) + 1 - self.figures)
-        return number + self.chance.uniform(-0.5, 0.5) * unit
-
-
-def arms(solution: Solution, rounded: Rounded) -> Mapping[str, float]:
-    """Worked by arms: positions stay in the calculator."""
-    return work_by_arms(solution, solution.motion.map(float), rounded)
 
 
 def honest_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answers]]:
-    """The three ways in which full marks are promised, each typed in with three figures, with four
-    and with all.
+    """Those to whom full marks are promised: they carry what the paper asks for, and every
+    operation is rounded, or off by anything that rounding can leave; as many figures are typed in,
+    one more, or all.
     """
-    ways: tuple[tuple[str, Working, Rounded], ...] = (
-        ("by coordinates", work_by_coordinates, Rounded(CARRIED)),
-        ("by arms", arms, Rounded(CARRIED)),
-        ("rates alone rounded", arms, Sparing(CARRIED)),
-    )
-    for way, working, rounded in ways:
-        found = [working(paper.questions[0].drawn.solution, rounded) for paper in simulated.papers]
-        for figures in (CARRIED, CARRIED + 1, DISPLAY):
-            yield f"{way}, {figures} figures typed in", [typed(each, figures) for each in found]
+    chance = np.random.default_rng(simulated.number)
+    for way, source in (("rounded", None), ("any error within rounding", chance)):
+        found = [honest(solution, source) for solution in simulated.solutions]
+        for figures in (USUAL_CARRY, USUAL_CARRY + 1, DISPLAY):
+            answers = [typed(each, figures) for each in found]
+            yield f"every operation {way}, {figures} figures typed in", answers
 
 
-def unpromised_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answers]]:
-    """Other ways of rounding, three figures typed in."""
-    ways: tuple[tuple[str, Working, type[Moody]], ...] = (
-        ("by coordinates, some values rounded", work_by_coordinates, Moody),
-        ("by arms, some values rounded", arms, Moody),
-        ("by coordinates, any error within rounding", work_by_coordinates, Vague),
-        ("by arms, any error within rounding", arms, Vague),
-    )
-    for way, working, arithmetic in ways:
-        chance = Random(f"{way} {simulated.number}")
-        yield (
-            way,
-            [
-                typed(
-                    working(paper.questions[0].drawn.solution, arithmetic(CARRIED, chance)), CARRIED
-                )
-                for paper in simulated.papers
-            ],
+def honest(solution: Solution, chance: np.random.Generator | None) -> Mapping[str, float]:
+    """The answers of one who works rightly, in the asks' units."""
+    template, jotting = solution.template, Jotting(USUAL_CARRY, chance)
+    asks = {ask: template.asks[ask] for ask in solution.answers}
+    with jotting.context():
+        found = Working(jotting).answer(
+            template, asks, write_givens(solution, jotting), solution.motion.plan
         )
+    answers = {ask: in_unit(float(value), asks[ask]) for ask, value in found.items()}
+    # A centrode is not worked out by numbers but known in closed form
+    return {ask: answers.get(ask, answer.value) for ask, answer in solution.answers.items()}
+
+
+def write_givens(solution: Solution, jotting: Jotting) -> dict[str, Any]:
+    """The parameters of an instance, SI, as they are written down."""
+    return {
+        name: jotting.write(
+            convert_number(solution.assembly.values[name]), angle=parameter.unit.degrees
+        )
+        for name, parameter in solution.template.parameters.items()
+    }
+
+
+def in_unit(value: float, ask: Ask) -> float:
+    """A value of SI in the unit of an ask."""
+    return degrees(value) if ask.unit.degrees else value / convert_number(ask.unit.factor)
 
 
 def mistaken_students(simulated: SimulatedClass, *, rounded: bool) -> Iterator[Answers]:
@@ -165,21 +127,14 @@ def carried(solution: Solution, name: str) -> Mapping[str, float]:
 
 def worked(solution: Solution, asks: Mapping[str, Ask], mistake: Mistake) -> Mapping[str, float]:
     """The answers that can be found, in the asks' units."""
-    rounded, template = Rounded(CARRIED), solution.template
-    values: Mapping[str, Any] = {
-        name: convert_number(solution.assembly.values[name]) for name in template.parameters
-    }
+    jotting, template = Jotting(CARRIED), solution.template
     try:
-        found = work_out(
-            template,
-            asks,
-            choose_way(mistake, template, values, rounded),
-            solution.motion.plan,
-            rounded,
-        )
-    except (*LOST, KinegradeError, Singular):
+        with jotting.context():
+            way = choose_way(mistake, template, write_givens(solution, jotting), jotting)
+            found = work_out(template, asks, way, solution.motion.plan, jotting)
+    except (KinegradeError, Singular, ArithmeticError):
         return {}
-    return {name: float(value) for name, value in found.items() if isfinite(value)}
+    return {name: float(value) for name, value in found.items() if isfinite(float(value))}
 
 
 def by_numbers(ask: Ask) -> bool:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from statistics import median
 from time import process_time
 
-from kinegrade.draws.examining import Refused, examine
+from kinegrade.draws.examining import Refused, solve_sensible
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Template
@@ -59,7 +59,7 @@ def solving_times(template: Template) -> list[float]:
     times, plan = [], None
     for values in choose_drawable(template, 20 * INSTANCES):
         try:
-            plan = examine(template, values, template.asked(), plan).motion.plan
+            plan = solve_sensible(template, values, template.asked(), plan).motion.plan
         except Refused:
             continue
         start = process_time()

@@ -12,21 +12,25 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import assert_never
 
 from kinegrade.draws.deck import Combination, Deck
 from kinegrade.draws.examining import (
+    Examined,
     Reason,
     Refused,
-    examine_together,
     find_too_fine,
+    name_reason,
+    require_room,
     solve_sensible,
 )
 from kinegrade.mechanics.plan import Plan
-from kinegrade.numbers.tolerance import Tolerance
+from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Template
+from kinegrade.students.mistakes import convert_parameters
+from kinegrade.students.rounding.accuracy import Accuracy
+from kinegrade.students.rounding.bounds import find_error_bounds
 from kinegrade.students.separation import Separation, collect_columns, find_separation
 
 # Combinations from which it is judged which mistakes can be kept apart from the truth
@@ -39,7 +43,8 @@ Verdict = Reason | None  # why a combination is refused; None for a good one
 
 @dataclass(frozen=True)
 class DrawFilter:
-    """The filter of one question: `tolerances` holds for the asks it names, 1 % for the others.
+    """The filter of one question, by the tolerances of the asks it names, the significant figures
+    that students `carry`, and the `honest` asks whose tolerance may be widened; see `Accuracy`.
 
     With `four_decimals` every right answer is still right when given to four decimals.
     """
@@ -49,45 +54,89 @@ class DrawFilter:
     deck: Deck
     tolerances: Mapping[str, Tolerance]
     four_decimals: bool = False
+    carry: int = USUAL_CARRY
+    honest: frozenset[str] = frozenset()
 
     def __getstate__(self) -> dict[str, object]:
         """What another process receives; it works out the rest itself."""
         return {each.name: getattr(self, each.name) for each in fields(self)}
 
+    @property
+    def accuracy(self) -> Accuracy:
+        """What accuracy the question asks for."""
+        return Accuracy(self.tolerances, self.carry, self.honest)
+
     def verdicts(self, part: range) -> tuple[Verdict, ...]:
         """The verdict on the combination at each position of a part of the order."""
         combinations = [self.deck.combination(position) for position in part]
-        verdicts: list[Verdict] = [
-            "mistake" if one else None for one in self.confused(combinations)
+        found = self.examine(combinations)
+        for values, one in zip(combinations, found, strict=True):
+            self._keep(values, one)
+        return tuple(one.reason if isinstance(one, Refused) else None for one in found)
+
+    def examine(self, combinations: Sequence[Combination]) -> list[Examined | Refused]:
+        """For each combination what is fit for students, or why it is not."""
+        if self.separation is None or not combinations:
+            return [self._examine_one(values, {}) for values in combinations]
+        seen = self.separation.compare(collect_columns(combinations))
+        confused = self.separation.find_confused(seen)
+        return [
+            Refused("mistake", name_reason("mistake"))
+            if confused[place]
+            else self._examine_one(values, {name: row[place] for name, row in seen.bounds.items()})
+            for place, values in enumerate(combinations)
         ]
-        left = [place for place, verdict in enumerate(verdicts) if verdict is None]
-        found = examine_together(
-            self.template,
-            [combinations[place] for place in left],
-            self.asks,
-            self.plan,
-            self.tolerances,
-        )
-        for place, one in zip(left, found, strict=True):
-            verdicts[place] = self._verdict(one)
-            self._keep(combinations[place], one)
-        return tuple(verdicts)
+
+    def _examine_one(self, values: Combination, bounds: Mapping[str, float]) -> Examined | Refused:
+        """An instance in which no mistake is taken for the truth."""
+        try:
+            solution = solve_sensible(self.template, values, self.asks, self.plan)
+            examined = require_room(solution, self.accuracy, bounds)
+        except Refused as refusal:
+            return refusal
+        fine = self.four_decimals and find_too_fine(examined)
+        if fine:
+            return Refused("decimals", name_reason("decimals"), fine)
+        return examined
 
     def solved(self, values: Combination) -> Solution:
-        """The solution of a combination. Raises MechanismError for one that has none, which the
-        filter would have refused.
+        """The solution of a combination that was dealt. Raises MechanismError for one that has
+        none, which the filter would have refused.
 
         The filter is not asked again: what was dealt stays dealt when filters change.
         """
-        found = self._solutions.pop(tuple(values.values()), None)
-        return found or solve_template(self.template, values, self.asks, self.plan)
+        return self._find_dealt(values).solution
 
-    def confused(self, combinations: Sequence[Combination]) -> list[bool]:
-        """For each combination, whether a known mistake leads to an answer within tolerance."""
-        if self.separation is None or not combinations:
-            return [False] * len(combinations)
-        flags: list[bool] = self.separation.confuses(collect_columns(combinations)).tolist()
-        return flags
+    def tolerances_of(self, values: Combination) -> Mapping[str, Tolerance]:
+        """By ask how far an answer may be off at values that were dealt: as stated, or widened to
+        what honest rounding takes; next to zero with the amount that is allowed there.
+        """
+        return self._find_dealt(values).tolerances
+
+    def _find_dealt(self, values: Combination) -> Examined:
+        """A combination that was dealt, solved once however often it is asked for in a row."""
+        identity = tuple(values.values())
+        found = self._found.pop(identity, None) or self._work_out(values)
+        while len(self._found) >= _KEPT:
+            del self._found[next(iter(self._found))]
+        self._found[identity] = found
+        return found
+
+    def _work_out(self, values: Combination) -> Examined:
+        """An instance, fit for students or not: what honest rounding would leave is as stated."""
+        solution = solve_template(self.template, values, self.asks, self.plan)
+        allowed = self.accuracy.allow(solution, self._find_bounds(values))
+        stated = {name: self.accuracy.find_stated(name) for name in allowed}
+        return Examined(solution, {name: allowed[name] or stated[name] for name in allowed})
+
+    def _find_bounds(self, values: Combination) -> Mapping[str, float]:
+        """How far off honest rounding may put each answer at these values."""
+        if self.plan is None:
+            return {}
+        asks = {name: self.template.asks[name] for name in self.asks}
+        arrays = convert_parameters(self.template, collect_columns([values]))
+        found = find_error_bounds(self.template, asks, arrays, self.plan, self.carry)
+        return {name: float(row[0]) for name, row in found.items()}
 
     @cached_property
     def separation(self) -> Separation | None:
@@ -98,7 +147,7 @@ class DrawFilter:
             return None
         asks = {name: self.template.asks[name] for name in self.asks}
         sample = collect_columns(self._sample)
-        return find_separation(self.template, asks, self.tolerances, self.plan, sample)
+        return find_separation(self.template, asks, self.accuracy, self.plan, sample)
 
     @cached_property
     def plan(self) -> Plan | None:
@@ -110,15 +159,15 @@ class DrawFilter:
                 return solve_sensible(self.template, values, self.asks, None).motion.plan
         return None
 
-    def _keep(self, values: Combination, found: Solution | Refused) -> None:
-        """Keep a solution until it is asked for, unless there are many."""
-        if isinstance(found, Solution) and len(self._solutions) < _KEPT:
-            self._solutions[tuple(values.values())] = found
+    def _keep(self, values: Combination, found: Examined | Refused) -> None:
+        """Keep what was found until it is asked for, unless there is much."""
+        if isinstance(found, Examined) and len(self._found) < _KEPT:
+            self._found[tuple(values.values())] = found
 
     @cached_property
-    def _solutions(self) -> dict[tuple[str, ...], Solution]:
-        """Solutions found by the filter in this process, by their values: a combination need not be
-        solved again when its paper is set.
+    def _found(self) -> dict[tuple[str, ...], Examined]:
+        """What the filter found in this process, by its values: a combination need not be solved
+        again when its paper is set.
         """
         return {}
 
@@ -126,14 +175,3 @@ class DrawFilter:
     def _sample(self) -> list[Combination]:
         """Combinations that do not depend on the secret."""
         return Deck(self.deck.domains, "sample", self.template.name).first(_SAMPLE)
-
-    def _verdict(self, found: Solution | Refused) -> Verdict:
-        """The verdict on an instance in which no mistake is taken for the truth."""
-        match found:
-            case Refused(reason=reason):
-                return reason
-            case Solution():
-                fine = self.four_decimals and find_too_fine(found, self.tolerances)
-                return "decimals" if fine else None
-            case _:
-                assert_never(found)

@@ -7,7 +7,9 @@ sample.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
+from math import inf, isfinite
 from typing import Literal
 
 from kinegrade.errors import MechanismError, Problem
@@ -15,15 +17,14 @@ from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
-from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Ask, Template
-from kinegrade.problem.tolerance import find_effective_tolerance, find_scale_of_mechanism
-from kinegrade.students.rounding.honest_rounding import find_stray
-from kinegrade.students.rounding.honest_rounding_arrays import surely_honest
+from kinegrade.problem.tolerance import find_scale_of_mechanism
+from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.rounding.kept_decimals import RightRange, find_fitting_factor
 
 SMALLEST, LARGEST = (
@@ -61,51 +62,17 @@ class Refused(Exception):
         return open_catalogue(ENGLISH).write(self.detail)
 
 
+@dataclass(frozen=True)
+class Examined:
+    """An instance fit for students: its solution, and by ask how far an answer may be off."""
+
+    solution: Solution
+    tolerances: Mapping[str, Tolerance]
+
+
 def name_reason(reason: Reason) -> Message:
     """A reason in a word."""
     return Message(f"template.refused-{reason}")
-
-
-def examine(
-    template: Template,
-    values: Mapping[str, str],
-    asks: Iterable[str],
-    plan: Plan | None = None,
-    tolerances: Mapping[str, Tolerance] | None = None,
-) -> Solution:
-    """The solution of an instance fit for students; without a tolerance 1 % holds. Raises Refused
-    with the reason.
-    """
-    solution = solve_sensible(template, values, asks, plan)
-    if strayed := find_stray(solution, tolerances or {}):
-        raise Refused("rounding", strayed.said(), strayed.ask)
-    return solution
-
-
-def examine_together(
-    template: Template,
-    draws: Iterable[Mapping[str, str]],
-    asks: Iterable[str],
-    plan: Plan | None,
-    tolerances: Mapping[str, Tolerance],
-) -> list[Solution | Refused]:
-    """For each of many instances what `examine` gives or raises."""
-    wanted = tuple(asks)
-    found: list[Solution | Refused] = []
-    for values in draws:
-        try:
-            found.append(solve_sensible(template, values, wanted, plan))
-        except Refused as refusal:
-            found.append(refusal)
-    sure = iter(surely_honest([one for one in found if isinstance(one, Solution)], tolerances))
-    for place, one in enumerate(found):
-        if (
-            isinstance(one, Solution)
-            and not next(sure)
-            and (strayed := find_stray(one, tolerances))
-        ):
-            found[place] = Refused("rounding", strayed.said(), strayed.ask)
-    return found
 
 
 def solve_sensible(
@@ -142,15 +109,34 @@ def require_doubles(solution: Solution) -> None:
         raise Refused("absurd", Message("template.size-beyond")) from error
 
 
-def find_too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:
+def require_room(solution: Solution, accuracy: Accuracy, bounds: Mapping[str, float]) -> Examined:
+    """The solution with the tolerance of each answer, by `bounds` of honest rounding in the asks'
+    units. Raises Refused where rounding may leave one.
+    """
+    allowed = {}
+    for name, tolerance in accuracy.allow(solution, bounds).items():
+        if tolerance is None:
+            raise Refused("rounding", explain_rounding(name, bounds.get(name, inf), accuracy), name)
+        allowed[name] = tolerance
+    return Examined(solution, allowed)
+
+
+def explain_rounding(ask: str, bound: float, accuracy: Accuracy) -> Message:
+    """How far honest rounding may put an answer off."""
+    if not isfinite(bound):
+        return Message("template.lost-by-rounding", ask=ask, figures=accuracy.carry)
+    return Message(
+        "template.strays-by-rounding", ask=ask, figures=accuracy.carry, error=f"{bound:.2g}"
+    )
+
+
+def find_too_fine(examined: Examined) -> str:
     """The first ask whose right answer is no longer right with four decimals, in any unit; "" where
     there is none.
     """
-    for name, answer in solution.answers.items():
-        stated = tolerances.get(name, ONE_PER_CENT)
-        tolerance = find_effective_tolerance(stated, answer.value, answer.measure, solution.doubles)
+    for name, answer in examined.solution.answers.items():
         value = Fraction(answer.certified)
-        right = RightRange(value, *tolerance.interval(value))
+        right = RightRange(value, *examined.tolerances[name].interval(value))
         if find_fitting_factor(answer.unit, right) is None:
             return name
     return ""

@@ -82,7 +82,7 @@ class Motion:
     def _sum_velocities(self, body: str, point: str, *, whole: bool) -> Vector:
         """The sum of the terms that are taken for a velocity."""
         chain = self.reading.velocity_chain(self.chain(body, point), whole=whole)
-        return add_vectors(term.velocity(self.rates, self.reading) for term in chain)
+        return add_vectors(term.velocity(self.rates) for term in chain)
 
     def acceleration(self, point: str, body: str) -> Vector:
         """Acceleration of the point of `body` that is at `point`, m/s^2."""
@@ -95,7 +95,7 @@ class Motion:
         """Velocity of `point` of `body` relative to the moving body `frame`: v_r = v_a - v_e."""
         term = self.reading.find_relative(point, frame)
         if term:
-            return term.velocity(self.rates, self.reading)
+            return term.velocity(self.rates)
         absolute, transport = (
             self._sum_velocities(name, point, whole=False) for name in (body, frame)
         )

@@ -55,10 +55,6 @@ class Reading:
         left, right = self.chain(relation.left), self.chain(relation.right)
         return replace(relation, left=left, right=right, turning=self.turning(relation))
 
-    def write(self, vector: Vector) -> Vector:
-        """What is written down of a vector that a term gives."""
-        return vector
-
     def normal(self, rate: Rate, point: str, base: str, normal: Vector) -> Vector:
         """What is taken of the normal acceleration of `point` about `base`, which has the
         `rate`.
@@ -68,10 +64,6 @@ class Reading:
     def coriolis(self, point: str, frame: str, coriolis: Vector) -> Vector:
         """What is taken of the Coriolis acceleration of `point` relative to the body `frame`."""
         return coriolis
-
-    def add_parts(self, normal: Vector, tangential: Vector, coriolis: Vector) -> Vector:
-        """The acceleration of which these are the parts; what the velocities decide is one sum."""
-        return tangential + (normal + coriolis)
 
     def carried(self, rate: Number) -> Number:
         """What is taken of the rate of a body, rad/s or rad/s^2, relative to which another one's
@@ -120,9 +112,9 @@ class Term:
             case _:
                 assert_never(self.kind)
 
-    def velocity(self, rates: Rates, reading: Reading = PLAIN) -> Vector:
+    def velocity(self, rates: Rates) -> Vector:
         """The term's velocity, m/s."""
-        return reading.write(self.coefficient() * rates[self.rate])
+        return self.coefficient() * rates[self.rate]
 
     def normal(self, rates: Rates, reading: Reading = PLAIN) -> Vector:
         """The centripetal part of the term's acceleration, m/s^2: towards the base point or the
@@ -133,8 +125,7 @@ class Term:
                 return Vector(0, 0)
             case "rotation" | "arc":
                 centripetal = self.vector * (-rates[self.rate] * rates[self.rate])
-                taken = reading.normal(self.rate, self.point, self.base, centripetal)
-                return reading.write(taken)
+                return reading.normal(self.rate, self.point, self.base, centripetal)
             case _:
                 assert_never(self.kind)
 
@@ -144,30 +135,26 @@ class Term:
         """
         if self.kind == "rotation" or self.frame == GROUND:
             return Vector(0, 0)
-        coriolis = compose_coriolis(self.velocity(rates, reading), rates[make_turning(self.frame)])
-        return reading.write(reading.coriolis(self.point, self.frame, coriolis))
+        coriolis = compose_coriolis(self.velocity(rates), rates[make_turning(self.frame)])
+        return reading.coriolis(self.point, self.frame, coriolis)
 
     def remainder(self, rates: Rates, reading: Reading = PLAIN) -> Vector:
         """The whole part of the term's acceleration that the velocities decide."""
         return self.normal(rates, reading) + self.coriolis(rates, reading)
 
-    def tangential(self, changes: Rates, reading: Reading = PLAIN) -> Vector:
+    def tangential(self, changes: Rates) -> Vector:
         """The part of the term's acceleration along its velocity, m/s^2."""
-        return reading.write(self.coefficient() * changes[self.rate])
+        return self.coefficient() * changes[self.rate]
 
     def relative_acceleration(
         self, rates: Rates, changes: Rates, reading: Reading = PLAIN
     ) -> Vector:
         """The term's acceleration relative to `frame`, m/s^2: its normal and tangential parts."""
-        return self.normal(rates, reading) + self.tangential(changes, reading)
+        return self.normal(rates, reading) + self.tangential(changes)
 
     def acceleration(self, rates: Rates, changes: Rates, reading: Reading = PLAIN) -> Vector:
         """The term's acceleration, m/s^2, from the rates and their changes."""
-        return reading.add_parts(
-            self.normal(rates, reading),
-            self.tangential(changes, reading),
-            self.coriolis(rates, reading),
-        )
+        return self.tangential(changes) + self.remainder(rates, reading)
 
     def put(self, vector: Vector) -> Term:
         """The term with another vector."""
@@ -257,8 +244,8 @@ class Relation:
 
     def _imposed_coriolis(self, rates: Rates, reading: Reading) -> Vector:
         """The Coriolis acceleration 2 omega x v_r of the motion relative to `frame`, m/s^2."""
-        relative = add_vectors(t.velocity(rates, reading) for t in self.left) - add_vectors(
-            t.velocity(rates, reading) for t in self.right
+        relative = add_vectors(t.velocity(rates) for t in self.left) - add_vectors(
+            t.velocity(rates) for t in self.right
         )
         point = self.left[-1].point if self.left else ""
         coriolis = compose_coriolis(relative, rates[make_turning(self.frame)])

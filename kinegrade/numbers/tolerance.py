@@ -9,6 +9,8 @@ from fractions import Fraction
 
 from kinegrade.numbers.decimals import figures_interval
 
+# Significant figures that a bank may ask students to carry, and what holds where it says nothing
+LEAST_CARRY, MOST_CARRY, USUAL_CARRY = 3, 6, 4
 _CARRIED = 3  # significant figures that every student carries through a calculation
 _MOST_UNITS = 11  # of the last figure, more than an answer that agrees may be off
 

@@ -71,13 +71,9 @@ def assemble(
     template: Template,
     given: Mapping[str, Any],
     arithmetic: Arithmetic,
-    put_down: Callable[[Vector], Vector] = lambda point: point,
 ) -> Assembly:
     """The mechanism at `given` (parameters in SI). Raises MechanismError, ExpressionError with the
     place, Inexact.
-
-    `put_down` gives each constructed point as it is used from then on, which is how rounding
-    enters.
     """
     values: dict[str, Any] = {
         "pi": arithmetic.turns(1),
@@ -94,7 +90,7 @@ def assemble(
         place = _locate(f"points.{name}", evaluate, tree, values, functions, arithmetic)
         if not isinstance(place, Vector):
             raise ExpressionError(Fault(f"points.{name}", Message("template.point-expected")))
-        points[name] = values[name] = _locate(f"points.{name}", _measure_point, put_down(place))
+        points[name] = values[name] = _locate(f"points.{name}", _measure_point, place)
     parts = _Parts(values, functions, points, arithmetic)
     joints = tuple(
         _locate(sentence.text, parts.joint, sentence) for sentence in template.scheme.joints

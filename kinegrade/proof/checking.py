@@ -5,13 +5,15 @@ for students.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from statistics import median
+from math import ceil
 from time import perf_counter
+from typing import assert_never
 
 from kinegrade.draws.deck import Combination, Deck, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
-from kinegrade.draws.examining import Refused, examine
+from kinegrade.draws.examining import Examined, Refused
 from kinegrade.language.message import Fault, Message
+from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement import find_statement_faults
@@ -22,11 +24,13 @@ from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
 from kinegrade.proof.spread import Spread
+from kinegrade.students.rounding.accuracy import WIDEST
 
 _FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
 _TEXTS_TRIED = 1000  # draws at which the texts that depend on values are tried
 _SEARCHED = 300  # instances that the search for breaking values tries
-_OFTEN_ASTRAY = 0.1  # a share of refused draws that is reported to the author
+_ENOUGH = 0.9  # of the draws: where a tolerance holds in fewer, the author hears of it
+_BEYOND = 2 * WIDEST  # stands for more than any tolerance may give
 
 
 def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report:
@@ -101,35 +105,24 @@ def _draw(report: Report, draws: Sequence[Combination]) -> None:
     """Examine the sample: what is refused and why, how the answers spread, how long an instance
     takes.
     """
-    times, plan = [], None
-    for values, confused in zip(draws, _look_for_mistakes(report, draws), strict=True):
-        if confused:
-            report.refused["mistake"] += 1
-            continue
-        start = perf_counter()
-        try:
-            solution = examine(report.template, values, _select_asked(report), plan)
-        except Refused as refusal:
-            report.refused[refusal.reason] += 1
-            report.blamed[refusal.reason, refusal.ask] += 1
-            continue
-        times.append(perf_counter() - start)
-        plan = solution.motion.plan
-        _note(report, solution)
-    report.seconds = median(times) if times else 0.0
-
-
-def _look_for_mistakes(report: Report, draws: Sequence[Combination]) -> list[bool]:
-    """For each draw, whether a known mistake is taken for the truth; the report gets the mistakes
-    that cannot be distinguished from it.
-    """
-    template = report.template
-    draw_filter = DrawFilter(
-        template, _select_asked(report), _check_deck(template, report.secret), {}
-    )
+    template, asked = report.template, _select_asked(report)
+    draw_filter = DrawFilter(template, asked, _check_deck(template, report.secret), {})
     if draw_filter.separation is not None:
         report.inseparable = draw_filter.separation.inseparable()
-    return draw_filter.confused(draws)
+    start = perf_counter()
+    for found in draw_filter.examine(draws):
+        match found:
+            case Refused(reason=reason, ask=ask):
+                report.refused[reason] += 1
+                if reason == "rounding":
+                    report.shares.setdefault(ask, []).append(_BEYOND)
+            case Examined():
+                _note(report, found.solution)
+                for name, tolerance in found.tolerances.items():
+                    report.shares.setdefault(name, []).append(tolerance.relative)
+            case _:
+                assert_never(found)
+    report.seconds = (perf_counter() - start) / max(report.instances, 1)
 
 
 def _weigh(report: Report) -> None:
@@ -152,11 +145,25 @@ def _weigh(report: Report) -> None:
 
 
 def _find_rounding_remarks(report: Report) -> Iterator[Message]:
-    """The asks in which honest rounding often leaves the tolerance."""
-    examined = report.instances + sum(report.refused.values())
-    for (reason, ask), count in report.blamed.items():
-        if reason == "rounding" and count >= _OFTEN_ASTRAY * examined:
-            yield Message("template.often-astray", ask=ask, number=count, examined=examined)
+    """The asks for which 1 % is often not enough, with the tolerance that is."""
+    for ask, shares in report.shares.items():
+        kept = sum(share <= ONE_PER_CENT.relative for share in shares)
+        if kept > _ENOUGH * len(shares):
+            continue
+        enough = sorted(shares)[ceil(_ENOUGH * len(shares)) - 1]
+        advice = (
+            Message("template.tolerance-enough", share=enough * 100)
+            if enough <= WIDEST
+            else Message("template.no-tolerance-enough")
+        )
+        yield Message(
+            "template.often-astray",
+            ask=ask,
+            figures=USUAL_CARRY,
+            number=kept,
+            examined=len(shares),
+            advice=advice,
+        )
 
 
 def choose_drawable(template: Template, sample: int, secret: str = SECRET) -> list[Combination]:

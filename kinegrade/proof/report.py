@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from fractions import Fraction
 
 from kinegrade.draws.examining import Reason
 from kinegrade.errors import Problem
@@ -21,9 +22,9 @@ class Report:
 
     `secret` is what the instances were drawn from. `sound` are the asks that can be worked out at
     all drawn values; the others are faults. `inseparable` holds for each ask the mistakes that
-    cannot be distinguished from the truth, at all or in most instances. `blamed` counts the
-    refusals caused by a single answer, by reason and ask. `seconds` is the median time of an
-    instance; `remarks` are for the author to weigh.
+    cannot be distinguished from the truth, at all or in most instances. `shares` are
+    for each ask the relative tolerances that honest rounding takes in the instances. `seconds` is
+    the mean time of an instance; `remarks` are for the author to weigh.
     """
 
     template: Template
@@ -32,7 +33,7 @@ class Report:
     proved: int = 0
     instances: int = 0
     refused: Counter[Reason] = field(default_factory=Counter)
-    blamed: Counter[tuple[Reason, str]] = field(default_factory=Counter)
+    shares: dict[str, list[Fraction]] = field(default_factory=dict)
     spreads: dict[str, Spread] = field(default_factory=dict)
     inseparable: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     seconds: float = 0.0

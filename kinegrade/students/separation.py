@@ -21,11 +21,12 @@ from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.tree import Operation
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.floats import Floats
-from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.mistake_kinds import Mistake, find_candidates, list_answer_factors
 from kinegrade.students.mistake_outcomes import SAME, Outcomes, find_outcomes
 from kinegrade.students.mistakes import Values, convert_parameters
+from kinegrade.students.rounding.accuracy import Accuracy
+from kinegrade.students.rounding.bounds import find_error_bounds
 
 _WRITTEN = 0.005  # relative: what three significant figures may be off
 _HALF = 0.5  # share of instances above which a mistake is inseparable from the truth
@@ -33,6 +34,7 @@ _SCARCE = (
     0.05  # nor are mistakes kept apart any more when fewer instances than this share would be left
 )
 _ROOM = 1.05  # the scale is rounded to two figures where it gives room
+_PLAIN = 1.5  # times the bound of rounding: no widened tolerance gives more room
 _NORMAL_OR_CORIOLIS = {
     "coriolis",
     "relative_normal",
@@ -47,12 +49,14 @@ class Comparison:
 
     `near` marks where a mistaken value might be taken for right, `changed` where it is another
     value at all; `fit` marks the instances that may be drawn, as far as doubles can decide.
+    `bounds` are those of honest rounding, in the asks' units.
     """
 
     identifiers: Mapping[str, tuple[str, ...]]
     near: Mapping[str, Any]
     changed: Mapping[str, Any]
     fit: Any
+    bounds: Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -66,18 +70,17 @@ class Separation:
 
     template: Template
     asks: Mapping[str, Ask]
-    tolerances: Mapping[str, Tolerance]
+    accuracy: Accuracy
     plan: Plan
     mistakes: tuple[Mistake, ...]
     sample: Values
     kept: Mapping[str, Any] = field(default_factory=dict)
     usable: float = 1.0
 
-    def confuses(self, values: Values) -> Any:
+    def find_confused(self, seen: Comparison) -> Any:
         """For each instance whether a mistake lands too near the truth; False for those unfit for
         other reasons.
         """
-        seen = self.compare(values)
         confused = [(seen.near[name] & self.kept[name][:, None]).any(axis=0) for name in self.asks]
         return np.any(confused, axis=0) & seen.fit
 
@@ -85,13 +88,15 @@ class Separation:
         """Instances held against what mistakes lead to."""
         arrays = convert_parameters(self.template, values)
         found = find_outcomes(self.template, self.asks, self.mistakes, arrays, self.plan)
+        carry = self.accuracy.carry
+        bounds = find_error_bounds(self.template, self.asks, arrays, self.plan, carry)
         identifiers, near, changed = {}, {}, {}
         for name, ask in self.asks.items():
             written = list_answer_factors(ask)
             right, *wrong = found.answers[name]
             wrong += [right * float(factor) for factor in written.values()]
             identifiers[name] = (*(mistake.identifier for mistake in self.mistakes), *written)
-            room = self.room(name, right, found)
+            room = self.room(name, right, found, bounds[name])
             with np.errstate(all="ignore"):
                 near[name] = np.array(
                     [
@@ -101,7 +106,7 @@ class Separation:
                 )
                 changed[name] = np.array([_is_different(one, right) for one in wrong])
             near[name][len(self.mistakes) :] &= right != 0  # zero has no sense and no decimal point
-        return Comparison(identifiers, near, changed, self.fit(found, arrays))
+        return Comparison(identifiers, near, changed, self.fit(found, arrays), bounds)
 
     def inseparable(self) -> dict[str, tuple[str, ...]]:
         """For each ask the mistakes that the sample cannot distinguish from the truth.
@@ -132,15 +137,17 @@ class Separation:
             )
         return found
 
-    def room(self, name: str, right: Any, found: Outcomes) -> Any:
+    def room(self, name: str, right: Any, found: Outcomes, bounds: Any) -> Any:
         """How far from the right answers one may be, in the ask's unit: a bound, for the draw
-        alone.
+        alone; `bounds` are those of honest rounding.
         """
-        tolerance = self.tolerances.get(name, ONE_PER_CENT)
+        tolerance = self.accuracy.find_stated(name)
         share, absolute = float(tolerance.share), float(tolerance.absolute)
         room = np.maximum(share * np.abs(right), absolute)
         next_to_zero = share * _ROOM * found.scales[name]
-        return np.where(np.abs(right) < next_to_zero, np.maximum(room, next_to_zero), room)
+        stated = np.where(np.abs(right) < next_to_zero, np.maximum(room, next_to_zero), room)
+        widened = np.where(np.isfinite(bounds) & (bounds > stated), _PLAIN * bounds, 0.0)
+        return np.maximum(stated, widened) if self.accuracy.may_widen(name) else stated
 
     def fit(self, found: Outcomes, arrays: Mapping[str, Any]) -> Any:
         """Which instances meet the conditions and have answers that do not vanish where they must
@@ -159,13 +166,13 @@ class Separation:
 def find_separation(
     template: Template,
     asks: Mapping[str, Ask],
-    tolerances: Mapping[str, Tolerance],
+    accuracy: Accuracy,
     plan: Plan,
     sample: Values,
 ) -> Separation:
     """What draws of a question keep apart, judged by a sample of them."""
     mistakes = tuple(find_candidates(template, asks))
-    whole = Separation(template, asks, tolerances, plan, mistakes, sample)
+    whole = Separation(template, asks, accuracy, plan, mistakes, sample)
     seen = whole.compare(sample)
     share = {
         name: seen.near[name][:, seen.fit].mean(axis=1)

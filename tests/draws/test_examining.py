@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.draws.examining import LARGEST, SMALLEST, Refused, examine
+from kinegrade.draws.examining import LARGEST, SMALLEST, Refused, solve_sensible
 from kinegrade.problem.holding import condition_holds
 from kinegrade.problem.template.template import Template
 from tests.problem.crank import crank
@@ -12,7 +12,9 @@ from tests.problem.crank import crank
 
 def refusal(template: Template, **values: str) -> Refused:
     with pytest.raises(Refused) as caught:
-        examine(template, {"r": "2", "h": "1/2", "omega": "2", **values}, template.asked())
+        solve_sensible(
+            template, {"r": "2", "h": "1/2", "omega": "2", **values}, template.asked(), None
+        )
     return caught.value
 
 
@@ -39,19 +41,24 @@ def test_an_instance_is_refused_for_a_reason(
 
 def test_zero_is_a_proper_answer_where_the_template_says_so() -> None:
     vanishing = crank(('sign = "+x", points', 'sign = "+x", vanishes = true, points'))
-    solution = examine(vanishing, {"r": "2", "h": "0", "omega": "2"}, ("v_x",))
+    solution = solve_sensible(vanishing, {"r": "2", "h": "0", "omega": "2"}, ("v_x",), None)
     assert solution["v_x"].is_zero
 
 
 def test_only_the_answers_asked_for_must_be_sensible() -> None:
-    assert examine(crank(), {"r": "2", "h": "2", "omega": "2"}, ("v_x",))["v_x"].exact == "-4"
+    assert (
+        solve_sensible(crank(), {"r": "2", "h": "2", "omega": "2"}, ("v_x",), None)["v_x"].exact
+        == "-4"
+    )
     with pytest.raises(Refused, match="v_y is zero"):
-        examine(crank(), {"r": "2", "h": "2", "omega": "2"}, ("v_x", "v_y"))
+        solve_sensible(crank(), {"r": "2", "h": "2", "omega": "2"}, ("v_x", "v_y"), None)
 
 
 def test_the_bounds_of_sensible_answers_are_sensible_themselves() -> None:
     for size in (SMALLEST, LARGEST):
-        assert examine(crank(), {"r": "2", "h": "1", "omega": f"{size:.3f}"}, ("v_x",)).answers
+        assert solve_sensible(
+            crank(), {"r": "2", "h": "1", "omega": f"{size:.3f}"}, ("v_x",), None
+        ).answers
     assert refusal(crank(), h="1", omega="0.0009999").reason == "absurd"
     assert refusal(crank(), h="1", omega="100000.1").reason == "absurd"
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.draws.examining import Refused, examine
+from kinegrade.draws.examining import Refused, solve_sensible
 from kinegrade.errors import TemplateError
 from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
@@ -73,7 +73,7 @@ def test_values_without_a_wording_are_a_fault_for_the_author_and_are_not_drawn()
         'add one without "if", or a condition that keeps such values out'
     ) in all_said(report.faults)
     with pytest.raises(Refused, match="no text of place applies"):
-        examine(template, {"r": "1", "h": "1/2", "omega": "2"}, ("v_x",))
+        solve_sensible(template, {"r": "1", "h": "1/2", "omega": "2"}, ("v_x",), None)
     with pytest.raises(TemplateError, match=r"text\.place: no wording applies at r = 1, h = 1/2"):
         printed(template, r="1", h="1/2")
 

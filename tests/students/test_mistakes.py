@@ -15,6 +15,7 @@ import pytest
 
 import kinegrade
 from kinegrade.draws.draw_filter import DrawFilter
+from kinegrade.draws.examining import Examined, Refused
 from kinegrade.language import Language
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.doubles import convert_number
@@ -273,7 +274,10 @@ def test_a_draw_that_hides_a_mistake_is_refused_for_that() -> None:
     assert {one.values["phi"] for one in drawn(draws, 20)} == {"30", "60"}
     assert dealt(draws, 20).refused["mistake"] > 0
     hidden = {"r": "0.1", "k": "2", "phi": "45", "omega": "2", "alpha": "0"}
-    assert draws.confused([hidden, {**hidden, "phi": "30"}]) == [True, False]
+    refused, fit = draws.examine([hidden, {**hidden, "phi": "30"}])
+    assert isinstance(refused, Refused)
+    assert (refused.reason, str(refused)) == ("mistake", "mistake")
+    assert isinstance(fit, Examined)
 
 
 def test_what_no_draw_can_tell_apart_is_not_asked_of_any() -> None:
@@ -285,7 +289,6 @@ def test_what_no_draw_can_tell_apart_is_not_asked_of_any() -> None:
 def test_a_question_without_any_solvable_draw_is_left_to_other_reasons() -> None:
     draws = draw_filter(crank(), fixed={"h": ("3",)}, asks=("v_x",))
     assert (draws.plan, draws.separation) == (None, None)
-    assert draws.confused([{"r": "2", "h": "3", "omega": "2"}]) == [False]
     assert draws.verdicts(range(draws.deck.size)).count("mechanism") == 4
 
 
@@ -325,7 +328,7 @@ def test_a_text_that_is_no_number_confuses_nothing(text: str, value: float) -> N
     separation = slider_crank().separation
     assert separation is not None
     values = {**{name: ["1"] for name in template.parameters}, "k": ["2"], "phi": [text]}
-    assert separation.confuses(values).tolist() == [False]
+    assert separation.find_confused(separation.compare(values)).tolist() == [False]
 
 
 def test_angles_that_turn_round_are_compared_without_full_turns() -> None:

@@ -1,0 +1,91 @@
+"""What accuracy is asked for: how many figures students carry, how far answers may be off, and
+where honest rounding needs more room.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from math import floor, inf, log10
+
+from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY, Tolerance
+from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.tolerance import find_effective_tolerance, find_scale_of_mechanism
+
+# A widened tolerance is one of these per cents, or for an answer next to zero such an amount
+_PLAIN = tuple(Fraction(number) for number in ("1", "1.5", "2", "3", "4", "5", "6", "8", "10"))
+_SAME = 1e-9  # relative: closer than this is the same figure in doubles
+WIDEST = Fraction(1, 10)  # of an answer, or next to zero of the mechanism's scale
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """The tolerances by ask, the significant figures that students `carry`, and the `honest` asks:
+    those whose tolerance is widened where rounding needs it. For an ask without a stated tolerance
+    1 % holds, widened.
+    """
+
+    tolerances: Mapping[str, Tolerance] = field(default_factory=dict)
+    carry: int = USUAL_CARRY
+    honest: frozenset[str] = frozenset()
+
+    def find_stated(self, ask: str) -> Tolerance:
+        """The tolerance stated for an ask."""
+        return self.tolerances.get(ask, ONE_PER_CENT)
+
+    def may_widen(self, ask: str) -> bool:
+        """Whether an ask's tolerance is widened where rounding needs it."""
+        return ask in self.honest or ask not in self.tolerances
+
+    def allow(self, solution: Solution, bounds: Mapping[str, float]) -> dict[str, Tolerance | None]:
+        """The tolerance of each answer of an instance; None where honest rounding may leave it.
+
+        `bounds` are those of `find_error_bounds`, in the asks' units.
+        """
+        allowed: dict[str, Tolerance | None] = {}
+        for name, answer in solution.answers.items():
+            tolerance = find_effective_tolerance(
+                self.find_stated(name), answer.value, answer.measure, solution.doubles
+            )
+            bound = bounds.get(name, inf)
+            if _holds(tolerance, answer.value, bound):
+                allowed[name] = tolerance
+            elif self.may_widen(name):
+                scale = float(find_scale_of_mechanism(solution.doubles, answer.measure))
+                allowed[name] = _widen(tolerance, answer, bound, scale)
+            else:
+                allowed[name] = None
+        return allowed
+
+
+def _holds(tolerance: Tolerance, value: float, bound: float) -> bool:
+    """Whether every answer that is off by no more than the bound is right."""
+    low, high = tolerance.interval(Fraction(value))
+    return float(low) <= value - bound and value + bound <= float(high)
+
+
+def _widen(tolerance: Tolerance, answer: Quantity, bound: float, scale: float) -> Tolerance | None:
+    """The tolerance with as much more room as the bound needs, in plain figures; None where that
+    is more than should be allowed.
+    """
+    size = abs(answer.value)
+    if bound <= WIDEST * size:
+        share = find_plain_figure(bound / size)
+        return replace(tolerance, relative=share)
+    next_to_zero = tolerance.room(Fraction(answer.value)) > tolerance.share * Fraction(size)
+    if next_to_zero and bound <= WIDEST * scale:
+        return replace(tolerance, absolute=find_plain_figure(bound))
+    return None
+
+
+def find_plain_figure(number: float) -> Fraction:
+    """The least plain figure that is not below a positive number.
+
+    >>> find_plain_figure(0.0124), find_plain_figure(0.81)
+    (Fraction(3, 200), Fraction(1, 1))
+    """
+    decade = Fraction(10) ** floor(log10(number))
+    least = number * (1 - _SAME)
+    return next(plain * decade for plain in _PLAIN if float(plain * decade) >= least)

@@ -1,0 +1,72 @@
+"""No rounding puts an answer further off than the bound says: ten thousand students of each
+instance, who are off by anything within half a unit of every value they write down.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import pytest
+
+from benchmarks.jotting import Jotting, plain
+from kinegrade.draws.deck import make_deck
+from kinegrade.mechanics.plan import Plan
+from kinegrade.numbers.units import Unit
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.template import Template
+from kinegrade.students.following.connections import find_generic_plan
+from kinegrade.students.mistake_outcomes import find_outcomes
+from kinegrade.students.mistakes import convert_parameters
+from kinegrade.students.rounding.bounds import find_error_bounds
+from kinegrade.students.rounding.working import Working
+from kinegrade.students.separation import collect_columns, measure_distance
+
+STUDENTS = 10_000
+# Of the bound, to first order, that second orders may exceed
+FIRST_ORDER = 1.02
+# Of the answers: where they may be further off, second orders count
+WELL = 0.25
+
+
+def find_plan(template: Template) -> Plan:
+    """The plan; none for a pose."""
+    return find_generic_plan(template) or Plan(())
+
+
+def work_at_random(
+    template: Template, values: Mapping[str, float], figures: int
+) -> dict[str, object]:
+    """The answers in SI of many students who round at random."""
+    jotting = Jotting(figures, np.random.default_rng(20_261_122))
+    with jotting.context():
+        given = {
+            name: jotting.write(
+                np.full(STUDENTS, value), angle=template.parameters[name].unit.degrees
+            )
+            for name, value in values.items()
+        }
+        asks = {name: template.asks[name] for name in template.asked()}
+        return Working(jotting).answer(template, asks, given, find_plan(template))
+
+
+def convert(value: object, unit: Unit) -> object:
+    return np.degrees(plain(value)) if unit.degrees else plain(value) / float(unit.factor)
+
+
+@pytest.mark.parametrize("figures", [3, 4])
+@pytest.mark.parametrize("name", find_template_names())
+def test_no_student_is_further_off_than_the_bound(name: str, figures: int) -> None:
+    template = load_template(name)
+    plan, asks = find_plan(template), {ask: template.asks[ask] for ask in template.asked()}
+    deck = make_deck(template, "bounds", name)
+    arrays = convert_parameters(template, collect_columns(deck.first(60)))
+    right = find_outcomes(template, asks, (), arrays, plan).answers
+    bounds = find_error_bounds(template, asks, arrays, plan, figures)
+    good = np.all([np.isfinite(right[ask][0]) & np.isfinite(bounds[ask]) for ask in asks], axis=0)
+    good &= np.all([bounds[ask] <= WELL * np.abs(right[ask][0]) for ask in asks], axis=0)
+    place = np.flatnonzero(good)[0]
+    givens = {each: values[place] for each, values in arrays.items()}
+    for ask, value in work_at_random(template, givens, figures).items():
+        off = measure_distance(convert(value, asks[ask].unit), right[ask][0][place], asks[ask])
+        assert np.max(off) <= FIRST_ORDER * bounds[ask][place] + 1e-12
