@@ -33,7 +33,9 @@ CREDIT = (
     "mistakes",
 )
 # What is shown where one of them is no table
-_TOLERANCE = list_choices(('{ relative = "1 %" }', "{ absolute = 0.01 }", "{ figures = 3 }"))
+_TOLERANCES = '{ relative = "1 %" }', "{ absolute = 0.01 }", "{ figures = 3 }"
+HONEST = "honest"  # in place of a table, and the key of one
+HONESTLY = '{ relative = "1 %", honest = true }'
 _CREDIT = '{ follow-through = "1/2" }'
 _MISTAKES = '{ coriolis-halved = "1/2" }'
 
@@ -89,9 +91,12 @@ class StatedCredit:
         return record
 
 
-def read_tolerance(table: Table, figures: Read[int]) -> StatedTolerance:
-    """What `tolerance` in a table states."""
-    stated = table.table("tolerance", _TOLERANCE).only(*TOLERANCE)
+def read_tolerance(
+    table: Table, figures: Read[int], further: tuple[str, ...] = ()
+) -> StatedTolerance:
+    """What `tolerance` in a table states; `further` keys may stand there, or in place of it."""
+    like = list_choices((*_TOLERANCES, *(f'"{word}"' for word in further)))
+    stated = table.table("tolerance", like).only(*TOLERANCE, *further)
     return StatedTolerance(
         stated.optional("relative", share),
         stated.optional("absolute", amount),

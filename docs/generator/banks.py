@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from docs.generator.described import read_words
 from docs.generator.markdown import write_code, write_page, write_table, write_words
@@ -19,6 +19,7 @@ _BANK_EXAMPLE = """```toml
 title = { en = "Kinematics midterm", zh = "运动学期中测验" }
 course = "Theoretical mechanics"
 tolerance = { relative = "1 %" }
+carry = 4
 shuffle = true
 credit = { follow-through = "1/2" }
 
@@ -77,7 +78,7 @@ def write_bank_page() -> str:
         ),
         "In `asks`, an ask is followed by its points, or by a table:",
         write_words("key", read_words(_BANK, "ASK")),
-        *_stated(),
+        *_stated(read_words(_BANK, "TOLERANCE")),
         "## Shipped banks",
         _write_shipped_banks(),
     )
@@ -102,15 +103,17 @@ def write_policy_page() -> str:
         "## Accepted answers",
         "In each entry of `accept`:",
         write_words("key", read_words(_POLICY, "ACCEPTED")),
-        *_stated(),
+        *_stated({}),
     )
 
 
-def _stated() -> Iterator[str]:
-    """Tolerances and credit, which banks and policies state alike."""
+def _stated(further: Mapping[str, str]) -> Iterator[str]:
+    """Tolerances, with what else one of the two may state, and credit, which banks and policies
+    state alike.
+    """
     yield "## Tolerance"
     yield "The bounds are included. Where several are stated, the one that allows most holds."
-    yield write_words("key", read_words(_STATED, "TOLERANCE"))
+    yield write_words("key", {**read_words(_STATED, "TOLERANCE"), **further})
     yield "## Credit"
     yield 'Each is a share of the points: `"1/2"`, `"50 %"` or `0.5`.'
     yield write_words("key", read_words(_STATED, "CREDIT"))

@@ -31,7 +31,7 @@ class AnswerRow:
     symbol: str  # math: v_B
     meaning: str  # prose
     unit: str  # plain: "m/s^2", "deg"; "1" for a pure number
-    sign: str  # prose, "counter-clockwise positive"; "" where no sign is to be agreed on
+    sign: str  # prose, "counter-clockwise positive", what else holds for the box; "" for nothing
     points: Fraction
 
 

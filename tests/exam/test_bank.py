@@ -30,6 +30,10 @@ KIND = (
 )
 ONE_OF = 'expected one of template = "...", family = "..." and tag = "..."'
 SHARE = 'expected a share from 0 to 1, like 0.5, "50 %" or "1/2"'
+HONEST = (
+    "honest widens a relative tolerance only, and significant figures are not widened - "
+    'expected a table like { relative = "1 %", honest = true }'
+)
 QUESTION = '[[questions]]\ntemplate = "slider-crank"\n'
 
 
@@ -103,15 +107,78 @@ def test_tolerances_are_read_exactly(
     [
         ("{ figures = 3 }", 0, 3),
         ('{ figures = 2, relative = "2 %" }', Fraction(1, 50), 2),
-        ("{ figures = 6 }", 0, 6),
+        ("{ figures = 5 }", 0, 5),
     ],
 )
 def test_significant_figures_may_be_asked_for(
     tmp_path: Path, written: str, relative: Fraction, figures: int
 ) -> None:
-    found = tolerances(tmp_path, HEAD + QUESTION + f"tolerance = {written}\n" + QUESTION)
+    text = HEAD + f"carry = 6\n{QUESTION}tolerance = {written}\n{QUESTION}"
+    found = tolerances(tmp_path, text)
     assert Tolerance(Fraction(relative), Fraction(0), figures) in found
     assert found[-1].figures is None
+
+
+@pytest.mark.parametrize(
+    ("written", "tolerance"),
+    [
+        ('"honest"', Tolerance(Fraction(1, 100))),
+        ('{ relative = "2 %", honest = true }', Tolerance(Fraction(1, 50))),
+        (
+            "{ relative = 0.01, absolute = 0.5, honest = true }",
+            Tolerance(Fraction(1, 100), Fraction(1, 2)),
+        ),
+    ],
+)
+def test_a_tolerance_may_be_honest_for_the_exam_a_question_or_an_ask(
+    tmp_path: Path, written: str, tolerance: Tolerance
+) -> None:
+    def honest(text: str) -> list[tuple[bool, bool]]:
+        found = bank(tmp_path, text)
+        return [
+            (ask.honest, ask.honest and ask.tolerance == tolerance)
+            for question in found.questions
+            for ask in question.asks
+        ]
+
+    stated = f"tolerance = {written}\n"
+    plain = 'tolerance = { relative = "1 %", honest = false }\n'
+    asked = f"asks = {{ v_B = 1, a_B = {{ points = 2, tolerance = {written} }} }}\n"
+    assert set(honest(HEAD + stated + QUESTION)) == {(True, True)}
+    assert set(honest(HEAD + stated + QUESTION + plain)) == {(False, False)}
+    assert set(honest(HEAD + QUESTION + stated)) == {(True, True)}
+    assert honest(HEAD + QUESTION + asked) == [(False, False), (True, True)]
+    assert bank(tmp_path, HEAD + stated + QUESTION).honest
+
+
+def test_students_are_asked_to_carry_four_figures_unless_the_bank_says_otherwise(
+    tmp_path: Path,
+) -> None:
+    assert bank(tmp_path, HEAD + QUESTION).carry == 4
+    for carry in (3, 4, 5, 6):
+        assert bank(tmp_path, f"carry = {carry}\n{HEAD}{QUESTION}").carry == carry
+
+
+@pytest.mark.parametrize(
+    ("carry", "tolerance", "figures", "do"),
+    [
+        (3, "{ figures = 3 }", 4, "write carry = 4, or allow more"),
+        (3, '{ relative = "0.5 %" }', 4, "write carry = 4, or allow more"),
+        (4, "{ relative = 0.0005 }", 5, "write carry = 5, or allow more"),
+        (6, "{ figures = 6 }", 7, "allow more"),
+    ],
+)
+def test_a_tolerance_that_the_figures_carried_cannot_meet_is_refused(
+    tmp_path: Path, carry: int, tolerance: str, figures: int, do: str
+) -> None:
+    entry = f"{QUESTION}asks = {{ v_B = 1, a_B = {{ points = 2, tolerance = {tolerance} }} }}\n"
+    (fault,) = faults(tmp_path, f"{HEAD}carry = {carry}\n{entry}")
+    assert fault == (
+        f"bank.toml:4: questions[1]: the tolerance of a_B takes {figures} significant figures "
+        f"- expected one that {carry} carried figures can meet - {do}"
+    )
+    if figures <= 6:
+        bank(tmp_path, f"{HEAD}carry = {figures}\n{entry}")
 
 
 def test_the_nearest_tolerance_holds(tmp_path: Path) -> None:
@@ -245,7 +312,8 @@ number = 2
         'bank.toml:6: course: unknown: "ef" - expected a language with a catalogue - '
         "known here: de, en, zh",
         'bank.toml:7: date: 3 - expected a text or a date, like "spring 2026" or 2026-05-01',
-        "bank.toml:8: tolerance.size: unknown key - known here: absolute, figures, relative",
+        "bank.toml:8: tolerance.size: unknown key - known here: absolute, figures, "
+        "honest, relative",
         'bank.toml:10: questions[1].tempalte: unknown key - did you mean "template"?',
         'bank.toml:13: questions[2].asks.v_C: unknown ask of slider-crank - did you mean "v_B"? '
         "(known here: a_B, alpha_AB, omega_AB, v_B)",
@@ -322,7 +390,7 @@ number = 2
         (
             QUESTION + "tolerance = 0.01",
             ':5: questions[1].tolerance: 0.01 - expected a table like { relative = "1 %" }, '
-            "{ absolute = 0.01 } or { figures = 3 }",
+            '{ absolute = 0.01 }, { figures = 3 } or "honest"',
         ),
         (
             QUESTION + "tolerance = { figures = 1 }",
@@ -331,6 +399,27 @@ number = 2
         (
             QUESTION + "tolerance = { figures = 3.0 }",
             ":5: questions[1].tolerance.figures: 3.0 - expected a whole number from 2 to 6",
+        ),
+        ("carry = 2", ":3: carry: 2 - expected a whole number from 3 to 6"),
+        ("carry = 7", ":3: carry: 7 - expected a whole number from 3 to 6"),
+        ('carry = "four"', ':3: carry: "four" - expected a whole number from 3 to 6'),
+        (
+            'tolerance = "honestly"',
+            ':3: tolerance: "honestly" - expected a table like { relative = "1 %" }, '
+            '{ absolute = 0.01 }, { figures = 3 } or "honest"',
+        ),
+        (
+            QUESTION + 'tolerance = { relative = "1 %", honest = "yes" }',
+            ':5: questions[1].tolerance.honest: "yes" - expected true or false',
+        ),
+        (QUESTION + "tolerance = { honest = true }", f":5: questions[1].tolerance: {HONEST}"),
+        (
+            QUESTION + "tolerance = { absolute = 0.1, honest = true }",
+            f":5: questions[1].tolerance: {HONEST}",
+        ),
+        (
+            QUESTION + "tolerance = { relative = 0.01, figures = 3, honest = true }",
+            f":5: questions[1].tolerance: {HONEST}",
         ),
         (
             QUESTION + "tolerance = {}",
@@ -527,7 +616,7 @@ def test_faults_of_credit_are_told(tmp_path: Path, written: str, fault: str) -> 
             "relative =",
             "realtive =",
             'bank.toml:3: tolerance.realtive: unknown key - did you mean "relative"? '
-            "(known here: absolute, figures, relative)",
+            "(known here: absolute, figures, honest, relative)",
         ),
     ],
 )

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exam.bank.bank import read_bank
+from kinegrade.exam.bank.bank import read_bank, read_kept_bank
 from kinegrade.exam.printing.rules import (
     make_decimals_rule,
     make_marking_rule,
@@ -22,6 +22,7 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
 from kinegrade.numbers.tolerance import Tolerance
+from kinegrade.problem.template.library.library import load_template
 
 BANK = """
 title = "Midterm"
@@ -103,31 +104,55 @@ def test_the_rule_of_significant_digits_in_words(
 
 
 @pytest.mark.parametrize(
-    ("tolerance", "english", "chinese"),
+    ("carry", "english", "chinese", "german"),
     [
         (
-            'relative = "1 %"',
-            "at least four significant digits: 0.8660 or 0,8660.",
-            "至少保留四位有效数字，写成 0.8660 或",
+            "",
+            "Carry at least four significant digits in every value that you write down. Write one "
+            "number into each box, in the unit printed there, with four or five significant "
+            "digits: 0.8660 or 0,8660. Do not",
+            "计算中写下的每个数值都至少保留四位有效数字。每个答案框内填写一个数，单位已印在框内，"
+            "取四位或五位有效数字，写成 0.8660 或 0,8660 均可；",
+            "mit mindestens vier signifikanten Ziffern. Schreiben Sie in jedes Feld eine Zahl in "
+            "der dort gedruckten Einheit, mit vier oder fünf signifikanten Ziffern: 0,8660 oder",
         ),
-        ("figures = 3", "at least four significant digits: 0.8660", "至少保留四位有效数字"),
         (
-            "figures = 4",
-            "at least five significant digits: 0.86603 or 0,86603.",
-            "至少保留五位有效数字，写成 0.86603 或",
+            "carry = 3",
+            "with three or four significant digits: 0.866 or 0,866.",
+            "取三位或四位有效数字，写成 0.866 或 0,866 均可",
+            "mit drei oder vier signifikanten Ziffern: 0,866 oder 0.866.",
         ),
-        ('relative = "0.01 %"', "at least five significant digits", "至少保留五位有效数字"),
-        ("relative = 0.000000001", "at least ten significant digits", "至少保留十位有效数字"),
-        ('relative = "0.000000001 %"', "at least 12 significant digits", "至少保留12位有效数字"),
+        (
+            "carry = 6",
+            "Carry at least six significant digits in",
+            "取六位或七位有效数字，写成 0.866025 或",
+            "mit sechs oder sieben signifikanten Ziffern: 0,866025 oder",
+        ),
     ],
 )
-def test_as_many_digits_are_wanted_as_the_tolerance_takes(
-    tmp_path: Path, tolerance: str, english: str, chinese: str
+def test_the_paper_says_how_many_figures_to_carry_and_to_give(
+    tmp_path: Path, carry: str, english: str, chinese: str, german: str
 ) -> None:
     file = tmp_path / "bank.toml"
-    file.write_text(BANK.replace('relative = "1 %"', tolerance), encoding="utf-8")
-    assert english in write_rules(read_bank(file), "en")[0]
-    assert chinese in write_rules(read_bank(file), "zh")[0]
+    file.write_text(carry + BANK, encoding="utf-8")
+    bank = read_bank(file)
+    assert english in write_rules(bank, "en")[0]
+    assert chinese in write_rules(bank, "zh")[0]
+    assert german in write_rules(bank, "de")[0]
+
+
+def test_an_exam_of_an_earlier_version_asks_for_as_many_digits_as_its_tolerance_takes(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "bank.toml").write_text(
+        BANK.replace('relative = "1 %"', "figures = 6"), encoding="utf-8"
+    )
+    (tmp_path / "templates").mkdir()
+    template = load_template("slider-crank")
+    (tmp_path / "templates" / "slider-crank.toml").write_text(template.file.text, encoding="utf-8")
+    chosen = {"q1": "slider-crank"}
+    bank = read_kept_bank(tmp_path / "bank.toml", tmp_path / "templates", chosen)
+    assert write_rules(bank, "en")[0].startswith("Carry at least seven significant digits")
 
 
 def test_an_ask_with_its_own_tolerance_is_named(tmp_path: Path) -> None:
@@ -138,7 +163,8 @@ def test_an_ask_with_its_own_tolerance_is_named(tmp_path: Path) -> None:
     assert len(english) == len(chinese) == 4
     assert english[-1] == (
         "For question 1, $a_{B}$: an answer is right if it differs from the exact value by at "
-        "most 0.05 in the unit of the table. Write at least 2 decimals."
+        "most 0.05 in the unit of the table. Write at least 2 decimals, however many digits that "
+        "takes."
     )
     assert chinese[-1].startswith("第 1 题 $a_{B}$：答案与精确值之差不超过 0.05")
 

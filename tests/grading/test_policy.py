@@ -319,6 +319,11 @@ SHARE = 'expected a share from 0 to 1, like 0.5, "50 %" or "1/2"'
 AMOUNT = (
     "expected a number of zero or more like 2.5, at most 9 digits before the point and 12 after it"
 )
+HONEST = (
+    "an honest tolerance is found as an exam is set, from the numbers of each paper - expected a "
+    'tolerance for all papers, like { relative = "3 %" } - write honest in the bank of the next '
+    "exam"
+)
 TOLERANCES = '{ relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }'
 CONTENT = """
 attempts = "lst"
@@ -405,6 +410,8 @@ def test_all_faults_of_a_policy_are_told_at_once(tmp_path: Path) -> None:
             'accept[1].value: missing - expected a number or an expression like "2*sqrt(3)"',
         ),
         ("tolerance = 1", f"tolerance: 1 - expected a table like {TOLERANCES}"),
+        ('tolerance = "honest"', f"tolerance: {HONEST}"),
+        ("tolerance = { relative = 0.01, honest = true }", f"tolerance: {HONEST}"),
         ("tolerance.relative = nan", f"tolerance.relative: nan - {SHARE}"),
         ("points = 1e9", f"points: 1e9 - {AMOUNT}"),
         ("points = 0.1234567890123", f"points: 0.1234567890123 - {AMOUNT}"),

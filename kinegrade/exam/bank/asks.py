@@ -8,18 +8,22 @@ from fractions import Fraction
 from kinegrade.exam.bank.blueprint import BankAsk
 from kinegrade.exam.bank.keys import ASK
 from kinegrade.exam.bank.points import share_points
-from kinegrade.exam.bank.terms import MAX_POINTS, read_bank_tolerance, read_points
+from kinegrade.exam.bank.terms import (
+    MAX_POINTS,
+    BankTolerance,
+    read_bank_tolerance,
+    read_points,
+)
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import choice, whole
 from kinegrade.language.message import Message, Text
-from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.template.tags import KINDS, select_asks
 from kinegrade.problem.template.template import Template
 
 _POINTED = Message("bank.asks-with-points")
 
 
-def read_asks(entry: Table, template: Template, wider: Tolerance) -> tuple[BankAsk, ...]:
+def read_asks(entry: Table, template: Template, wider: BankTolerance) -> tuple[BankAsk, ...]:
     """What is asked of a template: what the bank names, or what the template gives points."""
     if entry.holds_table("asks") and entry.table("asks"):
         return _read_named_asks(entry, template, wider)
@@ -43,7 +47,7 @@ def read_kind(entry: Table, otherwise: Text = "") -> str | None:
 
 
 def weigh_asks(
-    entry: Table, templates: Sequence[Template], kind: str, tolerance: Tolerance
+    entry: Table, templates: Sequence[Template], kind: str, stated: BankTolerance
 ) -> dict[str, tuple[BankAsk, ...]]:
     """What each template asks of the entry's kind, with its points or its share of the entry's
     points; templates without such asks are left out.
@@ -57,7 +61,7 @@ def weigh_asks(
     if total is not None:
         weights = {name: share_points(total, asks) for name, asks in weights.items()}
     return {
-        name: tuple(BankAsk(ask, Fraction(points), tolerance) for ask, points in asks.items())
+        name: tuple(_make_ask(ask, Fraction(points), stated) for ask, points in asks.items())
         for name, asks in weights.items()
     }
 
@@ -78,7 +82,7 @@ def _read_total(entry: Table, weights: Mapping[str, Mapping[str, int]]) -> int |
     return total
 
 
-def _read_named_asks(entry: Table, template: Template, wider: Tolerance) -> tuple[BankAsk, ...]:
+def _read_named_asks(entry: Table, template: Template, wider: BankTolerance) -> tuple[BankAsk, ...]:
     """The asks that the bank names."""
     if "points" in entry:
         what, do = Message("bank.points-given-twice"), Message("bank.leave-one-out")
@@ -89,13 +93,17 @@ def _read_named_asks(entry: Table, template: Template, wider: Tolerance) -> tupl
     return tuple(_read_ask(asks, name, template, wider) for name in asks)
 
 
-def _read_ask(asks: Table, name: str, template: Template, wider: Tolerance) -> BankAsk:
+def _read_ask(asks: Table, name: str, template: Template, wider: BankTolerance) -> BankAsk:
     """One ask: points, or a table with points (by default the template's) and tolerance."""
     usual = Fraction(template.asks[name].points)
     if not asks.holds_table(name):
-        return BankAsk(name, asks.with_default(name, read_points, usual), wider)
+        return _make_ask(name, asks.with_default(name, read_points, usual), wider)
     ask = asks.table(name).only(*ASK)
-    return BankAsk(name, _read_points(ask, usual), read_bank_tolerance(ask, wider))
+    return _make_ask(name, _read_points(ask, usual), read_bank_tolerance(ask, wider))
+
+
+def _make_ask(name: str, points: Fraction, stated: BankTolerance) -> BankAsk:
+    return BankAsk(name, points, stated.tolerance, stated.honest)
 
 
 def _read_points(ask: Table, usual: Fraction) -> Fraction:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import get_args
 
@@ -15,7 +16,7 @@ from kinegrade.errors import BankError, suggest
 from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
 from kinegrade.exam.bank.keys import BANK
 from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
-from kinegrade.exam.bank.terms import read_bank_tolerance
+from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance
 from kinegrade.exam.bank.versions import LETTERS
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import REMEDY
@@ -27,7 +28,7 @@ from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import choice, date_text, flag, whole
 from kinegrade.language.lines import shorten
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
-from kinegrade.numbers.tolerance import ONE_PER_CENT
+from kinegrade.numbers.tolerance import LEAST_CARRY, MOST_CARRY, USUAL_CARRY
 from kinegrade.press.protocol import ENGINES
 from kinegrade.problem.template.beside import Beside, Translations, lay_in, read_translations
 from kinegrade.problem.template.library.library import find_shipped, list_names
@@ -136,14 +137,17 @@ def _require_none(files: Iterable[Faults]) -> None:
 def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
     """Everything but the questions; an entry at fault is left empty or at its default."""
     title, course = _read_texts(table)
+    stated = read_bank_tolerance(table, BankTolerance())
     return Bank(
         title=title,
         course=course,
         date=table.with_default("date", date_text, ""),
-        tolerance=read_bank_tolerance(table, ONE_PER_CENT),
+        tolerance=stated.tolerance,
         questions=(),
         text=text,
         translations=translations,
+        honest=stated.honest,
+        carry=table.with_default("carry", whole(LEAST_CARRY, MOST_CARRY), USUAL_CARRY),
         shuffle=table.with_default("shuffle", flag, False),
         versions=table.with_default("versions", whole(1, len(LETTERS)), 0),
         engine=table.with_default("engine", choice(ENGINES), "typst"),
@@ -159,16 +163,19 @@ def _read_slots(table: Table, entries: Entries, frame: Bank) -> tuple[Slot, ...]
     if not 1 <= len(tables) <= MAX_QUESTIONS:
         _miscounted(table, len(tables))
         return ()
+    stated = BankTolerance(frame.tolerance, frame.honest)
     read: list[Entry] = []
     for entry in tables:
         first = sum(len(before.slots) for before in read) + 1
-        read.append(Entry(entry, entries.slots(entry, first, frame.tolerance)))
+        read.append(Entry(entry, entries.slots(entry, first, stated)))
     slots = tuple(slot for entry in read for slot in entry.slots)
     if len(slots) > MAX_QUESTIONS:
         what = Message("bank.questions", count=len(slots))
         table.fault("questions", what, Message("bank.questions-at-most", most=MAX_QUESTIONS))
     _require_different_names(read)
     _require_enough(read, slots)
+    if not entries.kept:
+        _require_carried(read, frame.carry)
     return slots
 
 
@@ -207,3 +214,19 @@ def _require_enough(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:
                 Message("bank.too-few-templates", count=count, left=left),
                 do=Message("bank.draw-fewer"),
             )
+
+
+def _require_carried(entries: Iterable[Entry], carry: int) -> None:
+    """A fault for each entry with an ask whose tolerance the figures carried cannot meet."""
+    for entry in entries:
+        asks = (ask for slot in entry.slots for ask in slot.candidates[0].asks)
+        needed = {ask.name: ask.tolerance.carried(Fraction(0)) for ask in asks}
+        for name, figures in needed.items():
+            if figures > carry:
+                more = Message("bank.carry-or-allow-more", figures=figures)
+                entry.table.fault(
+                    None,
+                    Message("bank.takes-figures", ask=name, figures=figures),
+                    Message("bank.figures-carried", carry=carry),
+                    more if figures <= MOST_CARRY else Message("bank.allow-more"),
+                )

@@ -14,7 +14,7 @@ from functools import partial
 from typing import Literal, assert_never
 
 from kinegrade.draws.keyed_order import address
-from kinegrade.numbers.tolerance import Tolerance
+from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.press.protocol import Engine
 from kinegrade.problem.template.beside import Translations
 from kinegrade.problem.template.template import Template
@@ -26,11 +26,14 @@ LMS = Literal["canvas"]  # systems that do not take every answer
 
 @dataclass(frozen=True)
 class BankAsk:
-    """One quantity asked for."""
+    """One quantity asked for; the tolerance of one that is `honest` is widened on each paper to
+    what honest rounding takes at its numbers.
+    """
 
     name: str
     points: Fraction
     tolerance: Tolerance
+    honest: bool = False
 
 
 @dataclass(frozen=True)
@@ -53,6 +56,8 @@ class Bank:
     """An exam's questions with all that holds for the exam; `text` is the file as it was read, kept
     with the exam, as are the texts of the `translations` beside it.
 
+    `tolerance`, `honest` as for an ask, is what asks have of which nothing else is stated; `carry`
+    is the number of significant figures that students are asked to carry.
     `shuffle` gives every paper its own order of the questions; `versions` is the number of
     different papers, 0 for a different one for each student; `engine` is the typesetter unless an
     instructor asks for another; `credit` is for answers that are not right; with `solutions`,
@@ -67,6 +72,8 @@ class Bank:
     questions: tuple[BankQuestion, ...]
     text: str
     translations: Translations = field(default_factory=dict)
+    honest: bool = False
+    carry: int = USUAL_CARRY
     shuffle: bool = False
     versions: int = 0
     engine: Engine = "typst"

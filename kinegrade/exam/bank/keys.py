@@ -14,6 +14,10 @@ BANK = (
     "date",
     #: How far an answer may be off; 1 % where nothing is stated.
     "tolerance",
+    #: How many significant figures students are asked to carry in every value that they write down:
+    #: 3 to 6, and 4 where nothing is stated. It is printed on the papers, and draws are refused at
+    #: which work that carries so many could leave the tolerance.
+    "carry",
     #: `true` gives every paper its own order of the questions.
     "shuffle",
     #: The number of versions, `3` for A, B and C, in place of a paper for each student.
@@ -63,6 +67,14 @@ DRAWN = (
     "points",
     #: How far an answer to these questions may be off.
     "tolerance",
+)
+# What a tolerance may state besides what policies may
+TOLERANCE = (
+    #: `true` widens the relative tolerance of an ask on each paper, where honest rounding takes
+    #: more at that paper's numbers, to the next of 1, 1.5, 2, 3, 4 and 5 %; the answer table of the
+    #: paper states it in the row of the ask. `tolerance = "honest"` is
+    #: `{ relative = "1 %", honest = true }`.
+    "honest",
 )
 # An entry of `asks` that is a table
 ASK = (

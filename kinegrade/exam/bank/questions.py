@@ -17,7 +17,7 @@ from kinegrade.exam.bank.asks import read_asks, read_kind, weigh_asks
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Slot
 from kinegrade.exam.bank.keys import DRAWN, FAMILY, NAMED, TAG
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
-from kinegrade.exam.bank.terms import read_bank_tolerance
+from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance
 from kinegrade.expressions.reading import read_expression
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.table import Table
@@ -25,7 +25,6 @@ from kinegrade.files.fields.values import found, text, whole
 from kinegrade.language.message import Message, Quoted, list_all
 from kinegrade.numbers.angle import Inexact
 from kinegrade.numbers.field import Field
-from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.assemble import read_parameter
 from kinegrade.problem.statement import check_statements
 from kinegrade.problem.template.domain import read_choices
@@ -64,7 +63,7 @@ class Entries:
     beside: Path
     kept: bool = False
 
-    def slots(self, entry: Table, first: int, wider: Tolerance) -> tuple[Slot, ...]:
+    def slots(self, entry: Table, first: int, wider: BankTolerance) -> tuple[Slot, ...]:
         """The questions of one entry, numbered from `first`; none if it cannot be read."""
         by = _read_kind(entry)
         word = entry.required(by, text) if by else None
@@ -75,7 +74,7 @@ class Entries:
             return self._named(known, f"q{first}", wider)
         return self._drawn(known, by, first, wider)
 
-    def _named(self, entry: Table, identifier: str, wider: Tolerance) -> tuple[Slot, ...]:
+    def _named(self, entry: Table, identifier: str, wider: BankTolerance) -> tuple[Slot, ...]:
         """The question of a template that the bank names."""
         template = entry.required("template", self._template)
         if template is None:
@@ -84,7 +83,9 @@ class Entries:
         question = BankQuestion(identifier, template, asks, _read_domains(entry, template))
         return (Slot(identifier, (question,), drawn=False),)
 
-    def _drawn(self, entry: Table, by: Grouping, first: int, wider: Tolerance) -> tuple[Slot, ...]:
+    def _drawn(
+        self, entry: Table, by: Grouping, first: int, wider: BankTolerance
+    ) -> tuple[Slot, ...]:
         """The questions whose templates are drawn by family or tag."""
         number = entry.with_default("number", whole(1, MAX_QUESTIONS), 1)
         entry_tolerance = read_bank_tolerance(entry, wider)

@@ -7,13 +7,14 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from kinegrade.exam.bank.blueprint import Bank
-from kinegrade.exam.printing.rules import write_rules
+from kinegrade.exam.printing.rules import make_row_tolerance, write_rules
 from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
+from kinegrade.language.message import Message
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.press.paper_parts import write_points_text
 from kinegrade.press.sheet import (
@@ -89,10 +90,8 @@ def _lay_out_set_question(
 ) -> QuestionSheet:
     template, solution = question.question.template, question.drawn.solution
     mechanism = solution.assembly.mechanism.map(float)
-    asked = ((template.asks[entry.ask.name], entry.ask.points) for entry in question.asks)
     rows = tuple(
-        _mention_turns(make_answer_row(ask, points, language), ask, language)
-        for ask, points in asked
+        _make_paper_row(entry, template.asks[entry.ask.name], language) for entry in question.asks
     )
     shown = ShownInstance(template, solution.parameters, mechanism)
     place = QuestionPlace(number, question.question.identifier)
@@ -126,13 +125,19 @@ def make_answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow
     return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, sign, points)
 
 
-def _mention_turns(row: AnswerRow, ask: Ask, language: Language) -> AnswerRow:
-    """The row as a paper has it, on which any number of turns may be written."""
-    if not ask.cyclic:
-        return row
-    return replace(
-        row, sign=open_catalogue(language).text("paper.sign-with-full-turns", sign=row.sign)
-    )
+def _make_paper_row(entry: SetAsk, ask: Ask, language: Language) -> AnswerRow:
+    """The row as a paper has it, on which any number of turns may be written, and which states the
+    tolerance that is this paper's own.
+    """
+    row = make_answer_row(ask, entry.ask.points, language)
+    words = open_catalogue(language)
+    if ask.cyclic:
+        row = replace(row, sign=words.text("paper.sign-with-full-turns", sign=row.sign))
+    if entry.ask.honest:
+        within = make_row_tolerance(entry.stated, row.unit)
+        signed = Message("paper.sign-with-tolerance", sign=row.sign, within=within)
+        row = replace(row, sign=words.write(signed if row.sign else within))
+    return row
 
 
 def make_key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyBook:

@@ -2,27 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from math import sqrt
 
-from kinegrade.exam.bank.blueprint import Bank, BankQuestion
+from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Part, list_choices
 from kinegrade.numbers.decimals import figures_interval
 from kinegrade.numbers.tolerance import Tolerance
 
-FEWEST_DIGITS = 4
 _NUMERALS: Mapping[int, Message] = {
+    3: Message("paper.three"),
     4: Message("paper.four"),
     5: Message("paper.five"),
     6: Message("paper.six"),
     7: Message("paper.seven"),
-    8: Message("paper.eight"),
-    9: Message("paper.nine"),
-    10: Message("paper.ten"),
 }
 
 
@@ -38,7 +35,7 @@ def write_rules(bank: Bank, language: Language, order: Sequence[str] = ()) -> tu
     rules = [
         _make_writing_rule(bank),
         Message("paper.rule-of-axes"),
-        Message("paper.rule", rule=make_marking_rule(bank.tolerance)),
+        Message("paper.rule", rule=_make_rule(bank)),
     ]
     for question in sorted(bank.questions, key=lambda each: numbers[each.identifier]):
         rules.extend(_list_exceptions(bank, question, numbers[question.identifier]))
@@ -47,29 +44,58 @@ def write_rules(bank: Bank, language: Language, order: Sequence[str] = ()) -> tu
 
 def _list_exceptions(bank: Bank, question: BankQuestion, number: int) -> Iterator[Message]:
     """The rules of a question that are not the bank's: one for all of it, or for single asks."""
-    tolerances = {ask.tolerance for ask in question.asks}
-    if len(tolerances) == 1 and tolerances != {bank.tolerance}:
-        rule = make_marking_rule(tolerances.pop())
-        yield Message("paper.rule-of-question", number=number, rule=rule)
+    usual = _make_rule(bank)
+    rules = {ask.name: _make_rule(ask) for ask in question.asks}
+    distinct = set(rules.values())
+    if len(distinct) == 1 and distinct != {usual}:
+        yield Message("paper.rule-of-question", number=number, rule=distinct.pop())
         return
-    for ask in question.asks:
-        if ask.tolerance != bank.tolerance:
-            rule = make_marking_rule(ask.tolerance)
-            symbol = question.template.asks[ask.name].symbol
+    for name, rule in rules.items():
+        if rule != usual:
+            symbol = question.template.asks[name].symbol
             yield Message("paper.rule-of-ask", number=number, symbol=symbol, rule=rule)
 
 
+def _make_rule(stated: Bank | BankAsk) -> Message:
+    """When an answer is right: as the bank states it, or the answer table row by row."""
+    if stated.honest:
+        return Message("paper.right-within-row")
+    return make_marking_rule(stated.tolerance)
+
+
+def make_row_tolerance(tolerance: Tolerance, unit: str) -> Message:
+    """What a row of the answer table states where a rule leaves it to the rows."""
+    amounts = [make_percent(tolerance.relative)]
+    if tolerance.absolute:
+        amounts.append(_make_amount(tolerance.absolute, unit))
+    return Message("paper.within", amounts=list_choices(amounts))
+
+
 def _make_writing_rule(bank: Bank) -> Message:
-    """How to write answers: with four digits, or as many as it takes to judge an answer by the
-    strictest tolerance.
-    """
-    carried = [
-        ask.tolerance.carried(Fraction(0)) for question in bank.questions for ask in question.asks
-    ]
-    digits = max((FEWEST_DIGITS, *carried))
+    """How to work and how to write answers: with the digits that are to be carried."""
+    asked = (ask.tolerance for question in bank.questions for ask in question.asks)
+    digits = count_digits(bank.carry, asked)
     point = f"{sqrt(3) / 2:.{digits}f}"
-    comma = point.replace(".", ",")
-    return Message("paper.rule-of-writing", digits=spell_out(digits), point=point, comma=comma)
+    writing = Message(
+        "paper.rule-of-writing",
+        digits=spell_out(digits),
+        more=spell_out(digits + 1),
+        point=point,
+        comma=point.replace(".", ","),
+    )
+    return Message("paper.sentences", first=make_carrying_rule(digits), second=writing)
+
+
+def make_carrying_rule(digits: int) -> Message:
+    """How many significant digits to carry."""
+    return Message("paper.rule-of-carrying", digits=spell_out(digits))
+
+
+def count_digits(carry: int, tolerances: Iterable[Tolerance]) -> int:
+    """The significant digits to be carried: as the bank says; or, in exams of earlier versions, as
+    many more as it takes to judge an answer by the strictest tolerance.
+    """
+    return max((carry, *(each.carried(Fraction(0)) for each in tolerances)))
 
 
 def spell_out(number: int) -> Part:

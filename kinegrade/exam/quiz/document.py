@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinegrade.language import Language
+from kinegrade.numbers.tolerance import USUAL_CARRY
 from kinegrade.press.sheet import AnswerRow, QuestionSheet
 
 
@@ -63,7 +64,7 @@ class QuizQuestion:
     asks: tuple[QuizAsk, ...]
     solution: str = ""  # HTML of the worked solution, "" where it is not to be shown
     rule: str = ""  # prose: when an answer is right
-    digits: int = 4  # the fewest significant digits to be typed
+    digits: int = USUAL_CARRY  # the fewest significant digits to be carried and typed
 
 
 @dataclass(frozen=True)

@@ -26,9 +26,10 @@ from kinegrade.exam.printing.pages import (
     lay_out_question,
     make_answer_row,
 )
+from kinegrade.exam.printing.rules import count_digits
 from kinegrade.exam.quiz.document import QuizAsk, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.exam.quiz.source import QuizSource
-from kinegrade.exam.quiz.words import AskRule, count_digits_to_type, write_marking_rules
+from kinegrade.exam.quiz.words import AskRule, write_marking_rules
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
 from kinegrade.press.html.solution import write_blocks
@@ -112,7 +113,7 @@ def _make_question(
             _make_ask(template, ask, stated, wishes, source) for ask, stated in entry.asks.items()
         )
         rules = {
-            template.asks[ask].symbol: AskRule(source.tolerances[name, ask], stated.unit)
+            template.asks[ask].symbol: AskRule(source.tolerance(name, ask, stated), stated.unit)
             for ask, stated in entry.asks.items()
         }
         return QuizQuestion(
@@ -125,7 +126,7 @@ def _make_question(
             if solution
             else "",
             write_marking_rules(rules, language),
-            count_digits_to_type(rule.tolerance for rule in rules.values()),
+            count_digits(source.exam.head.carry, (rule.tolerance for rule in rules.values())),
         )
     except FieldError:
         raise  # a fault of the key, which its reader places

@@ -5,7 +5,7 @@ credits.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from hashlib import sha256
@@ -21,7 +21,7 @@ from kinegrade.exam.folder.contents import BANK
 from kinegrade.exam.folder.exact_keys import read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line_of
-from kinegrade.exam.folder.records import KeyLine
+from kinegrade.exam.folder.records import KeyLine, StatedAnswer
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.language import Language
 from kinegrade.language.message import Fault
@@ -31,7 +31,7 @@ from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import require_language
 
 _DIGITS = 8  # hexadecimal, of the identifier
-_LOOKED_AT = 64  # papers searched for the bank's tolerances, which answers of zero widen
+_LOOKED_AT = 64  # papers searched for the amounts that the bank allows: next to zero it is more
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,8 @@ class QuizSource:
     about the secret that draws the numbers: another exam of the same bank has another identifier,
     and the roster and its order do not matter.
 
-    `templates` are by question, `tolerances` by question and ask; `credits` are the shares of the
+    `templates` are by question; `amounts`, which the bank allows beside a share, are by question
+    and ask; `credits` are the shares of the
     points that the bank gives for known mistakes, by mistake.
     """
 
@@ -52,8 +53,14 @@ class QuizSource:
     title: str
     course: str
     templates: Mapping[str, Template]
-    tolerances: Mapping[tuple[str, str], Tolerance]
+    amounts: Mapping[tuple[str, str], Fraction]
     credits: Mapping[str, Fraction]
+
+    def tolerance(self, question: str, ask: str, stated: StatedAnswer) -> Tolerance:
+        """The tolerance that a paper states for an ask, from what its key keeps: without the amount
+        that holds next to zero, which would give the answer away. Raises FieldError.
+        """
+        return replace(read_rule(stated.tolerance), absolute=self.amounts[question, ask])
 
     @cached_property
     def kept(self) -> KeptExam:
@@ -79,7 +86,7 @@ def read_quiz_source(exam: ExamFolder, language: Language | None = None) -> Quiz
         title,
         course,
         templates,
-        _read_tolerances(exam),
+        _read_amounts(exam),
         _read_credits(exam),
     )
 
@@ -112,22 +119,21 @@ def _read_credits(exam: ExamFolder) -> dict[str, Fraction]:
         raise explain_broken(exam.path, [Fault("credit", describe_damage(fault))]) from fault
 
 
-def _read_tolerances(exam: ExamFolder) -> dict[tuple[str, str], Tolerance]:
-    """The smallest tolerance by question and ask: the bank's, where the answer is not zero."""
-    found: dict[tuple[str, str], Tolerance] = {}
+def _read_amounts(exam: ExamFolder) -> dict[tuple[str, str], Fraction]:
+    """The smallest amount allowed by question and ask: the bank's, where an answer is not zero."""
+    found: dict[tuple[str, str], Fraction] = {}
     for line in islice(exam.lines(), _LOOKED_AT):
         try:
-            for place, tolerance in _list_stated_tolerances(line):
-                if place not in found or tolerance.absolute < found[place].absolute:
-                    found[place] = tolerance
+            for place, amount in _list_amounts(line):
+                found[place] = min(amount, found.get(place, amount))
         except FieldError as fault:
             where = name_line_of(line.student)
             raise explain_broken(exam.key, [Fault(where, fault.faults[0])]) from fault
     return found
 
 
-def _list_stated_tolerances(line: KeyLine) -> Iterator[tuple[tuple[str, str], Tolerance]]:
-    """The tolerances of one paper by question and ask. Raises FieldError."""
+def _list_amounts(line: KeyLine) -> Iterator[tuple[tuple[str, str], Fraction]]:
+    """The amounts allowed on one paper by question and ask. Raises FieldError."""
     for question in line.questions:
         for name, ask in question.asks.items():
-            yield (question.question, name), read_rule(ask.tolerance)
+            yield (question.question, name), read_rule(ask.tolerance).absolute

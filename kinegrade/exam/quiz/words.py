@@ -1,22 +1,16 @@
-"""What a quiz on screen says of its rules: how many digits to type, and when an answer is right."""
+"""What a quiz on screen says of its rules: when an answer is right."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import reduce
 
-from kinegrade.exam.printing.rules import FEWEST_DIGITS, make_marking_rule
+from kinegrade.exam.printing.rules import make_marking_rule
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Text
 from kinegrade.numbers.tolerance import Tolerance
-
-
-def count_digits_to_type(tolerances: Iterable[Tolerance]) -> int:
-    """The fewest significant digits with which every answer can be judged right or wrong."""
-    return max(FEWEST_DIGITS, *(tolerance.carried(Fraction(0)) for tolerance in tolerances))
 
 
 @dataclass(frozen=True)

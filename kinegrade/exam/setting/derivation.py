@@ -8,6 +8,7 @@ contradicts the key is never made, whether the folder or this program has change
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 from typing import assert_never
@@ -15,18 +16,20 @@ from typing import assert_never
 import msgspec
 
 from kinegrade.errors import FieldError, KinegradeError, Problem
-from kinegrade.exam.bank.blueprint import BankQuestion
+from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion
 from kinegrade.exam.folder.contradictions import (
     describe_difference,
     explain_contradiction,
     list_names,
 )
+from kinegrade.exam.folder.exact_keys import read_rule
 from kinegrade.exam.folder.numbers import RATIONAL, require_number
 from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer, StatedNumber, StatedTolerance
 from kinegrade.exam.setting.key_record import make_stated_answer
-from kinegrade.exam.setting.setting import Drawn, SetAsk, SetQuestion, set_drawn
+from kinegrade.exam.setting.setting import Drawn, SetAsk, SetQuestion, set_drawn, state_tolerance
 from kinegrade.language.message import Fault, Message, Part, Text
 from kinegrade.mechanics.plan import Plan
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import CERTIFIED_DIGITS, Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
@@ -44,10 +47,16 @@ def derive_question(
     """The question as it was set for a student whose line of the key says `kept`; `where` names
     that place in messages, `plan` is one that may serve.
 
+    The tolerance of an honest ask is the one that the key keeps, because another version may find
+    that rounding takes another.
+
     Raises ExamError, with all differences, if the result is not what the key states.
     """
     solution = _solve(question, kept, where, plan)
-    derived = set_drawn(question, Drawn(kept.values, solution))
+    tolerances = {
+        ask.name: _find_tolerance(ask, kept.asks.get(ask.name), where) for ask in question.asks
+    }
+    derived = set_drawn(question, Drawn(kept.values, solution), tolerances)
     differences = list(_find_differences(derived, kept))
     if differences:
         raise explain_contradiction(where, differences)
@@ -61,6 +70,17 @@ def _solve(question: BankQuestion, kept: KeyQuestion, where: Text, plan: Plan | 
     except KinegradeError as error:
         reasons = (Message("exam.no-longer-follows", reason=each) for each in error.faults)
         raise explain_contradiction(where, reasons) from error
+
+
+def _find_tolerance(ask: BankAsk, kept: StatedAnswer | None, where: Text) -> Tolerance:
+    """The tolerance that the paper states: never less than the bank's."""
+    if not ask.honest or kept is None:
+        return ask.tolerance
+    try:
+        stated = state_tolerance(ask, read_rule(kept.tolerance))
+    except FieldError as error:
+        raise explain_contradiction(where, error.faults) from error
+    return replace(stated, relative=max(stated.relative, ask.tolerance.relative), figures=None)
 
 
 def _find_differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[Problem]:

@@ -7,14 +7,13 @@ anywhere, alone. `kinegrade.exam.setting.dealing` deals to a class.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from kinegrade.draws.deck import Combination, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.roster.roster import Student
-from kinegrade.mechanics.motion import Motion
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
@@ -37,7 +36,9 @@ class Exam:
                 tuple(ask.name for ask in question.asks),
                 make_deck(question.template, self.secret, question.identifier, question.domains),
                 {ask.name: ask.tolerance for ask in question.asks},
-                self.bank.four_decimals,
+                four_decimals=self.bank.four_decimals,
+                carry=self.bank.carry,
+                honest=frozenset(ask.name for ask in question.asks if ask.honest),
             )
             for question in self.bank.questions
         }
@@ -68,6 +69,13 @@ class SetAsk:
     answer: Quantity
     tolerance: Tolerance
     cyclic: bool
+
+    @property
+    def stated(self) -> Tolerance:
+        """The tolerance as the paper states it: without the amount that holds next to zero, which
+        would give the answer away.
+        """
+        return state_tolerance(self.ask, self.tolerance)
 
 
 @dataclass(frozen=True)
@@ -112,24 +120,38 @@ class SetPaper:
 def set_paper(exam: Exam, dealt: DealtPaper) -> SetPaper:
     """The paper with what was dealt. Raises MechanismError where that cannot be solved."""
     questions = tuple(
-        set_drawn(question, Drawn(values, exam.filters[question.identifier].solved(values)))
+        _set_question(question, values, exam.filters[question.identifier])
         for question, values in zip(exam.bank.questions, dealt.values, strict=True)
     )
     return SetPaper(dealt.student, dealt.code, questions, dealt.order, dealt.version, dealt.place)
 
 
-def set_drawn(question: BankQuestion, drawn: Drawn) -> SetQuestion:
-    """A question whose instance has been drawn."""
-    asks = tuple(
-        _set_ask(question, ask, drawn.solution[ask.name], drawn.solution.doubles)
-        for ask in question.asks
-    )
-    return SetQuestion(question, drawn, asks)
+def _set_question(
+    question: BankQuestion, values: Combination, draw_filter: DrawFilter
+) -> SetQuestion:
+    drawn = Drawn(values, draw_filter.solved(values))
+    return set_drawn(question, drawn, draw_filter.tolerances_of(values))
 
 
-def _set_ask(question: BankQuestion, ask: BankAsk, answer: Quantity, motion: Motion) -> SetAsk:
-    """An ask with its answer; `motion` gives the mechanism's scale, which sets the tolerance if the
-    answer is close to zero.
+def set_drawn(
+    question: BankQuestion, drawn: Drawn, tolerances: Mapping[str, Tolerance]
+) -> SetQuestion:
+    """A question whose instance has been drawn; `tolerances` are those that its paper states, by
+    ask.
+
+    Where an answer is next to zero, the mechanism's scale sets what is allowed.
     """
-    tolerance = find_effective_tolerance(ask.tolerance, answer.value, answer.measure, motion)
-    return SetAsk(ask, answer, tolerance, question.template.asks[ask.name].cyclic)
+    solution, template = drawn.solution, question.template
+    asks = []
+    for ask in question.asks:
+        answer = solution[ask.name]
+        tolerance = find_effective_tolerance(
+            tolerances[ask.name], answer.value, answer.measure, solution.doubles
+        )
+        asks.append(SetAsk(ask, answer, tolerance, template.asks[ask.name].cyclic))
+    return SetQuestion(question, drawn, tuple(asks))
+
+
+def state_tolerance(ask: BankAsk, kept: Tolerance) -> Tolerance:
+    """The tolerance that a paper states for an ask, from the one that its key keeps."""
+    return replace(kept, absolute=ask.tolerance.absolute)

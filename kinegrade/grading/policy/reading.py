@@ -8,6 +8,7 @@ bank says about credit (`kinegrade.stated_marking`) is furthest out of all. `rea
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -24,7 +25,13 @@ from kinegrade.grading.policy import keys
 from kinegrade.grading.policy.accepted_reading import AcceptedReader
 from kinegrade.grading.policy.policy import FULL_CREDIT, NO_ROOM, Attempts, Policy, Ruling, Void
 from kinegrade.language.message import Message
-from kinegrade.stated_marking import StatedCredit, StatedTolerance, read_credit, read_tolerance
+from kinegrade.stated_marking import (
+    HONEST,
+    StatedCredit,
+    StatedTolerance,
+    read_credit,
+    read_tolerance,
+)
 
 _POLICY_FILE = FileKind(Message("policy.file"), PolicyError, 1_000_000)
 _HEAD_FILE = FileKind(Message("policy.exam-head"), PolicyError, 0, Message("policy.restore-exam"))
@@ -133,7 +140,17 @@ class _Reader:
     def _level(self, table: Table) -> _Level:
         """What a table says about all answer boxes in it."""
         return _Level(
-            read_tolerance(table, _FIGURES),
+            _read_room(table),
             table.optional("void", choice(_VOIDS)),
             read_credit(table, lambda: self.mistakes),
         )
+
+
+def _read_room(table: Table) -> StatedTolerance:
+    """The tolerance that a table states; an honest one is found as a paper is set, never later."""
+    stated = table.value("tolerance")
+    if stated == HONEST or (isinstance(stated, Mapping) and HONEST in stated):
+        what, expected = Message("policy.honest"), Message("policy.a-tolerance")
+        table.fault("tolerance", what, expected, Message("policy.honest-in-bank"))
+        return StatedTolerance()
+    return read_tolerance(table, _FIGURES)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import Literal, assert_never
 
-from kinegrade.exam.printing.rules import spell_out
+from kinegrade.exam.printing.rules import make_carrying_rule, spell_out
 from kinegrade.exam.quiz.document import QuizQuestion
 from kinegrade.exam.quiz.words import write_sentences
 from kinegrade.language import Language
@@ -21,8 +21,10 @@ Typing = Literal["moodle", "canvas", "qti21", "blackboard"]  # what reads the nu
 
 
 def write_rules(question: QuizQuestion, typing: Typing, language: Language) -> str:
-    """How to type the answers of a question, and when one is right: prose."""
-    return write_sentences((make_typing_rule(typing, question.digits), question.rule), language)
+    """How to work out and type the answers of a question, and when one is right: prose."""
+    carrying = make_carrying_rule(question.digits)
+    typed = make_typing_rule(typing, question.digits)
+    return write_sentences((carrying, typed, question.rule), language)
 
 
 def make_typing_rule(typing: Typing, figures: int) -> Message:

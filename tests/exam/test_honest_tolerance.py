@@ -1,0 +1,269 @@
+"""An honest tolerance is one paper's own: the paper states it row by row, its key keeps it, and
+whatever is made of the exam later goes by the key.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from collections.abc import Callable
+from fractions import Fraction
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pypdf import PdfReader
+
+from kinegrade.exam.bank.bank import read_bank
+from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.exam_secret import FromWords
+from kinegrade.exam.printing.pages import lay_out_paper
+from kinegrade.exam.quiz.quiz import read_quiz
+from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.setting.dealing import deal_exam
+from kinegrade.language import Language
+from kinegrade.press.latex.paper import write_paper_body
+from kinegrade.press.sheet import Paper
+from kinegrade.press.typst.paper import write_paper_source
+from kinegrade.press.word.paper import write_paper_tree
+from tests.problem.crank import crank_text
+from tests.small_class import VANISHING, asks_of, contents, key_lines, kinegrade, table
+
+BANK = """title = { en = "Quiz", zh = "小测", de = "Test" }
+course = { en = "Mechanics", zh = "力学", de = "Mechanik" }
+tolerance = "honest"
+carry = 5
+[[questions]]
+template = "slider-crank"
+asks = { v_B = 3, omega_AB = 2 }
+[[questions]]
+template = "slider-crank"
+tolerance = { relative = "2 %", absolute = 0.5, honest = true }
+asks = { a_B = 2 }
+"""
+ZERO = """[[questions]]
+template = "crank.toml"
+draw = { h = [0], r = [1, 2, 3], omega = [2, 3, 4] }
+asks = { v_x = 1, v_y = { points = 2, tolerance = { absolute = 0.25 } } }
+"""
+SHARE = r"(?:1|1[.,]5|2|3|4|5) %"
+WIDE = 0.05  # a share that another version may have found
+Ask = dict[str, Any]
+
+
+@pytest.fixture(scope="module")
+def generated(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("honest")
+    (folder / "bank.toml").write_text(BANK + ZERO, encoding="utf-8")
+    (folder / "crank.toml").write_text(crank_text(VANISHING), encoding="utf-8")
+    (folder / "roster.csv").write_text("student,name\n007,Ann\n0012,Zoë\n", encoding="utf-8")
+    (folder / "late.csv").write_text("student,name\n99,Bob\n", encoding="utf-8")
+    files = folder / "bank.toml", folder / "roster.csv"
+    words = ("--reproducible", "spring", "--no-solutions")
+    result = kinegrade("generate", *files, "-o", folder / "EXAM", *words)
+    assert result.exit_code == 0, result.stderr
+    return folder
+
+
+@pytest.fixture
+def folder(generated: Path, tmp_path: Path) -> Path:
+    """The class in a folder of its own."""
+    return Path(shutil.copytree(generated, tmp_path / "class"))
+
+
+def edit_key(exam: Path, question: int, ask: str, edit: Callable[[Ask], object]) -> None:
+    """Change what the key of the first student says of an ask."""
+    first, *others = key_lines(exam)
+    edit(first["questions"][question]["asks"][ask])
+    text = "".join(json.dumps(line) + "\n" for line in (first, *others))
+    (exam / "key.jsonl").write_text(text, encoding="utf-8")
+
+
+def widen(exam: Path) -> None:
+    """As if another version had found that v_B takes 5 %."""
+    edit_key(exam, 0, "v_B", lambda ask: ask["tolerance"].update(relative=WIDE))
+
+
+def lay_out(folder: Path, language: Language) -> Paper:
+    """A paper in that language, of templates that have all languages."""
+    (folder / "bank.toml").write_text(BANK, encoding="utf-8")
+    roster = Roster((Student("007", "Ann", "", "007"),), ())
+    dealt = deal_exam(read_bank(folder / "bank.toml"), roster, FromWords("spring"))
+    return lay_out_paper(dealt.bank, next(dealt.papers()), language)
+
+
+def words(pdf: bytes) -> str:
+    text = " ".join(page.extract_text() for page in PdfReader(BytesIO(pdf)).pages)
+    return re.sub(r"\s+", " ", text)
+
+
+@pytest.mark.parametrize(
+    ("language", "rule", "within", "or_amount"),
+    [
+        (
+            "en",
+            "An answer is right if it differs from the exact value by at most what its row of "
+            "the answer table states. Where the exact value is zero, or less than the row's share "
+            "of the largest quantity of its kind in the mechanism, that share of that quantity "
+            "is allowed.",
+            "within ",
+            " or $0.5\\,\\unit{m/s^2}$",
+        ),
+        (
+            "zh",
+            "答案与精确值之差不超过答案表中该行所列的允许偏差即判为正确。精确值为零，或小于该机构中同类量"
+            "最大值与该行百分比之积时，允许偏差为此积。",
+            "允许偏差 ",
+            "或 $0.5\\,\\unit{m/s^2}$",
+        ),
+        (
+            "de",
+            "Eine Antwort ist richtig, wenn sie vom exakten Wert um höchstens die Toleranz "
+            "abweicht, die in ihrer Zeile der Antworttabelle steht. Ist der exakte Wert null oder "
+            "kleiner als dieser Anteil der größten gleichartigen Größe im Mechanismus, so wird "
+            "eine Abweichung von diesem Anteil dieser Größe zugelassen.",
+            "Toleranz ",
+            " oder $0.5\\,\\unit{m/s^2}$",
+        ),
+    ],
+)
+def test_the_rules_refer_to_the_rows_and_each_row_states_its_tolerance(
+    tmp_path: Path, language: Language, rule: str, within: str, or_amount: str
+) -> None:
+    paper = lay_out(tmp_path, language)
+    assert len(paper.rules) == 3
+    assert paper.rules[2] == rule
+    rows = [row for question in paper.questions for row in question.rows]
+    stated = [re.split("[;；] ?", row.sign)[-1] for row in rows]
+    assert all(re.fullmatch(within + SHARE, each) for each in stated[:2])
+    assert re.fullmatch(within + SHARE + re.escape(or_amount), stated[2])
+
+
+def test_every_layout_prints_the_rows_tolerance(tmp_path: Path) -> None:
+    paper = lay_out(tmp_path, "en")
+    typst, latex = write_paper_source(paper), write_paper_body(paper)
+    tree = write_paper_tree(paper, {}).decode()
+    assert len(re.findall(rf"within {SHARE}", typst)) == 3
+    assert len(re.findall(r"within [\d.]+(?:\\,|~|\s)*\\%", latex)) == 3
+    assert tree.count("within") == 3
+
+
+def test_a_row_does_not_tell_that_its_answer_is_zero(generated: Path) -> None:
+    key = asks_of(generated / "EXAM")["007", "q3.v_x"]
+    assert key["value"] == 0
+    assert key["tolerance"]["absolute"] > 0
+    paper = words((generated / "EXAM" / "papers" / "007.pdf").read_bytes())
+    along = re.search(r"along x.*?along y", paper)
+    assert along is not None
+    assert re.search(rf"; within {SHARE}", along[0])
+    assert not re.search(r"within .* or ", along[0])
+
+
+def test_what_is_not_honest_is_stated_in_the_rules_and_not_in_its_row(generated: Path) -> None:
+    paper = words((generated / "EXAM" / "papers" / "007.pdf").read_bytes())
+    assert paper.count("within") == 4  # of five asks
+    assert re.search(
+        r"For question 3, .{1,4}: an answer is right if .* by at most 0\.25 in the", paper
+    )
+
+
+def test_a_paper_is_printed_again_byte_for_byte(generated: Path) -> None:
+    again = kinegrade("paper", generated / "EXAM", "007").stdout_bytes
+    assert again == (generated / "EXAM" / "papers" / "007.pdf").read_bytes()
+
+
+def test_a_paper_printed_again_states_the_tolerance_that_its_key_keeps(folder: Path) -> None:
+    widen(folder / "EXAM")
+    for options in ((), ("--solution",)):
+        result = kinegrade("paper", folder / "EXAM", "007", *options)
+        assert (result.exit_code, result.stderr) == (0, "")
+        if not options:
+            assert "within 5 %" in words(result.stdout_bytes)
+
+
+@pytest.mark.parametrize(("off", "verdict"), [("0.0499", "right"), ("0.0501", "wrong")])
+def test_marking_goes_by_the_tolerance_that_the_key_keeps(
+    folder: Path, off: str, verdict: str
+) -> None:
+    exam, answers = folder / "EXAM", folder / "answers.csv"
+    widen(exam)
+    typed = Fraction(asks_of(exam)["007", "q1.v_B"]["decimal"]) * (1 + Fraction(off))
+    answers.write_text(f"student,q1.v_B\n007,{float(typed):.12g}\n", encoding="utf-8")
+    assert kinegrade("grade", exam, answers, "-o", folder / "MARKS").exit_code < 2
+    marks = {row["ask"]: row["verdict"] for row in table(folder / "MARKS" / "marks.csv")[:2]}
+    assert marks["v_B"] == verdict
+
+
+def test_a_quiz_states_each_papers_own_tolerance(folder: Path) -> None:
+    widen(folder / "EXAM")
+    first, second = read_quiz(open_exam(folder / "EXAM")).papers
+    (v_B, _), (_, honest_zero) = first.questions[0].asks, first.questions[2].asks
+    assert v_B.high - v_B.value == abs(v_B.value) * Fraction(str(WIDE))
+    assert "at most 5 % of that value" in first.questions[0].rule
+    assert "at most 5 % of that value" not in second.questions[0].rule
+    for paper in (first, second):
+        rule = paper.questions[1].rule
+        assert re.search(rf"at most {SHARE} of that value, or by at most \$0.5", rule)
+        assert [question.digits for question in paper.questions] == [5, 5, 5]
+    assert honest_zero.high - honest_zero.value == Fraction(1, 4)
+
+
+def test_a_quiz_says_how_many_digits_to_carry(generated: Path) -> None:
+    file = generated / "moodle.xml"
+    assert kinegrade("quiz", generated / "EXAM", "--to", "moodle-xml", "-o", file).exit_code < 2
+    text = file.read_text(encoding="utf-8")
+    assert "Carry at least five significant digits in every value that you write down." in text
+
+
+def test_late_students_change_no_tolerance_of_the_others(folder: Path) -> None:
+    exam = folder / "EXAM"
+    widen(exam)
+    before = (exam / "key.jsonl").read_text(encoding="utf-8")
+    papers = {name: data for name, data in contents(exam).items() if name.endswith("007.pdf")}
+    files = folder / "bank.toml", folder / "roster.csv"
+    result = kinegrade("generate", *files, "-o", exam, "--add", folder / "late.csv")
+    assert result.exit_code == 0, result.stderr
+    assert (exam / "key.jsonl").read_text(encoding="utf-8").startswith(before)
+    assert papers.items() <= contents(exam).items()
+    assert ("99", "q1.v_B") in asks_of(exam)
+
+
+@pytest.mark.parametrize(
+    ("place", "term", "value", "difference"),
+    [
+        # Narrower than the bank states
+        ((0, "v_B"), "relative", 0.005, "v_B: tolerance is relative 0.005, .* relative 0.01, "),
+        # Not what the mechanism's scale gives
+        (
+            (2, "v_x"),
+            "absolute",
+            0.0001,
+            "v_x: tolerance is relative 0.0.*, absolute 0.0001 by the",
+        ),
+        # Not honest
+        ((2, "v_y"), "absolute", 0.5, "v_y: tolerance is relative 0, absolute 0.5 by the key, "),
+        ((0, "v_B"), "figures", 3, "v_B: tolerance is relative 0.0.*, figures 3 by the key, "),
+        ((0, "v_B"), "relative", -1, '"relative" is -1 - expected zero or more'),
+    ],
+)
+def test_no_other_tolerance_than_a_paper_could_have_is_taken(
+    folder: Path, place: tuple[int, str], term: str, value: float, difference: str
+) -> None:
+    edit_key(folder / "EXAM", *place, lambda each: each["tolerance"].update({term: value}))
+    result = kinegrade("paper", folder / "EXAM", "007")
+    assert result.exit_code == 2
+    (line,) = result.stderr.splitlines()
+    assert re.search(rf"key\.jsonl: .*q{place[0] + 1}: {difference}", line), line
+
+
+def test_the_figures_carried_are_kept_with_the_exam(folder: Path) -> None:
+    head = folder / "EXAM" / "exam.json"
+    content = json.loads(head.read_text(encoding="utf-8"))
+    assert content["carry"] == 5
+    head.write_text(json.dumps({**content, "carry": 99}), encoding="utf-8")
+    result = kinegrade("quiz", folder / "EXAM", "--to", "moodle-xml", "-o", folder / "quiz.xml")
+    assert result.exit_code == 2
+    assert "exam.json" in result.stderr
+    assert "carry" in result.stderr
