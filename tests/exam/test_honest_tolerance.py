@@ -267,3 +267,58 @@ def test_the_figures_carried_are_kept_with_the_exam(folder: Path) -> None:
     assert result.exit_code == 2
     assert "exam.json" in result.stderr
     assert "carry" in result.stderr
+
+
+COUPLER = """title = "Quiz"
+course = "Mechanics"
+tolerance = "honest"
+carry = 3
+[[questions]]
+template = "pole-four-bar-coupler"
+"""
+
+
+@pytest.fixture(scope="module")
+def coupler(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Four papers on a mechanism at which rounding to three figures matters."""
+    folder = tmp_path_factory.mktemp("coupler")
+    (folder / "bank.toml").write_text(COUPLER, encoding="utf-8")
+    rows = "".join(f"s{number},Student\n" for number in range(4))
+    (folder / "roster.csv").write_text(f"student,name\n{rows}", encoding="utf-8")
+    files = folder / "bank.toml", folder / "roster.csv"
+    words = ("--reproducible", "spring", "--no-solutions")
+    result = kinegrade("generate", *files, "-o", folder / "EXAM", *words)
+    assert result.exit_code == 0, result.stderr
+    return folder
+
+
+def test_each_row_states_the_share_that_the_key_keeps(coupler: Path) -> None:
+    for line in key_lines(coupler / "EXAM"):
+        paper = words((coupler / "EXAM" / "papers" / f"{line['student']}.pdf").read_bytes())
+        (question,) = line["questions"]
+        kept = [float(ask["tolerance"]["relative"]) for ask in question["asks"].values()]
+        stated = [float(share) / 100 for share in re.findall(r"within ([\d.]+) %", paper)]
+        assert stated == pytest.approx(kept)
+        assert set(stated) <= {0.01, 0.015, 0.02, 0.03, 0.04, 0.05}
+
+
+@pytest.mark.parametrize(("part", "right"), [("0.999", True), ("1.001", False)])
+def test_an_answer_is_right_as_far_as_its_row_allows(
+    coupler: Path, tmp_path: Path, part: str, right: bool
+) -> None:
+    typed: dict[str, list[str]] = {}
+    for (student, _), ask in asks_of(coupler / "EXAM").items():
+        exact = Fraction(ask["decimal"])
+        share = Fraction(str(ask["tolerance"]["relative"]))
+        room = max(abs(exact) * share, Fraction(str(ask["tolerance"]["absolute"])))
+        typed.setdefault(student, []).append(f"{float(exact + room * Fraction(part)):.12g}")
+    columns = [name for student, name in asks_of(coupler / "EXAM") if student == "s0"]
+    rows = "".join(f"{student},{','.join(cells)}\n" for student, cells in typed.items())
+    answers = tmp_path / "answers.csv"
+    answers.write_text(f"student,{','.join(columns)}\n{rows}", encoding="utf-8")
+    policy = tmp_path / "policy.toml"
+    policy.write_text("credit = { follow-through = 0 }\n", encoding="utf-8")
+    words = ("--policy", policy, "-o", tmp_path / "MARKS")
+    assert kinegrade("grade", coupler / "EXAM", answers, *words).exit_code < 2
+    found = table(tmp_path / "MARKS" / "marks.csv")
+    assert {row["verdict"] == "right" for row in found} == {right}
