@@ -147,7 +147,8 @@ def test_a_tolerance_may_be_honest_for_the_exam_a_question_or_an_ask(
     assert set(honest(HEAD + stated + QUESTION)) == {(True, True)}
     assert set(honest(HEAD + stated + QUESTION + plain)) == {(False, False)}
     assert set(honest(HEAD + QUESTION + stated)) == {(True, True)}
-    assert honest(HEAD + QUESTION + asked) == [(False, False), (True, True)]
+    assert honest(HEAD + plain + QUESTION + asked) == [(False, False), (True, True)]
+    assert bank(tmp_path, HEAD + QUESTION).honest  # where nothing is stated
     assert bank(tmp_path, HEAD + stated + QUESTION).honest
 
 

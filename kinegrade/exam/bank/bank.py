@@ -137,7 +137,7 @@ def _require_none(files: Iterable[Faults]) -> None:
 def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
     """Everything but the questions; an entry at fault is left empty or at its default."""
     title, course = _read_texts(table)
-    stated = read_bank_tolerance(table, BankTolerance())
+    stated = read_bank_tolerance(table, BankTolerance(honest=True))
     return Bank(
         title=title,
         course=course,

@@ -12,7 +12,7 @@ BANK = (
     "course",
     #: The date, as it is printed: `2026-06-24`, or any text.
     "date",
-    #: How far an answer may be off; 1 % where nothing is stated.
+    #: How far an answer may be off; `"honest"` where nothing is stated: 1 %, or what rounding takes.
     "tolerance",
     #: How many significant figures students are asked to carry in every value that they write down:
     #: 3 to 6, and 4 where nothing is stated. It is printed on the papers, and draws are refused at
@@ -71,8 +71,8 @@ DRAWN = (
 # What a tolerance may state besides what policies may
 TOLERANCE = (
     #: `true` widens the relative tolerance of an ask on each paper, where honest rounding takes
-    #: more at that paper's numbers, to the next of 1, 1.5, 2, 3, 4 and 5 %; the answer table of the
-    #: paper states it in the row of the ask. `tolerance = "honest"` is
+    #: more at that paper's numbers, to the next of 1, 1.5, 2, 3, 4, 5, 6, 8 and 10 %; the answer
+    #: table of the paper states it in the row of the ask. `tolerance = "honest"` is
     #: `{ relative = "1 %", honest = true }`.
     "honest",
 )

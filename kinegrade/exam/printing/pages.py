@@ -126,14 +126,14 @@ def make_answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow
 
 
 def _make_paper_row(entry: SetAsk, ask: Ask, language: Language) -> AnswerRow:
-    """The row as a paper has it, on which any number of turns may be written, and which states the
+    """The row as a paper has it, on which any number of turns may be written, and which states a
     tolerance that is this paper's own.
     """
     row = make_answer_row(ask, entry.ask.points, language)
     words = open_catalogue(language)
     if ask.cyclic:
         row = replace(row, sign=words.text("paper.sign-with-full-turns", sign=row.sign))
-    if entry.ask.honest:
+    if entry.stated != entry.ask.tolerance:
         within = make_row_tolerance(entry.stated, row.unit)
         signed = Message("paper.sign-with-tolerance", sign=row.sign, within=within)
         row = replace(row, sign=words.write(signed if row.sign else within))

@@ -57,10 +57,11 @@ def _list_exceptions(bank: Bank, question: BankQuestion, number: int) -> Iterato
 
 
 def _make_rule(stated: Bank | BankAsk) -> Message:
-    """When an answer is right: as the bank states it, or the answer table row by row."""
+    """When an answer is right: as the bank states it, and as rows of the answer table may."""
+    rule = make_marking_rule(stated.tolerance)
     if stated.honest:
-        return Message("paper.right-within-row")
-    return make_marking_rule(stated.tolerance)
+        return Message("paper.sentences", first=rule, second=Message("paper.row-states-another"))
+    return rule
 
 
 def make_row_tolerance(tolerance: Tolerance, unit: str) -> Message:

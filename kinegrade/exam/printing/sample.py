@@ -36,7 +36,7 @@ def _list_shown(template: Template) -> tuple[str, ...]:
 def make_sample_bank(template: Template) -> Bank:
     """A bank that asks what the template asks; asks on request count one point."""
     asks = tuple(
-        BankAsk(name, Fraction(template.asks[name].points or 1), ONE_PER_CENT)
+        BankAsk(name, Fraction(template.asks[name].points or 1), ONE_PER_CENT, True)
         for name in _list_shown(template)
     )
     question = BankQuestion("q1", template, asks, {})
@@ -47,6 +47,7 @@ def make_sample_bank(template: Template) -> Bank:
         ONE_PER_CENT,
         (question,),
         "",
+        honest=True,
     )
 
 

@@ -26,13 +26,14 @@ from kinegrade.exam.folder.exact_keys import read_rule
 from kinegrade.exam.folder.numbers import RATIONAL, require_number
 from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer, StatedNumber, StatedTolerance
 from kinegrade.exam.setting.key_record import make_stated_answer
-from kinegrade.exam.setting.setting import Drawn, SetAsk, SetQuestion, set_drawn, state_tolerance
+from kinegrade.exam.setting.setting import Drawn, SetAsk, SetQuestion, set_drawn
 from kinegrade.language.message import Fault, Message, Part, Text
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import CERTIFIED_DIGITS, Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.tolerance import find_effective_tolerance
 
 # Relative: between certified decimals, between doubles, and where a drawn value is only a double
 _CERTIFIED = Fraction(1, 10 ** (CERTIFIED_DIGITS - 2))
@@ -54,7 +55,8 @@ def derive_question(
     """
     solution = _solve(question, kept, where, plan)
     tolerances = {
-        ask.name: _find_tolerance(ask, kept.asks.get(ask.name), where) for ask in question.asks
+        ask.name: _find_tolerance(ask, solution, kept.asks.get(ask.name), where)
+        for ask in question.asks
     }
     derived = set_drawn(question, Drawn(kept.values, solution), tolerances)
     differences = list(_find_differences(derived, kept))
@@ -72,15 +74,21 @@ def _solve(question: BankQuestion, kept: KeyQuestion, where: Text, plan: Plan | 
         raise explain_contradiction(where, reasons) from error
 
 
-def _find_tolerance(ask: BankAsk, kept: StatedAnswer | None, where: Text) -> Tolerance:
-    """The tolerance that the paper states: never less than the bank's."""
+def _find_tolerance(
+    ask: BankAsk, solution: Solution, kept: StatedAnswer | None, where: Text
+) -> Tolerance:
+    """The tolerance by which an answer is marked: that of an honest ask as the key keeps it, but
+    never less than the bank's.
+    """
+    answer = solution[ask.name]
+    stated = find_effective_tolerance(ask.tolerance, answer.value, answer.measure, solution.doubles)
     if not ask.honest or kept is None:
-        return ask.tolerance
+        return stated
     try:
-        stated = state_tolerance(ask, read_rule(kept.tolerance))
+        rule = read_rule(kept.tolerance)
     except FieldError as error:
         raise explain_contradiction(where, error.faults) from error
-    return replace(stated, relative=max(stated.relative, ask.tolerance.relative), figures=None)
+    return replace(stated, relative=max(rule.relative, stated.relative))
 
 
 def _find_differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[Problem]:

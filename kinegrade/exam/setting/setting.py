@@ -17,7 +17,6 @@ from kinegrade.exam.roster.roster import Student
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
-from kinegrade.problem.tolerance import find_effective_tolerance
 
 
 @dataclass(frozen=True)
@@ -136,19 +135,14 @@ def _set_question(
 def set_drawn(
     question: BankQuestion, drawn: Drawn, tolerances: Mapping[str, Tolerance]
 ) -> SetQuestion:
-    """A question whose instance has been drawn; `tolerances` are those that its paper states, by
-    ask.
-
-    Where an answer is next to zero, the mechanism's scale sets what is allowed.
+    """A question whose instance has been drawn; `tolerances` are those by which its answers are
+    marked, by ask.
     """
     solution, template = drawn.solution, question.template
-    asks = []
-    for ask in question.asks:
-        answer = solution[ask.name]
-        tolerance = find_effective_tolerance(
-            tolerances[ask.name], answer.value, answer.measure, solution.doubles
-        )
-        asks.append(SetAsk(ask, answer, tolerance, template.asks[ask.name].cyclic))
+    asks = (
+        SetAsk(ask, solution[ask.name], tolerances[ask.name], template.asks[ask.name].cyclic)
+        for ask in question.asks
+    )
     return SetQuestion(question, drawn, tuple(asks))
 
 

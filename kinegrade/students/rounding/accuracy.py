@@ -10,14 +10,13 @@ from fractions import Fraction
 from math import floor, inf, log10
 
 from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY, Tolerance
-from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
-from kinegrade.problem.tolerance import find_effective_tolerance, find_scale_of_mechanism
+from kinegrade.problem.tolerance import find_effective_tolerance
 
-# A widened tolerance is one of these per cents, or for an answer next to zero such an amount
+# A widened tolerance is one of these per cents
 _PLAIN = tuple(Fraction(number) for number in ("1", "1.5", "2", "3", "4", "5", "6", "8", "10"))
 _SAME = 1e-9  # relative: closer than this is the same figure in doubles
-WIDEST = Fraction(1, 10)  # of an answer, or next to zero of the mechanism's scale
+WIDEST = Fraction(1, 10)  # of an answer
 
 
 @dataclass(frozen=True)
@@ -53,8 +52,7 @@ class Accuracy:
             if _holds(tolerance, answer.value, bound):
                 allowed[name] = tolerance
             elif self.may_widen(name):
-                scale = float(find_scale_of_mechanism(solution.doubles, answer.measure))
-                allowed[name] = _widen(tolerance, answer, bound, scale)
+                allowed[name] = _widen(tolerance, answer.value, bound)
             else:
                 allowed[name] = None
         return allowed
@@ -66,18 +64,13 @@ def _holds(tolerance: Tolerance, value: float, bound: float) -> bool:
     return float(low) <= value - bound and value + bound <= float(high)
 
 
-def _widen(tolerance: Tolerance, answer: Quantity, bound: float, scale: float) -> Tolerance | None:
-    """The tolerance with as much more room as the bound needs, in plain figures; None where that
-    is more than should be allowed.
+def _widen(tolerance: Tolerance, value: float, bound: float) -> Tolerance | None:
+    """The tolerance with as large a share as the bound needs, in plain figures; None where that is
+    more than should be allowed.
     """
-    size = abs(answer.value)
-    if bound <= WIDEST * size:
-        share = find_plain_figure(bound / size)
-        return replace(tolerance, relative=share)
-    next_to_zero = tolerance.room(Fraction(answer.value)) > tolerance.share * Fraction(size)
-    if next_to_zero and bound <= WIDEST * scale:
-        return replace(tolerance, absolute=find_plain_figure(bound))
-    return None
+    if bound > WIDEST * abs(value):
+        return None
+    return replace(tolerance, relative=find_plain_figure(bound / abs(value)))
 
 
 def find_plain_figure(number: float) -> Fraction:
