@@ -16,7 +16,6 @@ from typing import assert_never
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints import Joint
 from kinegrade.mechanics.laws import (
-    RIGHT,
     Condition,
     EqualRotation,
     GuidedBody,
@@ -27,6 +26,7 @@ from kinegrade.mechanics.mechanism import Body, Mechanism, select_shared
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.shapes import Circle, Line
+from kinegrade.mechanics.shares import RIGHT
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
 

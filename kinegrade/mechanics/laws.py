@@ -16,31 +16,13 @@ from kinegrade.mechanics.geometry import foot
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.shapes import Circle, Line, Shape
+from kinegrade.mechanics.shares import Shares
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 
 Turning = tuple[tuple[Rate, Number], ...]
 # The point of a carried centre, the centre about which it runs, and the share of their distance
 Arm = tuple[str, str, Number]
-
-
-@dataclass(frozen=True)
-class Shares:
-    """What is taken of the parts of a law: 1 is right, 0 forgotten, -1 reversed.
-
-    - meshing: the sense in which two circles turn: -1 takes inside for outside.
-    - crossing: the sense in which a belt's pulleys turn: -1 takes open for crossed.
-    - carried: the turning of the body that carries the other one, or the track.
-    - arm: the radius of the carried wheel within the arm r1 + r2.
-    """
-
-    meshing: Number = 1
-    crossing: Number = 1
-    carried: Number = 1
-    arm: Number = 1
-
-
-RIGHT = Shares()
 
 
 @dataclass(frozen=True)
@@ -212,7 +194,9 @@ class NoSlip(Reason):
                 carried = slip * shares.carried
             case Circle(radius=other):
                 radius = self.circle.radius * _find_sense(self.inside, shares)
-                slip = carried = -radius / (other + shares.arm * shares.carried * radius)
+                distance = other + shares.arm * shares.carried * radius
+                radius, distance = shares.relate(radius, distance)
+                slip = carried = -radius / distance
             case _:
                 assert_never(self.on)
         return ((self.rate, 1), *_relate((self.body, slip), (self.of, -carried)))
@@ -265,7 +249,8 @@ class EqualRimSpeed(Reason):
         circle where the first one is the ground's.
         """
         sense = self.select_share(shares)
-        radius, other = self.circle.radius, self.on.radius * (sense if self.is_opposite else -sense)
+        radius, other = shares.relate(self.circle.radius, self.on.radius)
+        other = other * (sense if self.is_opposite else -sense)
         first, second = (shares.carried, 1) if self.body != GROUND else (1, shares.carried)
         return _relate(
             (self.body, radius),

@@ -104,7 +104,8 @@ class Motion:
     def coriolis(self, point: str, body: str, frame: str) -> Vector:
         """Coriolis acceleration 2 omega_e x v_r of `point` of `body` relative to `frame`, m/s^2."""
         relative = self.relative_velocity(point, body, frame)
-        return self.reading.coriolis(point, frame, compose_coriolis(relative, self.omega(frame)))
+        omega = self.reading.frame_rate(self.omega(frame), body, self.rates)
+        return self.reading.coriolis(point, frame, compose_coriolis(relative, omega))
 
     def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
         """Acceleration of `point` of `body` relative to `frame`: a_r = a_a - a_e - a_C."""

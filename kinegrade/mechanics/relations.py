@@ -55,11 +55,27 @@ class Reading:
         left, right = self.chain(relation.left), self.chain(relation.right)
         return replace(relation, left=left, right=right, turning=self.turning(relation))
 
+    def square(self, rate: Number) -> Number:
+        """What is taken for the square of an angular velocity in a normal acceleration,
+        (rad/s)^2.
+        """
+        return rate * rate
+
     def normal(self, rate: Rate, point: str, base: str, normal: Vector) -> Vector:
         """What is taken of the normal acceleration of `point` about `base`, which has the
         `rate`.
         """
         return normal
+
+    def tangential(self, rate: Rate, point: str, base: str, tangential: Vector) -> Vector:
+        """What is taken of the tangential acceleration of `point` about `base`."""
+        return tangential
+
+    def frame_rate(self, omega: Number, body: str, rates: Rates) -> Number:
+        """What is taken for the angular velocity `omega` of a moving frame, rad/s, in the Coriolis
+        acceleration of a point of `body`.
+        """
+        return omega
 
     def coriolis(self, point: str, frame: str, coriolis: Vector) -> Vector:
         """What is taken of the Coriolis acceleration of `point` relative to the body `frame`."""
@@ -124,7 +140,7 @@ class Term:
             case "sliding":
                 return Vector(0, 0)
             case "rotation" | "arc":
-                centripetal = self.vector * (-rates[self.rate] * rates[self.rate])
+                centripetal = self.vector * -reading.square(rates[self.rate])
                 return reading.normal(self.rate, self.point, self.base, centripetal)
             case _:
                 assert_never(self.kind)
@@ -135,26 +151,28 @@ class Term:
         """
         if self.kind == "rotation" or self.frame == GROUND:
             return Vector(0, 0)
-        coriolis = compose_coriolis(self.velocity(rates), rates[make_turning(self.frame)])
+        omega = reading.frame_rate(rates[make_turning(self.frame)], self.rate.body, rates)
+        coriolis = compose_coriolis(self.velocity(rates), omega)
         return reading.coriolis(self.point, self.frame, coriolis)
 
     def remainder(self, rates: Rates, reading: Reading = PLAIN) -> Vector:
         """The whole part of the term's acceleration that the velocities decide."""
         return self.normal(rates, reading) + self.coriolis(rates, reading)
 
-    def tangential(self, changes: Rates) -> Vector:
+    def tangential(self, changes: Rates, reading: Reading = PLAIN) -> Vector:
         """The part of the term's acceleration along its velocity, m/s^2."""
-        return self.coefficient() * changes[self.rate]
+        tangential = self.coefficient() * changes[self.rate]
+        return reading.tangential(self.rate, self.point, self.base, tangential)
 
     def relative_acceleration(
         self, rates: Rates, changes: Rates, reading: Reading = PLAIN
     ) -> Vector:
         """The term's acceleration relative to `frame`, m/s^2: its normal and tangential parts."""
-        return self.normal(rates, reading) + self.tangential(changes)
+        return self.normal(rates, reading) + self.tangential(changes, reading)
 
     def acceleration(self, rates: Rates, changes: Rates, reading: Reading = PLAIN) -> Vector:
         """The term's acceleration, m/s^2, from the rates and their changes."""
-        return self.tangential(changes) + self.remainder(rates, reading)
+        return self.tangential(changes, reading) + self.remainder(rates, reading)
 
     def put(self, vector: Vector) -> Term:
         """The term with another vector."""

@@ -13,13 +13,13 @@ from typing import Any, Literal
 
 from flint import arb, fmpq
 
-from kinegrade.expressions.tree import Call, Expression, Name, walk
-from kinegrade.mechanics.joints import GROUND
+from kinegrade.expressions.tree import Name
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.students.mistake_names import MistakeName
+from kinegrade.students.slip_occasions import calls, find_share_occasions
 
 Givens = Mapping[str, Any]  # parameters in SI
 
@@ -102,13 +102,19 @@ MISTAKES = (
     Mistake("coriolis-dropped", {"coriolis": fmpq(0)}),
     Mistake("coriolis-halved", {"coriolis": fmpq(1, 2)}),
     Mistake("coriolis-reversed", {"coriolis": fmpq(-1)}),
+    Mistake("coriolis-wrong-omega", {"frame_rate": fmpq(0)}),
     Mistake("relative-normal-dropped", {"relative_normal": fmpq(0)}),
+    Mistake("relative-normal-outwards", {"relative_normal": fmpq(-1)}),
     Mistake("path-normal-dropped", {"path_normal": fmpq(0)}),
+    Mistake("path-normal-outwards", {"path_normal": fmpq(-1)}),
+    Mistake("omega-not-squared", {"square": fmpq(0)}),
+    Mistake("tangential-dropped", {"tangential": fmpq(0)}),
     Mistake("relative-for-absolute", {"carried": fmpq(0)}),
     Mistake("absolute-for-relative", {"asked_relative": fmpq(0)}),
     Mistake("meshing-reversed", {"meshing": fmpq(-1)}),
     Mistake("belt-reversed", {"crossing": fmpq(-1)}),
     Mistake("arm-for-sum", {"arm": fmpq(0)}),
+    Mistake("inverse-ratio", {"ratio": fmpq(0)}),
     Mistake("wrong-pole", {"pole": fmpq(0)}),
     Mistake("centre-for-pole", {"centre": fmpq(0)}),
     Mistake("transport-for-absolute", {"relative": fmpq(0)}),
@@ -166,36 +172,13 @@ def _find_unconverted_rates(template: Template) -> list[str]:
 
 def find_candidates(template: Template, asks: Mapping[str, Ask]) -> Iterator[Mistake]:
     """The mistakes that are possible in the template, where these quantities are asked for."""
-    occasions, others = _find_share_occasions(template, asks), _find_given_occasions(template, asks)
+    occasions, others = find_share_occasions(template, asks), _find_given_occasions(template, asks)
     for mistake in MISTAKES:
         if others.get(
             mistake.identifier,
             template.scheme.drivers and any(occasions[share] for share in mistake.shares),
         ):
             yield mistake
-
-
-def _find_share_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
-    """For each share of a term whether the template has such terms."""
-    slips = {slip for joint in template.scheme.joints for slip in joint.stated.SLIPS}
-    relative = any(joint.of != GROUND for joint in template.scheme.joints) or any(
-        driver.of != GROUND for driver in template.scheme.drivers
-    )
-    accelerations = any(ask.unit.time == -2 for ask in asks.values())
-    return {
-        "coriolis": accelerations and relative,
-        "relative_normal": accelerations,
-        "path_normal": accelerations,
-        "carried": "carried" in slips
-        or any(driver.of != GROUND for driver in template.scheme.drivers),
-        "asked_relative": any(_calls(ask.quantity, ("omega", "alpha"), 2) for ask in asks.values()),
-        "meshing": "meshing" in slips,
-        "crossing": "crossing" in slips,
-        "arm": "arm" in slips,
-        "centre": "centre" in slips,
-        "relative": relative,
-        "pole": "pole" in slips,
-    }
 
 
 def _find_given_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
@@ -209,7 +192,7 @@ def _find_given_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[s
         if unit.length
     }
     return {
-        "other-branch": any(_calls(tree, ("meet",), 3) for tree in template.scheme.points.values()),
+        "other-branch": any(calls(tree, ("meet",), 3) for tree in template.scheme.points.values()),
         "sine-for-cosine": bool(template.angles),
         "degrees-for-radians": any(
             parameter.unit.degrees for parameter in template.parameters.values()
@@ -218,11 +201,3 @@ def _find_given_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[s
         "rpm-not-converted": bool(_find_unconverted_rates(template)),
         "millimetres-for-metres": len({unit.text.split("/")[0] for unit in units}) > 1,
     }
-
-
-def _calls(tree: Expression, functions: tuple[str, ...], count: int) -> bool:
-    """Whether one of the functions is called with `count` arguments in an expression."""
-    return any(
-        isinstance(part, Call) and part.function in functions and len(part.arguments) == count
-        for part in walk(tree)
-    )

@@ -40,14 +40,18 @@ def make_mistaken_motion(
     see whether a term matters, or is merely zero here.
     """
     frames = build_frames(mechanism, arithmetic)
-    reading = read_with_slips(frames, slips)
+    reading = read_with_slips(frames, slips, plan)
     relations = [reading.relation(relation) for relation in frames.relations]
     rates = _Velocities(frames, relations, reading, arithmetic).run(plan)
     if perturbed:
         rates = dict(_perturb_rates(mechanism, rates))
+    sought = {index: step.unknowns for step in plan.steps for index in step.relations}
     changes = plans.run_steps(
         plan,
-        [relation.equations() for relation in relations],
+        [
+            reading.write_for_changes(relation, sought[index]).equations()
+            for index, relation in enumerate(relations)
+        ],
         [relation.acceleration_side(rates, reading) for relation in relations],
         Unsuspecting(arithmetic),
     )

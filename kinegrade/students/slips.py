@@ -8,20 +8,23 @@ them, `MistakenReading` takes the terms with them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import Shares, Turning
-from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.mechanics.laws import Turning
+from kinegrade.mechanics.plan import Plan
+from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.relations import Chain, Reading, Relation, Term
+from kinegrade.mechanics.shares import Shares
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 
 Share = Number  # or an array of them with an entry for each way to go wrong
 # (centre carried, centre of the circle it runs about): share of the distance
 Arms = Mapping[tuple[str, str], Share]
+Sign = tuple[Rate, str, str]  # what identifies a term of rotation: rate, point, base
 
 
 @dataclass(frozen=True)
@@ -29,14 +32,19 @@ class Slips:
     """What remains of a mechanism's terms: 1 is right, 0 forgotten, -1 reversed.
 
     - coriolis: each Coriolis acceleration.
+    - frame_rate: the moving frame's angular velocity within a Coriolis acceleration; 0 takes that
+      of the body that moves in it.
     - relative_normal: the normal part of the acceleration of a point relative to a base point.
     - path_normal: the normal part on a circular path, about a fixed pin or along an arc.
+    - square: omega^2 within normal parts; 0 takes omega.
+    - tangential: the tangential part that an angular acceleration already known adds.
     - meshing: the sense of a meshing or rolling on a circle: -1 takes inside for outside.
     - crossing: the sense in which a belt's pulleys turn: -1 takes open for crossed.
     - carried: the carrier's turning within a relative angular velocity; 0 takes relative for
       absolute.
     - asked_relative: the second body's turning where a relative angular velocity is asked for.
     - arm: the radius of the carried wheel within the arm r1 + r2.
+    - ratio: the ratio of two radii that touch or share a belt; 0 takes its inverse.
     - pole: 0 takes a fixed pivot for the velocity pole.
     - centre: the centre's velocity within that of other points of a rolling body.
     - relative: the relative velocity within an absolute one; 0 takes the transport velocity for
@@ -44,20 +52,24 @@ class Slips:
     """
 
     coriolis: Share = 1
+    frame_rate: Share = 1
     relative_normal: Share = 1
     path_normal: Share = 1
+    square: Share = 1
+    tangential: Share = 1
     meshing: Share = 1
     crossing: Share = 1
     carried: Share = 1
     asked_relative: Share = 1
     arm: Share = 1
+    ratio: Share = 1
     pole: Share = 1
     centre: Share = 1
     relative: Share = 1
 
     def select_shares(self) -> Shares:
         """Those of the parts of laws."""
-        return Shares(self.meshing, self.crossing, self.carried, self.arm)
+        return Shares(self.meshing, self.crossing, self.carried, self.arm, self.ratio)
 
 
 @dataclass(frozen=True)
@@ -65,13 +77,15 @@ class MistakenReading(Reading):
     """The terms as a student takes them who makes the slips.
 
     `arms` are the shares of the arms that carry wheels, `pinned` the rates of the bodies that turn
-    about a fixed pin, `centres` the centres of rolling bodies by their turning rates.
+    about a fixed pin, `centres` the centres of rolling bodies by their turning rates, `finding` the
+    terms from whose equations their rates are found.
     """
 
     slips: Slips
     arms: Arms
     pinned: frozenset[Rate]
     centres: Mapping[Rate, str]
+    finding: frozenset[Sign]
 
     def chain(self, chain: Chain) -> Chain:
         """The terms with the shares of their arms."""
@@ -107,6 +121,45 @@ class MistakenReading(Reading):
             return relation.turning
         return relation.source.list_factors(self.slips.select_shares())
 
+    def write_for_changes(self, relation: Relation, unknowns: Sequence[Rate]) -> Relation:
+        """A relation as accelerations are added up in it, to find the changes of these rates: with
+        the share of what those of known rates add. One term that equals another is no sum.
+        """
+        if is_right(self.slips.tangential) or len(relation.left) == len(relation.right) == 1:
+            return relation
+        left, right = (
+            tuple(
+                term
+                if term.kind == "sliding" or term.rate in unknowns
+                else term.put(term.vector * self.slips.tangential)
+                for term in side
+            )
+            for side in (relation.left, relation.right)
+        )
+        return replace(relation, left=left, right=right)
+
+    def square(self, rate: Number) -> Number:
+        """The share of the square of an angular velocity, the rest being the angular velocity."""
+        share = self.slips.square
+        return rate * rate if is_right(share) else rate * rate * share + abs(rate) * (1 - share)
+
+    def tangential(self, rate: Rate, point: str, base: str, tangential: Vector) -> Vector:
+        """The share of a tangential acceleration, unless the angular acceleration is found by
+        it.
+        """
+        if is_right(self.slips.tangential) or not base or (rate, point, base) in self.finding:
+            return tangential
+        return tangential * self.slips.tangential
+
+    def frame_rate(self, omega: Number, body: str, rates: Rates) -> Number:
+        """The share of a moving frame's angular velocity, the rest being that of the body that
+        moves in it.
+        """
+        share, own = self.slips.frame_rate, make_turning(body)
+        if is_right(share) or own not in rates:
+            return omega
+        return omega * share + rates[own] * (1 - share)
+
     def normal(self, rate: Rate, point: str, base: str, normal: Vector) -> Vector:
         """The share of a normal acceleration, on a path or relative to a base point."""
         on_path = rate.kind != "turning" or rate in self.pinned
@@ -121,13 +174,14 @@ class MistakenReading(Reading):
         return rate * self.slips.asked_relative
 
 
-def read_with_slips(frames: Frames, slips: Slips) -> MistakenReading:
+def read_with_slips(frames: Frames, slips: Slips, plan: Plan) -> MistakenReading:
     """The reading of a mechanism's terms in which the slips are made."""
     return MistakenReading(
         slips,
         dict(_find_carried_arms(frames, slips)),
         frozenset(make_turning(name) for name, base in frames.bases.items() if not base.chain),
         _find_rolling_centres(frames),
+        frozenset(_find_finding_terms(frames, plan)),
     )
 
 
@@ -151,3 +205,12 @@ def _find_rolling_centres(frames: Frames) -> dict[Rate, str]:
         for relation in frames.relations
         if relation.source and (roll := relation.source.find_rolling())
     }
+
+
+def _find_finding_terms(frames: Frames, plan: Plan) -> Iterator[Sign]:
+    """The terms in whose vector equations the plan finds their rates."""
+    for step in plan.steps:
+        for relation in (frames.relations[index] for index in step.relations):
+            for term in (*relation.left, *relation.right):
+                if relation.is_vector and term.rate in step.unknowns:
+                    yield term.rate, term.point, term.base

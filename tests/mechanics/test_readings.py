@@ -22,7 +22,7 @@ NAMES = ("slider-crank", "pin-in-two-rings", "rolling-wheel-rim-points")
 @pytest.mark.parametrize("name", NAMES)
 def test_slips_of_which_none_is_made_leave_every_term_as_it_is(name: str) -> None:
     motion = solve_template(load_template(name), {}).motion
-    reading = read_with_slips(motion.frames, Slips())
+    reading = read_with_slips(motion.frames, Slips(), motion.plan)
     for relation in motion.frames.relations:
         assert reading.relation(relation) == PLAIN.relation(relation) == relation
         for term in (*relation.left, *relation.right):

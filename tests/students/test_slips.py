@@ -82,6 +82,8 @@ def planet() -> tuple[Paper, Mechanism]:
         ({"coriolis": fmpq(1, 2)}, (-12, 10)),
         ({"coriolis": -1}, (-12, -20)),
         ({"path_normal": 0}, (0, 20)),
+        ({"path_normal": -1}, (12, 20)),
+        ({"square": 0}, (-6, 20)),
     ],
 )
 def test_coriolis_and_normal_terms_of_a_point_in_a_turning_slot(
@@ -128,6 +130,8 @@ def test_the_normal_term_about_a_base_point_is_not_that_of_a_path() -> None:
     )
     assert slipped(wheel, p.field, path_normal=0).acceleration("K", "W") == (0, 9)
     assert slipped(wheel, p.field, relative_normal=0).acceleration("K", "W") == (0, 0)
+    assert slipped(wheel, p.field, relative_normal=-1).acceleration("K", "W") == (0, -9)
+    assert slipped(wheel, p.field, square=0).acceleration("K", "W") == (0, 3)
 
 
 def test_the_centre_for_the_pole_of_a_rolling_wheel() -> None:
@@ -198,6 +202,7 @@ def test_the_transport_velocity_for_the_absolute_one() -> None:
         ({}, 6, 6),
         ({"carried": 0}, 4, 6),
         ({"arm": 0}, 4, 4),
+        ({"ratio": 0}, fmpq(2, 3), 6),
         ({"meshing": -1}, -2, 6),
     ],
 )
@@ -208,7 +213,10 @@ def test_a_planet_on_a_fixed_circle(share: dict[str, int], omega: int, v_A: int)
     assert motion.velocity("A", "II") == (0, v_A)
 
 
-@pytest.mark.parametrize(("share", "omega"), [({}, 9), ({"carried": 0}, 6), ({"meshing": -1}, -3)])
+@pytest.mark.parametrize(
+    ("share", "omega"),
+    [({}, 9), ({"carried": 0}, 6), ({"meshing": -1}, -3), ({"ratio": 0}, fmpq(9, 2))],
+)
 def test_gears_in_mesh_on_a_carrier(share: dict[str, int], omega: int) -> None:
     # omega_P - 3 = -2 (0 - 3)
     p = Paper()
@@ -234,6 +242,7 @@ def test_gears_in_mesh_on_a_carrier(share: dict[str, int], omega: int) -> None:
         ({"crossing": -1}, True, -3),
         ({"meshing": -1}, True, 9),
         ({"carried": 0}, True, 6),
+        ({"ratio": 0}, True, fmpq(9, 2)),
     ],
 )
 def test_a_belt_on_a_carrier(share: dict[str, int], crossed: bool, omega: int) -> None:

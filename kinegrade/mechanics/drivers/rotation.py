@@ -9,9 +9,10 @@ from typing import Self
 from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers.driving_constraint import DrivingConstraint, FindChain
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import RIGHT, ImposedRotation
+from kinegrade.mechanics.laws import ImposedRotation
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.sentence import DriverParts
+from kinegrade.mechanics.shares import RIGHT
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic, Number
 

@@ -27,7 +27,7 @@ class Belt(CarriedPair):
         r"on (?P<carrier>\w+)"
     )
     EXAMPLE = "open belt: ..., ... on ..."
-    SLIPS = ("crossing", "carried")
+    SLIPS = ("crossing", "carried", "ratio")
 
     crossed: bool = False
 

@@ -16,7 +16,7 @@ from kinegrade.mechanics.shapes import Circle, Line, Shape
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
 
-Slip = Literal["meshing", "crossing", "carried", "arm", "centre", "pole"]
+Slip = Literal["meshing", "crossing", "carried", "arm", "ratio", "centre", "pole"]
 
 
 class Constraint(Element):

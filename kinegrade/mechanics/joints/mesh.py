@@ -27,7 +27,7 @@ class Mesh(CarriedPair):
         rf"on (?P<carrier>\w+){INSIDE}"
     )
     EXAMPLE = "... meshes with ... on ..."
-    SLIPS = ("meshing", "carried", "arm", "centre")
+    SLIPS = ("meshing", "carried", "arm", "ratio", "centre")
 
     inside: bool = False
 

@@ -19,7 +19,7 @@ class Roll(TouchingPair):
 
     PATTERN = rf"{CIRCLE} rolls on {ON_SHAPE}{OF}{INSIDE}"
     EXAMPLE = "... rolls on ..."
-    SLIPS = ("meshing", "carried", "arm", "centre")
+    SLIPS = ("meshing", "carried", "arm", "ratio", "centre")
 
     def list_turning_bodies(self) -> tuple[str, ...]:
         """Both bodies."""

@@ -81,7 +81,7 @@ def _refer_to_turning_frame(names: Sequence[str], reader: MotionReader) -> Refer
 def read_normal(reader: MotionReader, place: Vector, base: Vector, body: Any) -> Vector:
     """Centripetal part of the acceleration of a point relative to a base point of the same body."""
     rate = reader.motion.omega(reader.body(body))
-    acceleration: Vector = (base - place) * (rate * rate)
+    acceleration: Vector = (base - place) * reader.motion.reading.square(rate)
     return acceleration
 
 

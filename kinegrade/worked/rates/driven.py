@@ -9,8 +9,9 @@ from kinegrade.expressions.tree import Number, find_names
 from kinegrade.language.math.tree import Row, Scripts
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import RIGHT, Imposed, ImposedCircling, ImposedMotion, ImposedRotation
+from kinegrade.mechanics.laws import Imposed, ImposedCircling, ImposedMotion, ImposedRotation
 from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.shares import RIGHT
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
