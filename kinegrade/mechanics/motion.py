@@ -121,7 +121,8 @@ class Motion:
         rate = self.omega(body)
         if arithmetic.is_zero(rate):
             raise AtInfinity(Message("mechanics.pole-at-infinity", body=body))
-        return self.points[base] + self.velocity(base, body).turned() / rate
+        pole = self.points[base] + self.velocity(base, body).turned() / rate
+        return self.reading.pole(body, self.rates, pole)
 
     def map(self, number: Callable[[Number], Number]) -> Motion:
         """The motion with `number` applied to every number of its points, chains, relations and

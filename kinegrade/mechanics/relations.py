@@ -87,6 +87,10 @@ class Reading:
         """
         return rate
 
+    def pole(self, body: str, rates: Rates, pole: Vector) -> Vector:
+        """The point that is taken for the velocity pole of a body, m."""
+        return pole
+
     def find_relative(self, point: str, frame: str) -> Term | None:
         """The term by which the motion of `point` relative to the body `frame` was solved for; None
         where it is found as a difference.

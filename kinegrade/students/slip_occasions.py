@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 
 from kinegrade.expressions.tree import Call, Expression, walk
@@ -15,6 +16,7 @@ def find_share_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[st
     relative = any(joint.of != GROUND for joint in template.scheme.joints) or any(
         driver.of != GROUND for driver in template.scheme.drivers
     )
+    rods = _has_rods(template)
     accelerations = any(ask.unit.time == -2 for ask in asks.values())
     return {
         "coriolis": accelerations and relative,
@@ -36,7 +38,25 @@ def find_share_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[st
         "centre": "centre" in slips,
         "relative": relative,
         "pole": "pole" in slips,
+        "far_pivot": rods and "pole" in slips,
+        "far_end": rods,
+        "across": rods,
+        "neighbour": rods and "pole" in slips,
+        "rotation": rods,
     }
+
+
+def _has_rods(template: Template) -> bool:
+    """Whether a body is held at two points or more, by pins and guides: not by a pin on the ground,
+    and not by its rim.
+    """
+    joints = template.scheme.joints
+    at_rest = {body for joint in joints if GROUND in joint.bodies for body in joint.bodies}
+    round_bodies = {joint.body for joint in joints if joint.circle is not None}
+    held = Counter(
+        body for joint in joints for body in (*joint.bodies, joint.body) if joint.of == GROUND
+    )
+    return any(held[body] > 1 for body in set(held) - at_rest - round_bodies - {""})
 
 
 def calls(tree: Expression, functions: tuple[str, ...], count: int) -> bool:

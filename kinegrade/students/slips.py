@@ -1,30 +1,19 @@
-"""Slips: the relations of a mechanism as a student reads them who makes a known mistake.
+"""Slips: what remains of a mechanism's terms for a student who makes a known mistake.
 
 A slip is a transformation of terms: each number of a `Slips` is the share that remains of
 something, 1 if correct and 0 if forgotten. Shares may be arrays, one entry for each way to go
-wrong, so that one run of the plan gives the results of many mistakes. `mistaken` runs the plan with
-them, `MistakenReading` takes the terms with them.
+wrong, so that one run of the plan gives the results of many mistakes. `mistaken_reading` takes the
+terms with them, `mistaken` runs the plan.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from kinegrade.mechanics.frames import Frames
-from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import Turning
-from kinegrade.mechanics.plan import Plan
-from kinegrade.mechanics.rates import Rate, Rates, make_turning
-from kinegrade.mechanics.relations import Chain, Reading, Relation, Term
 from kinegrade.mechanics.shares import Shares
-from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 
 Share = Number  # or an array of them with an entry for each way to go wrong
-# (centre carried, centre of the circle it runs about): share of the distance
-Arms = Mapping[tuple[str, str], Share]
-Sign = tuple[Rate, str, str]  # what identifies a term of rotation: rate, point, base
 
 
 @dataclass(frozen=True)
@@ -46,6 +35,12 @@ class Slips:
     - arm: the radius of the carried wheel within the arm r1 + r2.
     - ratio: the ratio of two radii that touch or share a belt; 0 takes its inverse.
     - pole: 0 takes a fixed pivot for the velocity pole.
+    - neighbour: 0 takes for a rod's angular velocity that of the body to which it is pinned.
+    - far_end: 0 takes a rod's other end for its pole.
+    - far_pivot: 0 takes the pivot of the body at a rod's other end for its pole.
+    - rotation: the rotation of a rod; 0 takes it to translate.
+    - across: the lines across the velocities of a rod's ends, which meet in its pole; 0 takes those
+      along them.
     - centre: the centre's velocity within that of other points of a rolling body.
     - relative: the relative velocity within an absolute one; 0 takes the transport velocity for
       it.
@@ -64,6 +59,11 @@ class Slips:
     arm: Share = 1
     ratio: Share = 1
     pole: Share = 1
+    neighbour: Share = 1
+    far_end: Share = 1
+    far_pivot: Share = 1
+    rotation: Share = 1
+    across: Share = 1
     centre: Share = 1
     relative: Share = 1
 
@@ -71,146 +71,11 @@ class Slips:
         """Those of the parts of laws."""
         return Shares(self.meshing, self.crossing, self.carried, self.arm, self.ratio)
 
-
-@dataclass(frozen=True)
-class MistakenReading(Reading):
-    """The terms as a student takes them who makes the slips.
-
-    `arms` are the shares of the arms that carry wheels, `pinned` the rates of the bodies that turn
-    about a fixed pin, `centres` the centres of rolling bodies by their turning rates, `finding` the
-    terms from whose equations their rates are found.
-    """
-
-    slips: Slips
-    arms: Arms
-    pinned: frozenset[Rate]
-    centres: Mapping[Rate, str]
-    finding: frozenset[Sign]
-
-    def chain(self, chain: Chain) -> Chain:
-        """The terms with the shares of their arms."""
-        return tuple(
-            term.put(term.vector * self.arms[term.point, term.base])
-            if (term.point, term.base) in self.arms
-            else term
-            for term in chain
-        )
-
-    def velocity_chain(self, chain: Chain, *, whole: bool) -> Chain:
-        """The terms of which a velocity is taken to consist: of a point of a rolling body without
-        the velocity of the centre; of a `whole` one without relative motions: the velocity of the
-        coincident point of the moving body.
-        """
-        last = chain[-1] if chain else None
-        about_centre = last is not None and len(chain) > 1 and self._turns_about_centre(last)
-        terms = []
-        for term in chain:
-            share = self.slips.centre if about_centre and term is not last else 1
-            if whole and term.frame != GROUND:
-                share = share * self.slips.relative
-            terms.append(term if is_right(share) else term.put(term.vector * share))
-        return tuple(terms)
-
-    def _turns_about_centre(self, term: Term) -> bool:
-        """Whether a term is the rotation of a rolling body about its centre."""
-        return term.kind == "rotation" and self.centres.get(term.rate) == term.base
-
-    def turning(self, relation: Relation) -> Turning:
-        """The rates that turn, with the slips made in their factors."""
-        if relation.source is None:
-            return relation.turning
-        return relation.source.list_factors(self.slips.select_shares())
-
-    def write_for_changes(self, relation: Relation, unknowns: Sequence[Rate]) -> Relation:
-        """A relation as accelerations are added up in it, to find the changes of these rates: with
-        the share of what those of known rates add. One term that equals another is no sum.
-        """
-        if is_right(self.slips.tangential) or len(relation.left) == len(relation.right) == 1:
-            return relation
-        left, right = (
-            tuple(
-                term
-                if term.kind == "sliding" or term.rate in unknowns
-                else term.put(term.vector * self.slips.tangential)
-                for term in side
-            )
-            for side in (relation.left, relation.right)
-        )
-        return replace(relation, left=left, right=right)
-
-    def square(self, rate: Number) -> Number:
-        """The share of the square of an angular velocity, the rest being the angular velocity."""
-        share = self.slips.square
-        return rate * rate if is_right(share) else rate * rate * share + abs(rate) * (1 - share)
-
-    def tangential(self, rate: Rate, point: str, base: str, tangential: Vector) -> Vector:
-        """The share of a tangential acceleration, unless the angular acceleration is found by
-        it.
-        """
-        if is_right(self.slips.tangential) or not base or (rate, point, base) in self.finding:
-            return tangential
-        return tangential * self.slips.tangential
-
-    def frame_rate(self, omega: Number, body: str, rates: Rates) -> Number:
-        """The share of a moving frame's angular velocity, the rest being that of the body that
-        moves in it.
-        """
-        share, own = self.slips.frame_rate, make_turning(body)
-        if is_right(share) or own not in rates:
-            return omega
-        return omega * share + rates[own] * (1 - share)
-
-    def normal(self, rate: Rate, point: str, base: str, normal: Vector) -> Vector:
-        """The share of a normal acceleration, on a path or relative to a base point."""
-        on_path = rate.kind != "turning" or rate in self.pinned
-        return normal * (self.slips.path_normal if on_path else self.slips.relative_normal)
-
-    def coriolis(self, point: str, frame: str, coriolis: Vector) -> Vector:
-        """The share of a Coriolis acceleration."""
-        return coriolis * self.slips.coriolis
-
-    def carried(self, rate: Number) -> Number:
-        """The share of the rate of a body relative to which another one's is asked for."""
-        return rate * self.slips.asked_relative
-
-
-def read_with_slips(frames: Frames, slips: Slips, plan: Plan) -> MistakenReading:
-    """The reading of a mechanism's terms in which the slips are made."""
-    return MistakenReading(
-        slips,
-        dict(_find_carried_arms(frames, slips)),
-        frozenset(make_turning(name) for name, base in frames.bases.items() if not base.chain),
-        _find_rolling_centres(frames),
-        frozenset(_find_finding_terms(frames, plan)),
-    )
+    def share_rods(self) -> Share:
+        """What remains of rods whose rates are found as they should be."""
+        return self.neighbour * self.far_end * self.far_pivot * self.rotation * self.across
 
 
 def is_right(share: Share) -> bool:
     """Whether a share is 1, in all ways to go wrong."""
     return isinstance(share, int) and share == 1
-
-
-def _find_carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str], Share]]:
-    """For each wheel that runs on a circle the share taken of the distance of the two centres."""
-    for relation in frames.relations:
-        if relation.source is not None:
-            for point, base, share in relation.source.list_arms(slips.select_shares()):
-                yield (point, base), share
-
-
-def _find_rolling_centres(frames: Frames) -> dict[Rate, str]:
-    """For each rolling body the point that is its centre, by the body's turning rate."""
-    return {
-        make_turning(roll.body): roll.circle.centre
-        for relation in frames.relations
-        if relation.source and (roll := relation.source.find_rolling())
-    }
-
-
-def _find_finding_terms(frames: Frames, plan: Plan) -> Iterator[Sign]:
-    """The terms in whose vector equations the plan finds their rates."""
-    for step in plan.steps:
-        for relation in (frames.relations[index] for index in step.relations):
-            for term in (*relation.left, *relation.right):
-                if relation.is_vector and term.rate in step.unknowns:
-                    yield term.rate, term.point, term.base

@@ -14,7 +14,8 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.students.following.followed import follow_values
 from kinegrade.students.following.substituting import OwnValue
-from kinegrade.students.slips import Slips, read_with_slips
+from kinegrade.students.mistaken_reading import read_with_slips
+from kinegrade.students.slips import Slips
 
 NAMES = ("slider-crank", "pin-in-two-rings", "rolling-wheel-rim-points")
 
@@ -22,7 +23,7 @@ NAMES = ("slider-crank", "pin-in-two-rings", "rolling-wheel-rim-points")
 @pytest.mark.parametrize("name", NAMES)
 def test_slips_of_which_none_is_made_leave_every_term_as_it_is(name: str) -> None:
     motion = solve_template(load_template(name), {}).motion
-    reading = read_with_slips(motion.frames, Slips(), motion.plan)
+    reading = read_with_slips(motion.frames, Slips(), motion.plan, Doubles())
     for relation in motion.frames.relations:
         assert reading.relation(relation) == PLAIN.relation(relation) == relation
         for term in (*relation.left, *relation.right):

@@ -96,3 +96,37 @@ def test_a_coriolis_acceleration_with_the_omega_of_the_crank() -> None:
     )["alpha_AB"]
     coriolis = 2 * omega * (omega * part)  # and not 2 (-1) omega cos 30
     assert found["coriolis-wrong-omega"] == pytest.approx(2 * (omega**2 * part - coriolis))
+
+
+def test_what_is_taken_for_the_angular_velocity_of_a_connecting_rod() -> None:
+    # r = 1 at 60 degrees, AB = sqrt(3) at a right angle to OA: v_A = 1 along AB and
+    # a_B cos 30 = -sqrt(3) omega_AB^2
+    found = mistaken("slider-crank", r=1, k="sqrt(3)", phi=60, omega=1, alpha=0)
+    for name, omega in {
+        "neighbours-omega": -1,
+        "far-end-for-pole": 1 / sqrt(3),
+        "translation-assumed": 0,
+    }.items():
+        assert found["omega_AB"][name] == pytest.approx(omega)
+        assert found["a_B"][name] == pytest.approx(-2 * omega**2)
+    assert found["v_B"]["translation-assumed"] == pytest.approx(1)
+    assert not {"neighbours-omega", "far-end-for-pole"} & set(found["v_B"])
+    assert not [ask for ask, leads in found.items() if "far-pivot-for-pole" in leads]
+
+
+def test_a_pole_on_the_velocities_of_a_connecting_rod() -> None:
+    # at 30 degrees the line along v_A = (1/2, -cos 30) meets the guide at tan 30 from A
+    found = mistaken("slider-crank", r=1, k="sqrt(3)", phi=30, omega=1, alpha=0)
+    omega = 1 / (sin(radians(30)) / cos(radians(30)))
+    place = cos(radians(30)) + sin(radians(30)) * sin(radians(30)) / cos(radians(30))
+    slider = cos(radians(30)) + sqrt(3 - sin(radians(30)) ** 2)
+    assert found["omega_AB"]["pole-on-velocities"] == pytest.approx(omega)
+    assert found["v_B"]["pole-on-velocities"] == pytest.approx(omega * (slider - place))
+
+
+@pytest.mark.parametrize(
+    "name", ["planetary-gear-external-rim-accelerations", "rolling-wheel-rim-points"]
+)
+def test_wheels_are_no_rods(name: str) -> None:
+    rods = {"far-end-for-pole", "pole-on-velocities", "neighbours-omega", "translation-assumed"}
+    assert not [ask for ask, leads in mistaken(name).items() if rods & set(leads)]

@@ -176,6 +176,80 @@ def test_a_fixed_pivot_for_the_pole_when_the_slider_drives() -> None:
     assert motion.omega("OA") == motion.omega("AB") == 2
 
 
+def rod_between_rockers() -> tuple[Paper, Mechanism]:
+    """OA of 3 upright turns with 2: v_A = (-6, 0). BC of 5 turns with 3/8 and the rod AB with -3/8:
+    v_B = 3/8 (-4, -3).
+    """
+    p = Paper()
+    return p, p.mechanism(
+        {"O": (0, 0), "A": (0, 3), "B": (3, 15), "C": (6, 11)},
+        {"OA": "O A", "AB": "A B", "BC": "B C"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("A", ("OA", "AB")),
+            Pin("B", ("AB", "BC")),
+            Pin("C", ("BC", GROUND)),
+        ],
+        [p.turns("OA", 2)],
+    )
+
+
+@pytest.mark.parametrize(
+    ("share", "rod", "rocker"),
+    [
+        ({}, fmpq(-3, 8), fmpq(3, 8)),
+        ({"neighbour": 0}, 2, fmpq(3, 8)),  # as the crank
+        ({"rotation": 0}, 0, fmpq(6, 5)),  # v_B = v_A
+        ({"far_pivot": 0}, fmpq(-3, 5), fmpq(3, 5)),  # v_A over CA = 10
+        ({"across": 0}, fmpq(-6, 13), fmpq(24, 13)),  # at P = (-13, 3): v_A over 13, times 20
+    ],
+)
+def test_what_is_taken_for_the_rates_of_a_rod(
+    share: dict[str, int], rod: fmpq, rocker: fmpq
+) -> None:
+    p, mechanism = rod_between_rockers()
+    motion = slipped(mechanism, p.field, **share)
+    assert (motion.omega("AB"), motion.omega("BC")) == (rod, rocker)
+    # the end of the rod is as fast as that of the rocker, in its direction
+    assert motion.velocity("B", "AB") == (-4 * rocker, -3 * rocker)
+    assert motion.velocity("A", "AB") == (-6, 0)
+
+
+def test_the_far_end_of_a_rod_for_its_pole() -> None:
+    p, mechanism = rod_between_rockers()
+    motion = slipped(mechanism, p.field, far_end=0)
+    assert motion.omega("AB") * motion.omega("AB") == fmpq(36, 3**2 + 12**2)
+    assert motion.omega("BC") == fmpq(3, 8)
+
+
+def test_the_point_that_is_taken_for_the_pole_of_a_rod() -> None:
+    p, mechanism = rod_between_rockers()
+    places = {"far_pivot": (6, 11), "far_end": (3, 15), "across": (-13, 3)}
+    for share, place in places.items():
+        assert slipped(mechanism, p.field, **{share: 0}).pole("AB", p.field) == place
+
+
+def test_a_rod_driven_by_its_slider_takes_the_velocity_from_there() -> None:
+    # v_B = (-6, -2) along its guide; without rotation A is as fast, at 3 from O
+    p = Paper()
+    mechanism = p.mechanism(
+        {"O": (0, 0), "A": (0, 3), "B": (4, 0)},
+        {"OA": "O A", "AB": "A B"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("A", ("OA", "AB")),
+            Slide("B", "AB", p.line(4, 0, (3, 1)), GROUND),
+        ],
+        [p.moves("B", "AB", X, -6)],
+    )
+    right = slipped(mechanism, p.field)
+    assert right.velocity("B", "AB") == (-6, -2)
+    translating = slipped(mechanism, p.field, rotation=0)
+    assert translating.omega("AB") == 0
+    assert translating.omega("OA") * translating.omega("OA") == fmpq(40, 9)
+    assert slipped(mechanism, p.field, neighbour=0).omega("AB") == right.omega("AB")
+
+
 def test_the_transport_velocity_for_the_absolute_one() -> None:
     # v_A = 4 to the left, the bar from (0, 0) to A = (3, 4): v_e = 16/5 across it, and not 4
     p = Paper()
