@@ -7,7 +7,7 @@ up), counter-clockwise positive.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from kinegrade.errors import AtInfinity, MechanismError
@@ -77,19 +77,22 @@ class Motion:
         """Velocity of the point of `body` that is at `point`, m/s (transport velocity, if another
         passes there).
         """
-        return self._sum_velocities(body, point, whole=True)
+        chain = self.reading.absolute_chain(self.chain(body, point))
+        return self.reading.add_terms(self._list_velocities(chain, whole=True))
 
-    def _sum_velocities(self, body: str, point: str, *, whole: bool) -> Vector:
-        """The sum of the terms that are taken for a velocity."""
-        chain = self.reading.velocity_chain(self.chain(body, point), whole=whole)
-        return add_vectors(term.velocity(self.rates) for term in chain)
+    def _list_velocities(self, chain: Chain, *, whole: bool) -> Iterator[Vector]:
+        """The terms that are taken for a velocity."""
+        taken = self.reading.velocity_chain(chain, whole=whole)
+        return (term.velocity(self.rates) for term in taken)
 
     def acceleration(self, point: str, body: str) -> Vector:
         """Acceleration of the point of `body` that is at `point`, m/s^2."""
-        return add_vectors(
-            term.acceleration(self.rates, self.changes, self.reading)
-            for term in self.chain(body, point)
-        )
+        chain = self.reading.absolute_chain(self.chain(body, point))
+        return self.reading.add_terms(self._list_accelerations(chain))
+
+    def _list_accelerations(self, chain: Chain) -> Iterator[Vector]:
+        """The terms that are taken for an acceleration."""
+        return (term.acceleration(self.rates, self.changes, self.reading) for term in chain)
 
     def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
         """Velocity of `point` of `body` relative to the moving body `frame`: v_r = v_a - v_e."""
@@ -97,7 +100,8 @@ class Motion:
         if term:
             return term.velocity(self.rates)
         absolute, transport = (
-            self._sum_velocities(name, point, whole=False) for name in (body, frame)
+            add_vectors(self._list_velocities(self.chain(name, point), whole=False))
+            for name in (body, frame)
         )
         return absolute - transport
 
@@ -112,8 +116,10 @@ class Motion:
         term = self.reading.find_relative(point, frame)
         if term:
             return term.relative_acceleration(self.rates, self.changes, self.reading)
-        composed = self.acceleration(point, frame) + self.coriolis(point, body, frame)
-        return self.acceleration(point, body) - composed
+        absolute, transport = (
+            add_vectors(self._list_accelerations(self.chain(name, point))) for name in (body, frame)
+        )
+        return absolute - (transport + self.coriolis(point, body, frame))
 
     def pole(self, body: str, arithmetic: Arithmetic) -> Vector:
         """Velocity pole of a body, m. Raises AtInfinity when the body does not turn."""

@@ -46,6 +46,12 @@ class Reading:
         """
         return chain
 
+    def absolute_chain(self, chain: Chain) -> Chain:
+        """The terms, of those taken for the motion of a point, that are taken for its absolute
+        motion where that is asked for.
+        """
+        return chain
+
     def turning(self, relation: Relation) -> Turning:
         """The rates that turn in a relation, with the factors that are taken."""
         return relation.turning
@@ -80,6 +86,10 @@ class Reading:
     def coriolis(self, point: str, frame: str, coriolis: Vector) -> Vector:
         """What is taken of the Coriolis acceleration of `point` relative to the body `frame`."""
         return coriolis
+
+    def add_terms(self, terms: Iterable[Vector]) -> Vector:
+        """The velocity or the acceleration of which these are the terms."""
+        return add_vectors(terms)
 
     def carried(self, rate: Number) -> Number:
         """What is taken of the rate of a body, rad/s or rad/s^2, relative to which another one's

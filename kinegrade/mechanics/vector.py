@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from kinegrade.numbers.number import Number
+from kinegrade.numbers.number import Arithmetic, Number
 
 # A `Number` of the arithmetic that is worked in. Who draws has a mechanism in doubles and takes
 # components for doubles, which no protocol of all numbers would allow
@@ -57,6 +57,10 @@ class Vector(NamedTuple):
     def squared(self) -> Component:
         """Square of the length."""
         return self.x * self.x + self.y * self.y
+
+    def magnitude(self, arithmetic: Arithmetic) -> Component:
+        """The length, in the unit of the components."""
+        return arithmetic.magnitude(self.x, self.y)
 
     def map(self, number: Callable[[Number], Number]) -> Vector:
         """The vector with `number` applied to its components."""

@@ -68,7 +68,7 @@ class Misjudging:
         slips = self.reading.slips
         yield slips.relative, self._without_relative(stage)
         yield slips.pole, self._about_pivot(stage)
-        for rod in self.reading.rods:
+        for rod in self.reading.places.rods:
             if rod.rotation.rate in stage.step.unknowns:
                 judged = MisjudgedRod(rod, stage.rates, self.arithmetic)
                 yield slips.neighbour, judged.turn_with_neighbour()

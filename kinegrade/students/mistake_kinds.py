@@ -123,6 +123,8 @@ MISTAKES = (
     Mistake("translation-assumed", {"rotation": fmpq(0)}),
     Mistake("centre-for-pole", {"centre": fmpq(0)}),
     Mistake("transport-for-absolute", {"relative": fmpq(0)}),
+    Mistake("transport-of-other-frame", {"own_transport": fmpq(0)}),
+    Mistake("added-as-scalars", {"vector_sum": fmpq(0)}),
     Mistake("other-branch", other_branch=True),
     Mistake("sine-for-cosine", givens=_complement_angles),
     Mistake("degrees-for-radians", givens=take_degrees_as_radians),

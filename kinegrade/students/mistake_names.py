@@ -38,6 +38,8 @@ MistakeName = Literal[
     "translation-assumed",
     "centre-for-pole",
     "transport-for-absolute",
+    "transport-of-other-frame",
+    "added-as-scalars",
     "other-branch",
     "sine-for-cosine",
     "degrees-for-radians",

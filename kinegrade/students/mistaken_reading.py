@@ -1,11 +1,12 @@
 """The relations of a mechanism as a student reads them who makes slips.
 
-The terms are taken with the shares of `slips`; `mistaken` runs the plan with them.
+The terms are taken with the shares of `slips`, each at the places that `slip_places` finds;
+`mistaken` runs the plan with them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from kinegrade.mechanics.frames import Frames
@@ -13,32 +14,28 @@ from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import Turning
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
-from kinegrade.mechanics.relations import Chain, Reading, Relation, Term
+from kinegrade.mechanics.relations import Chain, Reading, Relation, Term, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic, Number
-from kinegrade.students.rods import MisjudgedRod, Rod, find_rods
+from kinegrade.students.rods import MisjudgedRod
+from kinegrade.students.scalar_sum import ScalarSum
+from kinegrade.students.slip_places import SlipPlaces, find_slip_places, make_sign
 from kinegrade.students.slips import Share, Slips, is_right
 
 # (centre carried, centre of the circle it runs about): share of the distance
 Arms = Mapping[tuple[str, str], Share]
-Sign = tuple[Rate, str, str]  # what identifies a term of rotation: rate, point, base
 
 
 @dataclass(frozen=True)
 class MistakenReading(Reading):
-    """The terms as a student takes them who makes the slips.
+    """The terms as a student takes them who makes the slips at their places.
 
-    `arms` are the shares of the arms that carry wheels, `pinned` the rates of the bodies that turn
-    about a fixed pin, `centres` the centres of rolling bodies by their turning rates, `finding` the
-    terms from whose equations their rates are found, `rods` those of which they are found together.
+    `arms` are the shares of the arms that carry wheels.
     """
 
     slips: Slips
     arms: Arms
-    pinned: frozenset[Rate]
-    centres: Mapping[Rate, str]
-    finding: frozenset[Sign]
-    rods: tuple[Rod, ...]
+    places: SlipPlaces
     arithmetic: Arithmetic
 
     def chain(self, chain: Chain) -> Chain:
@@ -49,6 +46,16 @@ class MistakenReading(Reading):
             else term
             for term in chain
         )
+
+    def absolute_chain(self, chain: Chain) -> Chain:
+        """The terms with the share of the transport motion, the rest being the one in the other of
+        two moving bodies.
+        """
+        other = self.places.transports.get(make_sign(chain[-1])) if chain else None
+        share = self.slips.own_transport
+        if other is None or is_right(share):
+            return chain
+        return (*_mix(chain[:-1], other, share), chain[-1])
 
     def velocity_chain(self, chain: Chain, *, whole: bool) -> Chain:
         """The terms of which a velocity is taken to consist: of a point of a rolling body without
@@ -73,19 +80,16 @@ class MistakenReading(Reading):
         met = None if is_right(share) else self._find_met(chain)
         if met is None:
             return chain
-        return (
-            *(term.put(term.vector * share) for term in chain),
-            *(term.put(term.vector * (1 - share)) for term in met),
-        )
+        return _mix(chain, met, share)
 
     def _find_met(self, chain: Chain) -> Chain | None:
         """The chain of what the end of a rod is joined to, to which a chain leads."""
-        last = _make_sign(chain[-1]) if chain else None
-        return next((rod.met for rod in self.rods if _make_sign(rod.rotation) == last), None)
+        last = make_sign(chain[-1]) if chain else None
+        return next((rod.met for rod in self.places.rods if make_sign(rod.rotation) == last), None)
 
     def pole(self, body: str, rates: Rates, pole: Vector) -> Vector:
         """The point that is taken for the pole of a rod."""
-        for rod in self.rods:
+        for rod in self.places.rods:
             if rod.rotation.rate == make_turning(body):
                 misjudged = MisjudgedRod(rod, rates, self.arithmetic)
                 if not is_right(self.slips.far_end):
@@ -107,7 +111,7 @@ class MistakenReading(Reading):
 
     def _turns_about_centre(self, term: Term) -> bool:
         """Whether a term is the rotation of a rolling body about its centre."""
-        return term.kind == "rotation" and self.centres.get(term.rate) == term.base
+        return term.kind == "rotation" and self.places.centres.get(term.rate) == term.base
 
     def turning(self, relation: Relation) -> Turning:
         """The rates that turn, with the slips made in their factors."""
@@ -141,7 +145,11 @@ class MistakenReading(Reading):
         """The share of a tangential acceleration, unless the angular acceleration is found by
         it.
         """
-        if is_right(self.slips.tangential) or not base or (rate, point, base) in self.finding:
+        if (
+            is_right(self.slips.tangential)
+            or not base
+            or (rate, point, base) in self.places.finding
+        ):
             return tangential
         return tangential * self.slips.tangential
 
@@ -156,12 +164,24 @@ class MistakenReading(Reading):
 
     def normal(self, rate: Rate, point: str, base: str, normal: Vector) -> Vector:
         """The share of a normal acceleration, on a path or relative to a base point."""
-        on_path = rate.kind != "turning" or rate in self.pinned
+        on_path = rate.kind != "turning" or rate in self.places.pinned
         return normal * (self.slips.path_normal if on_path else self.slips.relative_normal)
 
     def coriolis(self, point: str, frame: str, coriolis: Vector) -> Vector:
         """The share of a Coriolis acceleration."""
         return coriolis * self.slips.coriolis
+
+    def add_parts(self, normal: Vector, tangential: Vector, coriolis: Vector) -> Vector:
+        """The sum of the parts; its magnitude may be taken for the sum of theirs."""
+        if is_right(self.slips.vector_sum):
+            return super().add_parts(normal, tangential, coriolis)
+        return self.add_terms((tangential, normal, coriolis))
+
+    def add_terms(self, terms: Iterable[Vector]) -> Vector:
+        """The sum of vectors; its magnitude may be taken for the sum of theirs."""
+        if is_right(self.slips.vector_sum):
+            return add_vectors(terms)
+        return ScalarSum.make(tuple(terms), self.slips.vector_sum)
 
     def carried(self, rate: Number) -> Number:
         """The share of the rate of a body relative to which another one's is asked for."""
@@ -172,15 +192,8 @@ def read_with_slips(
     frames: Frames, slips: Slips, plan: Plan, arithmetic: Arithmetic
 ) -> MistakenReading:
     """The reading of a mechanism's terms in which the slips are made."""
-    return MistakenReading(
-        slips,
-        dict(_find_carried_arms(frames, slips)),
-        frozenset(make_turning(name) for name, base in frames.bases.items() if not base.chain),
-        _find_rolling_centres(frames),
-        frozenset(_find_finding_terms(frames, plan)),
-        tuple(find_rods(frames, plan)),
-        arithmetic,
-    )
+    arms = dict(_find_carried_arms(frames, slips))
+    return MistakenReading(slips, arms, find_slip_places(frames, plan), arithmetic)
 
 
 def _find_carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str], Share]]:
@@ -191,23 +204,9 @@ def _find_carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str
                 yield (point, base), share
 
 
-def _find_rolling_centres(frames: Frames) -> dict[Rate, str]:
-    """For each rolling body the point that is its centre, by the body's turning rate."""
-    return {
-        make_turning(roll.body): roll.circle.centre
-        for relation in frames.relations
-        if relation.source and (roll := relation.source.find_rolling())
-    }
-
-
-def _find_finding_terms(frames: Frames, plan: Plan) -> Iterator[Sign]:
-    """The terms in whose vector equations the plan finds their rates."""
-    for step in plan.steps:
-        for relation in (frames.relations[index] for index in step.relations):
-            for term in (*relation.left, *relation.right):
-                if relation.is_vector and term.rate in step.unknowns:
-                    yield _make_sign(term)
-
-
-def _make_sign(term: Term) -> Sign:
-    return term.rate, term.point, term.base
+def _mix(chain: Chain, other: Chain, share: Share) -> Chain:
+    """What is taken of two chains: the share of the first, the rest of the other one."""
+    return (
+        *(term.put(term.vector * share) for term in chain),
+        *(term.put(term.vector * (1 - share)) for term in other),
+    )

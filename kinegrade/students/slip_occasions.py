@@ -16,6 +16,7 @@ def find_share_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[st
     relative = any(joint.of != GROUND for joint in template.scheme.joints) or any(
         driver.of != GROUND for driver in template.scheme.drivers
     )
+    moving = Counter(joint.point for joint in template.scheme.joints if joint.of != GROUND)
     rods = _has_rods(template)
     accelerations = any(ask.unit.time == -2 for ask in asks.values())
     return {
@@ -37,6 +38,8 @@ def find_share_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[st
         ),
         "centre": "centre" in slips,
         "relative": relative,
+        "own_transport": any(count > 1 for count in moving.values()),
+        "vector_sum": any(_takes_magnitude(ask.quantity) for ask in asks.values()),
         "pole": "pole" in slips,
         "far_pivot": rods and "pole" in slips,
         "far_end": rods,
@@ -57,6 +60,17 @@ def _has_rods(template: Template) -> bool:
         body for joint in joints for body in (*joint.bodies, joint.body) if joint.of == GROUND
     )
     return any(held[body] > 1 for body in set(held) - at_rest - round_bodies - {""})
+
+
+def _takes_magnitude(tree: Expression) -> bool:
+    """Whether the magnitude of a velocity or an acceleration is taken in an expression."""
+    return any(
+        isinstance(part, Call)
+        and part.function == "magnitude"
+        and isinstance(part.arguments[0], Call)
+        and part.arguments[0].function in ("velocity", "acceleration")
+        for part in walk(tree)
+    )
 
 
 def calls(tree: Expression, functions: tuple[str, ...], count: int) -> bool:

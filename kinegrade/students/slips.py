@@ -42,6 +42,9 @@ class Slips:
     - across: the lines across the velocities of a rod's ends, which meet in its pole; 0 takes those
       along them.
     - centre: the centre's velocity within that of other points of a rolling body.
+    - own_transport: the transport motion within the absolute motion of a point that two moving
+      bodies guide; 0 takes that of the other one.
+    - vector_sum: 0 takes the sum of the magnitudes of a motion's terms for its magnitude.
     - relative: the relative velocity within an absolute one; 0 takes the transport velocity for
       it.
     """
@@ -65,6 +68,8 @@ class Slips:
     rotation: Share = 1
     across: Share = 1
     centre: Share = 1
+    own_transport: Share = 1
+    vector_sum: Share = 1
     relative: Share = 1
 
     def select_shares(self) -> Shares:

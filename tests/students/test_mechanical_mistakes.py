@@ -130,3 +130,30 @@ def test_a_pole_on_the_velocities_of_a_connecting_rod() -> None:
 def test_wheels_are_no_rods(name: str) -> None:
     rods = {"far-end-for-pole", "pole-on-velocities", "neighbours-omega", "translation-assumed"}
     assert not [ask for ask, leads in mistaken(name).items() if rods & set(leads)]
+
+
+def test_magnitudes_added_in_place_of_vectors() -> None:
+    found = planetary()
+    # v_O = 0.6 * 3 and, of both rim points, 0.2 * 9 about O: along it at A, across it at B
+    assert found["v_B"]["added-as-scalars"] == pytest.approx(1.8 + 1.8)
+    assert found["a_A"]["added-as-scalars"] == pytest.approx(5.4 + 16.2 + 2.4 + 2.4)
+    assert not [ask for ask in ("v_A", "omega", "a_A_x") if "added-as-scalars" in found[ask]]
+
+
+def test_the_transport_motion_in_the_other_of_two_moving_frames() -> None:
+    # M at (0.1, 0.1 tan 30) moves with -0.8 along the disc's slot, where its relative acceleration is
+    # 16 sqrt(3)/5 and the Coriolis one 2 * 9 * 0.8 along x: with the rod's 3 for the disc's 9
+    found = mistaken(
+        "pin-in-disc-slot-and-rod", b="0.1", phi=30, omega_1=9, omega_2=3, alpha_1=0, alpha_2=0
+    )
+    height = 0.1 / sqrt(3)
+    for ask, value in {
+        "v_M_x": -3 * height,
+        "v_M_y": 3 * 0.1 - 0.8,
+        "a_M_x": -9 * 0.1 + 14.4,
+        "a_M_y": -9 * height + 16 * sqrt(3) / 5,
+    }.items():
+        assert found[ask]["transport-of-other-frame"] == pytest.approx(value)
+    assert "transport-of-other-frame" not in {**found["v_rel_1"], **found["a_rel_2"]}
+    one_frame = mistaken("slotted-rocker-and-slider-two-drivers")
+    assert not [ask for ask, leads in one_frame.items() if "transport-of-other-frame" in leads]

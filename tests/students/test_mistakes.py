@@ -100,6 +100,8 @@ def test_identifiers_are_a_promise_to_banks() -> None:
         "translation-assumed",
         "centre-for-pole",
         "transport-for-absolute",
+        "transport-of-other-frame",
+        "added-as-scalars",
         "other-branch",
         "sine-for-cosine",
         "degrees-for-radians",
@@ -199,6 +201,8 @@ def answers_in(
         "two-wheels-on-cylinder",
         "rod-ground-incline-fixed-centrode",
         "extended-rod-driving-rocker",
+        "pin-in-disc-slot-and-rod",
+        "pole-four-bar-coupler",
         "pose-four-bar-coupler",
     ],
 )

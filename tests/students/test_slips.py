@@ -96,6 +96,43 @@ def test_coriolis_and_normal_terms_of_a_point_in_a_turning_slot(
     assert motion.coriolis("M", "M", "OC") == (0, 20 * shares.get("coriolis", 1))
 
 
+def test_magnitudes_added_in_place_of_vectors() -> None:
+    p, mechanism = slot()
+    motion = slipped(mechanism, p.field, vector_sum=0)
+    velocity, acceleration = motion.velocity("M", "M"), motion.acceleration("M", "M")
+    assert (velocity, acceleration) == ((5, 6), (-12, 20))
+    assert velocity.magnitude(p.field) == 11
+    assert acceleration.magnitude(p.field) == 32
+    assert (velocity * 1).magnitude(p.field) ** 2 == 61
+
+
+def test_the_transport_motion_in_the_other_of_two_slots() -> None:
+    # M at (1, 2): the slot x = 1 turns with 3, v_e = (-6, 3), the one from O with 1, v_e = (-2, 1)
+    p = Paper()
+    mechanism = p.mechanism(
+        {"O": (0, 0), "K": (1, 0), "M": (1, 2)},
+        {"disc": "O K", "rod": "O", "M": "particle M"},
+        [
+            Pin("O", ("disc", "rod", GROUND)),
+            Slide("M", "M", p.line(1, 0, Y), "disc"),
+            Slide("M", "M", p.line(0, 0, (1, 2)), "rod"),
+        ],
+        [p.turns("disc", 3), p.turns("rod", 1)],
+    )
+    right = slipped(mechanism, p.field)
+    assert right.relative_velocity("M", "M", "disc") == (0, -10)
+    assert right.velocity("M", "M") == (-6, -7)
+    motion = slipped(mechanism, p.field, own_transport=0)
+    assert motion.velocity("M", "M") == (-2, 1 - 10)
+    assert motion.relative_velocity("M", "M", "disc") == (0, -10)
+    # of the disc's -9 (1, 2) the rod's -1 (1, 2) is left
+    difference = right.acceleration("M", "M") - motion.acceleration("M", "M")
+    assert difference == (-8, -16)
+    assert motion.relative_acceleration("M", "M", "rod") == right.relative_acceleration(
+        "M", "M", "rod"
+    )
+
+
 def test_one_run_of_arrays_gives_what_single_runs_give() -> None:
     _, mechanism = slot()
     plan = solve_motion(mechanism, Field()).plan

@@ -34,7 +34,7 @@ class Measure:
 
 def _measure_magnitude(arithmetic: Arithmetic, vector: Vector) -> Any:
     """Length of a vector."""
-    return arithmetic.magnitude(vector.x, vector.y)
+    return vector.magnitude(arithmetic)
 
 
 def _measure_along(arithmetic: Arithmetic, vector: Vector, direction: Vector) -> Any:
