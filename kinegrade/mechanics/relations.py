@@ -186,7 +186,13 @@ class Term:
 
     def acceleration(self, rates: Rates, changes: Rates, reading: Reading = PLAIN) -> Vector:
         """The term's acceleration, m/s^2, from the rates and their changes."""
-        return self.tangential(changes, reading) + self.remainder(rates, reading)
+        return reading.add_terms(
+            (
+                self.tangential(changes, reading),
+                self.normal(rates, reading),
+                self.coriolis(rates, reading),
+            )
+        )
 
     def put(self, vector: Vector) -> Term:
         """The term with another vector."""

@@ -1,8 +1,8 @@
-"""The mistakes that are known: what each does to the givens, to the mechanism's terms, or to the
-answer.
+"""The mistakes that are known: what each does to the givens or to the mechanism's terms.
 
-A mistake is data: shares of terms (`kinegrade.students.slips`), a change of the givens, or a
-factor of the answer. `mistake_names` has its identifier and the sentence that describes it.
+A mistake is data: shares of terms (`kinegrade.students.slips`) or a change of the givens; those of
+the answer alone are in `written_mistakes`. `mistake_names` has its identifier and the sentence that
+describes it.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from kinegrade.expressions.tree import Name
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.template.template import Ask, Template
-from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.students.mistake_names import MistakeName
 from kinegrade.students.slip_occasions import calls, find_share_occasions
 
@@ -132,22 +131,6 @@ MISTAKES = (
     Mistake("rpm-not-converted", givens=_take_plain_rates),
     Mistake("millimetres-for-metres", givens=_take_plain_lengths, plain_lengths=True),
 )
-_IN_THE_ANSWER: Mapping[MistakeName, Any] = {
-    "sense-reversed": fmpq(-1),
-    "power-of-ten-up": fmpq(10),
-    "power-of-ten-down": fmpq(1, 10),
-}
-
-
-def list_answer_factors(ask: Ask) -> dict[str, Any]:
-    """The factor by which each mistake in writing changes the answer; only a signed one can be
-    reversed.
-    """
-    return {
-        name: factor
-        for name, factor in _IN_THE_ANSWER.items()
-        if factor > 0 or ask.sign not in UNSIGNED
-    }
 
 
 def _find_radii(template: Template) -> set[str]:

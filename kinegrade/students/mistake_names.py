@@ -47,8 +47,15 @@ MistakeName = Literal[
     "rpm-not-converted",
     "millimetres-for-metres",
     "sense-reversed",
+    "minus-in-magnitude",
     "power-of-ten-up",
     "power-of-ten-down",
+    "two-powers-of-ten-up",
+    "two-powers-of-ten-down",
+    "three-powers-of-ten-up",
+    "three-powers-of-ten-down",
+    "degrees-per-second",
+    "rpm-typed",
 ]
 MISTAKE_NAMES: tuple[MistakeName, ...] = get_args(MistakeName)
 

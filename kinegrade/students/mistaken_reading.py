@@ -171,12 +171,6 @@ class MistakenReading(Reading):
         """The share of a Coriolis acceleration."""
         return coriolis * self.slips.coriolis
 
-    def add_parts(self, normal: Vector, tangential: Vector, coriolis: Vector) -> Vector:
-        """The sum of the parts; its magnitude may be taken for the sum of theirs."""
-        if is_right(self.slips.vector_sum):
-            return super().add_parts(normal, tangential, coriolis)
-        return self.add_terms((tangential, normal, coriolis))
-
     def add_terms(self, terms: Iterable[Vector]) -> Vector:
         """The sum of vectors; its magnitude may be taken for the sum of theirs."""
         if is_right(self.slips.vector_sum):

@@ -109,8 +109,15 @@ def test_identifiers_are_a_promise_to_banks() -> None:
         "rpm-not-converted",
         "millimetres-for-metres",
         "sense-reversed",
+        "minus-in-magnitude",
         "power-of-ten-up",
         "power-of-ten-down",
+        "two-powers-of-ten-up",
+        "two-powers-of-ten-down",
+        "three-powers-of-ten-up",
+        "three-powers-of-ten-down",
+        "degrees-per-second",
+        "rpm-typed",
     )
 
 
@@ -125,6 +132,10 @@ def test_mistakes_with_units_angles_and_writing() -> None:
             "sense-reversed": 0.2,
             "power-of-ten-up": -2.0,
             "power-of-ten-down": -0.02,
+            "two-powers-of-ten-up": -20.0,
+            "two-powers-of-ten-down": -0.002,
+            "three-powers-of-ten-up": -200.0,
+            "three-powers-of-ten-down": -0.0002,
         }
     )
 
