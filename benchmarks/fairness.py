@@ -30,6 +30,7 @@ from benchmarks.simulated_class import Answer, SimulatedClass, answered, classes
 from benchmarks.students import honest_students, mistaken_students
 from kinegrade.grading.marks import Mark
 from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.stated_marking import find_identifier
 
 DRAWS = 1000
 DIAGNOSED = 0.99
@@ -172,7 +173,7 @@ def made_of(simulated: SimulatedClass, place: int, mark: Mark, answer: Answer) -
     names = simulated.named(mark)
     if not names:
         return "unnamed"
-    if answer.mistake in names:
+    if find_identifier(answer.mistake) in names:
         return "named"
     return "alike" if simulated.alike(place, mark.ask.ask, names[0], answer) else "confused"
 

@@ -35,6 +35,7 @@ from kinegrade.grading.sheets.class_sheet import read_sheet
 from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
+from kinegrade.stated_marking import find_identifier
 from kinegrade.students.consequences import attach_mistakes
 from kinegrade.students.separation import Separation, measure_distance
 
@@ -92,11 +93,12 @@ class SimulatedClass:
         """Whether a mistake leads to the number that was meant, within a unit of the last figure
         typed in.
         """
-        led = self.solutions[place][ask].mistakes.get(name)
-        if led is None:
-            return False
         unit = 10.0 ** (floor(log10(abs(answer.value))) + 1 - FIGURES) if answer.value else 0.0
-        return bool(measure_distance(led, answer.value, self.template.asks[ask]) <= unit)
+        return any(
+            measure_distance(led, answer.value, self.template.asks[ask]) <= unit
+            for label, led in self.solutions[place][ask].mistakes.items()
+            if find_identifier(label) == name
+        )
 
     @staticmethod
     def named(each: Mark) -> tuple[str, ...]:

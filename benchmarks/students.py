@@ -119,9 +119,7 @@ def carried(solution: Solution, name: str) -> Mapping[str, float]:
     """
     template = solution.template
     asks = {ask: template.asks[ask] for ask in solution.answers if by_numbers(template.asks[ask])}
-    mistake = next(
-        (each for each in find_candidates(template, asks) if each.identifier == name), None
-    )
+    mistake = next((each for each in find_candidates(template, asks) if each.label == name), None)
     return worked(solution, asks, mistake) if mistake else {}
 
 

@@ -115,3 +115,17 @@ def read_credit(table: Table, known_mistakes: Callable[[], Iterable[str]]) -> St
         stated.optional("wrong-unit", share),
         mistakes.entries(share),
     )
+
+
+def join_label(identifier: str, given: str) -> str:
+    """What tells mistakes of one identifier apart in a key: the identifier and what is misread."""
+    return f"{identifier}.{given}" if given else identifier
+
+
+def find_identifier(label: str) -> str:
+    """The identifier of the mistake with this label.
+
+    >>> find_identifier("supplementary-angle.phi")
+    'supplementary-angle'
+    """
+    return label.partition(".")[0]

@@ -46,6 +46,8 @@ MistakeName = Literal[
     "diameter-for-radius",
     "rpm-not-converted",
     "millimetres-for-metres",
+    "supplementary-angle",
+    "one-length-for-another",
     "sense-reversed",
     "minus-in-magnitude",
     "power-of-ten-up",

@@ -69,7 +69,7 @@ def find_known_mistakes(
     rows = find_outcomes(template, asks, kinds, convert_parameters(template, values), plan).answers
     return {
         name: {
-            **dict(zip((kind.identifier for kind in kinds), rows[name][1:], strict=True)),
+            **dict(zip((kind.label for kind in kinds), rows[name][1:], strict=True)),
             **{
                 written: rows[name][0] * convert_number(factor)
                 for written, factor in list_answer_factors(ask).items()
@@ -120,7 +120,7 @@ class Mistakes:
         rows = find_outcomes(self.template, self.asks, kinds, values, self.plan).answers
         return {
             name: {
-                kind.identifier: value
+                kind.label: value
                 for kind, value in zip((RIGHT, *kinds), rows[name].tolist(), strict=True)
                 if isfinite(value)
             }

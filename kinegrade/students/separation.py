@@ -31,6 +31,8 @@ from kinegrade.students.written_mistakes import list_answer_factors
 
 _WRITTEN = 0.005  # relative: what three significant figures may be off
 _HALF = 0.5  # share of instances above which a mistake is inseparable from the truth
+# The same for one given misread: there are many of these, and a mirrored figure hides some
+_TENTH = 0.1
 _SCARCE = (
     0.05  # nor are mistakes kept apart any more when fewer instances than this share would be left
 )
@@ -96,7 +98,7 @@ class Separation:
             written = list_answer_factors(ask)
             right, *wrong = found.answers[name]
             wrong += [right * float(factor) for factor in written.values()]
-            identifiers[name] = (*(mistake.identifier for mistake in self.mistakes), *written)
+            identifiers[name] = (*(mistake.label for mistake in self.mistakes), *written)
             room = self.room(name, right, found, bounds[name])
             with np.errstate(all="ignore"):
                 near[name] = np.array(
@@ -181,9 +183,10 @@ def find_separation(
         else np.ones(len(seen.near[name]))
         for name in asks
     }
+    bounds = {name: _list_bounds(mistakes, len(share[name])) for name in asks}
     bound = _HALF
     while True:
-        kept = {name: share[name] < bound for name in asks}
+        kept = {name: share[name] < np.minimum(bounds[name], bound) for name in asks}
         confused = np.any(
             [(seen.near[name] & kept[name][:, None]).any(axis=0) for name in asks], axis=0
         )
@@ -191,6 +194,15 @@ def find_separation(
         if usable >= _SCARCE * seen.fit.mean() or not any(flags.any() for flags in kept.values()):
             return replace(whole, kept=kept, usable=usable)
         bound = max(float(share[name][kept[name]].max(initial=0.0)) for name in asks)
+
+
+def _list_bounds(mistakes: Sequence[Mistake], rows: int) -> Any:
+    """For each row of a comparison the share of instances that may be refused for it; those of
+    writing an answer down come last.
+    """
+    bounds = np.full(rows, _HALF)
+    bounds[: len(mistakes)] = [_TENTH if mistake.given else _HALF for mistake in mistakes]
+    return bounds
 
 
 def _check_conditions(template: Template, arrays: Mapping[str, Any]) -> Iterator[Any]:

@@ -33,6 +33,7 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.processes.executor import Start, open_executor
+from kinegrade.stated_marking import find_identifier
 from kinegrade.students.mistake_names import describe_mistakes
 from tests.small_class import STUDENTS, generate, write_class
 
@@ -89,7 +90,9 @@ def test_every_number_is_the_one_by_which_marks_are_decided(small_class: Path) -
                 key.period,
             )
             assert (put.row.points, put.row.unit) == (ask.points, ask.unit)
-            assert {mistake.identifier: mistake.value for mistake in put.mistakes} == key.mistakes
+            assert [(mistake.identifier, mistake.value) for mistake in put.mistakes] == [
+                (find_identifier(label), value) for label, value in key.mistakes.items()
+            ]
             for mistake in put.mistakes:
                 assert mistake.interval == key.rule.interval(mistake.value)
 

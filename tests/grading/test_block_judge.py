@@ -37,7 +37,9 @@ TOLERANCES: list[dict[str, Any]] = [
     {"relative": 0.01, "absolute": 0}, {"relative": 0, "absolute": 0.02}, {"relative": 0, "absolute": 0},
     {"relative": 0.02, "absolute": 0.005, "figures": 3}, {"relative": 0, "absolute": 0, "figures": 2},
 ]  # fmt: skip
-MISTAKES = ("sense-reversed", "coriolis-dropped", "wrong-pole", "power-of-ten-up", "=odd")
+MISTAKES = (
+    "sense-reversed", "coriolis-dropped", "wrong-pole", "power-of-ten-up", "=odd", "angle.phi", "angle.psi"
+)  # fmt: skip
 POLICIES = (
     "",
     "attempts = 'best'\ntolerance = { relative = '2 %' }",

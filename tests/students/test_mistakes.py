@@ -16,6 +16,7 @@ import pytest
 import kinegrade
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.draws.examining import Examined, Refused
+from kinegrade.errors import MechanismError
 from kinegrade.language import Language
 from kinegrade.numbers.angle import Angle, Inexact
 from kinegrade.numbers.doubles import convert_number
@@ -108,6 +109,8 @@ def test_identifiers_are_a_promise_to_banks() -> None:
         "diameter-for-radius",
         "rpm-not-converted",
         "millimetres-for-metres",
+        "supplementary-angle",
+        "one-length-for-another",
         "sense-reversed",
         "minus-in-magnitude",
         "power-of-ten-up",
@@ -228,9 +231,15 @@ def test_doubles_say_what_certified_arithmetic_says(name: str) -> None:
     }
     doubles = find_outcomes(template, asks, kinds[1:], numbers, plan).answers
     for row, kind in enumerate(kinds):
-        exact = solve_certified(
-            lambda arithmetic, kind=kind: answers_in(template, one.values, kind, plan, arithmetic)
-        )
+        try:
+            exact = solve_certified(
+                lambda arithmetic, kind=kind: answers_in(
+                    template, one.values, kind, plan, arithmetic
+                )
+            )
+        except MechanismError:
+            assert kind.given  # with another length it cannot be assembled
+            continue
         assert {ask: float(doubles[ask][row]) for ask in exact} == pytest.approx(
             exact, rel=1e-9, abs=1e-9
         ), kind

@@ -12,7 +12,7 @@ BANK = (
     "course",
     #: The date, as it is printed: `2026-06-24`, or any text.
     "date",
-    #: How far an answer may be off; `"honest"` where nothing is stated: 1 %, or what rounding takes.
+    #: How far an answer may be off; `"honest"` where nothing is stated.
     "tolerance",
     #: How many significant figures students are asked to carry in every value that they write down:
     #: 3 to 6, and 4 where nothing is stated. It is printed on the papers, and draws are refused at

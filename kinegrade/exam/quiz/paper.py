@@ -39,6 +39,7 @@ from kinegrade.problem.quantity import express_in_unit
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_certified
 from kinegrade.problem.template.template import Method, Template
+from kinegrade.stated_marking import find_identifier
 from kinegrade.students.mistake_names import describe_mistakes
 from kinegrade.worked.solution import write_worked_solution
 
@@ -180,8 +181,9 @@ def _find_mistakes(
     """What known mistakes lead to outside the interval of what is right."""
     tolerance, sentences = read_rule(stated.tolerance), describe_mistakes(source.language)
     low, high = tolerance.interval(find_exact_value(stated))
-    for identifier, value in read_mistakes(stated.mistakes).items():
+    for label, value in read_mistakes(stated.mistakes).items():
         if not low <= value <= high:
+            identifier = find_identifier(label)
             sentence = sentences.get(identifier, identifier)
             credit = source.credits.get(identifier, _NO_CREDIT) if wished is None else wished
             yield QuizMistake(identifier, value, credit, sentence, *tolerance.interval(value))

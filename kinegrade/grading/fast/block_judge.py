@@ -24,7 +24,7 @@ from kinegrade.grading.fast.judged_block import NO_SHARE, JudgedBlock, Row
 from kinegrade.grading.fast.mistaken import Mistakes, find_best
 from kinegrade.grading.fast.reasons import read_reasons, write_mistakes
 from kinegrade.grading.fast.typed_cells import CellReader
-from kinegrade.grading.judging.decision import Decision, decide, void
+from kinegrade.grading.judging.decision import Decision, decide, name_mistakes, void
 from kinegrade.grading.judging.follow import Decided, Follows, follow_answers
 from kinegrade.grading.judging.judge import Kind, Verdict, judge
 from kinegrade.grading.policy.accepted import Alternative, Alternatives
@@ -145,9 +145,9 @@ class BlockJudge:
             if best is None:
                 found.setdefault(place, {way.name for way in ways})
             elif place not in found:
-                names = (best.name, *sorted(way.name for way in ways if way is not best))
+                names = name_mistakes(best.name, (way.name for way in ways))
                 reason = write_mistakes(names, best.comparison, self.language)
-                share = shares.get(best.name, block.credits[NO_SHARE])
+                share = shares.get(names[0], block.credits[NO_SHARE])
                 block.put(place, (Verdict("mistake", reason, mistakes=names), share))
         return found
 

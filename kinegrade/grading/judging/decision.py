@@ -19,6 +19,7 @@ from kinegrade.grading.policy.accepted import Alternative
 from kinegrade.grading.policy.policy import NO_ROOM, Ruling
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Message, Text, list_plainly
+from kinegrade.stated_marking import find_identifier
 
 Decision = tuple[Verdict, Fraction]  # what the answer is, and its share of the points
 MistakeRank = tuple[Fraction, Fraction | float, str]
@@ -116,19 +117,27 @@ def find_mistaken(reading: Reading, key: Key, ruling: Ruling) -> Decision | None
     def rank(name: str) -> MistakeRank:
         return rank_mistake(name, abs(key.mistakes[name] - value), ruling.mistakes)
 
-    best, *others = sorted(leading, key=rank)
-    mistakes = (best, *sorted(others))
+    best, *_ = sorted(leading, key=rank)
+    mistakes = name_mistakes(best, leading)
     verdict = Verdict("mistake", explain_mistakes(mistakes, leading[best]), mistakes=mistakes)
-    return verdict, ruling.mistakes.get(best, _NONE)
+    return verdict, ruling.mistakes.get(mistakes[0], _NONE)
 
 
 def rank_mistake(
-    name: str, difference: Fraction | float, shares: Mapping[str, Fraction]
+    label: str, difference: Fraction | float, shares: Mapping[str, Fraction]
 ) -> MistakeRank:
     """The sort key of mistakes that lead to one answer: first the one with the best credit, of
-    equals the nearest, then the first by name.
+    equals the nearest, then the first by label.
     """
-    return -shares.get(name, _NONE), difference, name
+    return -shares.get(find_identifier(label), _NONE), difference, label
+
+
+def name_mistakes(best: str, labels: Iterable[str]) -> tuple[str, ...]:
+    """The identifiers of mistakes that lead to one answer, each once: that of the best by rank
+    first.
+    """
+    first = find_identifier(best)
+    return first, *sorted({find_identifier(label) for label in labels} - {first})
 
 
 def explain_mistakes(mistakes: tuple[str, ...], comparison: Text) -> Message:

@@ -29,6 +29,7 @@ from kinegrade.stated_marking import (
     HONEST,
     StatedCredit,
     StatedTolerance,
+    find_identifier,
     read_credit,
     read_tolerance,
 )
@@ -94,7 +95,10 @@ class _Reader:
         The papers are read for these only where a policy names one.
         """
         return frozenset(
-            name for paper in self.exam.papers() for key in paper.keys for name in key.mistakes
+            find_identifier(label)
+            for paper in self.exam.papers()
+            for key in paper.keys
+            for label in key.mistakes
         )
 
     def policy(self, content: Table, text: str, stated: _Level) -> Policy:

@@ -13,18 +13,21 @@ from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.fast.bounds import tabulate_rules
 from kinegrade.grading.fast.mistaken import Mistakes, find_best
 from kinegrade.grading.fast.reasons import write_mistakes
-from kinegrade.grading.judging.decision import find_mistaken
+from kinegrade.grading.judging.decision import find_mistaken, name_mistakes
 from kinegrade.grading.policy.policy import Ruling
 from kinegrade.grading.typed.answers import read
 from kinegrade.language import ENGLISH
 from kinegrade.numbers.tolerance import Tolerance
+from kinegrade.stated_marking import find_identifier
 from tests.grading.fast.rule_cases import RULES, VALUES, typed_numbers
 from tests.said import said
 
-NAMES = ("sense-reversed", "coriolis-dropped", "wrong-pole", "=odd")
+NAMES = ("sense-reversed", "coriolis-dropped", "wrong-pole", "=odd", "angle.phi", "angle.psi")
 # Several mistakes at one place, next to each other, within the tolerance of each other, and apart
 FACTORS = st.sampled_from([Fraction(1), Fraction(1), Fraction(1003, 1000), 1 + Fraction(1, 10**12)])
-CREDITS = st.dictionaries(st.sampled_from(NAMES), st.sampled_from([Fraction(1, 2), Fraction(1, 4)]))
+CREDITS = st.dictionaries(
+    st.sampled_from([*NAMES[:4], "angle"]), st.sampled_from([Fraction(1, 2), Fraction(1, 4)])
+)
 
 
 @st.composite
@@ -48,12 +51,12 @@ def test_the_best_mistake_is_the_one_that_deciding_exactly_finds(
     found = dict(mistakes.leading(np.array([float(typed)]), rules, ENGLISH))
     ways = found.get(0, [])
     if expected is not None:
-        assert set(expected[0].mistakes) <= {way.name for way in ways}
+        assert set(expected[0].mistakes) <= {find_identifier(way.name) for way in ways}
     best = find_best(ways, credits) if ways else None
     if best is not None:
-        names = (best.name, *sorted(way.name for way in ways if way is not best))
+        names = name_mistakes(best.name, [way.name for way in ways])
         assert expected is not None
-        assert (names, credits.get(best.name, 0)) == (expected[0].mistakes, expected[1])
+        assert (names, credits.get(names[0], 0)) == (expected[0].mistakes, expected[1])
         assert write_mistakes(names, best.comparison, ENGLISH) == said(expected[0].reason)
 
 
@@ -63,3 +66,12 @@ def test_a_single_mistake_is_certain() -> None:
     ((place, ways),) = mistakes.leading(np.array([9.0, 2.51]), rules, ENGLISH)
     best = find_best(ways, {})
     assert (place, best and best.name) == (1, "wrong-pole")
+
+
+def test_a_mistake_that_leads_there_by_two_givens_is_named_once() -> None:
+    wrong = {"angle.phi": Fraction(3), "coriolis-dropped": Fraction(3), "angle.psi": Fraction(3)}
+    key = Key(Fraction(1), Tolerance(Fraction(1, 100)), None, wrong)
+    ruling = Ruling(mistakes={"angle": Fraction(1, 2)})
+    verdict, share = find_mistaken(read("3", "1"), key, ruling) or (None, None)
+    assert verdict is not None
+    assert (verdict.mistakes, share) == (("angle", "coriolis-dropped"), Fraction(1, 2))

@@ -93,8 +93,8 @@ def _write_condition(place: int, ask: QuizAsk) -> Xml:
     ]
     for wrong in find_wrong_numbers(ask):
         given = [_write_points(place, ask.row.points * wrong.credit)] if wrong.credit else []
-        numbers = (ask.mistakes.index(mistake) + 1 for mistake in wrong.mistakes)
-        shown = (_write_feedback(name_mistake(place, number)) for number in numbers)
+        numbers = {each.identifier: ask.mistakes.index(each) + 1 for each in wrong.mistakes}
+        shown = (_write_feedback(name_mistake(place, number)) for number in numbers.values())
         branches.append(
             write_element("responseElseIf", _write_any(place, wrong.intervals), *given, *shown)
         )
