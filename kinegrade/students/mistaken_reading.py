@@ -155,10 +155,10 @@ class MistakenReading(Reading):
 
     def frame_rate(self, omega: Number, body: str, rates: Rates) -> Number:
         """The share of a moving frame's angular velocity, the rest being that of the body that
-        moves in it.
+        moves in it, if it turns.
         """
         share, own = self.slips.frame_rate, make_turning(body)
-        if is_right(share) or own not in rates:
+        if is_right(share) or own not in rates or own in self.places.still:
             return omega
         return omega * share + rates[own] * (1 - share)
 

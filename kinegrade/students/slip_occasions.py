@@ -16,8 +16,9 @@ def find_share_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[st
     relative = any(joint.of != GROUND for joint in template.scheme.joints) or any(
         driver.of != GROUND for driver in template.scheme.drivers
     )
-    moving = Counter(joint.point for joint in template.scheme.joints if joint.of != GROUND)
-    rods = _has_rods(template)
+    guided = Counter(joint.point for joint in template.scheme.joints if joint.of != GROUND)
+    rods = _find_rods(template)
+    neighbours = _count_neighbours(template, rods)
     accelerations = any(ask.unit.time == -2 for ask in asks.values())
     return {
         "coriolis": accelerations and relative,
@@ -38,28 +39,43 @@ def find_share_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[st
         ),
         "centre": "centre" in slips,
         "relative": relative,
-        "own_transport": any(count > 1 for count in moving.values()),
+        "own_transport": any(count > 1 for point, count in guided.items() if point),
         "vector_sum": any(_takes_magnitude(ask.quantity) for ask in asks.values()),
         "pole": "pole" in slips,
-        "far_pivot": rods and "pole" in slips,
-        "far_end": rods,
-        "across": rods,
-        "neighbour": rods and "pole" in slips,
-        "rotation": rods,
+        "far_pivot": neighbours > 1,
+        "far_end": bool(rods),
+        "across": bool(rods),
+        "neighbour": neighbours > 0,
+        "rotation": bool(rods),
     }
 
 
-def _has_rods(template: Template) -> bool:
-    """Whether a body is held at two points or more, by pins and guides: not by a pin on the ground,
-    and not by its rim.
+def _find_rods(template: Template) -> set[str]:
+    """The bodies that pins and fixed guides hold at two points or more, and nothing else: no pin on
+    the ground, no rim, no sleeve, nothing that keeps them from turning.
     """
     joints = template.scheme.joints
-    at_rest = {body for joint in joints if GROUND in joint.bodies for body in joint.bodies}
-    round_bodies = {joint.body for joint in joints if joint.circle is not None}
-    held = Counter(
-        body for joint in joints for body in (*joint.bodies, joint.body) if joint.of == GROUND
-    )
-    return any(held[body] > 1 for body in set(held) - at_rest - round_bodies - {""})
+    held = Counter(body for joint in joints for body in joint.bodies)
+    held.update(joint.body for joint in joints if joint.body and joint.of == GROUND)
+    otherwise = {joint.body for joint in joints if not joint.point}
+    several = {body for body, count in held.items() if count > 1}
+    return several - _find_pivoted(template) - otherwise
+
+
+def _find_pivoted(template: Template) -> set[str]:
+    """The ground and the bodies that are pinned to it."""
+    joints = template.scheme.joints
+    return {body for joint in joints if GROUND in joint.bodies for body in joint.bodies}
+
+
+def _count_neighbours(template: Template, rods: set[str]) -> int:
+    """To how many bodies that turn about a fixed pin a rod is pinned, at most."""
+    pivoted, joints = _find_pivoted(template), template.scheme.joints
+    counts = [
+        len({body for joint in joints if rod in joint.bodies for body in joint.bodies} & pivoted)
+        for rod in rods
+    ]
+    return max(counts, default=0)
 
 
 def _takes_magnitude(tree: Expression) -> bool:

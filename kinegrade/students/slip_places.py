@@ -22,6 +22,7 @@ class SlipPlaces:
 
     - pinned: the rates of the bodies that turn about a fixed pin.
     - centres: the centres of rolling bodies, by their turning rates.
+    - still: the rates of the bodies that cannot turn.
     - finding: the terms from whose vector equations the plan finds their rates.
     - rods: the rods, in the order in which the plan finds their rates.
     - transports: the transport motions in the other one of two moving bodies that guide a point, by
@@ -30,6 +31,7 @@ class SlipPlaces:
 
     pinned: frozenset[Rate]
     centres: Mapping[Rate, str]
+    still: frozenset[Rate]
     finding: frozenset[Sign]
     rods: tuple[Rod, ...]
     transports: Mapping[Sign, Chain]
@@ -40,6 +42,7 @@ def find_slip_places(frames: Frames, plan: Plan) -> SlipPlaces:
     return SlipPlaces(
         frozenset(make_turning(name) for name, base in frames.bases.items() if not base.chain),
         _find_rolling_centres(frames),
+        frozenset(map(make_turning, frames.mechanism.find_translating())),
         frozenset(_find_finding_terms(frames, plan)),
         tuple(find_rods(frames, plan)),
         dict(_find_other_transports(frames)),

@@ -8,6 +8,8 @@ from math import cos, hypot, radians, sin, sqrt
 import pytest
 
 import kinegrade
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.students.mistake_kinds import find_candidates
 
 
 def mistaken(template: str, **given: float | str) -> Mapping[str, Mapping[str, float]]:
@@ -124,12 +126,31 @@ def test_a_pole_on_the_velocities_of_a_connecting_rod() -> None:
     assert found["v_B"]["pole-on-velocities"] == pytest.approx(omega * (slider - place))
 
 
+RODS = {"far-end-for-pole", "pole-on-velocities", "translation-assumed"}
+
+
 @pytest.mark.parametrize(
-    "name", ["planetary-gear-external-rim-accelerations", "rolling-wheel-rim-points"]
+    ("name", "offered"),
+    [
+        ("four-bar-parallel-coupler", {*RODS, "neighbours-omega", "far-pivot-for-pole"}),
+        ("slider-crank", {*RODS, "neighbours-omega"}),  # the slider has no pivot
+        ("elliptic-trammel-end-driven", RODS),  # nor is a body beside the only one
+        ("planetary-gear-external-rim-accelerations", set()),
+        ("bar-through-swivelling-sleeve", set()),
+    ],
 )
-def test_wheels_are_no_rods(name: str) -> None:
-    rods = {"far-end-for-pole", "pole-on-velocities", "neighbours-omega", "translation-assumed"}
-    assert not [ask for ask, leads in mistaken(name).items() if rods & set(leads)]
+def test_mistakes_with_rods_are_offered_where_there_are_such_rods(
+    name: str, offered: set[str]
+) -> None:
+    template = load_template(name)
+    found = {mistake.identifier for mistake in find_candidates(template, template.asks)}
+    assert found & {*RODS, "neighbours-omega", "far-pivot-for-pole"} == offered
+
+
+def test_a_body_that_cannot_turn_has_no_angular_velocity_to_be_taken_for_the_frame_s() -> None:
+    # the moving frame is the cam, and the follower in it translates
+    found = mistaken("eccentric-cam-offset-follower")
+    assert not [ask for ask, leads in found.items() if "coriolis-wrong-omega" in leads]
 
 
 def test_magnitudes_added_in_place_of_vectors() -> None:
