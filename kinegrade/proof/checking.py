@@ -23,7 +23,8 @@ from kinegrade.proof.answerable import find_answerable, write_values
 from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
-from kinegrade.proof.spread import Spread
+from kinegrade.proof.spread import Copied, Spread
+from kinegrade.students.near_mistakes import find_near_mistakes
 from kinegrade.students.rounding.accuracy import WIDEST
 
 _FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
@@ -108,7 +109,7 @@ def _draw(report: Report, draws: Sequence[Combination]) -> None:
     template, asked = report.template, _select_asked(report)
     draw_filter = DrawFilter(template, asked, _check_deck(template, report.secret), {})
     if draw_filter.separation is not None:
-        report.inseparable = draw_filter.separation.inseparable()
+        report.near = find_near_mistakes(draw_filter.separation)
     start = perf_counter()
     for found in draw_filter.examine(draws):
         match found:
@@ -126,9 +127,7 @@ def _draw(report: Report, draws: Sequence[Combination]) -> None:
 
 
 def _weigh(report: Report) -> None:
-    """Too few instances and constant answers are faults; other answers that are easily guessed are
-    remarks.
-    """
+    """Too few instances are a fault, and answers with points that need not be worked out."""
     if not report.instances:
         report.faults.append(Message("template.no-acceptable-instance"))
     elif report.distinct < _FEWEST:
@@ -136,11 +135,12 @@ def _weigh(report: Report) -> None:
             Message("template.too-few-instances", number=report.distinct, least=_FEWEST)
         )
     for name, spread in report.spreads.items():
-        copied = spread.copied()
         if spread.constant:
             report.faults.append(Message("template.same-answer", ask=name))
-        elif copied is not None:
-            report.remarks.append(Message("template.equals-given", ask=name, given=copied))
+        elif spread.copied is not None:
+            report.faults.append(
+                Message(f"template.equals-{spread.copied.kind}", ask=name, other=spread.copied.name)
+            )
     report.remarks += _find_rounding_remarks(report)
 
 
@@ -179,5 +179,7 @@ def _check_deck(template: Template, secret: str) -> Deck:
 def _note(report: Report, solution: Solution) -> None:
     """Count an accepted instance and the spread of its answers."""
     report.instances += 1
+    known = {Copied("given", name): given for name, given in solution.parameters.items()}
     for name, answer in solution.answers.items():
-        report.spreads.setdefault(name, Spread()).note(answer, solution.parameters)
+        report.spreads.setdefault(name, Spread()).note(answer, known)
+        known[Copied("ask", name)] = answer

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -12,6 +11,7 @@ from kinegrade.errors import Problem
 from kinegrade.language.message import Message
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.spread import Spread
+from kinegrade.students.near_mistakes import NearMistakes
 
 SECRET = "check"  # the instances looked at are the same every time
 
@@ -21,10 +21,9 @@ class Report:
     """What the check of a template found; `faults` is empty when the template is sound.
 
     `secret` is what the instances were drawn from. `sound` are the asks that can be worked out at
-    all drawn values; the others are faults. `inseparable` holds for each ask the mistakes that
-    cannot be distinguished from the truth, at all or in most instances. `shares` are
-    for each ask the relative tolerances that honest rounding takes in the instances. `seconds` is
-    the mean time of an instance; `remarks` are for the author to weigh.
+    all drawn values; the others are faults. `near` are the mistakes that lead to right
+    answers. `shares` are for each ask the relative tolerances that honest rounding takes in the
+    instances. `seconds` is the mean time of an instance; `remarks` are for the author to weigh.
     """
 
     template: Template
@@ -35,7 +34,7 @@ class Report:
     refused: Counter[Reason] = field(default_factory=Counter)
     shares: dict[str, list[Fraction]] = field(default_factory=dict)
     spreads: dict[str, Spread] = field(default_factory=dict)
-    inseparable: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    near: NearMistakes = field(default_factory=NearMistakes)
     seconds: float = 0.0
     remarks: list[Message] = field(default_factory=list)
     faults: list[Problem] = field(default_factory=list)

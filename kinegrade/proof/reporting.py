@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from kinegrade.draws.deal import count_reasons
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.problem.template.texts import find_languages
 from kinegrade.proof.report import Report
+from kinegrade.students.near_mistakes import Shares
 
 
 def write_verdict(report: Report) -> Message:
@@ -33,13 +34,26 @@ def write_findings(report: Report) -> Iterator[Message]:
     milliseconds = f"{report.seconds * 1e3:.1f}"
     yield Message("template.report-distinct", number=report.distinct, milliseconds=milliseconds)
     yield from _write_spreads(report)
-    for name, mistakes in report.inseparable.items():
-        if mistakes:
-            yield Message("template.report-inseparable", ask=name, mistakes=list_plainly(mistakes))
+    yield from _write_near_mistakes(Message("template.report-refused"), report.near.refused)
+    yield from _write_near_mistakes(Message("template.report-inseparable"), report.near.passing)
     for remark in report.remarks:
         yield Message("template.report-remark", remark=remark)
     for fault in report.faults:
         yield Message("template.report-fault", fault=fault)
+
+
+def _write_near_mistakes(heading: Message, found: Mapping[str, Shares]) -> Iterator[Message]:
+    """The heading and a line for each ask of which there are any; nothing where there are none."""
+    lines = [
+        Message(
+            "template.report-shares",
+            ask=f"  {name}",
+            mistakes=list_plainly([f"{mistake} {share:.1%}" for mistake, share in shares.items()]),
+        )
+        for name, shares in found.items()
+        if shares
+    ]
+    yield from [heading, *lines] if lines else ()
 
 
 def _write_spreads(report: Report) -> Iterator[Message]:

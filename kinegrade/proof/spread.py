@@ -6,25 +6,35 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import isclose
+from typing import Literal
 
 from kinegrade.problem.quantity import Quantity
 
 _OFTEN = 0.9  # an ask that equals a given in nine instances out of ten is guessed by copying it
+_FEWEST = 10  # instances: in fewer, two numbers are equal by chance
+
+
+@dataclass(frozen=True)
+class Copied:
+    """What an answer may be copied from: a given, or an ask before it."""
+
+    kind: Literal["given", "ask"]
+    name: str
 
 
 @dataclass
 class Spread:
-    """The values of one ask over the instances, and the givens they were equal to, signs apart."""
+    """The values of one ask over the instances, and what they were equal to, signs apart."""
 
     values: list[float] = field(default_factory=list)
-    copies: Counter[str] = field(default_factory=Counter)
+    copies: Counter[Copied] = field(default_factory=Counter)
 
-    def note(self, answer: Quantity, givens: Mapping[str, Quantity]) -> None:
-        """Count the answer of one more instance."""
+    def note(self, answer: Quantity, known: Mapping[Copied, Quantity]) -> None:
+        """Count the answer of one more instance, in which a student knows or has found these."""
         self.values.append(answer.value)
-        for name, given in givens.items():
-            if isclose(abs(answer.value), abs(given.value), rel_tol=1e-12):
-                self.copies[name] += 1
+        for one, quantity in known.items():
+            if isclose(abs(answer.value), abs(quantity.value), rel_tol=1e-12):
+                self.copies[one] += 1
 
     @property
     def negative(self) -> float:
@@ -38,11 +48,12 @@ class Spread:
             isclose(value, self.values[0], rel_tol=1e-12) for value in self.values
         )
 
-    def copied(self) -> str | None:
-        """The given that the answer equals (signs apart) in almost all instances, if there is
-        one.
+    @property
+    def copied(self) -> Copied | None:
+        """What the answer equals (signs apart) in almost all instances, if there is such a
+        quantity.
         """
-        for name, count in self.copies.most_common(1):
-            if count >= _OFTEN * len(self.values):
-                return name
+        for one, count in self.copies.most_common(1):
+            if count >= max(_OFTEN * len(self.values), _FEWEST):
+                return one
         return None

@@ -154,7 +154,7 @@ def test_a_check_leaves_nothing_in_the_folder_where_it_is_run(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_an_answer_that_copies_a_given_is_remarked() -> None:
+def test_an_answer_that_copies_a_given_is_a_fault() -> None:
     """The speed of the crank's end is omega r; with h = 0 and r = 1 it is omega, signs apart."""
     copying = crank(
         ("draw = [1, 2]", "draw = [1]"),
@@ -164,8 +164,11 @@ def test_an_answer_that_copies_a_given_is_remarked() -> None:
         ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "omega*r" }'),
     )
     report = check(copying, sample=40)
-    assert all_said(report.faults) == []
-    assert all_said(report.remarks) == ["v_x equals the given omega in almost all instances"]
+    assert all_said(report.faults) == [
+        "v_x equals the given omega in almost all instances, signs apart, and is copied from it: "
+        "give it no points"
+    ]
+    assert report.remarks == []
     assert report.distinct == 600
 
 
@@ -184,6 +187,30 @@ WIDE = (
     ('[0, "1/2", 3]', '"0.1 .. 0.9 step 0.1"'),
     ("[2, 1000000, 20000000]", '"2 .. 9 step 1"'),
 )
+
+
+TWICE = (
+    "\n[asks]\n",
+    '\n[asks]\nw = { quantity = "-x(velocity(A))", unit = "m/s", sign = "-x", points = 1, means = '
+    '{ en = "to the left", zh = "向左" } }\n',
+)
+
+
+def test_an_ask_that_pays_twice_for_one_answer_is_a_fault(tmp_path: Path) -> None:
+    file = tmp_path / "crank.toml"
+    file.write_text(crank_text(*WIDE, TWICE), encoding="utf-8")
+    result = CliRunner().invoke(main, ["check", str(file)])
+    assert result.exit_code == 1
+    assert (
+        "  fault: v_x equals w in almost all instances, signs apart, so that one answer earns points "
+        "twice: give points to one of them\n"
+    ) in result.stdout
+    file.write_text(crank_text(*WIDE, (TWICE[0], TWICE[1].replace("points = 1, ", ""))), "utf-8")
+    assert "equals" not in CliRunner().invoke(main, ["check", str(file)]).stdout
+
+
+def test_two_equal_answers_in_a_few_instances_are_chance() -> None:
+    assert all_said(check(crank(*WIDE, TWICE), sample=9).faults) == []
 
 
 def on_request(quantity: str, unit: str, flags: str = "") -> tuple[str, str]:

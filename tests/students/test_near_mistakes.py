@@ -1,0 +1,49 @@
+"""How often mistakes lead to right answers: shares that are known beforehand by symmetry."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.students.near_mistakes import NearMistakes, find_near_mistakes
+from kinegrade.students.separation import Separation
+from tests.problem.draws import draw_filter
+
+
+def find_shares(**fixed: tuple[str, ...]) -> tuple[Separation, NearMistakes]:
+    draws = draw_filter(load_template("slider-crank"), fixed=fixed)
+    assert draws.separation is not None
+    return draws.separation, find_near_mistakes(draws.separation)
+
+
+def test_what_45_degrees_hide_is_refused_as_often_as_they_are_drawn() -> None:
+    separation, near = find_shares(phi=("30", "45", "60"), alpha=("5", "10"))
+    sample = separation.sample
+    drawn = np.array(sample["phi"]) == "45"
+    fit = separation.compare(sample).fit
+    assert near.refused["v_B"]["sine-for-cosine"] == pytest.approx(drawn[fit].mean(), abs=0.01)
+    assert list(near.refused["a_B"].values()) == sorted(near.refused["a_B"].values(), reverse=True)
+    assert "coriolis-dropped" not in near.refused["v_B"]  # it has nothing to do with velocities
+
+
+def test_a_mirrored_crank_that_turns_uniformly_turns_its_rod_alike() -> None:
+    # Without angular acceleration that of the rod is the same at 180 degrees minus phi
+    separation, near = find_shares()
+    sample = separation.sample
+    dealt = separation.compare(sample).fit & ~separation.confuses(sample)
+    alike = (np.array(sample["alpha"]) == "0") & (np.array(sample["phi"]) != "90")
+    found = near.passing["alpha_AB"]["supplementary-angle.phi"]
+    assert 0.1 < alike[dealt].mean() == pytest.approx(found, abs=0.02)
+    assert "supplementary-angle.phi" not in near.refused["alpha_AB"]
+    assert near.passing["v_B"] == {}
+
+
+def test_nothing_is_told_of_draws_that_are_not_fit() -> None:
+    separation, _ = find_shares()
+    still = {**separation.sample, "phi": ["0"] * len(separation.sample["phi"])}
+    near = find_near_mistakes(replace(separation, sample=still))  # at rest in its dead point
+    assert not any(near.refused.values())
+    assert not any(near.passing.values())
