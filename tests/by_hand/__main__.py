@@ -1,0 +1,45 @@
+"""Students written by hand, of some templates or all: what their marks say.
+
+    python -m tests.by_hand [--students 30] [--turns 4] [--words spring] [TEMPLATE ...]
+
+For each claim it prints how many answers were tried, the share that failed, and one answer of each
+kind of failure.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from tests.by_hand.claims import Count, following, honest, mistaken
+from tests.by_hand.class_list import TAUGHT
+from tests.by_hand.school import FOUR_FIGURES, make_exam
+
+
+def main() -> None:
+    """Make one exam and try every claim on it."""
+    parser = argparse.ArgumentParser(prog="python -m tests.by_hand")
+    parser.add_argument("templates", nargs="*", default=list(TAUGHT), metavar="TEMPLATE")
+    parser.add_argument("--students", type=int, default=30)
+    parser.add_argument("--turns", type=int, default=4)
+    parser.add_argument("--words", default="by hand")
+    asked = parser.parse_args()
+    with TemporaryDirectory() as folder:
+        place = Path(folder) / "exam"
+        exam = make_exam(place, asked.templates, asked.students, FOUR_FIGURES, asked.words)
+        show("exact", honest(exam))
+        show("four figures", honest(exam, 4))
+        show("three figures", honest(exam, 3))
+        show("mistaken", mistaken(exam, asked.turns))
+        show("following", following(exam, asked.turns))
+
+
+def show(claim: str, found: Count) -> None:
+    """Print what a claim came to."""
+    print(f"== {claim}: {found.tried.total()} tried, {found.share:.2%} failed")
+    print(found)
+
+
+if __name__ == "__main__":
+    main()

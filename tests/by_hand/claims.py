@@ -1,0 +1,153 @@
+"""What is claimed of the marks of students written by hand, and the answers that refute it.
+
+Each claim gives a `Count`: how many answers were tried, by what they are, and those that failed. In
+a turn every paper of the exam is typed and marked once; from one turn to the next a student goes on
+to another method, mistake or wrong value of those that are written.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+from tests.by_hand.class_list import TAUGHT
+from tests.by_hand.pad import EXACT, Answers, Edge, Method, Pad
+from tests.by_hand.school import Exam, Paper, Question
+
+NEAR = 1e-6  # of the right answer: what a machine's rounding leaves between two ways of working
+STRIDE = 37  # a prime: whatever there is to choose from, every student comes to all of it
+
+Choice = TypeVar("Choice")
+Dealt = dict[tuple[str, str], Choice]  # by student and question
+Named = tuple[str, Method]
+Wrong = tuple[str, str, float]  # mistake, ask, value
+Own = tuple[Edge, float]  # and the factor by which the earlier value is wrong
+
+
+@dataclass
+class Count:
+    """Answers tried and answers that failed, under the name of what was tried."""
+
+    tried: Counter[str] = field(default_factory=Counter)
+    failed: defaultdict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
+
+    def add(self, where: str, kept: bool, answer: object) -> None:
+        """One more answer."""
+        self.tried[where] += 1
+        if not kept:
+            self.failed[where].append(str(answer))
+
+    @property
+    def share(self) -> float:
+        """The share of all answers that failed."""
+        return sum(map(len, self.failed.values())) / max(1, self.tried.total())
+
+    def __str__(self) -> str:
+        """What failed, most first, each with one of the answers."""
+        rows = sorted(self.failed.items(), key=lambda row: -len(row[1]) / self.tried[row[0]])
+        return "\n".join(
+            f"{where}: {len(answers)} of {self.tried[where]}, as {answers[0]}"
+            for where, answers in rows
+        )
+
+
+def honest(exam: Exam, figures: int = EXACT) -> Count:
+    """Honest students, every paper by every method: who rounds every operation, and what is typed,
+    to so many figures has full marks.
+    """
+    found = Count()
+    for turn in range(max(len(_methods(question)) for question in exam.papers[0].questions)):
+        chosen = _dealt(exam, turn, _methods)
+
+        def typed(paper: Paper, question: Question, chosen: Dealt[Named] = chosen) -> Answers:
+            _, method = chosen[paper.student, question.number]
+            return method(question.givens, Pad(figures))
+
+        for mark in exam.mark(typed, figures):
+            name, _ = chosen[mark.paper.student, mark.question.number]
+            found.add(f"{mark.question.template} {mark.ask} by {name}", mark.full, mark)
+    return found
+
+
+def mistaken(exam: Exam, turns: int) -> Count:
+    """Who makes one mistake, and types one of the answers that it changes, gets nothing for it and
+    is told its name.
+    """
+    found = Count()
+    for turn in range(turns):
+        chosen = _dealt(exam, turn, _mistakes)
+
+        def typed(paper: Paper, question: Question, chosen: Dealt[Wrong] = chosen) -> Answers:
+            if (paper.student, question.number) not in chosen:
+                return {}
+            _, ask, value = chosen[paper.student, question.number]
+            return {ask: value}
+
+        for mark in exam.mark(typed):
+            name, ask, _ = chosen[mark.paper.student, mark.question.number]
+            kept = mark.points == 0 and name in mark.names
+            found.add(f"{mark.question.template} {name} {ask}", kept, mark)
+    return found
+
+
+def following(exam: Exam, turns: int) -> Count:
+    """Who goes on rightly from a wrong value of an earlier ask gets full marks for the later."""
+    found = Count()
+    for turn in range(turns):
+        chosen = _dealt(exam, turn, _edges)
+
+        def typed(paper: Paper, question: Question, chosen: Dealt[Own] = chosen) -> Answers:
+            if (paper.student, question.number) not in chosen:
+                return {}
+            edge, factor = chosen[paper.student, question.number]
+            own = factor * question.right[edge.earlier]
+            return {edge.earlier: own, edge.later: edge.formula(question.givens, own)}
+
+        for mark in exam.mark(typed):
+            edge, factor = chosen[mark.paper.student, mark.question.number]
+            if mark.ask == edge.later:
+                where = f"{mark.question.template} {edge}"
+                found.add(where, mark.full, f"{edge.earlier} x {factor}: {mark}")
+    return found
+
+
+def _dealt(exam: Exam, turn: int, choices: Callable[[Question], Sequence[Choice]]) -> Dealt[Choice]:
+    """What each student does with each question, of what there is to choose from."""
+    dealt = {}
+    for paper in exam.papers:
+        for question in paper.questions:
+            open_ones = choices(question)
+            if open_ones:
+                place = (paper.place + STRIDE * turn) % len(open_ones)
+                dealt[paper.student, question.number] = open_ones[place]
+    return dealt
+
+
+def _methods(question: Question) -> list[Named]:
+    return list(TAUGHT[question.template].methods.items())
+
+
+def _mistakes(question: Question) -> list[Wrong]:
+    """The answers that a mistake changes by more than a machine's rounding."""
+    return [
+        (name, ask, value)
+        for name, mistake in TAUGHT[question.template].mistakes.items()
+        for ask, value in mistake(question.givens).items()
+        if ask in question.right and _differ(value, question.right[ask])
+    ]
+
+
+def _edges(question: Question) -> list[Own]:
+    """What may be followed among the asks of the paper."""
+    return [
+        (edge, factor)
+        for edge in TAUGHT[question.template].follows
+        for factor in edge.factors
+        if {edge.earlier, edge.later} <= set(question.right)
+    ]
+
+
+def _differ(value: float, right: float) -> bool:
+    return abs(value - right) > NEAR * max(abs(value), abs(right)) + 1e-12

@@ -1,0 +1,19 @@
+"""One exam for each rule of marking, with a question of every template that students are written
+for; it is made once.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.by_hand.class_list import TAUGHT
+from tests.by_hand.school import FOUR_FIGURES, Exam, make_exam
+
+STUDENTS = 30
+
+
+@pytest.fixture(scope="session")
+def four_figures(tmp_path_factory: pytest.TempPathFactory) -> Exam:
+    """The exam for students who carry four figures."""
+    folder = tmp_path_factory.mktemp("by-hand") / "four"
+    return make_exam(folder, tuple(TAUGHT), STUDENTS, FOUR_FIGURES, "by hand")

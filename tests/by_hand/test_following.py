@@ -1,0 +1,22 @@
+"""Who goes on rightly from an own wrong value is charged for it once."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.by_hand.claims import following
+from tests.by_hand.school import Exam
+
+TURNS = 3
+NOT_YET: set[str] = {
+    "slider-crank alpha_AB -> a_B by slider_by_change",
+    "slider-crank omega_AB -> v_B by speed_about_base",
+    "slider-crank omega_AB -> v_B by speed_about_pole",
+}
+pytestmark = pytest.mark.xdist_group("by_hand")
+
+
+def test_every_edge_is_followed(four_figures: Exam) -> None:
+    found = following(four_figures, TURNS)
+    assert found.tried.total() > 0
+    assert set(found.failed) <= NOT_YET, found
