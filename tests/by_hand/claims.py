@@ -17,6 +17,7 @@ from tests.by_hand.pad import EXACT, Answers, Edge, Method, Pad
 from tests.by_hand.school import Exam, Paper, Question
 
 NEAR = 1e-6  # of the right answer: what a machine's rounding leaves between two ways of working
+ZERO = 1e-12  # in any unit: what a machine's rounding leaves of zero
 STRIDE = 37  # a prime: whatever there is to choose from, every student comes to all of it
 
 Choice = TypeVar("Choice")
@@ -132,7 +133,7 @@ def _methods(question: Question) -> list[Named]:
 def _mistakes(question: Question) -> list[Wrong]:
     """The answers that a mistake changes by more than a machine's rounding."""
     return [
-        (name, ask, value)
+        (name, ask, 0.0 if abs(value) < ZERO else value)
         for name, mistake in TAUGHT[question.template].mistakes.items()
         for ask, value in mistake(question.givens).items()
         if ask in question.right and _differ(value, question.right[ask])
@@ -150,4 +151,4 @@ def _edges(question: Question) -> list[Own]:
 
 
 def _differ(value: float, right: float) -> bool:
-    return abs(value - right) > NEAR * max(abs(value), abs(right)) + 1e-12
+    return abs(value - right) > NEAR * max(abs(value), abs(right)) + ZERO

@@ -6,6 +6,7 @@ Nothing here, and nothing in `students/`, knows the program: mechanics is writte
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from math import cos, radians, sin, sqrt
 from typing import NamedTuple
 
 EXACT = 17  # significant digits that hold every float
@@ -30,6 +31,27 @@ class Pad:
     def __call__(self, value: float) -> float:
         """The value as it stands on the pad."""
         return float(f"{value:.{self.figures}g}")
+
+    def sin(self, degrees: float) -> float:
+        """The sine of an angle in degrees, written down."""
+        return self(sin(radians(degrees)))
+
+    def cos(self, degrees: float) -> float:
+        """The cosine of an angle in degrees, written down."""
+        return self(cos(radians(degrees)))
+
+    def angle(self, degrees: float) -> float:
+        """An angle of which the acute one with the same line is written down.
+
+        >>> Pad(3).angle(153.43), Pad(3).angle(-12.345)
+        (153.4, -12.3)
+        """
+        half_turns = 180 * round(degrees / 180)
+        return half_turns + self(degrees - half_turns)
+
+    def root(self, square: float) -> float:
+        """The square root, written down."""
+        return self(sqrt(square))
 
     @classmethod
     def exact(cls) -> Pad:

@@ -95,7 +95,9 @@ class Exam:
             return []
         place = self.folder.parent / f"{self.folder.name}-{next(self.runs)}"
         place.mkdir()
-        answers = _write_sheet(place / "answers.csv", sheet)
+        asked = self.papers[0].questions
+        columns = [f"{question.number}.{ask}" for question in asked for ask in question.points]
+        answers = _write_sheet(place / "answers.csv", columns, sheet)
         kinegrade("grade", self.folder, answers, "-o", place / "MARKS")
         return list(self._read_marks(place / "MARKS" / "marks.csv", sheet))
 
@@ -172,9 +174,8 @@ def _read_question(entry: Mapping[str, object]) -> Question:
     )
 
 
-def _write_sheet(file: Path, sheet: Mapping[tuple[str, str], str]) -> Path:
+def _write_sheet(file: Path, columns: Sequence[str], sheet: Mapping[tuple[str, str], str]) -> Path:
     """The sheet of answers, a row for each student; where nothing was typed it is blank."""
-    columns = list(dict.fromkeys(column for _, column in sheet))
     students = dict.fromkeys(student for student, _ in sheet)
     with file.open("w", encoding="utf-8", newline="") as lines:
         writer = csv.writer(lines, lineterminator="\n")

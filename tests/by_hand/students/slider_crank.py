@@ -9,15 +9,16 @@ from collections.abc import Mapping
 from math import asin, cos, degrees, pi, radians, sin, sqrt, tan
 
 from tests.by_hand.pad import Answers, Edge, Givens, Method, Mistake, Pad
+from tests.by_hand.writing import slips_in_writing
 
 
 def base_point(given: Givens, pad: Pad) -> Answers:
     """A is the base point of the rod; components along x and y."""
     r, omega = given["r"], given["omega"]
     length = pad(given["k"] * r)
-    sin_phi, cos_phi = pad(sin(radians(given["phi"]))), pad(cos(radians(given["phi"])))
+    sin_phi, cos_phi = pad.sin(given["phi"]), pad.cos(given["phi"])
     sin_psi = pad(pad(r * sin_phi) / length)
-    cos_psi = pad(sqrt(1 - pad(sin_psi**2)))
+    cos_psi = pad.root(1 - pad(sin_psi**2))
     v_a = pad(r * omega)
     # v_A = (v_A sin, -v_A cos), v_BA = w (L sin_psi, L cos_psi), v_By = 0
     w = pad(pad(v_a * cos_phi) / pad(length * cos_psi))
@@ -35,12 +36,10 @@ def projection(given: Givens, pad: Pad) -> Answers:
     """Components along and across the rod, with its angle in degrees."""
     r, omega = given["r"], given["omega"]
     length = pad(given["k"] * r)
-    psi = pad(degrees(asin(pad(pad(r * pad(sin(radians(given["phi"])))) / length))))
-    turn = given["phi"] + psi  # from AB to OA; what is written is the acute angle
-    obtuse = turn > 90
-    between = radians(pad(180 - turn if obtuse else turn))
-    along, across = pad(sin(between)), pad(-cos(between) if obtuse else cos(between))
-    sin_psi, cos_psi = pad(sin(radians(psi))), pad(cos(radians(psi)))
+    psi = pad(degrees(asin(pad(pad(r * pad.sin(given["phi"])) / length))))
+    between = pad.angle(given["phi"] + psi)
+    along, across = pad.sin(between), pad.cos(between)
+    sin_psi, cos_psi = pad.sin(psi), pad.cos(psi)
     v_a = pad(r * omega)
     v_b = pad(pad(v_a * along) / cos_psi)
     w = pad(pad(pad(v_b * sin_psi) + pad(v_a * across)) / length)
@@ -55,9 +54,9 @@ def loop(given: Givens, pad: Pad) -> Answers:
     """The loop r sin(phi) = L sin(psi), x = r cos(phi) + L cos(psi), differentiated twice."""
     r, rate, change = given["r"], -given["omega"], -given["alpha"]  # of phi
     length = pad(given["k"] * r)
-    sin_phi, cos_phi = pad(sin(radians(given["phi"]))), pad(cos(radians(given["phi"])))
+    sin_phi, cos_phi = pad.sin(given["phi"]), pad.cos(given["phi"])
     psi = pad(degrees(asin(pad(pad(r * sin_phi) / length))))
-    height, reach = pad(r * sin_phi), pad(length * pad(cos(radians(psi))))
+    height, reach = pad(r * sin_phi), pad(length * pad.cos(psi))
     psi_rate = pad(pad(pad(r * cos_phi) * rate) / reach)
     v_b = -pad(pad(height * rate) + pad(height * psi_rate))
     falling = pad(pad(pad(r * cos_phi) * change) - pad(height * pad(rate**2)))
@@ -76,9 +75,9 @@ def pole(given: Givens, pad: Pad) -> Answers:
     """The pole P of the rod, on the line OA and above or below B; velocities alone."""
     r = given["r"]
     length = pad(given["k"] * r)
-    sin_phi, cos_phi = pad(sin(radians(given["phi"]))), pad(cos(radians(given["phi"])))
+    sin_phi, cos_phi = pad.sin(given["phi"]), pad.cos(given["phi"])
     psi = pad(degrees(asin(pad(pad(r * sin_phi) / length))))
-    distance = pad(pad(r * cos_phi) + pad(length * pad(cos(radians(psi)))))
+    distance = pad(pad(r * cos_phi) + pad(length * pad.cos(psi)))
     p_a = pad(pad(distance / cos_phi) - r)
     p_b = pad(distance * pad(tan(radians(given["phi"]))))
     w = pad(pad(r * given["omega"]) / p_a)
@@ -118,15 +117,6 @@ def turned_about_o(given: Givens) -> Answers:
     phi = radians(given["phi"])
     distance = given["r"] * (cos(phi) + sqrt(given["k"] ** 2 - sin(phi) ** 2))
     return {"v_B": given["omega"] * distance, "omega_AB": -given["omega"]}
-
-
-def opposite_signs(given: Givens) -> Answers:
-    right = textbook(given)
-    return {ask: -right[ask] for ask in ("omega_AB", "alpha_AB", "a_B")}
-
-
-def scaled(factor: float) -> Mistake:
-    return lambda given: {ask: factor * value for ask, value in textbook(given).items()}
 
 
 def _shape(given: Givens) -> tuple[float, float, float, float]:
@@ -177,9 +167,7 @@ MISTAKES: Mapping[str, Mistake] = {
     "sine-for-cosine": lambda given: textbook(given, phi=pi / 2 - radians(given["phi"])),
     "degrees-for-radians": lambda given: textbook(given, phi=given["phi"]),
     "wrong-pole": turned_about_o,
-    "sense-reversed": opposite_signs,
-    "power-of-ten-up": scaled(10),
-    "power-of-ten-down": scaled(0.1),
+    **slips_in_writing(textbook, ("omega_AB", "alpha_AB", "a_B")),
 }
 FOLLOWS: tuple[Edge, ...] = (
     Edge("omega_AB", "v_B", speed_about_base),
