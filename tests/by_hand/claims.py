@@ -45,6 +45,12 @@ class Count:
         """The share of all answers that failed."""
         return sum(map(len, self.failed.values())) / max(1, self.tried.total())
 
+    def beyond(self, share: float) -> set[str]:
+        """The names under which more than that share failed."""
+        return {
+            where for where, those in self.failed.items() if len(those) > share * self.tried[where]
+        }
+
     def __str__(self) -> str:
         """What failed, most first, each with one of the answers."""
         rows = sorted(self.failed.items(), key=lambda row: -len(row[1]) / self.tried[row[0]])
@@ -87,9 +93,9 @@ def mistaken(exam: Exam, turns: int) -> Count:
             return {ask: value}
 
         for mark in exam.mark(typed):
-            name, ask, _ = chosen[mark.paper.student, mark.question.number]
+            name, _, _ = chosen[mark.paper.student, mark.question.number]
             kept = mark.points == 0 and name in mark.names
-            found.add(f"{mark.question.template} {name} {ask}", kept, mark)
+            found.add(f"{mark.question.template} {name}", kept, mark)
     return found
 
 

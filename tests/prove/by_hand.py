@@ -1,0 +1,37 @@
+"""Students written from the textbook are marked as they deserve: a class of one template."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from tests.by_hand.claims import following, honest, mistaken
+from tests.by_hand.class_list import TAUGHT
+from tests.by_hand.exceptions import lost, unnamed
+from tests.by_hand.pad import EXACT
+from tests.by_hand.school import FOUR_FIGURES, Exam, make_exam
+
+STUDENTS = 300
+TURNS = 2
+
+
+def hold(seed: int, folder: Path) -> None:
+    """Set the exam of a seed, and try honest and mistaken students and those who go on from a wrong
+    value.
+    """
+    place = folder / "by hand"
+    template = list(TAUGHT)[seed % len(TAUGHT)]
+    try:
+        _try(make_exam(place, (template,), STUDENTS, FOUR_FIGURES, f"prove {seed}"))
+    finally:
+        shutil.rmtree(place)
+
+
+def _try(exam: Exam) -> None:
+    for figures in (EXACT, 4):
+        found = honest(exam, figures)
+        assert not found.failed, f"{figures} figures: {found}"
+    found = mistaken(exam, TURNS)
+    assert unnamed(found) == set(), found
+    found = following(exam, TURNS)
+    assert lost(found) == set(), found
