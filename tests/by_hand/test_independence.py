@@ -15,7 +15,9 @@ ALLOWED = {
     "collections",
     "math",
     "typing",
+    "tests.by_hand.components",
     "tests.by_hand.pad",
+    "tests.by_hand.slips",
     "tests.by_hand.writing",
 }
 
