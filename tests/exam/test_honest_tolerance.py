@@ -254,15 +254,24 @@ def test_no_other_tolerance_than_a_paper_could_have_is_taken(
     assert re.search(rf"key\.jsonl: .*q{place[0] + 1}: {difference}", line), line
 
 
-def test_the_figures_carried_are_kept_with_the_exam(folder: Path) -> None:
-    head = folder / "EXAM" / "exam.json"
-    content = json.loads(head.read_text(encoding="utf-8"))
-    assert content["carry"] == 5
-    head.write_text(json.dumps({**content, "carry": 99}), encoding="utf-8")
-    result = kinegrade("quiz", folder / "EXAM", "--to", "moodle-xml", "-o", folder / "quiz.xml")
+def test_a_quiz_does_not_tell_that_an_answer_is_zero_on_every_paper(generated: Path) -> None:
+    for paper in read_quiz(open_exam(generated / "EXAM")).papers:
+        (v_x, _), rule = paper.questions[2].asks, paper.questions[2].rule
+        assert v_x.value == 0
+        assert v_x.low < 0 < v_x.high
+        stated = re.search(r"For \$v_\{x\}\$: (.*?) Where", rule)
+        assert stated is not None
+        assert re.fullmatch(rf"an answer .* by at most {SHARE} of that value\.", stated[1])
+
+
+def test_a_quiz_of_asks_that_the_bank_does_not_have_is_refused(folder: Path) -> None:
+    bank = folder / "EXAM" / "bank.toml"
+    text = bank.read_text(encoding="utf-8")
+    bank.write_text(text.replace("v_B = 3, omega_AB = 2", "v_B = 5"), encoding="utf-8")
+    words = ("--to", "moodle-xml", "-o", folder / "quiz.xml")
+    result = kinegrade("quiz", folder / "EXAM", *words)
     assert result.exit_code == 2
-    assert "exam.json" in result.stderr
-    assert "carry" in result.stderr
+    assert re.search(r"key\.jsonl: .*007.*q1\.omega_AB is not in bank\.toml", result.stderr)
 
 
 COUPLER = """title = "Quiz"

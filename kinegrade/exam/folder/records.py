@@ -11,7 +11,6 @@ from collections.abc import Mapping
 from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
-from typing import Annotated
 
 import msgspec
 
@@ -19,7 +18,6 @@ from kinegrade.exam.folder.exam_secret import ExamSecret, find_secret
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.roster.roster import make_file_names
 from kinegrade.language import Language
-from kinegrade.numbers.tolerance import LEAST_CARRY, MOST_CARRY, USUAL_CARRY
 
 
 class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
@@ -55,10 +53,10 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
 
     What its numbers are drawn from is `secret`, `label` and `codes`, or the words `reproducible`,
     which earlier versions called `seed`; it is not shown with the head. `credit` is the bank's
-    table for answers that are not right, `carry` the significant figures that students are asked
-    to carry, `solutions` whether feedback holds the worked solutions, `editable` a digest of each
-    file that people edit, as it was generated. `paper_size` and `engine` printed the papers;
-    `method` found the velocities of worked solutions, where one was asked for.
+    table for answers that are not right, `solutions` whether feedback holds the worked solutions,
+    `editable` a digest of each file that people edit, as it was generated. `paper_size` and
+    `engine` printed the papers; `method` found the velocities of worked solutions, where one was
+    asked for.
     """
 
     format: int
@@ -78,7 +76,6 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     seed: str | None = None
     versions: tuple[str, ...] = ()
     credit: dict[str, object] | None = None
-    carry: Annotated[int, msgspec.Meta(ge=LEAST_CARRY, le=MOST_CARRY)] = USUAL_CARRY
     solutions: bool = False
     questions: tuple[ExamQuestion, ...]
     students: tuple[Candidate, ...]

@@ -47,7 +47,6 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
         method=run.extras.method,
         versions=tuple(list_version_letters(bank.versions)),
         credit=bank.credit.record() or None,
-        carry=bank.carry,
         solutions=bank.solutions,
         questions=tuple(_make_exam_question(dealt, each, language) for each in bank.questions),
         students=tuple(candidates),

@@ -127,7 +127,7 @@ def _make_question(
             if solution
             else "",
             write_marking_rules(rules, language),
-            count_digits(source.exam.head.carry, (rule.tolerance for rule in rules.values())),
+            count_digits(source.kept.bank.carry, (rule.tolerance for rule in rules.values())),
         )
     except FieldError:
         raise  # a fault of the key, which its reader places

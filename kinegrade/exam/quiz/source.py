@@ -4,34 +4,33 @@ credits.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 from hashlib import sha256
 from hmac import digest
-from itertools import islice
 
 import msgspec
 
 from kinegrade.errors import FieldError
 from kinegrade.exam.bank.bank import read_bank_texts
+from kinegrade.exam.bank.blueprint import BankAsk
 from kinegrade.exam.bank.texts import require_bank_texts
 from kinegrade.exam.folder.contents import BANK
 from kinegrade.exam.folder.exact_keys import read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line_of
-from kinegrade.exam.folder.records import KeyLine, StatedAnswer
+from kinegrade.exam.folder.faults import describe_damage, explain_broken
+from kinegrade.exam.folder.records import StatedAnswer
 from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.exam.setting.setting import state_tolerance
 from kinegrade.language import Language
-from kinegrade.language.message import Fault
+from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.numbers.written import NumberError, read_number
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import require_language
 
 _DIGITS = 8  # hexadecimal, of the identifier
-_LOOKED_AT = 64  # papers searched for the amounts that the bank allows: next to zero it is more
 
 
 @dataclass(frozen=True)
@@ -42,9 +41,9 @@ class QuizSource:
     about the secret that draws the numbers: another exam of the same bank has another identifier,
     and the roster and its order do not matter.
 
-    `templates` are by question; `amounts`, which the bank allows beside a share, are by question
-    and ask; `credits` are the shares of the
-    points that the bank gives for known mistakes, by mistake.
+    `templates` are by question; `credits` are the shares of the points that the bank gives for
+    known mistakes, by mistake; `kept` has the bank, whose `asks` are by question and name, and
+    derives worked solutions.
     """
 
     exam: ExamFolder
@@ -53,32 +52,32 @@ class QuizSource:
     title: str
     course: str
     templates: Mapping[str, Template]
-    amounts: Mapping[tuple[str, str], Fraction]
     credits: Mapping[str, Fraction]
+    kept: KeptExam
+    asks: Mapping[tuple[str, str], BankAsk]
 
     def tolerance(self, question: str, ask: str, stated: StatedAnswer) -> Tolerance:
-        """The tolerance that a paper states for an ask, from what its key keeps: without the amount
-        that holds next to zero, which would give the answer away. Raises FieldError.
+        """The tolerance that a paper states for an ask, from what its key keeps. Raises FieldError,
+        also for an ask that the bank does not have.
         """
-        return replace(read_rule(stated.tolerance), absolute=self.amounts[question, ask])
-
-    @cached_property
-    def kept(self) -> KeptExam:
-        """The exam from which worked solutions are derived."""
-        return KeptExam(self.exam)
+        asked = self.asks.get((question, ask))
+        if asked is None:
+            raise FieldError(Message("exam.not-in", name=f"{question}.{ask}", file=BANK))
+        return state_tolerance(asked, read_rule(stated.tolerance))
 
 
 def read_quiz_source(exam: ExamFolder, language: Language | None = None) -> QuizSource:
     """What a quiz needs of an exam; in the papers' language unless another one is wanted.
 
     Raises ExamError, with the faults of all templates; TemplateError or BankError where they lack
-    the language.
+    the language, BankError where the bank cannot be read.
     """
     title, course = exam.head.title, exam.head.course
     templates = exam.templates.all()
     if language and language != exam.language:
         require_language(templates.values(), language)
         title, course = _translate(exam, language)
+    kept = KeptExam(exam)
     return QuizSource(
         exam,
         _make_identifier(exam),
@@ -86,8 +85,9 @@ def read_quiz_source(exam: ExamFolder, language: Language | None = None) -> Quiz
         title,
         course,
         templates,
-        _read_amounts(exam),
         _read_credits(exam),
+        kept,
+        {(each.identifier, ask.name): ask for each in kept.bank.questions for ask in each.asks},
     )
 
 
@@ -117,23 +117,3 @@ def _read_credits(exam: ExamFolder) -> dict[str, Fraction]:
         return {name: read_number(share) for name, share in shares.items()}
     except (msgspec.ValidationError, NumberError) as fault:
         raise explain_broken(exam.path, [Fault("credit", describe_damage(fault))]) from fault
-
-
-def _read_amounts(exam: ExamFolder) -> dict[tuple[str, str], Fraction]:
-    """The smallest amount allowed by question and ask: the bank's, where an answer is not zero."""
-    found: dict[tuple[str, str], Fraction] = {}
-    for line in islice(exam.lines(), _LOOKED_AT):
-        try:
-            for place, amount in _list_amounts(line):
-                found[place] = min(amount, found.get(place, amount))
-        except FieldError as fault:
-            where = name_line_of(line.student)
-            raise explain_broken(exam.key, [Fault(where, fault.faults[0])]) from fault
-    return found
-
-
-def _list_amounts(line: KeyLine) -> Iterator[tuple[tuple[str, str], Fraction]]:
-    """The amounts allowed on one paper by question and ask. Raises FieldError."""
-    for question in line.questions:
-        for name, ask in question.asks.items():
-            yield (question.question, name), read_rule(ask.tolerance).absolute

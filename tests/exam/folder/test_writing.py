@@ -44,7 +44,6 @@ HEAD = ExamHead(
     codes="11" * 32,
     versions=("A", "B"),
     credit={"follow-through": "1/2", "mistakes": {"sense-reversed": "1/4"}},
-    carry=5,
     solutions=True,
     questions=(
         ExamQuestion(
