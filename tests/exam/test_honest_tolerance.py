@@ -197,7 +197,10 @@ def test_a_quiz_states_each_papers_own_tolerance(folder: Path) -> None:
     first, second = read_quiz(open_exam(folder / "EXAM")).papers
     (v_B, _), (_, honest_zero) = first.questions[0].asks, first.questions[2].asks
     assert v_B.high - v_B.value == abs(v_B.value) * Fraction(str(WIDE))
-    assert "at most 5 % of that value" in first.questions[0].rule
+    # Next to zero, the key allows what the bank states
+    assert "at most 5 % of that value. Where the exact value is zero, or less than 1 %" in (
+        first.questions[0].rule
+    )
     assert "at most 5 % of that value" not in second.questions[0].rule
     for paper in (first, second):
         rule = paper.questions[1].rule

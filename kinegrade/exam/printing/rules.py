@@ -104,18 +104,21 @@ def spell_out(number: int) -> Part:
     return _NUMERALS.get(number, number)
 
 
-def make_marking_rule(tolerance: Tolerance, unit: str = "") -> Message:
+def make_marking_rule(
+    tolerance: Tolerance, unit: str = "", stated: Tolerance | None = None
+) -> Message:
     """When an answer is right, in words a first-year reads.
 
     An amount is in the unit of the paper's table, or in `unit`, which is named with it, where there
-    is no table. The sentence begins with a small letter, to follow a colon: `paper.rule` has it
+    is no table. Next to zero the share that the bank has `stated` holds, where the tolerance is one
+    paper's own. The sentence begins with a small letter, to follow a colon: `paper.rule` has it
     alone.
     """
     if tolerance.figures:
         return _make_figures_rule(tolerance, tolerance.figures, unit)
     if tolerance.relative == 0:
         return _make_amount_rule(tolerance.absolute, unit)
-    share, zero = make_percent(tolerance.relative), _make_rule_near_zero(tolerance)
+    share, zero = make_percent(tolerance.relative), _make_rule_near_zero(stated or tolerance)
     if not tolerance.absolute:
         return Message("paper.right-within-share", share=share, zero=zero)
     if unit:

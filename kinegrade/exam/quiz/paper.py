@@ -29,7 +29,7 @@ from kinegrade.exam.printing.pages import (
 from kinegrade.exam.printing.rules import count_digits
 from kinegrade.exam.quiz.document import QuizAsk, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.exam.quiz.source import QuizSource
-from kinegrade.exam.quiz.words import AskRule, write_marking_rules
+from kinegrade.exam.quiz.words import write_marking_rules
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
 from kinegrade.press.html.solution import write_blocks
@@ -114,7 +114,7 @@ def _make_question(
             _make_ask(template, ask, stated, wishes, source) for ask, stated in entry.asks.items()
         )
         rules = {
-            template.asks[ask].symbol: AskRule(source.tolerance(name, ask, stated), stated.unit)
+            template.asks[ask].symbol: source.rule(name, ask, stated)
             for ask, stated in entry.asks.items()
         }
         return QuizQuestion(

@@ -21,11 +21,11 @@ from kinegrade.exam.folder.exact_keys import read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import StatedAnswer
+from kinegrade.exam.quiz.words import AskRule
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.exam.setting.setting import state_tolerance
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
-from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.numbers.written import NumberError, read_number
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import require_language
@@ -56,14 +56,15 @@ class QuizSource:
     kept: KeptExam
     asks: Mapping[tuple[str, str], BankAsk]
 
-    def tolerance(self, question: str, ask: str, stated: StatedAnswer) -> Tolerance:
-        """The tolerance that a paper states for an ask, from what its key keeps. Raises FieldError,
-        also for an ask that the bank does not have.
+    def rule(self, question: str, ask: str, kept: StatedAnswer) -> AskRule:
+        """When an answer is right, by what a paper's key keeps of it. Raises FieldError, also for
+        an ask that the bank does not have.
         """
         asked = self.asks.get((question, ask))
         if asked is None:
             raise FieldError(Message("exam.not-in", name=f"{question}.{ask}", file=BANK))
-        return state_tolerance(asked, read_rule(stated.tolerance))
+        tolerance = state_tolerance(asked, read_rule(kept.tolerance))
+        return AskRule(tolerance, asked.tolerance, kept.unit)
 
 
 def read_quiz_source(exam: ExamFolder, language: Language | None = None) -> QuizSource:

@@ -15,17 +15,21 @@ from kinegrade.numbers.tolerance import Tolerance
 
 @dataclass(frozen=True)
 class AskRule:
-    """How far from right an ask's answer may be, and the unit in which that is stated: a quiz has
-    no table of units.
+    """How far from right an ask's answer may be on a paper, by what the bank has stated, and the
+    unit of that: a quiz has no table of units.
     """
 
     tolerance: Tolerance
+    stated: Tolerance
     unit: str
 
 
 def write_marking_rules(asks: Mapping[str, AskRule], language: Language) -> str:
     """When the answers of a question are right; `asks` holds the rules by symbol (math)."""
-    rules = {symbol: make_marking_rule(ask.tolerance, ask.unit) for symbol, ask in asks.items()}
+    rules = {
+        symbol: make_marking_rule(ask.tolerance, ask.unit, ask.stated)
+        for symbol, ask in asks.items()
+    }
     distinct = set(rules.values())
     if len(distinct) == 1:
         return open_catalogue(language).text("paper.rule", rule=distinct.pop())
