@@ -9,7 +9,7 @@ marked.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import remainder
@@ -28,7 +28,7 @@ from kinegrade.problem.template.template import Template
 from kinegrade.students.following.connections import (
     find_connections,
     find_generic_plan,
-    order_by_plan,
+    find_stages,
 )
 from kinegrade.students.following.follow_through import Follower
 from kinegrade.students.mistakes import convert_parameter
@@ -50,12 +50,12 @@ class FollowThrough:
 
     def __call__(
         self, student: str, question: str, own: Mapping[str, Fraction], later: str
-    ) -> Fraction | None:
-        """What follows for the ask `later` from `own`, the student's answers to other asks of the
-        question, each in its unit.
+    ) -> tuple[Fraction, ...]:
+        """What may follow for the ask `later` from `own`, the student's answers to other asks of
+        the question, each in its unit.
 
-        None if it does not depend on them or nothing follows. Raises ExamError if the key cannot be
-        read.
+        Empty if it does not depend on them or nothing follows. Raises ExamError if the key cannot
+        be read.
         """
         leading = {
             ask: float(value)
@@ -63,8 +63,9 @@ class FollowThrough:
             if (ask, later) in self._connections(question)
         }
         follower = self.instance(student, question) if leading else None
-        value = None if follower is None else follower.value(leading, later)
-        return None if value is None else Fraction(value)
+        return (
+            () if follower is None else tuple(map(Fraction, follower.consequences(leading, later)))
+        )
 
     def _connections(self, question: str) -> frozenset[tuple[str, str]]:
         """Which ask of a question (first) another one (second) depends on."""
@@ -75,12 +76,12 @@ class FollowThrough:
             )
         return self.connected[question]
 
-    def in_plan_order(self, question: str, asks: Iterable[str]) -> tuple[str, ...]:
+    def stages(self, question: str, asks: Sequence[str]) -> Sequence[Sequence[str]]:
         """The asks of a question in the order in which the plan comes to them: velocities before
         accelerations.
         """
         template = self.templates.get(question)
-        return tuple(asks) if template is None else order_by_plan(template, asks)
+        return [asks] if template is None else find_stages(template, asks)
 
     def instance(self, student: str, question: str) -> Follower | None:
         """A question as it stands on a student's paper; None if it can no longer be worked out."""

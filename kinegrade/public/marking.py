@@ -132,7 +132,7 @@ def grade(
 
 def _choose_following(exam: ExamFolder) -> Follows:
     follow_through = FollowThrough(exam)
-    return Follows(follow_through, follow_through.in_plan_order)
+    return Follows(follow_through, follow_through.stages)
 
 
 def _list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[Message]:

@@ -10,14 +10,14 @@ import pytest
 from kinegrade.grading.judging.trivial_answers import Later, is_trivial
 
 
-def normal_and_tangential(own: Mapping[str, Fraction]) -> Fraction:
+def normal_and_tangential(own: Mapping[str, Fraction]) -> tuple[Fraction]:
     """An acceleration omega^2 + 12, with omega = 2 right."""
-    return own["omega"] ** 2 + 12
+    return (own["omega"] ** 2 + 12,)
 
 
-def along(own: Mapping[str, Fraction]) -> Fraction:
+def along(own: Mapping[str, Fraction]) -> tuple[Fraction]:
     """A velocity 3 omega."""
-    return 3 * own["omega"]
+    return (3 * own["omega"],)
 
 
 @pytest.mark.parametrize(
@@ -29,8 +29,8 @@ def along(own: Mapping[str, Fraction]) -> Fraction:
         ("0.9", "12.81", False),
         ("3", "21", False),
         ("20", "412", False),
-        ("115", "13237", False),
-        ("199", "39613", False),
+        ("30", "912", False),
+        ("115", "13237", True),
         ("1990", "3960112", True),
     ],
 )
@@ -61,8 +61,8 @@ def test_what_is_nothing_but_in_proportion_is_not_trivial(omega: str) -> None:
 
 
 def test_a_term_that_never_mattered_is_not_trivial() -> None:
-    def hardly(own: Mapping[str, Fraction]) -> Fraction:
-        return own["omega"] / 1000 + own["alpha"]
+    def hardly(own: Mapping[str, Fraction]) -> tuple[Fraction]:
+        return (own["omega"] / 1000 + own["alpha"],)
 
     own = {"omega": Fraction(1, 100), "alpha": Fraction(5)}
     assert not is_trivial(
@@ -75,5 +75,5 @@ def test_where_nothing_follows_nothing_is_trivial() -> None:
         "omega",
         {"omega": Fraction(1, 100)},
         Fraction(2),
-        Later(lambda own: None, lambda value: True),
+        Later(lambda own: (), lambda value: True),
     )

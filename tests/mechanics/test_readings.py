@@ -12,8 +12,9 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.doubles import Doubles
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
+from kinegrade.students.following.departures import state_equations
 from kinegrade.students.following.followed import follow_values
-from kinegrade.students.following.substituting import OwnValue
+from kinegrade.students.following.own_values import OwnValue
 from kinegrade.students.mistaken_reading import read_with_slips
 from kinegrade.students.slips import Slips
 
@@ -42,7 +43,8 @@ def test_a_motion_is_not_changed_by_those_who_read_it_otherwise() -> None:
     motion = solve_template(load_template("slider-crank"), {}).doubles
     before = dict(motion.rates), dict(motion.changes), motion.frames
     speed = OwnValue(lambda other: float(other.velocity("A", "OA").x), 2.0, "velocity", ("OA", "A"))
-    followed = follow_values(motion.frames, motion.plan, [speed], Doubles())
+    equations = state_equations(motion.frames, motion.plan, [("OA", "A")])
+    (followed, *_) = follow_values(equations, [speed])
     assert followed.frames is motion.frames
     assert (dict(motion.rates), dict(motion.changes), motion.frames) == before
     assert followed.velocity("A", "OA").x == pytest.approx(2.0)
@@ -52,5 +54,5 @@ def test_a_motion_is_not_changed_by_those_who_read_it_otherwise() -> None:
 def test_a_mapped_motion_is_read_as_the_first_one_is() -> None:
     template = load_template("slider-crank")
     right = solve_template(template, {}).doubles
-    motion = follow_values(right.frames, right.plan, [], Doubles())
+    (motion, *_) = follow_values(state_equations(right.frames, right.plan, []), [])
     assert motion.map(abs).reading is motion.reading

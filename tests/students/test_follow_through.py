@@ -23,7 +23,7 @@ from kinegrade.students.following.connections import (
     choose_generic_values,
     find_connections,
     find_generic_plan,
-    order_by_plan,
+    find_stages,
 )
 from kinegrade.students.following.follow_through import Follower, follow_through
 from kinegrade.students.following.followed_quantities import (
@@ -72,23 +72,10 @@ def test_from_the_right_answers_the_right_ones_follow(name: str) -> None:
     }
     answered = {ask: value for ask, value in right.items() if abs(value) > 1e-9}
     follower = Follower(template, values, solution.motion.plan)
-    motion = follower.motion(answered)
-    assert motion is not None
     for ask, value in right.items():
-        assert near(follower.read(template.asks[ask], motion), value), ask
         assert near(follower.right(ask), value), ask
-
-
-@pytest.mark.parametrize("name", MOVING)
-def test_an_own_answer_is_what_is_then_read_or_changes_nothing(name: str) -> None:
-    for follower in followers(name):
-        for ask in follower.template.asks.values():
-            right = follower.right(ask.name)
-            if right:
-                motion = follower.motion({ask.name: 1.25 * right})
-                assert motion is not None
-                found = follower.read(ask, motion)
-                assert near(found, right) or near(found, 1.25 * right), ask.name
+        for other, own in answered.items():
+            assert follower.consequences({other: own}, ask) == (), (other, ask)
 
 
 def asked_of(follower: Follower) -> Iterator[tuple[str, Any]]:
@@ -101,8 +88,7 @@ def asked_of(follower: Follower) -> Iterator[tuple[str, Any]]:
 
 def rates_asked_for(follower: Follower) -> dict[Rate, str]:
     """For the rates of the plan that an ask is about, and about nothing else, that ask."""
-    motion, found = follower.motion({}), {}
-    assert motion is not None
+    motion, found = follower.equations.right, {}
     for ask, call in asked_of(follower):
         parts = [find_name(argument) for argument in call.arguments]
         if call.function == "omega" and len(parts) == 1:
@@ -171,7 +157,7 @@ def led_by_coriolis(follower: Follower, leads: Answers) -> Answers | None:
     return {asked[term]: leads[asked[term]] for term in terms}
 
 
-def compared(follower: Follower) -> Iterator[tuple[str, str, float | None, float, float]]:
+def compared(follower: Follower) -> Iterator[tuple[str, str, tuple[float, ...], float, float]]:
     """Mistake, later ask, what follows from the mistaken earlier answers, what the mistake leads
     to, what is right.
     """
@@ -207,7 +193,7 @@ def compared(follower: Follower) -> Iterator[tuple[str, str, float | None, float
                 yield (
                     mistake.identifier,
                     later,
-                    follower.value(led, later),
+                    follower.consequences(led, later),
                     leads[later],
                     follower.right(later) or 0.0,
                 )
@@ -218,24 +204,20 @@ def test_what_follows_from_a_mistaken_answer_is_what_the_mistake_leads_to() -> N
     templates = set()
     for follower in (each for name in MOVING for each in followers(name)):
         for mistake, later, found, expected, right in compared(follower):
-            if found is None:  # does not depend on it, or vanishes
-                assert near(expected, right) or near(expected, 0.0), (
-                    follower.template.name,
-                    mistake,
-                    later,
-                )
-            else:
-                assert near(found, expected), (follower.template.name, mistake, later)
-                agreeing[mistake] = agreeing.get(mistake, 0) + 1
-                templates.add(follower.template.name)
+            where = follower.template.name, mistake, later
+            if near(expected, right) or near(expected, 0.0):
+                continue  # does not depend on it, or vanishes
+            assert any(near(value, expected) for value in found), where
+            agreeing[mistake] = agreeing.get(mistake, 0) + 1
+            templates.add(follower.template.name)
     assert len(templates) >= 20
     assert sum(agreeing.values()) >= 250
     assert min(agreeing[name] for name in (*TERMS, "wrong-pole", "transport-for-absolute")) >= 10
 
 
-def crank(**earlier: float) -> Mapping[str, float | None]:
-    """What follows in a slider-crank at 60 degrees with AB at a right angle to OA: omega_AB = 1/3,
-    a_B = -2/9.
+def crank(**earlier: float) -> Mapping[str, tuple[float, ...]]:
+    """What may follow in a slider-crank at 60 degrees with AB at a right angle to OA: omega_AB is
+    1/3, v_B 2/sqrt 3, a_B -2/9.
     """
     template = load_template("slider-crank")
     values = solve_template(template, {}).assembly.values
@@ -243,36 +225,44 @@ def crank(**earlier: float) -> Mapping[str, float | None]:
     return {later: follow_through(template, given, earlier, later) for later in template.asks}
 
 
+def follows(found: tuple[float, ...], *expected: float) -> bool:
+    return all(any(near(value, each) for value in found) for each in expected)
+
+
 def test_a_slider_crank_worked_out_by_hand() -> None:
-    # with an own omega: alpha = (1 - omega^2)/sqrt 3, a_B = -2 omega^2; v_B is of the same step
-    assert crank(omega_AB=0.5) == pytest.approx(
-        {"v_B": None, "omega_AB": None, "alpha_AB": 3**0.5 / 4, "a_B": -0.5}
-    )
-    assert crank(omega_AB=-0.4) == pytest.approx(
-        {"v_B": None, "omega_AB": None, "alpha_AB": 0.84 / 3**0.5, "a_B": -0.32}
-    )
+    # With an own omega: alpha = (1 - omega^2)/sqrt 3 and a_B = -2 omega^2; v_B = v_A + omega x AB
+    # is sqrt 3/2 + omega sqrt 3/2 along the guide, and 2 sqrt 3 omega by the pole
+    for omega in (0.5, -0.4, 1.0):
+        found = crank(omega_AB=omega)
+        assert follows(found["a_B"], -2 * omega**2)
+        speeds = (abs(3**0.5 / 2 * (1 + omega)), abs(2 * 3**0.5 * omega))
+        assert follows(found["v_B"], *speeds)
+        assert found["omega_AB"] == ()
+        if omega != 1:
+            assert follows(found["alpha_AB"], (1 - omega**2) / 3**0.5)
+    # With an own v_B: its third, from the pole
+    assert follows(crank(v_B=3.0)["omega_AB"], 3.0 / 2 / 3**0.5)
 
 
-@pytest.mark.parametrize("value", [0.0, 1e-4, 400.0, -400.0])
-def test_nothing_follows_from_zero_or_from_beyond_any_sense(value: float) -> None:
-    assert set(crank(omega_AB=value).values()) == {None}
+def test_an_acceleration_worked_out_by_hand() -> None:
+    # along the guide a_B = -1/2 + alpha sqrt 3/2 - omega^2 3/2, with omega = 1/3
+    assert follows(crank(alpha_AB=2.0)["a_B"], -0.5 + 3**0.5 - 1 / 6)
 
 
-def test_nothing_follows_where_that_would_be_zero_or_the_same_whatever_was_answered() -> None:
-    assert crank(omega_AB=1.0)["alpha_AB"] is None  # 1 - omega^2
-    assert crank(omega_AB=1.0)["a_B"] == pytest.approx(-2)
-    assert set(crank(v_B=5.0, alpha_AB=7.0, a_B=1.0).values()) == {None}
-    assert set(crank().values()) == {None}
+def test_nothing_follows_from_nothing_or_where_that_would_vanish() -> None:
+    assert set(crank(omega_AB=0.0).values()) == {()}
+    assert set(crank().values()) == {()}
+    assert not follows(crank(omega_AB=1.0)["alpha_AB"], 0.0)  # 1 - omega^2
 
 
 def test_nothing_follows_in_a_pose_or_where_the_configuration_cannot_be() -> None:
     pose = load_template("pose-cam-tappet")
     values = choose_generic_values(pose, 0)
     asks = list(pose.asks)
-    assert follow_through(pose, values, {asks[0]: 1.0}, asks[1]) is None
+    assert follow_through(pose, values, {asks[0]: 1.0}, asks[1]) == ()
     template = load_template("slider-crank")
     impossible = {**choose_generic_values(template, 0), "k": 0.1}
-    assert follow_through(template, impossible, {"omega_AB": 1.0}, "a_B") is None
+    assert follow_through(template, impossible, {"omega_AB": 1.0}, "a_B") == ()
 
 
 def test_relative_speed_of_two_points_of_a_body_is_its_rotation() -> None:
@@ -284,16 +274,8 @@ def test_relative_speed_of_two_points_of_a_body_is_its_rotation() -> None:
 
 
 def test_which_asks_are_connected() -> None:
-    assert find_connections(load_template("slider-crank")) == {
-        ("omega_AB", "alpha_AB"),
-        ("omega_AB", "a_B"),
-    }
-    assert {("omega_GE", "alpha_GD"), ("v_G", "omega_AB")} <= find_connections(
-        load_template("stone-crusher")
-    )
     rocker = find_connections(load_template("slotted-rocker-and-slider-two-drivers"))
     assert {("v_rel", "a_cor"), ("a_cor", "alpha_AB"), ("omega_AB", "alpha_AB")} <= rocker
-    assert ("omega_AB", "v_rel") not in rocker
     assert not [
         pair for pair in rocker if pair[0].startswith("a") and pair[1].startswith(("v", "o"))
     ]
@@ -303,4 +285,4 @@ def test_which_asks_are_connected() -> None:
 def test_the_plan_comes_to_velocities_first() -> None:
     template = load_template("slotted-rocker-and-slider-two-drivers")
     asks = ("alpha_AB", "a_cor", "v_rel", "omega_AB")
-    assert order_by_plan(template, asks) == ("v_rel", "omega_AB", "a_cor", "alpha_AB")
+    assert find_stages(template, asks) == [["v_rel", "omega_AB"], ["a_cor"], ["alpha_AB"]]

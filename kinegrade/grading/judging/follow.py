@@ -1,17 +1,18 @@
-"""Follow-through: the answers of one student that follow from the student's wrong answers to
-earlier asks.
+"""Follow-through: the answers of one student that follow from the student's wrong answers to other
+asks.
 
 `follow_answers` is pure. It takes the answers to one question as decided by the key, the policy and
 the known mistakes. The argument `follows` works out what follows (`kinegrade.exam.follow_through`);
-this module holds the rules. The key is tried first, and an error is charged once. No credit comes
-from an earlier answer that is right, missing, zero, absurd, or so chosen that it makes the rest
-trivial (`kinegrade.grading.judging.trivial_answers`).
+this module holds the rules. The key is tried first, and an error is charged once: of answers that
+follow from each other one is left that is charged. No credit comes from an answer that is right,
+missing, zero, absurd, copied, or so chosen that it makes the rest trivial
+(`kinegrade.grading.judging.trivial_answers`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from kinegrade.exam.folder.keys import Ask, Key
@@ -22,39 +23,36 @@ from kinegrade.grading.policy.policy import Ruling
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Message, Text, list_all
 
-_FARTHEST = (
-    1000  # times the right answer, or below its thousandth part: no follow-through from there
-)
+# Of the right answer: outside of these a value is no honest slip, and nothing follows from it.
+# A misplaced decimal point, revolutions per minute (9.5) and degrees for radians (57.3) are inside.
+_LEAST, _MOST = Fraction(1, 20), 60
 _SAME = Fraction(1, 10**9)  # relative: closer values differ only by rounding
 
 
-# Of a student, in a question, from the answers to some of its asks, for another ask: the value in
-# the unit of that ask; None where it does not depend on those answers, or nothing follows
-Consequence = Callable[[str, str, Own, str], Fraction | None]
+# Of a student, in a question, from the answers to some of its asks, for another ask: the values in
+# the unit of that ask, one for each way of going on; none where it does not depend on those answers
+Consequence = Callable[[str, str, Own, str], Sequence[Fraction]]
 
 
-def _order_as_asked(question: str, asks: Sequence[str]) -> Sequence[str]:
-    """The asks of a question in the order in which they are put."""
-    return asks
+def _stage_as_asked(question: str, asks: Sequence[str]) -> Sequence[Sequence[str]]:
+    """The asks of a question, each a stage of its own, in the order in which they are put."""
+    return [[ask] for ask in asks]
 
 
 @dataclass(frozen=True, slots=True)
 class Follows:
-    """What follows, and `order`, which sorts the asks of a question so that none depends on a later
-    one.
+    """What follows, and `stages`, which sorts the asks of a question so that none depends on a
+    later stage; those of one stage may follow from each other.
     """
 
     consequence: Consequence
-    order: Callable[[str, Sequence[str]], Sequence[str]] = _order_as_asked
+    stages: Callable[[str, Sequence[str]], Sequence[Sequence[str]]] = _stage_as_asked
 
-    def sorted(self, answers: Sequence[Decided]) -> list[Decided]:
-        """The answers to a question in that order."""
+    def sorted(self, answers: Sequence[Decided]) -> list[list[Decided]]:
+        """The answers to a question in those stages."""
         by_name = {answer.ask.ask: answer for answer in answers}
-        return (
-            [by_name[name] for name in self.order(answers[0].ask.question, tuple(by_name))]
-            if answers
-            else []
-        )
+        stages = self.stages(answers[0].ask.question, tuple(by_name)) if answers else ()
+        return [[by_name[name] for name in stage] for stage in stages]
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,10 +67,9 @@ class Decided:
 
     @property
     def own_value(self) -> Fraction | None:
-        """The number to follow from, if it is within a factor of a thousand of the right answer."""
+        """The number to follow from, if it is within a sensible factor of the right answer."""
         value, right = self.reading.value, self.key.value
-        sensible = value and right and 1 <= _FARTHEST * abs(value / right) <= _FARTHEST**2
-        return value if sensible else None
+        return value if value and right and _LEAST <= abs(value / right) <= _MOST else None
 
     @property
     def is_right(self) -> bool:
@@ -96,38 +93,53 @@ def follow_answers(
     charged once however far it carries.
     """
     found: dict[str, Decision] = {}
-    wrong: dict[str, Fraction] = {}
-    right: dict[str, Fraction] = {}
-    earlier = _Earlier(wrong, right, {answer.ask.ask: answer.key.value for answer in answers})
-    for answer in follows.sorted(answers):
-        if wrong and answer.may_follow:
-            verdict = next(_find_verdicts(student, answer, earlier, follows), None)
-            if verdict:
-                found[answer.ask.ask] = verdict, answer.ruling.follow_through
-        value = answer.own_value
-        if value is not None:
-            (right if answer.is_right else wrong)[answer.ask.ask] = value
+    earlier = _Earlier({}, {}, {answer.ask.ask: answer.key.value for answer in answers}, {})
+    for stage in follows.sorted(answers):
+        for answer in stage:
+            value = answer.own_value
+            if value is not None:
+                (earlier.right if answer.is_right else earlier.wrong)[answer.ask.ask] = value
+        for answer in stage:
+            given = earlier.leave_out(answer.ask.ask)
+            if given.wrong and answer.may_follow:
+                credit = next(_find_credits(student, answer, given, follows), None)
+                if credit:
+                    verdict, earlier.basis[answer.ask.ask] = credit
+                    found[answer.ask.ask] = verdict, answer.ruling.follow_through
     return found
 
 
 @dataclass(frozen=True, slots=True)
 class _Earlier:
-    """The student's answers so far, wrong and right, and the right values."""
+    """The student's answers so far, wrong and right, the right values, and the asks on which an
+    answer that earned follow-through rests.
+    """
 
-    wrong: Own
-    right: Own
+    wrong: dict[str, Fraction]
+    right: dict[str, Fraction]
     keys: Own
+    basis: dict[str, Collection[str]]
+
+    def leave_out(self, ask: str) -> _Earlier:
+        """Without the answer to an ask, and without those that rest on it."""
+        wrong = {name: value for name, value in self.wrong.items() if not self._rests(name, ask)}
+        right = {name: value for name, value in self.right.items() if name != ask}
+        return _Earlier(wrong, right, self.keys, self.basis)
+
+    def _rests(self, name: str, ask: str) -> bool:
+        """Whether an answer is that to an ask, or rests on it."""
+        return name == ask or any(self._rests(each, ask) for each in self.basis.get(name, ()))
 
 
-def _find_verdicts(
+def _find_credits(
     student: str, answer: Decided, earlier: _Earlier, follows: Follows
-) -> Iterator[Verdict]:
+) -> Iterator[tuple[Verdict, Collection[str]]]:
     """Agreements with what follows from the student's answers, at least one of them wrong and none
-    of them making the rest trivial.
+    of them copied or making the rest trivial; each with the wrong answers that it rests on.
     """
     question, ask = answer.ask.question, answer.ask.ask
 
-    def what_follows(answers: Own) -> Fraction | None:
+    def what_follows(answers: Own) -> Sequence[Fraction]:
         return follows.consequence(student, question, answers, ask)
 
     def compared(value: Fraction) -> Verdict:
@@ -138,9 +150,25 @@ def _find_verdicts(
         if later.agrees(value):
             used = _select_used(answers, value, what_follows)
             wrong = used.keys() & earlier.wrong.keys()
-            if not any(is_trivial(name, used, earlier.keys[name], later) for name in wrong):
+            copied = any(_is_copied(answer, used[name], earlier.keys[name]) for name in wrong)
+            if not copied and not any(
+                is_trivial(name, used, earlier.keys[name], later) for name in wrong
+            ):
                 comparison = compared(value).comparison
-                yield Verdict("follow-through", _explain(question, used, comparison))
+                yield Verdict("follow-through", _explain(question, used, comparison)), wrong
+
+
+def _is_copied(answer: Decided, own: Fraction, right: Fraction) -> bool:
+    """Whether the number is that of another answer, although the right numbers differ."""
+    same = answer.reading.value is not None and abs(answer.reading.value) == abs(own)
+    return (
+        same
+        and judge(
+            replace(answer.reading, value=abs(right)),
+            replace(answer.key, value=abs(answer.key.value)),
+        ).kind
+        != "right"
+    )
 
 
 def _find_followed(earlier: _Earlier, what_follows: WhatFollows) -> Iterator[tuple[Own, Fraction]]:
@@ -151,12 +179,11 @@ def _find_followed(earlier: _Earlier, what_follows: WhatFollows) -> Iterator[tup
     wrong, right = earlier.wrong, earlier.right
     singles = ({name: wrong[name]} for name in reversed(tuple(wrong)) if len(wrong) > 1)
     for answers in (wrong, *singles):
-        value = what_follows(answers)
-        if value is not None:
+        for value in what_follows(answers):
             yield answers, value
-    value = what_follows({**wrong, **right}) if right else None
-    if value is not None and not _are_alike(value, what_follows(right)):
-        yield {**wrong, **right}, value
+    for value in what_follows({**wrong, **right}) if right else ():
+        if not _is_among(value, what_follows(right)):
+            yield {**wrong, **right}, value
 
 
 def _select_used(answers: Own, value: Fraction, what_follows: WhatFollows) -> Own:
@@ -164,14 +191,14 @@ def _select_used(answers: Own, value: Fraction, what_follows: WhatFollows) -> Ow
     used = dict(answers)
     for name in answers:
         rest = {each: number for each, number in used.items() if each != name}
-        if rest and _are_alike(value, what_follows(rest)):
+        if rest and _is_among(value, what_follows(rest)):
             used = rest
     return used
 
 
-def _are_alike(value: Fraction, other: Fraction | None) -> bool:
-    """Whether the two differ only by rounding."""
-    return other is not None and abs(other - value) <= _SAME * abs(value)
+def _is_among(value: Fraction, others: Sequence[Fraction]) -> bool:
+    """Whether it is one of the others, but for rounding."""
+    return any(abs(other - value) <= _SAME * abs(value) for other in others)
 
 
 def _explain(question: str, used: Own, comparison: Text) -> Message:

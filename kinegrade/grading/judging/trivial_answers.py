@@ -8,18 +8,17 @@ them. With an enormous answer, no other term matters. `is_trivial` is called by
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 # Of the right answer: no larger value makes an existing term vanish
 _SMALL = Fraction(1, 2)
 _TINY = Fraction(1, 900)  # of the right answer: stands in for zero
-# Times the right answer: more than degrees for radians, or a misplaced decimal point, can explain
-_ENORMOUS = 100
+_LARGE = 4  # times the right answer: no smaller value drowns what else there is
 _POWERS = (1, 2)  # of a velocity, in velocities and in accelerations
 Own = Mapping[str, Fraction]  # a student's answers by ask, each in its unit
-WhatFollows = Callable[[Own], Fraction | None]  # from them, for a later answer
+WhatFollows = Callable[[Own], Sequence[Fraction]]  # from them, for a later answer
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,9 +31,8 @@ class Later:
     agrees: Callable[[Fraction], bool]
 
     def fits(self, answers: Own, factor: Fraction = Fraction(1)) -> bool:
-        """Whether it agrees with `factor` times what follows."""
-        value = self.what_follows(answers)
-        return value is not None and self.agrees(factor * value)
+        """Whether it agrees with `factor` times something that follows."""
+        return any(self.agrees(factor * value) for value in self.what_follows(answers))
 
 
 def is_trivial(name: str, answers: Own, right: Fraction, later: Later) -> bool:
@@ -47,7 +45,7 @@ def is_trivial(name: str, answers: Own, right: Fraction, later: Later) -> bool:
         return later.fits({**answers, name: right * _TINY}) and not later.fits(
             {**answers, name: right}
         )
-    return size > _ENORMOUS and any(
+    return size > _LARGE and any(
         _has_drowned(name, answers, right, later, power) for power in _POWERS
     )
 

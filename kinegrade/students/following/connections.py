@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
+from itertools import chain
 from math import modf
 
 from kinegrade.errors import KinegradeError
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.template.template import Template
-from kinegrade.students.following.follow_through import SAME, Follower
+from kinegrade.students.following.follow_through import Follower
 from kinegrade.students.following.followed_quantities import (
     find_calls,
     find_level,
@@ -18,6 +19,7 @@ from kinegrade.students.following.followed_quantities import (
 from kinegrade.students.mistakes import convert_parameter
 
 _INSTANCES = 8  # looked at to see which asks are connected
+_CHANGED = 1.3  # times the right answer
 _GOLDEN, _ROOT = 0.6180339887, 0.4142135624  # steps along choices that never meet again
 
 
@@ -58,31 +60,26 @@ def choose_generic_values(template: Template, number: int) -> dict[str, float]:
 
 
 def _find_connected(follower: Follower) -> Iterator[tuple[str, str]]:
-    """Which ask each one depends on in an instance: a change of the first by one per cent changes
-    the second.
+    """Which ask each one depends on in an instance: a change of the first, by nearly a third,
+    changes the second in some way of going on.
     """
-    asks = follower.template.asks
-    right = {name: follower.right(name) for name in asks}
-    for earlier, number in right.items():
-        motion = follower.motion({earlier: number * 1.01}) if number else None
-        for later, before in right.items():
-            after = follower.read(asks[later], motion) if motion and later != earlier else None
-            if (
-                before is not None
-                and after is not None
-                and abs(after - before) > SAME * max(abs(before), abs(after))
-            ):
-                yield earlier, later
+    stages = find_stages(follower.template, follower.template.asks)
+    for number, stage in enumerate(stages):
+        for earlier in stage:
+            own = {earlier: _CHANGED * (follower.right(earlier) or 0.0)}
+            for later in chain(*stages[number:]):
+                if follower.consequences(own, later):
+                    yield earlier, later
 
 
-def order_by_plan(template: Template, asks: Iterable[str]) -> tuple[str, ...]:
+def find_stages(template: Template, asks: Iterable[str]) -> Sequence[Sequence[str]]:
     """The asks in the order in which the plan comes to them: of velocities, of Coriolis and normal
-    parts, which velocities decide, then of accelerations; alike ones stay as they stand.
+    parts, which velocities decide, then of accelerations; alike ones stand together.
     """
-
-    def stage(name: str) -> int:
+    stages: tuple[list[str], ...] = ([], [], [])
+    for name in asks:
         calls = find_calls(template.asks[name].quantity) if name in template.asks else ()
         accelerations = [call for call in calls if find_level(call) == "acceleration"]
-        return bool(accelerations) + any(not find_share(call) for call in accelerations)
-
-    return tuple(sorted(asks, key=stage))
+        parts = not any(not find_share(call) for call in accelerations)
+        stages[bool(accelerations) + (not parts)].append(name)
+    return [stage for stage in stages if stage]

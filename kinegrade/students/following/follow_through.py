@@ -7,9 +7,11 @@ keeps one instance.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import chain, product
 from math import isfinite, pi
 from typing import Any
 
@@ -25,6 +27,7 @@ from kinegrade.problem.assemble import Assembly, assemble
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.quantities.reader import MotionReader, find_body_names
 from kinegrade.problem.template.template import Ask, Template
+from kinegrade.students.following.departures import Equations, state_equations
 from kinegrade.students.following.followed import follow_values
 from kinegrade.students.following.followed_quantities import (
     find_calls,
@@ -35,12 +38,13 @@ from kinegrade.students.following.followed_quantities import (
     replace_differences,
 )
 from kinegrade.students.following.followed_terms import Place
-from kinegrade.students.following.substituting import OwnValue
+from kinegrade.students.following.own_lengths import OwnLengths
+from kinegrade.students.following.own_values import OwnValue
 from kinegrade.students.mistaken_answers import CloseCentrodes
 
 SAME = 1e-9  # relative: what is closer is not changed, only rounded
-# Times the right answer, or below its thousandth part: from there nothing sensible follows
-_FARTHEST = 1000
+_LEAST = 1e-3  # in the unit of an ask: the least amount beside which a difference is seen
+_VANISHING = 1e-3  # of the right answer: what is smaller follows from nothing sensible
 
 
 def follow_through(
@@ -49,17 +53,17 @@ def follow_through(
     earlier: Mapping[str, float],
     later: str,
     plan: Plan | None = None,
-) -> float | None:
-    """What follows for the ask `later`, in its unit, from a student's answers to other asks (each
-    in its unit).
+) -> tuple[float, ...]:
+    """The values that may follow for the ask `later`, in its unit, from a student's answers to
+    other asks (each in its unit); which is open, as students go on in several ways.
 
-    `values` are the parameters in SI, in any arithmetic. None where `later` does not depend on
+    `values` are the parameters in SI, in any arithmetic. Empty where `later` does not depend on
     those answers, or nothing follows from them: they are zero, far from any sensible value, or out
     of the plan's reach.
     """
     return Follower(
         template, {name: convert_number(value) for name, value in values.items()}, plan
-    ).value(earlier, later)
+    ).consequences(earlier, later)
 
 
 @dataclass(frozen=True)
@@ -71,47 +75,30 @@ class Follower:
     template: Template
     values: Mapping[str, float]
     suggested: Plan | None = None
+    kept: dict[tuple[tuple[str, float], ...], Sequence[Motion]] = field(
+        default_factory=dict, repr=False, compare=False
+    )
 
-    def value(self, earlier: Mapping[str, float], later: str) -> float | None:
+    def consequences(self, earlier: Mapping[str, float], later: str) -> tuple[float, ...]:
         """What follows for `later`, as in `follow_through`; earlier answers are all put in at
         once.
         """
+        right = self.right(later)
         answers = {
             name: value
             for name, value in earlier.items()
-            if self._sensible(name, value) and name != later
+            if value and name != later and abs(self.right(name) or 0.0) > SAME
         }
-        if not answers:
-            return None
-        found, perturbed = (
-            self.result(answers, later),
-            self.result(_perturb_values(answers), later),
-        )
-        right = self.right(later)
-        if (
-            found is None
-            or perturbed is None
-            or right is None
-            or abs(found) * _FARTHEST <= abs(right)
-        ):
-            return None
-        return found if abs(perturbed - found) > SAME * max(abs(found), abs(right)) else None
-
-    def _sensible(self, name: str, value: float) -> bool:
-        """Whether a student's answer may be put in: it is within a factor of a thousand of the
-        right one.
-        """
-        right = self.right(name)
-        return (
-            right is not None
-            and abs(right) > SAME
-            and 1 / _FARTHEST <= abs(value / right) <= _FARTHEST
-        )
-
-    def result(self, answers: Mapping[str, float], later: str) -> float | None:
-        """The answer of `later` with the student's answers put in, None where there is none."""
-        motion = self.motion(answers)
-        return None if motion is None else self.read(self.template.asks[later], motion)
+        if not answers or right is None:
+            return ()
+        found: list[float] = []
+        for motion in self._keep_motions(tuple(answers.items())):
+            value = self.read(self.template.asks[later], motion)
+            if value is not None and abs(value) > _VANISHING * abs(right):
+                nearest = min(abs(value - other) for other in (right, *found))
+                if nearest > SAME * max(abs(value), abs(right), _LEAST):
+                    found.append(value)
+        return tuple(found)
 
     def right(self, name: str) -> float | None:
         """The right answer of an ask, in its unit; None where there is none."""
@@ -124,23 +111,32 @@ class Follower:
     @cached_property
     def right_motion(self) -> Motion | None:
         """The motion as it is, None where there is none."""
-        return self.motion({})
+        return next(iter(self._keep_motions(())), None)
 
-    def motion(self, answers: Mapping[str, float]) -> Motion | None:
-        """The motion with the student's answers put in; None where it cannot be solved."""
+    def _keep_motions(self, answers: tuple[tuple[str, float], ...]) -> Sequence[Motion]:
+        """The motions with some answers put in, found once for all asks that are read off them."""
+        if answers not in self.kept:
+            self.kept[answers] = tuple(self._find_motions(dict(answers)))
+        return self.kept[answers]
+
+    def _find_motions(self, answers: Mapping[str, float]) -> Iterator[Motion]:
+        """The motions with the student's answers put in; none where it cannot be solved."""
         if not self.template.scheme.drivers:
-            return None
-        doubles = Doubles()
-        with doubles.context():
-            try:
-                values = [
-                    value
-                    for name in answers
-                    for value in self._student_values(self.template.asks[name], answers[name])
-                ]
-                return follow_values(self.still.frames, self.plan, values, doubles)
-            except (KinegradeError, ArithmeticError):
-                return None
+            return
+        with Doubles().context(), suppress(KinegradeError, ArithmeticError):
+            ways = [
+                self._student_values(self.template.asks[name], number)
+                for name, number in answers.items()
+            ]
+            for values in product(*ways):
+                yield from follow_values(self.equations, tuple(chain(*values)))
+
+    @cached_property
+    def equations(self) -> Equations:
+        """The equations of the mechanism, and the points that students may have velocities of."""
+        calls = [call for tree in self.quantities.values() for call in find_calls(tree)]
+        asked = [place for call in calls if (place := self.place(call))]
+        return state_equations(self.still.frames, self.plan, asked)
 
     @cached_property
     def assembly(self) -> Assembly:
@@ -200,21 +196,21 @@ class Follower:
         centrodes = CloseCentrodes(self.template, self.values, self.plan)
         return {**self.assembly.functions, **centrodes.functions(Doubles())}
 
-    def _student_values(self, ask: Ask, number: float) -> Iterator[OwnValue]:
-        """A student's answer as it is put into a motion; nothing for what is not read off a single
-        moving thing.
+    def _student_values(self, ask: Ask, number: float) -> Sequence[Sequence[OwnValue]]:
+        """The ways of putting a student's answer into a motion; one that puts in nothing for what
+        is not read off a single moving thing.
         """
-        calls = set(find_calls(self.quantities[ask.name]))
+        tree = self.quantities[ask.name]
+        if ask.unit.length == 1 and not ask.unit.time:
+            lengths = OwnLengths(self.equations.right)
+            return tuple(lengths.list_ways(tree, number * self.factors[ask.name])) or ((),)
+        calls = set(find_calls(tree))
         call = calls.pop() if len(calls) == 1 else None
-        level = None if call is None else find_level(call)
-        if call is not None and level is not None:
-            yield OwnValue(
-                lambda motion: self.read(ask, motion),
-                number,
-                level,
-                self.place(call),
-                find_share(call),
-            )
+        level = None if call is None or ask.unit.degrees else find_level(call)
+        if call is None or level is None:
+            return ((),)
+        place, share = self.place(call), find_share(call)
+        return ((OwnValue(lambda motion: self.read(ask, motion), number, level, place, share),),)
 
     def place(self, call: Call) -> Place | None:
         """The body and point whose velocity or acceleration a call gives."""
@@ -237,10 +233,3 @@ class Follower:
         except (KeyError, KinegradeError, ArithmeticError):
             return None
         return value if isfinite(value) else None
-
-
-def _perturb_values(answers: Mapping[str, float]) -> dict[str, float]:
-    """The answers, each changed a little, and no two of them by the same share."""
-    return {
-        name: value * (1 + (place + 1) / 97) for place, (name, value) in enumerate(answers.items())
-    }

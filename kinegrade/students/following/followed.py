@@ -1,191 +1,176 @@
-"""The motion that follows from a student's values: the rest of the plan uses them, in doubles.
+"""The motions that may follow from a student's values, in doubles.
 
-A student's value replaces a result of the plan: the one rate (or change of a rate) by which a step
-determines it, the velocity or acceleration of a point, or a Coriolis or normal part. It is
-substituted right after the step by which it is first determined; the other results of that step
-stay, and all later steps use it.
+A student's value contradicts the equations of the mechanism, so one of them is left out
+(`departures`), and the motion moves until the value is what is read off it. Each equation that may
+be left out is one way of going on. Velocities come first; accelerations are solved again from them,
+and then the student's values among them are put in likewise. A Coriolis or normal part is taken as
+the student has it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
+from itertools import islice
 from typing import assert_never
 
-from kinegrade.mechanics import plan as plans
-from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.motion import Motion
-from kinegrade.mechanics.plan import Plan, Step
 from kinegrade.mechanics.rates import Rate, Rates
-from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.numbers.number import Arithmetic, Number
-from kinegrade.students.following.followed_terms import (
-    FollowedReading,
-    Place,
-    Share,
-    make_offsets,
-    read_to_follow,
-    write_relations,
-)
-from kinegrade.students.following.substituting import (
-    NOTHING,
-    SAME,
-    OwnValue,
-    measure,
-    measure_slope,
-    move_to_value,
-)
-from kinegrade.students.unsuspecting import Unsuspecting
+from kinegrade.students.following.departures import Equations, Response
+from kinegrade.students.following.followed_terms import Share
+from kinegrade.students.following.own_values import OwnValue
 
-_NEARBY = 1e-3  # relative: how far a number is changed to see what depends on it
+_NEARBY = 1e-3  # relative: how far rates are changed to see what depends on them
+_MOST = 100  # ways of going on from several values
 
 
-def follow_values(
-    frames: Frames, plan: Plan, values: Sequence[OwnValue], arithmetic: Arithmetic
-) -> Motion:
-    """The motion with the student's values substituted; a value that cannot be is left out, and the
-    motion is as without it.
-
-    Raises Singular where a step determines nothing.
+def follow_values(equations: Equations, values: Sequence[OwnValue]) -> Iterator[Motion]:
+    """The motions in which the student's values are read, one for each way of going on, and for
+    each of two ways of reading a point: by the shorter chain, or by that of its body. A value that
+    cannot be put in is left out. Raises Singular where a step determines nothing.
     """
-    places = tuple(dict.fromkeys(value.place for value in values if value.place))
-    reading = read_to_follow(frames, plan, places)
-    relations = write_relations(frames, plan, reading)
-    none = {rate: 0.0 for place in places for rate in make_offsets(place)}
-    motion = Motion(frames, plan, none, none, reading)
-    equations = [relation.equations() for relation in relations]
-    solver = Unsuspecting(arithmetic)
-    sides = [relation.velocity_side() for relation in relations]
-    run = _Run(motion, "velocity", relations, equations, sides, solver)
-    motion = run.follow([value for value in values if value.level == "velocity"])
-    accelerations = [value for value in values if value.level == "acceleration"]
-    motion = _put_in_parts(motion, reading, [value for value in accelerations if value.part])
-    sides = [relation.acceleration_side(motion.rates, motion.reading) for relation in relations]
-    run = _Run(motion, "acceleration", relations, equations, sides, solver)
-    return run.follow([value for value in accelerations if not value.part])
+    velocities = [value for value in values if value.level == "velocity"]
+    accelerations = [value for value in values if value.level == "acceleration" and not value.part]
+    moved = _Ways(equations, "velocity").follow_all(equations.right, velocities)
+    for motion in islice(moved, _MOST):
+        reading = replace(equations.reading, shares=_find_shares(motion, values))
+        solved = equations.solve_accelerations(replace(motion, reading=reading))
+        ways = _Ways(equations, "acceleration").follow_all(solved, accelerations)
+        for each in islice(ways, _MOST):
+            yield each
+            yield replace(each, reading=replace(reading, shortcuts=()))
 
 
-def _put_in_parts(motion: Motion, reading: FollowedReading, values: Iterable[OwnValue]) -> Motion:
-    """The motion with the values of Coriolis and normal parts, which the velocities decide."""
-
-    def take(shares: Mapping[Share, Number]) -> Motion:
-        return replace(motion, reading=replace(reading, shares=shares))
-
-    shares: Mapping[Share, Number] = {}
+def _find_shares(motion: Motion, values: Sequence[OwnValue]) -> Mapping[Share, float]:
+    """What is taken of Coriolis and normal parts, which the velocities decide."""
+    shares = {}
     for value in values:
-        if value.part:
-            open_shares = {value.part: 1.0, **shares}
-            shares = move_to_value(take, value, open_shares, {value.part: _NEARBY})
-    return take(shares)
+        now = value.read(motion) if value.part else None
+        if value.part and now:
+            shares[value.part] = value.value / now
+    return shares
 
 
 @dataclass(frozen=True)
-class _Run:
-    """A run of a plan for velocities or accelerations, from a motion in which they are not known
-    yet; `sides` are the right-hand sides of the relations.
-    """
+class _Ways:
+    """The ways of putting values into the velocities or the accelerations of a motion."""
 
-    motion: Motion
+    equations: Equations
     level: Level
-    relations: Sequence[Relation]
-    equations: plans.Equations
-    sides: Sequence[Sequence[Number]]
-    solver: Unsuspecting
 
-    def follow(self, values: Iterable[OwnValue]) -> Motion:
-        """The motion found step by step, with each student's value substituted as soon as it is
-        determined. Raises Singular.
+    def follow_all(self, motion: Motion, values: Sequence[OwnValue]) -> Iterator[Motion]:
+        """The motions with all values that can be put in, in the order of the plan: one that
+        another follows from goes first.
         """
-        found, waiting = self._known, list(values)
-        for step in self.motion.plan.steps:
-            if step.unknowns:
-                solved = plans.solve_step(step, self.equations, self.sides, found, self.solver)
-                found = {**found, **solved}
-            motion = self._take(found)
-            ready = [value for value in waiting if value.read(motion) is not None]
-            waiting = [value for value in waiting if value not in ready]
-            for value in ready:
-                found = self._put_in(value, found, step)
-        return self._take(found)
+        if len(values) > 1:
+            values = sorted(values, key=lambda value: self._find_step(motion, value))
+        return self._follow(motion, values)
 
-    @property
-    def _known(self) -> Rates:
-        """The rates, or their changes, that are known before the first step."""
+    def _find_step(self, motion: Motion, value: OwnValue) -> int:
+        """The number of steps of the plan that determine a value."""
+        rates = self._get_rates(motion)
+        known = dict.fromkeys(self.equations.reading.offsets, 0.0)
+        for number, step in enumerate(self.equations.plan.steps):
+            if value.read(self._put(motion, known)) is not None:
+                return number
+            known |= {rate: float(rates[rate]) for rate in step.unknowns}
+        return len(self.equations.plan.steps)
+
+    def _follow(
+        self, motion: Motion, values: Sequence[OwnValue], kept: Sequence[OwnValue] = ()
+    ) -> Iterator[Motion]:
+        """The motions with all values that can be put in; `kept` are in the motion already."""
+        if not values:
+            yield motion
+            return
+        value, *rest = values
+        ways = [motion] if value.is_read(motion) else self._move(motion, value, kept)
+        for moved in ways or [motion]:
+            yield from self._follow(moved, rest, (*kept, value) if ways else kept)
+
+    def _move(self, motion: Motion, value: OwnValue, kept: Sequence[OwnValue]) -> list[Motion]:
+        """The motions with one more value, in which those before it still are."""
+        left_out = self.equations.left_out
+        ways = self._list_responses(motion, value), left_out["given"]
+        found = (list(self._move_along(motion, value, kept, responses)) for responses in ways)
+        apart = self._move_along(motion, value, kept, left_out["equal"])
+        return [*next(filter(None, found), ()), *apart]
+
+    def _list_responses(self, motion: Motion, value: OwnValue) -> Iterator[Response]:
+        """How the rates move where an equation is left out."""
+        yield from self.equations.left_out["derived"]
+        slopes = [self._find_slope(motion, value, rate) for rate in self._offsets(value)]
+        if value.place and any(slopes):
+            yield self.equations.move_point(value.place, Vector(*slopes))
         match self.level:
             case "velocity":
-                return self.motion.rates
+                yield from self.equations.poles
             case "acceleration":
-                return self.motion.changes
+                pass  # a pole is one of velocities
             case _:
                 assert_never(self.level)
 
-    def _take(self, found: Rates) -> Motion:
-        """The motion with the rates, or the changes, that are found."""
-        motion = self.motion
-        match self.level:
-            case "velocity":
-                return Motion(motion.frames, motion.plan, found, motion.changes, motion.reading)
-            case "acceleration":
-                return Motion(motion.frames, motion.plan, motion.rates, found, motion.reading)
-            case _:
-                assert_never(self.level)
+    def _offsets(self, value: OwnValue) -> Sequence[Rate]:
+        """The rates of the additions to the motion of the value's own point."""
+        return self.equations.reading.find_offsets(value.place) if value.place else ()
 
-    def _put_in(self, wanted: OwnValue, found: Rates, step: Step) -> Rates:
-        """What is found, with a student's value substituted for what the step determines it by."""
-        rate = None if self._is_given(step) else self._one_rate(wanted, found, step)
-        if rate is not None:
-            return move_to_value(self._take, wanted, found, {rate: _choose_reach(found, rate)})
-        if not wanted.place:
-            return found
-        reach = _NEARBY * max(map(abs, self._read_vector(wanted.place, found)))
-        return move_to_value(
-            self._take, wanted, found, dict.fromkeys(make_offsets(wanted.place), reach)
+    def _find_slope(self, motion: Motion, value: OwnValue, rate: Rate) -> float:
+        """How a value changes with an addition to the motion of its own point."""
+        near = self._choose_near(motion, {rate: 1.0})
+        above, below = (
+            value.read(self._take(motion, {rate: 1.0}, way)) or 0.0 for way in (near, -near)
         )
+        return (above - below) / near
 
-    def _read_vector(self, place: Place, found: Rates) -> Vector:
-        """The velocity or acceleration of a point."""
-        body, point = place
-        motion = self._take(found)
+    def _move_along(
+        self,
+        motion: Motion,
+        value: OwnValue,
+        kept: Sequence[OwnValue],
+        responses: Iterable[Response],
+    ) -> Iterator[Motion]:
+        """The motions with a value, found along each response on which it is to be had while those
+        before it are kept.
+        """
+        for response in responses:
+            move = partial(self._take, motion, response)
+            distance = value.find_distance(move, self._choose_near(motion, response))
+            if distance is not None and all(each.is_kept(move(distance)) for each in kept):
+                yield move(distance)
+
+    def _choose_near(self, motion: Motion, response: Response) -> float:
+        """A short way along a response."""
+        rates = self._get_rates(motion)
+        largest = max(abs(float(rate)) for rate in rates.values())
+        return _NEARBY * (largest or 1.0) / max(map(abs, response.values()))
+
+    def _get_rates(self, motion: Motion) -> Rates:
+        """The rates, or their changes."""
         match self.level:
             case "velocity":
-                return motion.velocity(point, body)
+                return motion.rates
             case "acceleration":
-                return motion.acceleration(point, body)
+                return motion.changes
             case _:
                 assert_never(self.level)
 
-    def _one_rate(self, wanted: OwnValue, found: Rates, step: Step) -> Rate | None:
-        """The one rate of the step that the student's value depends on; for a point only if no
-        other rate moves it.
-        """
-        if wanted.place and not self._moves_by_one(wanted.place):
-            return None
-        now = measure(wanted, self._take(found))
-        reaches = {rate: _choose_reach(found, rate) for rate in step.unknowns}
-        rates = [
-            rate
-            for rate, reach in reaches.items()
-            if abs(measure_slope(self._take, wanted, found, rate, reach)) * reach
-            > NOTHING * abs(now)
-        ]
-        if len(rates) != 1:
-            return None
-        without = measure(wanted, self._take({**found, rates[0]: 0.0})) if wanted.place else 0.0
-        return None if abs(without) > SAME * abs(now) else rates[0]
+    def _take(self, motion: Motion, response: Response, way: float) -> Motion:
+        """The motion with its rates, or their changes, some way along a response."""
+        moved = {
+            rate: number + way * response.get(rate, 0.0)
+            for rate, number in self._get_rates(motion).items()
+        }
+        return self._put(motion, moved)
 
-    def _moves_by_one(self, place: Place) -> bool:
-        """Whether one rate alone determines the motion of a point."""
-        added = make_offsets(place)
-        return sum(term.rate not in added for term in self.motion.chain(*place)) == 1
-
-    def _is_given(self, step: Step) -> bool:
-        """Whether a step only states what is given."""
-        laws = (self.relations[index].source for index in step.relations)
-        return all(law is not None and law.is_given for law in laws)
-
-
-def _choose_reach(found: Rates, rate: Rate) -> float:
-    """How far to change a rate to see what depends on it."""
-    return _NEARBY * float(abs(found[rate]) or max(map(abs, found.values())) or 1.0)
+    def _put(self, motion: Motion, rates: Rates) -> Motion:
+        """The motion with other rates, or changes of them."""
+        match self.level:
+            case "velocity":
+                return replace(motion, rates=rates)
+            case "acceleration":
+                return replace(motion, changes=rates)
+            case _:
+                assert_never(self.level)

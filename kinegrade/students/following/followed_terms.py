@@ -56,16 +56,29 @@ class Shortcut:
 class FollowedReading(Reading):
     """The terms of a motion into which a student's values can be put.
 
-    Chains use the `shortcuts`; `additions` are the terms for the additions to the motion of a
-    point, by the last term that leads there; `relative` has the relative motions that the plan
-    solves for. `shares` are those of Coriolis and normal parts that are taken; 1 where there is
-    none.
+    Chains use the `shortcuts`; `offsets` are the rates of the additions to the motion of a point,
+    by the last term that leads there, and `ends` that term by place; `relative` has the relative
+    motions that the plan solves for. `shares` are those of Coriolis and normal parts that are
+    taken; 1 where there is none.
     """
 
     shortcuts: tuple[Shortcut, ...]
+    ends: Mapping[Place, Sign]
     additions: Mapping[Sign, Chain]
     relative: Mapping[tuple[str, str], Term]
     shares: Mapping[Share, Number]
+
+    @property
+    def offsets(self) -> tuple[Rate, ...]:
+        """The rates of all additions."""
+        return tuple(term.rate for chain in self.additions.values() for term in chain)
+
+    def find_offsets(self, place: Place) -> tuple[Rate, ...]:
+        """The rates of the additions to the two components of a point's motion; none for a point
+        that has no additions.
+        """
+        end = self.ends.get(place)
+        return () if end is None else tuple(term.rate for term in self.additions[end])
 
     def chain(self, chain: Chain) -> Chain:
         """The terms after all shortcuts, with the additions."""
@@ -82,6 +95,8 @@ class FollowedReading(Reading):
     def relation_at(self, step: int, relation: Relation) -> Relation:
         """A relation as it is written at a step, with the shortcuts that earlier steps give."""
         cuts = [cut for cut in self.shortcuts if cut.step < step]
+        if relation.along is not None:
+            return relation  # what is given of a motion is given of its own term
         left, right = (self._add(_shorten(side, cuts)) for side in (relation.left, relation.right))
         if left is relation.left and right is relation.right:
             return relation
@@ -105,11 +120,10 @@ def read_to_follow(frames: Frames, plan: Plan, places: Sequence[Place]) -> Follo
     `places`.
     """
     shortcuts = tuple(_find_shortcuts(frames, plan))
-    ends = {place: _shorten(frames.chain(*place), shortcuts) for place in places}
-    additions = {
-        _make_sign(chain[-1]): _make_additions(place) for place, chain in ends.items() if chain
-    }
-    return FollowedReading(shortcuts, additions, find_relative_terms(frames), {})
+    chains = {place: _shorten(frames.chain(*place), shortcuts) for place in places}
+    ends = {place: _make_sign(chain[-1]) for place, chain in chains.items() if chain}
+    additions = {sign: _make_additions(place) for place, sign in ends.items()}
+    return FollowedReading(shortcuts, ends, additions, find_relative_terms(frames), {})
 
 
 def write_relations(frames: Frames, plan: Plan, reading: FollowedReading) -> list[Relation]:
