@@ -4,7 +4,8 @@ The equations of a mechanism determine all of its rates; a student's value contr
 them is left out then, and all others hold: which one is open. A vector equation is left out in one
 direction, as if it had been projected across it: the direction of an unknown term, the one across
 it, or an axis. That a base point moves as the step before found it is an equation too; without it
-a body turns about its pole, faster or more slowly.
+a body turns about its pole, faster or more slowly. So is what is given: without it all velocities
+keep their proportions, which students read off a figure with poles.
 
 Equations are linear in the rates, so that without one of them all rates move along a straight line.
 """
@@ -14,7 +15,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
 
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.frames import Frames
@@ -36,11 +36,6 @@ from kinegrade.students.unsuspecting import Unsuspecting
 _SAME = 1e-9  # relative: what differs by less is the same direction
 _AXES = (Vector(1.0, 0.0), Vector(0.0, 1.0))
 Response = Mapping[Rate, float]  # how fast each rate moves
-_Standing = Literal[
-    "derived",
-    "equal",  # two rotations that are one: an own value is another value of both, or of one
-    "given",  # nobody contradicts what is given, unless a value follows from nothing else
-]
 _Sides = Sequence[Sequence[Number]]
 
 
@@ -85,27 +80,17 @@ class Equations:
         return found
 
     @cached_property
-    def left_out(self) -> Mapping[_Standing, tuple[Response, ...]]:
+    def left_out(self) -> tuple[Response, ...]:
         """How the rates move where a relation is left out, for velocities and accelerations."""
-        found: dict[_Standing, list[Rates]] = {"derived": [], "equal": [], "given": []}
+        return _drop_alike(self._leave_out())
+
+    def _leave_out(self) -> Iterator[Rates]:
+        """For each relation and each of its directions."""
         none: list[list[Number]] = [[0.0] * len(rows) for rows in self._rows]
         for step in self.plan.steps:
             for index in step.relations if step.unknowns else ():
                 for side in self._find_directions(index, step):
-                    moved = self._solve([*none[:index], side, *none[index + 1 :]])
-                    found[self._find_standing(index, step)].append(moved)
-        return {standing: _drop_alike(responses) for standing, responses in found.items()}
-
-    def _find_standing(self, index: int, step: Step) -> _Standing:
-        """What a relation is to a student. One that is solved together with others, like a
-        relative rotation that is given, is derived from.
-        """
-        source = self.relations[index].source
-        if source is None or len(step.relations) > 1:
-            return "derived"
-        if source.is_given:
-            return "given"
-        return "equal" if source.keeps_parallel else "derived"
+                    yield self._solve([*none[:index], side, *none[index + 1 :]])
 
     def _find_directions(self, index: int, step: Step) -> Iterable[Sequence[float]]:
         """The right-hand sides with which a relation may be left out."""

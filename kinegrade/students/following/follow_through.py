@@ -89,8 +89,10 @@ class Follower:
             for name, value in earlier.items()
             if value and name != later and abs(self.right(name) or 0.0) > SAME
         }
-        if not answers or right is None:
+        if right is None or not answers:
             return ()
+        if all(self._is_right(name, value) for name, value in answers.items()):
+            return (right,)
         found: list[float] = []
         for motion in self._keep_motions(tuple(answers.items())):
             value = self.read(self.template.asks[later], motion)
@@ -99,6 +101,11 @@ class Follower:
                 if nearest > SAME * max(abs(value), abs(right), _LEAST):
                     found.append(value)
         return tuple(found)
+
+    def _is_right(self, name: str, value: float) -> bool:
+        """Whether a student's answer is exactly the right one."""
+        right = self.right(name)
+        return right is not None and abs(value - right) <= SAME * abs(right)
 
     def right(self, name: str) -> float | None:
         """The right answer of an ask, in its unit; None where there is none."""

@@ -9,7 +9,7 @@ the student has it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import islice
@@ -93,15 +93,15 @@ class _Ways:
 
     def _move(self, motion: Motion, value: OwnValue, kept: Sequence[OwnValue]) -> list[Motion]:
         """The motions with one more value, in which those before it still are."""
-        left_out = self.equations.left_out
-        ways = self._list_responses(motion, value), left_out["given"]
-        found = (list(self._move_along(motion, value, kept, responses)) for responses in ways)
-        apart = self._move_along(motion, value, kept, left_out["equal"])
-        return [*next(filter(None, found), ()), *apart]
+        moved = [
+            self._move_along(motion, value, response)
+            for response in self._list_responses(motion, value)
+        ]
+        return [each for each in moved if each and all(old.is_kept(each) for old in kept)]
 
     def _list_responses(self, motion: Motion, value: OwnValue) -> Iterator[Response]:
         """How the rates move where an equation is left out."""
-        yield from self.equations.left_out["derived"]
+        yield from self.equations.left_out
         slopes = [self._find_slope(motion, value, rate) for rate in self._offsets(value)]
         if value.place and any(slopes):
             yield self.equations.move_point(value.place, Vector(*slopes))
@@ -125,21 +125,11 @@ class _Ways:
         )
         return (above - below) / near
 
-    def _move_along(
-        self,
-        motion: Motion,
-        value: OwnValue,
-        kept: Sequence[OwnValue],
-        responses: Iterable[Response],
-    ) -> Iterator[Motion]:
-        """The motions with a value, found along each response on which it is to be had while those
-        before it are kept.
-        """
-        for response in responses:
-            move = partial(self._take, motion, response)
-            distance = value.find_distance(move, self._choose_near(motion, response))
-            if distance is not None and all(each.is_kept(move(distance)) for each in kept):
-                yield move(distance)
+    def _move_along(self, motion: Motion, value: OwnValue, response: Response) -> Motion | None:
+        """The motion with a value, found along a response; None where it is not to be had there."""
+        move = partial(self._take, motion, response)
+        distance = value.find_distance(move, self._choose_near(motion, response))
+        return None if distance is None else move(distance)
 
     def _choose_near(self, motion: Motion, response: Response) -> float:
         """A short way along a response."""

@@ -69,7 +69,7 @@ class OwnLengths:
         across = arm.x if axis == "x" else arm.y
         if abs(across) > _AT_POLE:
             share = 1 + (moved - pole).dot(Vector(1, 1)) / across
-            yield [self._own_rotation(body, 1 / share)]
+            yield from self._scale(body, base, share)
         yield from self._turn_about(body, pole, moved)
 
     def _turn_about(self, body: str, pole: Vector, moved: Vector) -> Iterator[Sequence[OwnValue]]:
@@ -97,7 +97,7 @@ class OwnLengths:
 
     def _scale(self, body: str, point: str, share: float) -> Iterator[Sequence[OwnValue]]:
         """A distance from the pole, taken `share` times too long."""
-        if share:
+        if abs(share) > _REST:
             yield [self._own_rotation(body, 1 / share)]
             yield [self._own_velocity(body, point, share)]
 
