@@ -1,13 +1,11 @@
-"""Dealing a question: place 0 of a class gets the first good combination of the deck, place 1 the
-second, and so on.
+"""Looking for the good combinations of a question: the first of its deck, one for each place of a
+class, and some to spare where papers have to be made alike.
 
-What a place gets depends on the deck and on the place only: not on how many places there are, nor
-on what the others got.
+Which combinations are found first depends on the deck only: not on how many places there are.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -48,37 +46,41 @@ Look = Callable[
 class Deal:
     """A question as far as its deck of `size` combinations was looked at for `places` places.
 
-    `verdicts` are those of the filter, position by position.
+    `verdicts` are those of the filter, position by position; `spare` good combinations are looked
+    for beyond one for each place.
     """
 
     size: int
     places: int
     verdicts: Verdicts = ()
+    spare: int = 0
 
-    def position(self, place: int) -> int:
-        """The position in the deck of what a place gets.
+    @cached_property
+    def positions(self) -> Sequence[int]:
+        """The positions of the good combinations."""
+        return [position for position, verdict in enumerate(self.verdicts) if verdict is None]
 
-        Good combinations among the first LOOKS for this place and LOOKS for each before it are
-        dealt; if there are fewer of them than places, they are dealt again from the first.
-        """
-        return self._good[place % self._found(place)]
+    @property
+    def wanted(self) -> int:
+        """How many good combinations are looked for."""
+        return self.places + self.spare
 
     @property
     def good(self) -> int:
         """How many different combinations are dealt: one for each place while they last."""
-        return min(len(self._good), self.places)
+        return min(len(self.positions), self.places)
 
     @property
     def refused(self) -> dict[Reason, int]:
         """By reason how many combinations were refused until each place had one."""
-        looked = self._good[self.places - 1] + 1 if self.lasting else self.bound
+        looked = self.positions[self.places - 1] + 1 if self.lasting else self.bound
         reasons = (reason for reason in self.verdicts[:looked] if reason is not None)
         return dict(sorted(Counter[Reason](reasons).items()))
 
     @property
     def lasting(self) -> bool:
         """Whether there is a combination for each place."""
-        return len(self._good) >= self.places
+        return len(self.positions) >= self.places
 
     def shortage(self, name: str, whose: Whose) -> Fault:
         """The complaint that there are too few; `whose` says what the places are."""
@@ -97,21 +99,22 @@ class Deal:
 
     @property
     def hopeless(self) -> bool:
-        """Whether there is none for the first place, and therefore none for any."""
-        return len(self.verdicts) >= self._bound(0) and not self._found(0)
+        """Whether as many as may be looked at for one place were, and none is good."""
+        return not self.positions and len(self.verdicts) >= min(self.size, LOOKS)
 
     @property
     def bound(self) -> int:
         """How many combinations are looked at, at most."""
-        return self._bound(self.places - 1)
+        return min(self.size, LOOKS * self.places)
 
     def further(self) -> range:
         """The positions to look at next, none if no more are needed: as many as are likely to be
         needed, but no more at a time than before, so that a hopeless deck is recognised early.
         """
         looked = len(self.verdicts)
-        missing = max(self.places - len(self._good), 0)
-        likely = ceil(missing * (looked + 1) / (len(self._good) + 1))
+        found = len(self.positions)
+        missing = max(self.wanted - found, 0)
+        likely = ceil(missing * (looked + 1) / (found + 1))
         most = LOOKS - looked if looked < LOOKS else looked
         return range(looked, min(looked + min(likely, most), self.bound))
 
@@ -119,26 +122,22 @@ class Deal:
         """The same deal with the verdicts on the positions that follow."""
         return replace(self, verdicts=self.verdicts + verdicts)
 
-    @cached_property
-    def _good(self) -> Sequence[int]:
-        """The positions of the good combinations."""
-        return [position for position, verdict in enumerate(self.verdicts) if verdict is None]
-
-    def _found(self, place: int) -> int:
-        """How many good combinations there are within the bound of a place."""
-        return bisect_left(self._good, self._bound(place))
-
-    def _bound(self, place: int) -> int:
-        """The position at which looking for a place ends."""
-        return min(self.size, LOOKS * (place + 1))
-
 
 def deal(filters: Mapping[str, DrawFilter], places: int, look: Look) -> dict[str, Deal]:
     """The questions dealt to so many places, one or more; `look` asks the filters.
 
     Raises DrawError with every question of which no combination is good.
     """
-    deals = {name: Deal(each.deck.size, places) for name, each in filters.items()}
+    return look_further(
+        filters, {name: Deal(each.deck.size, places) for name, each in filters.items()}, look
+    )
+
+
+def look_further(
+    filters: Mapping[str, DrawFilter], begun: Mapping[str, Deal], look: Look
+) -> dict[str, Deal]:
+    """Deals that were begun, looked at as far as they need. Raises as `deal`."""
+    deals = dict(begun)
     while parts := [part for name, each in deals.items() for part in _split(name, each.further())]:
         for part, verdicts in zip(parts, look(parts), strict=True):
             deals[part.question] = deals[part.question].looked(verdicts)

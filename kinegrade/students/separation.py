@@ -2,8 +2,8 @@
 right answer.
 
 Decided in doubles for many instances at once. A mistaken value is too near when it, written to
-three significant figures, might be taken for right; the margin of half a unit of the third figure
-also keeps rounding in doubles from deciding anything. What most instances of a question cannot
+the significant figures that are carried, might be taken for right; the margin of half a unit of the
+last figure also keeps rounding in doubles from deciding anything. What most instances of a question cannot
 distinguish (a term that is identically zero there) is required of none of them.
 """
 
@@ -29,7 +29,6 @@ from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.rounding.bounds import find_error_bounds
 from kinegrade.students.written_mistakes import list_answer_factors
 
-_WRITTEN = 0.005  # relative: what three significant figures may be off
 _HALF = 0.5  # share of instances above which a mistake is inseparable from the truth
 # The same for one given misread: there are many of these, and a mirrored figure hides some
 _TENTH = 0.1
@@ -50,12 +49,14 @@ class Comparison:
     """Instances held against what mistakes lead to: for every ask a row for each mistake, by
     `identifiers`.
 
-    `near` marks where a mistaken value might be taken for right, `changed` where it is another
-    value at all; `fit` marks the instances that may be drawn, as far as doubles can decide.
-    `bounds` are those of honest rounding, in the asks' units.
+    `right` has every ask's right answers, in its unit; `near` marks where a mistaken value might be
+    taken for right, `changed` where it is another value at all; `fit` marks the instances that may
+    be drawn, as far as doubles can decide. `bounds` are those of honest rounding, in the asks'
+    units.
     """
 
     identifiers: Mapping[str, tuple[str, ...]]
+    right: Mapping[str, Any]
     near: Mapping[str, Any]
     changed: Mapping[str, Any]
     fit: Any
@@ -93,23 +94,25 @@ class Separation:
         found = find_outcomes(self.template, self.asks, self.mistakes, arrays, self.plan)
         carry = self.accuracy.carry
         bounds = find_error_bounds(self.template, self.asks, arrays, self.plan, carry)
+        written_share = 0.5 * 10.0 ** (1 - carry)
         identifiers, near, changed = {}, {}, {}
         for name, ask in self.asks.items():
             written = list_answer_factors(ask)
-            right, *wrong = found.answers[name]
-            wrong += [right * float(factor) for factor in written.values()]
+            truth, *wrong = found.answers[name]
+            wrong += [truth * float(factor) for factor in written.values()]
             identifiers[name] = (*(mistake.label for mistake in self.mistakes), *written)
-            room = self.room(name, right, found, bounds[name])
+            room = self.room(name, truth, found, bounds[name])
             with np.errstate(all="ignore"):
                 near[name] = np.array(
                     [
-                        measure_distance(one, right, ask) <= room + _WRITTEN * np.abs(one)
+                        measure_distance(one, truth, ask) <= room + _WRITTEN * np.abs(one)
                         for one in wrong
                     ]
                 )
-                changed[name] = np.array([_is_different(one, right) for one in wrong])
-            near[name][len(self.mistakes) :] &= right != 0  # zero has no sense and no decimal point
-        return Comparison(identifiers, near, changed, self.fit(found, arrays), bounds)
+                changed[name] = np.array([_is_different(one, truth) for one in wrong])
+            near[name][len(self.mistakes) :] &= truth != 0  # zero has no sense and no decimal point
+        right = {name: rows[0] for name, rows in found.answers.items()}
+        return Comparison(identifiers, right, near, changed, self.fit(found, arrays), bounds)
 
     def inseparable(self) -> dict[str, tuple[str, ...]]:
         """For each ask the mistakes that the sample cannot distinguish from the truth.

@@ -1,5 +1,5 @@
-"""Filter, then deal: what a place gets depends on the deck and the place only, and no two places
-are alike while combinations last.
+"""Filter, then deal: the good combinations that are found first depend on the deck only, and there
+is one for each place while combinations last.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.draws.deal import LOOKS, PART, Deal, deal, look_here
+from kinegrade.draws.deal import LOOKS, PART, Deal, deal, look_further, look_here
 from kinegrade.draws.draw_filter import DrawFilter, Verdict
 from kinegrade.errors import DrawError
 from kinegrade.problem.template.library.library import load_template
@@ -26,10 +26,6 @@ ONE_TO_SIXTY = tuple(map(str, range(1, 61)))
 
 def cranks(**fixed: tuple[str, ...]) -> DrawFilter:
     return draw_filter(crank(), fixed=fixed, asks=("v_x",))
-
-
-def positions(each: Deal) -> list[int]:
-    return [each.position(place) for place in range(each.places)]
 
 
 def of(verdicts: list[bool], places: int) -> Deal:
@@ -58,26 +54,24 @@ def test_parts_of_a_shipped_template_are_the_whole(name: str) -> None:
 
 
 @given(st.lists(st.booleans(), min_size=1, max_size=50), st.integers(1, 70))
-def test_no_two_places_are_alike_while_combinations_last(good: list[bool], places: int) -> None:
+def test_there_is_one_for_each_place_while_they_last(good: list[bool], places: int) -> None:
     good[0] = True
     each = of(good, places)
-    counts = Counter(positions(each))
     assert each.lasting == (sum(good) >= places)
-    assert len(counts) == each.good == min(sum(good), places)
-    assert max(counts.values()) - min(counts.values()) <= 1
-    assert all(good[position] for position in counts)
+    assert each.good == min(sum(good), places)
+    assert each.positions == [place for place, fit in enumerate(good) if fit]
 
 
 @given(st.lists(st.integers(1, 900), min_size=1, max_size=8), st.integers(1, 10), st.data())
-def test_what_a_place_gets_does_not_depend_on_how_many_there_are(
+def test_what_is_found_first_does_not_depend_on_how_many_places_there_are(
     gaps: list[int], places: int, data: st.DataObject
 ) -> None:
     good = [False] * 4000
     good[0] = True
     for place in range(len(gaps)):
         good[min(sum(gaps[: place + 1]), 3999)] = True
-    fewer = data.draw(st.integers(1, places))
-    assert positions(of(good, places))[:fewer] == positions(of(good, fewer))
+    few, many = of(good, data.draw(st.integers(1, places))), of(good, places)
+    assert many.positions[: len(few.positions)] == few.positions
 
 
 @pytest.mark.parametrize("places", [1, 5, PART, 3 * PART + 1])
@@ -86,7 +80,7 @@ def test_a_deal_looks_at_no_more_than_it_needs_to_count(places: int) -> None:
     verdicts = template.verdicts(range(template.deck.size))
     found = dealt(template, places)
     good = [place for place, verdict in enumerate(verdicts) if verdict is None]
-    assert positions(found) == good[:places]
+    assert found.positions[:places] == good[:places]
     refused = Counter(map(str, filter(None, verdicts[: good[places - 1] + 1])))
     assert found.refused == dict(sorted(refused.items()))
 
@@ -99,10 +93,10 @@ def test_what_a_place_gets_is_good_and_solved() -> None:
         assert list(one.solution.answers) == ["v_x"]
 
 
-def test_a_shortage_is_dealt_round_and_said() -> None:
+def test_a_shortage_is_said() -> None:
     found = dealt(cranks(**FEW), 30)
     assert (found.size, found.good, found.lasting, found.refused) == (12, 12, False, {})
-    assert positions(found) == [place % 12 for place in range(30)]
+    assert found.positions == [*range(12)]
     assert said(found.shortage("q1 (crank)", "students")) == (
         "q1 (crank): 12 of the 12 combinations of values are fit for 30 students, so some have the "
         "same numbers - expected one for each - widen the domains"
@@ -113,8 +107,7 @@ def test_looking_for_a_place_ends_at_a_bound() -> None:
     good = [False] * 2000
     good[10] = good[1500] = True
     three, four = of(good, 3), of(good, 4)
-    assert positions(three) == [10, 10, 10]
-    assert positions(four) == [10, 10, 10, 1500]
+    assert (three.positions, four.positions) == ([10], [10, 1500])
     assert (three.good, said(three.looked_at())) == (
         1,
         "the first 1200 of the 2000 combinations of values",
@@ -144,6 +137,16 @@ def test_where_nothing_is_good_every_question_is_named_before_long() -> None:
         "q3 (crank): none of the 2 combinations of values is fit for students "
         "(condition 1, mechanism 1) - expected one for each student - widen the domains",
     )
+
+
+def test_a_deal_is_looked_at_further_from_where_it_ended() -> None:
+    filters = {"q1": cranks(r=("1", "2"), h=("1/2", "1", "2"), omega=ONE_TO_SIXTY)}
+    look = partial(look_here, filters)
+    begun = deal(filters, 5, look)["q1"]
+    further = look_further(filters, {"q1": replace(begun, spare=20)}, look)["q1"]
+    assert further.verdicts[: len(begun.verdicts)] == begun.verdicts
+    assert len(further.positions) >= 25 == further.wanted
+    assert (further.good, further.refused) == (begun.good, begun.refused)
 
 
 def test_what_four_decimals_do_not_hold_is_refused_where_no_more_are_kept() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,7 +16,7 @@ from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.roster.roster import Roster, Student
-from kinegrade.exam.setting.dealing import deal_exam
+from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.key_record import make_key_line
 from kinegrade.exam.setting.setting import set_paper
 from kinegrade.problem.solving import solve_template
@@ -156,12 +157,15 @@ def test_a_paper_is_set_alone_as_in_its_class(bank: Bank) -> None:
     assert alone == together
 
 
-def test_a_place_gets_the_same_whoever_has_it(bank: Bank) -> None:
-    one = deal_exam(bank, roster("x", *CLASS), FromWords("spring"))
-    other = deal_exam(bank, roster("somebody else"), FromWords("spring"))
-    (alone,) = (other.dealt(each) for each in other.roster.students)
-    first = next(each for each in one.roster.students if one.places[each.student] == 0)
-    assert alone.values == one.dealt(first).values
+def test_the_places_of_a_class_get_the_same_whoever_has_them(bank: Bank) -> None:
+    one = deal_exam(bank, roster(*CLASS), FromWords("spring"))
+    other = deal_exam(bank, roster(*(f"other{each}" for each in CLASS)), FromWords("spring"))
+    assert by_place(one) == by_place(other)
+
+
+def by_place(dealt: ClassDeal) -> dict[int, tuple[Mapping[str, str], ...]]:
+    papers = (dealt.dealt(student) for student in dealt.roster.students)
+    return {paper.place: paper.values for paper in papers}
 
 
 @pytest.mark.parametrize("start", ["fork", "spawn"])

@@ -9,6 +9,7 @@ import pytest
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.relations import PLAIN, Reading, Term
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.doubles import Doubles
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.students.following.departures import state_equations

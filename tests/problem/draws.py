@@ -32,7 +32,7 @@ def dealt(draws: DrawFilter, places: int) -> Deal:
 
 
 def drawn(draws: DrawFilter, places: int) -> list[Drawn]:
-    """What each place gets, solved."""
-    found = dealt(draws, places)
-    values = [draws.deck.combination(found.position(place)) for place in range(places)]
+    """The first good combinations, solved; from the first again where there are too few."""
+    good = dealt(draws, places).positions
+    values = [draws.deck.combination(good[place % len(good)]) for place in range(places)]
     return [Drawn(each, draws.solved(each)) for each in values]

@@ -292,7 +292,7 @@ def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None
             )
             low, high = allowed.interval(Fraction(answer.value))
             for mistake, value in answer.mistakes.items():
-                typed = Fraction(f"{value:.3g}") if isfinite(value) else Fraction(0)
+                typed = Fraction(f"{value:.4g}") if isfinite(value) else Fraction(0)
                 assert (
                     mistake in inseparable[ask]
                     or not low <= typed <= high

@@ -119,8 +119,8 @@ def _draw_figures(
     figures: list[GalleryFigure] = []
     try:
         dealt = deal(filters, draws, partial(look_here, filters))["gallery"]
-        for place in range(dealt.good):
-            values = deck.combination(dealt.position(place))
+        for position in dealt.positions[:draws]:
+            values = deck.combination(position)
             figures.append(_draw_figure(filters["gallery"].solved(values), language))
     except KinegradeError as error:
         return tuple(figures), _write_faults(error, language)

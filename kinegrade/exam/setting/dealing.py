@@ -1,7 +1,7 @@
 """Dealing an exam to a class: who has which place, and what each place gets.
 
-`deal_exam` looks for as many good combinations of every question as there are places; after that
-`ClassDeal` says what anyone was dealt, and nothing is searched.
+`deal_exam` looks for as many good combinations of every question as there are places, or more, and
+deals them alike; after that `ClassDeal` says what anyone was dealt, and nothing is searched.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from functools import partial
 from itertools import count
 from types import MappingProxyType
 
-from kinegrade.draws.deal import Deal, DeckPart, Look, Verdicts, Whose, deal, look_here
+from kinegrade.draws.deal import Deal, DeckPart, Look, Verdicts, Whose, look_here
 from kinegrade.draws.deck import Combination
 from kinegrade.draws.examining import Reason
 from kinegrade.draws.keyed_order import address
@@ -22,7 +22,7 @@ from kinegrade.exam.bank.versions import choose_version, list_version_letters
 from kinegrade.exam.folder.exam_secret import ExamSecret
 from kinegrade.exam.folder.records import KeyLine
 from kinegrade.exam.roster.roster import Roster, Student
-from kinegrade.exam.setting.kept_deal import deal_values
+from kinegrade.exam.setting.alike_deal import deal_alike
 from kinegrade.exam.setting.paper_codes import make_paper_codes
 from kinegrade.exam.setting.places import assign_places
 from kinegrade.exam.setting.setting import DealtPaper, Exam, SetPaper, set_paper
@@ -133,18 +133,10 @@ def deal_exam(
         for whose, paper in kept.items()
     }
     look = _look_by(workers, shared) if workers else partial(look_here, exam.filters)
-    deals = deal(exam.filters, max(units.values()) + 1, look)
-    values = {
-        name: deal_values(
-            each.deck,
-            deals[name],
-            units,
-            {whose: drawn[name] for whose, drawn in stated.items() if name in drawn},
-        )
-        for name, each in exam.filters.items()
-    }
+    dealt = deal_alike(exam, units, stated, look)
     codes = make_paper_codes(secret.coding, places)
-    return ClassDeal(shared, roster, secret, places, codes, versions, deals, values)
+    deals = {name: pool.deal for name, pool in dealt.pools.items()}
+    return ClassDeal(shared, roster, secret, places, codes, versions, deals, dealt.values)
 
 
 def _assign_places(roster: Roster, secret: str, kept: Mapping[str, KeyLine]) -> dict[str, int]:

@@ -7,33 +7,23 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import suppress
 
-from kinegrade.draws.deal import Deal
 from kinegrade.draws.deck import Combination, Deck
 from kinegrade.errors import ExpressionError
 from kinegrade.problem.template.domain import find_digits
 
+Stated = Mapping[str, Mapping[str, Mapping[str, str]]]  # by paper and question the values it has
 
-def deal_values(
-    deck: Deck, deal: Deal, places: Mapping[str, int], stated: Mapping[str, Mapping[str, str]]
-) -> dict[str, Combination]:
-    """The values that each student, or version, gets for a question, by place; `stated` holds those
-    that some have already.
 
-    Those keep them as long as they are in the deck's domains. If these are not what their places
-    would get, the others get combinations that no one has yet, while these last.
+def find_kept(deck: Deck, stated: Stated, question: str) -> dict[str, Combination]:
+    """The combinations of a question that papers keep: the values stated for them, as long as they
+    are in the deck's domains.
     """
-    dealt = {whose: deck.combination(deal.position(place)) for whose, place in places.items()}
-    kept = {
-        whose: values
-        for whose, texts in stated.items()
-        if whose in dealt and (values := _find_combination(deck, texts)) is not None
+    found = {
+        paper: _find_combination(deck, drawn[question])
+        for paper, drawn in stated.items()
+        if question in drawn
     }
-    if all(dealt[whose] == values for whose, values in kept.items()):
-        return dealt
-    taken = {tuple(values.values()) for values in kept.values()}
-    good = (deck.combination(deal.position(place)) for place in range(deal.good))
-    free = (values for values in good if tuple(values.values()) not in taken)
-    return {whose: kept.get(whose) or next(free, values) for whose, values in dealt.items()}
+    return {paper: values for paper, values in found.items() if values is not None}
 
 
 def _find_combination(deck: Deck, texts: Mapping[str, str]) -> Combination | None:

@@ -1,0 +1,147 @@
+"""Dealing the questions of an exam so that its papers are alike hard.
+
+A student, or version, that has a paper keeps its numbers. The others get combinations that no one
+has yet, while these last, such that the predicted sums of all papers differ little. Where those
+that were looked at do not serve, more of a deck is looked at.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from kinegrade.draws.alike import Candidates, make_alike, order_by_use
+from kinegrade.draws.deal import Deal, Look, deal, look_further
+from kinegrade.draws.deck import Combination, Deck
+from kinegrade.exam.setting.difficulties import find_difficulty
+from kinegrade.exam.setting.kept_deal import Stated, find_kept
+from kinegrade.exam.setting.setting import Exam
+
+SHARE_LEFT = 0.15  # of the standard deviation of papers dealt in the order of the decks
+_NEGLIGIBLE = 1e-9  # squared points
+_MOST_SPARE = 4  # combinations for each that is dealt ...
+_SPARE_FOR_FEW = 8  # ... and so many more
+
+Predict = Callable[[Sequence[Combination]], Any]
+
+
+@dataclass(frozen=True)
+class Pool:
+    """What a question offers to `papers`: the values that some keep, and the good combinations that
+    its `deal` found in its `deck`. `predict` gives difficulties, in points.
+    """
+
+    papers: Sequence[str]
+    deck: Deck
+    predict: Predict
+    kept: Mapping[str, Combination]
+    deal: Deal
+
+    @cached_property
+    def free(self) -> Any:
+        """The numbers of the papers without values yet."""
+        return np.flatnonzero([paper not in self.kept for paper in self.papers])
+
+    @cached_property
+    def combinations(self) -> list[Combination]:
+        """For each paper what it keeps or may get, then those to spare."""
+        good = [self.deck.combination(at) for at in self.deal.positions[: self.deal.wanted]]
+        held = Counter(tuple(values.values()) for values in self.kept.values())
+        used = [held[tuple(values.values())] for values in good]
+        dealt, spare = order_by_use(used, len(self.free))
+        given = {self.papers[place]: good[at] for place, at in zip(self.free, dealt, strict=True)}
+        own = {**self.kept, **given}
+        return [*(own[paper] for paper in self.papers), *(good[number] for number in spare)]
+
+    @cached_property
+    def candidates(self) -> Candidates:
+        """The combinations by their difficulties."""
+        return Candidates(self.predict(self.combinations), self.free)
+
+    @property
+    def variance(self) -> float:
+        """The variance of the difficulty as the deck would deal it, in squared points."""
+        return float(np.var(self.candidates.predicted[: len(self.papers)]))
+
+    @property
+    def more(self) -> int:
+        """How many more good combinations to look for, 0 where there can be no more."""
+        enough = _MOST_SPARE * len(self.free) + _SPARE_FOR_FEW
+        if len(self.deal.positions) < self.deal.wanted or self.deal.spare >= enough:
+            return 0
+        return min(max(len(self.free) // 2, _SPARE_FOR_FEW), enough - self.deal.spare)
+
+
+@dataclass(frozen=True)
+class AlikeDeal:
+    """Papers dealt from the pools of questions."""
+
+    papers: Sequence[str]
+    pools: Mapping[str, Pool]
+
+    @property
+    def values(self) -> dict[str, dict[str, Combination]]:
+        """For each question what everyone gets, by paper."""
+        numbers, _ = self._dealt
+        return {
+            name: {
+                paper: pool.combinations[number]
+                for paper, number in zip(self.papers, given, strict=True)
+            }
+            for (name, pool), given in zip(self.pools.items(), numbers, strict=True)
+        }
+
+    @property
+    def alike(self) -> bool:
+        """Whether the sums of the papers that are dealt differ little from the mean of all."""
+        _, sums = self._dealt
+        dealt = np.unique(np.concatenate([pool.free for pool in self.pools.values()]))
+        left = float(np.square(sums[dealt] - sums.mean()).sum()) / max(len(dealt), 1)
+        naive = sum(pool.variance for pool in self.pools.values())
+        return left <= SHARE_LEFT**2 * naive + _NEGLIGIBLE
+
+    def widest(self) -> str | None:
+        """The question that differs most of those of which more can be looked at, None if there
+        are none.
+        """
+        able = [name for name, pool in self.pools.items() if pool.more]
+        return max(able, key=lambda name: self.pools[name].variance, default=None)
+
+    def widened(self, name: str, exam: Exam, look: Look) -> AlikeDeal:
+        """The deal with more of a question's deck looked at."""
+        pool = self.pools[name]
+        begun = replace(pool.deal, spare=pool.deal.spare + pool.more)
+        further = look_further(exam.filters, {name: begun}, look)
+        return replace(self, pools={**self.pools, name: replace(pool, deal=further[name])})
+
+    @cached_property
+    def _dealt(self) -> tuple[list[Any], Any]:
+        pools = [pool.candidates for pool in self.pools.values()]
+        return make_alike(pools, len(self.papers))
+
+
+def deal_alike(exam: Exam, places: Mapping[str, int], stated: Stated, look: Look) -> AlikeDeal:
+    """An exam dealt to papers, or versions, by place; `stated` is what some of them have already.
+
+    Raises DrawError for questions of which no combination is good.
+    """
+    papers = tuple(places)
+    pools = {
+        name: Pool(
+            papers,
+            exam.filters[name].deck,
+            find_difficulty(exam, name).predict,
+            find_kept(exam.filters[name].deck, stated, name),
+            found,
+        )
+        for name, found in deal(exam.filters, max(places.values()) + 1, look).items()
+    }
+    dealt = AlikeDeal(papers, pools)
+    while not dealt.alike and (name := dealt.widest()) is not None:
+        dealt = dealt.widened(name, exam, look)
+    return dealt
