@@ -23,6 +23,7 @@ from kinegrade.draws.examining import (
     require_room,
     solve_sensible,
 )
+from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.problem.solution import Solution
@@ -94,6 +95,9 @@ class DrawFilter:
             examined = require_room(solution, self.accuracy, bounds)
         except Refused as refusal:
             return refusal
+        zero = self._find_zero_by_chance(solution)
+        if zero:
+            return Refused("degenerate", Message("template.is-zero", ask=zero), zero)
         fine = self.four_decimals and find_too_fine(examined)
         if fine:
             return Refused("decimals", name_reason("decimals"), fine)
@@ -137,6 +141,14 @@ class DrawFilter:
         arrays = convert_parameters(self.template, collect_columns([values]))
         found = find_error_bounds(self.template, asks, arrays, self.plan, self.carry)
         return {name: float(row[0]) for name, row in found.items()}
+
+    def _find_zero_by_chance(self, solution: Solution) -> str:
+        """The first ask whose answer is zero here and not in all draws, which would be easier than
+        the others; "" where there is none.
+        """
+        always = self.separation.zero if self.separation else frozenset()
+        zero = (name for name, answer in solution.answers.items() if answer.is_zero)
+        return next((name for name in zero if name not in always), "")
 
     @cached_property
     def separation(self) -> Separation | None:

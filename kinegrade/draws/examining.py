@@ -36,7 +36,7 @@ Reason = Literal[
     "condition",
     #: The mechanism cannot be assembled, or is at a dead point.
     "mechanism",
-    #: An answer is zero that should not be.
+    #: An answer is zero that should not be, or is not in other draws.
     "degenerate",
     #: An answer is too large or too small to be asked for.
     "absurd",

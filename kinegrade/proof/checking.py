@@ -15,6 +15,7 @@ from kinegrade.draws.examining import Examined, Refused
 from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY
 from kinegrade.problem.holding import choose_wording, condition_holds
+from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement import find_statement_faults
 from kinegrade.problem.template.template import Template
@@ -30,6 +31,8 @@ from kinegrade.students.rounding.accuracy import WIDEST
 _FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
 _TEXTS_TRIED = 1000  # draws at which the texts that depend on values are tried
 _SEARCHED = 300  # instances that the search for breaking values tries
+_RIGHT_ANGLE = 90
+_FEW = 0.02  # a share of draws, or of all others, that chance may leave unlike the rest
 _ENOUGH = 0.9  # of the draws: where a tolerance holds in fewer, the author hears of it
 _BEYOND = 2 * WIDEST  # stands for more than any tolerance may give
 
@@ -103,8 +106,8 @@ def _weigh_texts(report: Report, sample: int) -> None:
 
 
 def _draw(report: Report, draws: Sequence[Combination]) -> None:
-    """Examine the sample: what is refused and why, how the answers spread, how long an instance
-    takes.
+    """Examine the sample: what is refused and why, how the answers spread, which mistakes cannot be
+    distinguished from the truth, how long an instance takes.
     """
     template, asked = report.template, _select_asked(report)
     draw_filter = DrawFilter(template, asked, _check_deck(template, report.secret), {})
@@ -141,7 +144,16 @@ def _weigh(report: Report) -> None:
             report.faults.append(
                 Message(f"template.equals-{spread.copied.kind}", ask=name, other=spread.copied.name)
             )
+    report.remarks += _find_uneven_remarks(report)
     report.remarks += _find_rounding_remarks(report)
+
+
+def _find_uneven_remarks(report: Report) -> Iterator[Message]:
+    """The givens that make some draws easier than others."""
+    for name, count in report.special.items():
+        share = count / report.instances
+        if _FEW <= share <= 1 - _FEW:
+            yield Message("template.easier-in-some", given=name, share=f"{share:.0%}")
 
 
 def _find_rounding_remarks(report: Report) -> Iterator[Message]:
@@ -183,3 +195,11 @@ def _note(report: Report, solution: Solution) -> None:
     for name, answer in solution.answers.items():
         report.spreads.setdefault(name, Spread()).note(answer, known)
         known[Copied("ask", name)] = answer
+    report.special.update(
+        name for name, given in solution.parameters.items() if _makes_easier(given)
+    )
+
+
+def _makes_easier(given: Quantity) -> bool:
+    """Whether a given is zero, or an angle whose sine or cosine is."""
+    return given.is_zero or (given.unit == "deg" and given.value % _RIGHT_ANGLE == 0)

@@ -23,7 +23,8 @@ class Report:
     `secret` is what the instances were drawn from. `sound` are the asks that can be worked out at
     all drawn values; the others are faults. `near` are the mistakes that lead to right
     answers. `shares` are for each ask the relative tolerances that honest rounding takes in the
-    instances. `seconds` is the mean time of an instance; `remarks` are for the author to weigh.
+    instances, `special` counts those in which a given is zero or a multiple of a right angle.
+    `seconds` is the mean time of an instance; `remarks` are for the author to weigh.
     """
 
     template: Template
@@ -33,6 +34,7 @@ class Report:
     instances: int = 0
     refused: Counter[Reason] = field(default_factory=Counter)
     shares: dict[str, list[Fraction]] = field(default_factory=dict)
+    special: Counter[str] = field(default_factory=Counter)
     spreads: dict[str, Spread] = field(default_factory=dict)
     near: NearMistakes = field(default_factory=NearMistakes)
     seconds: float = 0.0

@@ -1,10 +1,10 @@
 """Keeping mistakes and truth apart: in which instances a known mistake lands within tolerance of a
 right answer.
 
-Decided in doubles for many instances at once. A mistaken value is too near when it, written to
-the significant figures that are carried, might be taken for right; the margin of half a unit of the
-last figure also keeps rounding in doubles from deciding anything. What most instances of a question cannot
-distinguish (a term that is identically zero there) is required of none of them.
+Decided in doubles for many instances at once. A mistaken value is too near when it, written to the
+significant figures that are carried, might be taken for right; the margin of half a unit of the
+last figure also keeps rounding in doubles from deciding anything. What most instances of a question
+cannot distinguish (a term that is identically zero there) is required of none of them.
 """
 
 from __future__ import annotations
@@ -68,8 +68,8 @@ class Separation:
     """A question's mistakes and what its draws keep apart: `kept` has for every ask one flag for
     each mistake.
 
-    Both are judged by a `sample` of draws; `usable` is the share of it that meets the conditions
-    and hides no mistake that is kept apart.
+    All is judged by a `sample` of draws; `usable` is the share of it that meets the conditions and
+    hides no mistake that is kept apart, `zero` are the asks whose answer is zero throughout.
     """
 
     template: Template
@@ -80,6 +80,7 @@ class Separation:
     sample: Values
     kept: Mapping[str, Any] = field(default_factory=dict)
     usable: float = 1.0
+    zero: frozenset[str] = frozenset()
 
     def find_confused(self, seen: Comparison) -> Any:
         """For each instance whether a mistake lands too near the truth; False for those unfit for
@@ -105,7 +106,7 @@ class Separation:
             with np.errstate(all="ignore"):
                 near[name] = np.array(
                     [
-                        measure_distance(one, truth, ask) <= room + _WRITTEN * np.abs(one)
+                        measure_distance(one, truth, ask) <= room + written_share * np.abs(one)
                         for one in wrong
                     ]
                 )
@@ -187,6 +188,7 @@ def find_separation(
         for name in asks
     }
     bounds = {name: _list_bounds(mistakes, len(share[name])) for name in asks}
+    zero = frozenset(name for name, right in seen.right.items() if not right[seen.fit].any())
     bound = _HALF
     while True:
         kept = {name: share[name] < np.minimum(bounds[name], bound) for name in asks}
@@ -195,7 +197,7 @@ def find_separation(
         )
         usable = float((seen.fit & ~confused).mean())
         if usable >= _SCARCE * seen.fit.mean() or not any(flags.any() for flags in kept.values()):
-            return replace(whole, kept=kept, usable=usable)
+            return replace(whole, kept=kept, usable=usable, zero=zero)
         bound = max(float(share[name][kept[name]].max(initial=0.0)) for name in asks)
 
 

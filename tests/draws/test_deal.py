@@ -149,6 +149,24 @@ def test_a_deal_is_looked_at_further_from_where_it_ended() -> None:
     assert (further.good, further.refused) == (begun.good, begun.refused)
 
 
+VANISHING = ('sign = "+x", points', 'sign = "+x", vanishes = true, points')
+
+
+def test_an_answer_is_zero_in_all_draws_or_in_none() -> None:
+    some, all_of_them = (
+        draw_filter(
+            crank(VANISHING), fixed={"r": ("2",), "h": h, "omega": ("2", "3")}, asks=("v_x",)
+        )
+        for h in (("0", "1/2", "1"), ("0",))
+    )
+    told = {
+        some.deck.combination(place)["h"]: verdict
+        for place, verdict in enumerate(some.verdicts(range(some.deck.size)))
+    }
+    assert told == {"0": "degenerate", "1/2": None, "1": None}
+    assert all_of_them.verdicts(range(2)) == (None, None)
+
+
 def test_what_four_decimals_do_not_hold_is_refused_where_no_more_are_kept() -> None:
     turning = (
         "v_y = {",

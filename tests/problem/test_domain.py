@@ -17,6 +17,8 @@ from kinegrade.problem.template.domain import read_choices
         ("0.1 .. 0.25 step 0.05", ("0.1", "0.15", "0.2", "0.25")),
         ("-2 .. 2 step 2", ("-2", "0", "2")),
         ("1 .. 2 step 3", ("1",)),
+        ("-2 .. 2 step 1 without 0", ("-2", "-1", "1", "2")),
+        ("0 .. 90 step 22.5 without 0,90.0, 22.50", ("45", "67.5")),
         ([1, "sqrt(3)", "3/2"], ("1", "sqrt(3)", "3/2")),
     ],
 )
@@ -31,6 +33,13 @@ def test_domains(draw: Any, choices: tuple[str, ...]) -> None:
         ("1 .. 2 step -1", "expected a list, or a range like"),
         ("2 .. 1 step 1", "the last value not before the first"),
         ("0 .. 9999 step 1", "at most 2000 values"),
+        (
+            "1 .. 3 step 1 without 4",
+            "expected values of the range after without, but not all of them",
+        ),
+        ("1 .. 3 step 1 without 1, 2, 3", "after without, but not all of them"),
+        ("1 .. 3 step 1 without 1,,2", "expected a decimal number"),
+        ("1 .. 3 step 1 without", "expected a list, or a range like"),
         ("1.2.3 .. 4 step 1", '"1.2.3" - expected a decimal number'),
         ("- .. 4 step 1", "expected a list"),
         (". .. 4 step 1", "expected a decimal number"),

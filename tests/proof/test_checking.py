@@ -35,6 +35,7 @@ def test_shipped_templates_are_sound(name: str) -> None:
     assert all_said(report.faults) == []
     assert report.proved >= 1
     assert report.instances >= 1
+    assert not [remark for remark in all_said(report.remarks) if "which are easier" in remark]
 
 
 @pytest.mark.parametrize(
@@ -170,6 +171,37 @@ def test_an_answer_that_copies_a_given_is_a_fault() -> None:
     ]
     assert report.remarks == []
     assert report.distinct == 600
+
+
+def test_a_given_that_is_zero_in_some_draws_alone_is_remarked() -> None:
+    report = check(read_template("slider-crank", SLIDER.replace("[5, 10, 20]", "[0, 5]")), 40)
+    (remark,) = (each for each in all_said(report.remarks) if "easier" in each)
+    share = re.fullmatch(
+        "alpha is zero or a multiple of 90 degrees in ([0-9]+)% of the draws, which are easier: "
+        "leave such values out, or give them to all",
+        remark,
+    )
+    assert share is not None
+    assert 20 <= int(share[1]) <= 80
+
+
+@pytest.mark.parametrize(("choices", "remarked"), [('["0"]', False), ("[45, 90]", True)])
+def test_what_is_special_in_all_draws_is_no_remark(choices: str, remarked: bool) -> None:
+    text = crank_text(
+        (
+            'h     = { unit = "m", draw = [0, "1/2", 3]',
+            f'h     = {{ unit = "deg", draw = {choices}',
+        ),
+        ('P = "(0, h)"\n', ""),
+        ('A = "meet(circle(O, r), line(P, 0), right)"', 'A = "polar(O, r, h)"'),
+        ('quantity = "x(velocity(A))"', 'quantity = "magnitude(velocity(A))"'),
+        ('sign = "+x"', 'sign = "magnitude"'),
+        ("{{ h.value }}", "{{ h }}"),
+        ("-omega*h", "omega*r"),
+    )
+    report = check(read_template("crank", text), sample=200)
+    assert report.instances
+    assert any("easier" in each for each in all_said(report.remarks)) == remarked
 
 
 def test_the_command_ends_with_status_1_for_a_faulty_template(tmp_path: Path) -> None:

@@ -17,17 +17,20 @@ from kinegrade.numbers.text import write_decimal
 
 _MAX_CHOICES = 2000
 _LARGEST = fmpq(10) ** 100  # what is worked out from such values still fits into doubles
-_RANGE = re.compile(r"\s*(-?[\d.]+)\s*\.\.\s*(-?[\d.]+)\s+step\s+([\d.]+)\s*", re.ASCII)
+_RANGE = re.compile(
+    r"\s*(-?[\d.]+)\s*\.\.\s*(-?[\d.]+)\s+step\s+([\d.]+)(?:\s+without\s+([-\d., ]+))?\s*",
+    re.ASCII,
+)
 
 
 def read_choices(draw: object) -> tuple[str, ...]:
     """The drawable values as exact texts, in order, each once.
 
-    `draw` is a list of numbers and expressions, or "0.1 .. 0.5 step 0.05". Raises FieldError,
-    or ExpressionError for an expression that cannot be read.
+    `draw` is a list of numbers and expressions, or "0.1 .. 0.5 step 0.05", or that without some of
+    its values. Raises FieldError, or ExpressionError for an expression that cannot be read.
 
-    >>> read_choices("15 .. 60 step 15")
-    ('15', '30', '45', '60')
+    >>> read_choices("15 .. 60 step 15 without 30, 45")
+    ('15', '60')
     """
     if not isinstance(draw, list):
         return tuple(_read_range(str(draw)))
@@ -61,15 +64,20 @@ def find_digits(text: str) -> str:
 
 
 def _read_range(text: str) -> list[str]:
-    """The values of "first .. last step s"."""
+    """The values of "first .. last step s without a, b"."""
     match = _RANGE.fullmatch(text) if len(text) <= MAX_LENGTH else None
     if match is None:
         raise FieldError(found(text), Message("template.a-range"))
-    first, last, step = (_read_signed(part) for part in match.groups())
+    first, last, step = (_read_signed(part) for part in match.groups()[:3])
     if step <= 0 or last < first or (last - first) / step > _MAX_CHOICES:
         raise FieldError(found(text), Message("template.range-order", most=_MAX_CHOICES))
     count = int(((last - first) / step).floor()) + 1
-    return [write_decimal(first + step * index, 30) for index in range(count)]
+    values = [first + step * index for index in range(count)]
+    parts = match[4].split(",") if match[4] else []
+    left_out = [_read_signed(part.strip()) for part in parts]
+    if not set(left_out) < set(values):
+        raise FieldError(found(text), Message("template.left-out"))
+    return [write_decimal(value, 30) for value in values if value not in left_out]
 
 
 def _read_signed(text: str) -> Any:
