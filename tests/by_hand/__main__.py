@@ -14,11 +14,11 @@ from tempfile import TemporaryDirectory
 
 from tests.by_hand.claims import Count, following, honest, mistaken
 from tests.by_hand.class_list import TAUGHT
-from tests.by_hand.school import FOUR_FIGURES, make_exam
+from tests.by_hand.school import FOUR_FIGURES, THREE_FIGURES, make_exam
 
 
 def main() -> None:
-    """Make one exam and try every claim on it."""
+    """Make an exam for each rule of marking and try every claim on it."""
     parser = argparse.ArgumentParser(prog="python -m tests.by_hand")
     parser.add_argument("templates", nargs="*", default=list(TAUGHT), metavar="TEMPLATE")
     parser.add_argument("--students", type=int, default=30)
@@ -26,13 +26,15 @@ def main() -> None:
     parser.add_argument("--words", default="by hand")
     asked = parser.parse_args()
     with TemporaryDirectory() as folder:
-        place = Path(folder) / "exam"
-        exam = make_exam(place, asked.templates, asked.students, FOUR_FIGURES, asked.words)
-        show("exact", honest(exam))
-        show("four figures", honest(exam, 4))
-        show("three figures", honest(exam, 3))
-        show("mistaken", mistaken(exam, asked.turns))
-        show("following", following(exam, asked.turns))
+        three, four = (
+            make_exam(Path(folder) / name, asked.templates, asked.students, rule, asked.words)
+            for name, rule in (("three", THREE_FIGURES), ("four", FOUR_FIGURES))
+        )
+        show("three figures", honest(three, 3))
+        show("exact", honest(four))
+        show("four figures", honest(four, 4))
+        show("mistaken", mistaken(four, asked.turns))
+        show("following", following(four, asked.turns))
 
 
 def show(claim: str, found: Count) -> None:

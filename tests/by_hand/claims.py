@@ -14,7 +14,7 @@ from typing import TypeVar
 
 from tests.by_hand.class_list import TAUGHT
 from tests.by_hand.pad import EXACT, Answers, Edge, Method, Pad
-from tests.by_hand.school import Exam, Paper, Question
+from tests.by_hand.school import Exam, Mark, Paper, Question
 
 NEAR = 1e-6  # of the right answer: what a machine's rounding leaves between two ways of working
 ZERO = 1e-12  # in any unit: what a machine's rounding leaves of zero
@@ -32,13 +32,13 @@ class Count:
     """Answers tried and answers that failed, under the name of what was tried."""
 
     tried: Counter[str] = field(default_factory=Counter)
-    failed: defaultdict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
+    failed: defaultdict[str, list[Mark]] = field(default_factory=lambda: defaultdict(list))
 
-    def add(self, where: str, kept: bool, answer: object) -> None:
+    def add(self, where: str, kept: bool, mark: Mark) -> None:
         """One more answer."""
         self.tried[where] += 1
         if not kept:
-            self.failed[where].append(str(answer))
+            self.failed[where].append(mark)
 
     @property
     def share(self) -> float:
@@ -51,12 +51,20 @@ class Count:
             where for where, those in self.failed.items() if len(those) > share * self.tried[where]
         }
 
+    @property
+    def worst_paper(self) -> float:
+        """The most points that were lost on one paper, by all ways together."""
+        lost: defaultdict[str, float] = defaultdict(float)
+        for marks in self.failed.values():
+            for mark in marks:
+                lost[mark.paper.student] += mark.lost
+        return max(lost.values(), default=0)
+
     def __str__(self) -> str:
         """What failed, most first, each with one of the answers."""
         rows = sorted(self.failed.items(), key=lambda row: -len(row[1]) / self.tried[row[0]])
         return "\n".join(
-            f"{where}: {len(answers)} of {self.tried[where]}, as {answers[0]}"
-            for where, answers in rows
+            f"{where}: {len(marks)} of {self.tried[where]}, as {marks[0]}" for where, marks in rows
         )
 
 
@@ -74,7 +82,7 @@ def honest(exam: Exam, figures: int = EXACT) -> Count:
 
         for mark in exam.mark(typed, figures):
             name, _ = chosen[mark.paper.student, mark.question.number]
-            found.add(f"{mark.question.template} {mark.ask} by {name}", mark.full, mark)
+            found.add(f"{mark.question.template} {mark.ask} by {name}", mark.lost == 0, mark)
     return found
 
 
@@ -113,10 +121,10 @@ def following(exam: Exam, turns: int) -> Count:
             return {edge.earlier: own, edge.later: edge.formula(question.givens, own)}
 
         for mark in exam.mark(typed):
-            edge, factor = chosen[mark.paper.student, mark.question.number]
+            edge, _ = chosen[mark.paper.student, mark.question.number]
             if mark.ask == edge.later:
                 where = f"{mark.question.template} {edge}"
-                found.add(where, mark.full, f"{edge.earlier} x {factor}: {mark}")
+                found.add(where, mark.lost == 0, mark)
     return found
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 import pytest
 
 from tests.by_hand.class_list import TAUGHT
-from tests.by_hand.school import FOUR_FIGURES, Exam, make_exam
+from tests.by_hand.school import FOUR_FIGURES, THREE_FIGURES, Exam, make_exam
 
 STUDENTS = 30
 
@@ -17,3 +17,10 @@ def four_figures(tmp_path_factory: pytest.TempPathFactory) -> Exam:
     """The exam for students who carry four figures."""
     folder = tmp_path_factory.mktemp("by-hand") / "four"
     return make_exam(folder, tuple(TAUGHT), STUDENTS, FOUR_FIGURES, "by hand")
+
+
+@pytest.fixture(scope="session")
+def three_figures(tmp_path_factory: pytest.TempPathFactory) -> Exam:
+    """The exam for students who carry three figures, whose tolerances are honest."""
+    folder = tmp_path_factory.mktemp("by-hand") / "three"
+    return make_exam(folder, tuple(TAUGHT), STUDENTS, THREE_FIGURES, "by hand")

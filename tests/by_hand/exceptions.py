@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tests.by_hand.claims import Count
 
+ROUNDED_AWAY = 0.001  # of the answers of students who round every operation to three figures
 MISSED = 0.01  # the share of answers whose mistake may go by another name
 NOT_RECOGNISED = {  # no answer is recognised as these mistakes
     "added-as-scalars",

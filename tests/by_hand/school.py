@@ -21,7 +21,9 @@ from tests.by_hand.pad import EXACT, Answers, Givens
 
 ROOT = Path(__file__).parents[2]
 NAMES_BETWEEN = " "  # in the column of mistakes
-FOUR_FIGURES = 'tolerance = { relative = "1 %" }'  # the rule of an exam, as its bank states it
+# The rules of exams, as banks state them: how many figures students carry, and what is right
+FOUR_FIGURES = 'carry = 4\ntolerance = { relative = "1 %" }'
+THREE_FIGURES = 'carry = 3\ntolerance = "honest"'
 
 
 @dataclass(frozen=True)
@@ -56,9 +58,9 @@ class Mark:
     names: frozenset[str]
 
     @property
-    def full(self) -> bool:
-        """Whether it has all its points."""
-        return self.points == self.question.points[self.ask]
+    def lost(self) -> float:
+        """The points that it has not."""
+        return self.question.points[self.ask] - self.points
 
     def __str__(self) -> str:
         right = self.question.right[self.ask]

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from tests.by_hand.claims import following, honest, mistaken
 from tests.by_hand.class_list import TAUGHT
-from tests.by_hand.exceptions import lost, unnamed
+from tests.by_hand.exceptions import ROUNDED_AWAY, lost, unnamed
 from tests.by_hand.pad import EXACT
-from tests.by_hand.school import FOUR_FIGURES, Exam, make_exam
+from tests.by_hand.school import FOUR_FIGURES, THREE_FIGURES, Exam, make_exam
 
 STUDENTS = 300
 TURNS = 2
@@ -21,10 +21,17 @@ def hold(seed: int, folder: Path) -> None:
     """
     place = folder / "by hand"
     template = list(TAUGHT)[seed % len(TAUGHT)]
+    place.mkdir()
     try:
-        _try(make_exam(place, (template,), STUDENTS, FOUR_FIGURES, f"prove {seed}"))
+        _carry(make_exam(place / "three", (template,), STUDENTS, THREE_FIGURES, f"prove {seed}"))
+        _try(make_exam(place / "four", (template,), STUDENTS, FOUR_FIGURES, f"prove {seed}"))
     finally:
         shutil.rmtree(place)
+
+
+def _carry(exam: Exam) -> None:
+    found = honest(exam, 3)
+    assert found.share <= ROUNDED_AWAY, f"three figures: {found}"
 
 
 def _try(exam: Exam) -> None:
