@@ -41,6 +41,7 @@ _NORMAL_OR_CORIOLIS = {
     "coriolis",
     "relative_normal",
     "path_normal",
+    "square",
 }  # shares of terms that velocities decide
 
 
