@@ -15,4 +15,4 @@ pytestmark = pytest.mark.xdist_group("by_hand")
 def test_every_edge_is_followed(four_figures: Exam) -> None:
     found = following(four_figures, TURNS)
     assert found.tried.total() > 0
-    assert lost(found) == set(), found
+    assert lost(found) == set(), str(found)

@@ -15,4 +15,4 @@ pytestmark = pytest.mark.xdist_group("by_hand")
 def test_each_mistake_is_refused_and_named(four_figures: Exam) -> None:
     found = mistaken(four_figures, TURNS)
     assert found.tried.total() > 0
-    assert unnamed(found) == set(), found
+    assert unnamed(found) == set(), str(found)

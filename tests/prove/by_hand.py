@@ -39,6 +39,6 @@ def _try(exam: Exam) -> None:
         found = honest(exam, figures)
         assert not found.failed, f"{figures} figures: {found}"
     found = mistaken(exam, TURNS)
-    assert unnamed(found) == set(), found
+    assert unnamed(found) == set(), str(found)
     found = following(exam, TURNS)
-    assert lost(found) == set(), found
+    assert lost(found) == set(), str(found)
