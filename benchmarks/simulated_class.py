@@ -36,7 +36,7 @@ from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.stated_marking import find_identifier
-from kinegrade.students.consequences import attach_mistakes
+from kinegrade.students.mistaking.consequences import attach_mistakes
 from kinegrade.students.separation import Separation, measure_distance
 
 CLASS = 50  # students of one exam: no template is short of instances for so few

@@ -22,8 +22,8 @@ from kinegrade.numbers.tolerance import USUAL_CARRY
 from kinegrade.problem.quantities.functions import needs_configurations
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask
-from kinegrade.students.mistake_kinds import Mistake, find_candidates
-from kinegrade.students.mistakes import choose_way, work_out
+from kinegrade.students.mistaking.mistake_kinds import Mistake, find_candidates
+from kinegrade.students.mistaking.mistakes import choose_way, work_out
 from kinegrade.students.rounding.working import Working
 
 CARRIED = 3  # by mistaken students

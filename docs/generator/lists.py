@@ -19,7 +19,7 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.known import known_languages
 from kinegrade.lms.responses.detection import DIALECTS
 from kinegrade.problem.template.library.library import find_template_names, load_template
-from kinegrade.students.mistake_names import describe_mistakes
+from kinegrade.students.mistaking.mistake_names import describe_mistakes
 
 
 def write_mistake_page() -> str:

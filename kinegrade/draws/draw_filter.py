@@ -29,7 +29,7 @@ from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Template
-from kinegrade.students.mistakes import convert_parameters
+from kinegrade.students.mistaking.mistakes import convert_parameters
 from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.rounding.bounds import find_error_bounds
 from kinegrade.students.separation import Separation, collect_columns, find_separation

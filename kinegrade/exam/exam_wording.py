@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.language import Language
 from kinegrade.problem.template.texts import require_language
-from kinegrade.students.mistake_names import describe_mistakes
+from kinegrade.students.mistaking.mistake_names import describe_mistakes
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,7 @@ from kinegrade.students.following.connections import (
     find_stages,
 )
 from kinegrade.students.following.follow_through import Follower
-from kinegrade.students.mistakes import convert_parameter
+from kinegrade.students.mistaking.mistakes import convert_parameter
 
 KEPT = 256  # instances kept in memory, so that the student's next answers find theirs
 _AGREEMENT = (

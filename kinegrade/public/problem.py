@@ -18,7 +18,7 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import list_statement_languages
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
-from kinegrade.students.consequences import attach_mistakes
+from kinegrade.students.mistaking.consequences import attach_mistakes
 
 
 @dataclass(frozen=True, repr=False)

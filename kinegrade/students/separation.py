@@ -22,12 +22,12 @@ from kinegrade.expressions.tree import Operation
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.template.template import Ask, Template
-from kinegrade.students.mistake_kinds import Mistake, find_candidates
-from kinegrade.students.mistake_outcomes import SAME, Outcomes, find_outcomes
-from kinegrade.students.mistakes import Values, convert_parameters
+from kinegrade.students.mistaking.mistake_kinds import Mistake, find_candidates
+from kinegrade.students.mistaking.mistake_outcomes import SAME, Outcomes, find_outcomes
+from kinegrade.students.mistaking.mistakes import Values, convert_parameters
+from kinegrade.students.mistaking.written_mistakes import list_answer_factors
 from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.rounding.bounds import find_error_bounds
-from kinegrade.students.written_mistakes import list_answer_factors
 
 _HALF = 0.5  # share of instances above which a mistake is inseparable from the truth
 # The same for one given misread: there are many of these, and a mirrored figure hides some

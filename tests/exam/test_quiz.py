@@ -34,7 +34,7 @@ from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.processes.executor import Start, open_executor
 from kinegrade.stated_marking import find_identifier
-from kinegrade.students.mistake_names import describe_mistakes
+from kinegrade.students.mistaking.mistake_names import describe_mistakes
 from tests.small_class import STUDENTS, generate, write_class
 
 

@@ -15,8 +15,8 @@ from kinegrade.problem.template.library.library import load_template
 from kinegrade.students.following.departures import state_equations
 from kinegrade.students.following.followed import follow_values
 from kinegrade.students.following.own_values import OwnValue
-from kinegrade.students.mistaken_reading import read_with_slips
-from kinegrade.students.slips import Slips
+from kinegrade.students.mistaking.mistaken_reading import read_with_slips
+from kinegrade.students.mistaking.slips import Slips
 
 NAMES = ("slider-crank", "pin-in-two-rings", "rolling-wheel-rim-points")
 

@@ -11,7 +11,7 @@ from kinegrade.numbers.floats import Floats
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
 from kinegrade.students.difficulty import Difficulty
-from kinegrade.students.unnamed_slips import list_unnamed_slips
+from kinegrade.students.mistaking.unnamed_slips import list_unnamed_slips
 from tests.problem.crank import crank
 from tests.problem.draws import draw_filter
 

@@ -16,8 +16,8 @@ from kinegrade.numbers.units import Unit
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Template
 from kinegrade.students.following.connections import find_generic_plan
-from kinegrade.students.mistake_outcomes import find_outcomes
-from kinegrade.students.mistakes import convert_parameters
+from kinegrade.students.mistaking.mistake_outcomes import find_outcomes
+from kinegrade.students.mistaking.mistakes import convert_parameters
 from kinegrade.students.rounding.bounds import find_error_bounds
 from kinegrade.students.rounding.working import Working
 from kinegrade.students.separation import collect_columns, measure_distance

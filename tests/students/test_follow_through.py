@@ -32,10 +32,10 @@ from kinegrade.students.following.followed_quantities import (
     find_name,
     find_share,
 )
-from kinegrade.students.mistake_kinds import MISTAKES, Mistake
-from kinegrade.students.mistaken import make_mistaken_motion
-from kinegrade.students.mistakes import Mistakes
-from kinegrade.students.slips import Slips
+from kinegrade.students.mistaking.mistake_kinds import MISTAKES, Mistake
+from kinegrade.students.mistaking.mistaken import make_mistaken_motion
+from kinegrade.students.mistaking.mistakes import Mistakes
+from kinegrade.students.mistaking.slips import Slips
 
 MOVING = [name for name in find_template_names() if load_template(name).scheme.drivers]
 POLES = {"wrong-pole", "centre-for-pole", "transport-for-absolute"}  # slips in the velocities alone

@@ -9,7 +9,7 @@ import pytest
 
 import kinegrade
 from kinegrade.problem.template.library.library import load_template
-from kinegrade.students.mistake_kinds import find_candidates
+from kinegrade.students.mistaking.mistake_kinds import find_candidates
 
 
 def mistaken(template: str, **given: float | str) -> Mapping[str, Mapping[str, float]]:

@@ -29,11 +29,15 @@ from kinegrade.problem.template.template import Template
 from kinegrade.problem.tolerance import find_effective_tolerance
 from kinegrade.proof.checking import check
 from kinegrade.proof.reporting import write_findings
-from kinegrade.students.consequences import attach_mistakes
-from kinegrade.students.mistake_kinds import MISTAKES, find_candidates, take_degrees_as_radians
-from kinegrade.students.mistake_names import MISTAKE_NAMES, describe_mistakes
-from kinegrade.students.mistake_outcomes import RIGHT, find_outcomes
-from kinegrade.students.mistakes import (
+from kinegrade.students.mistaking.consequences import attach_mistakes
+from kinegrade.students.mistaking.mistake_kinds import (
+    MISTAKES,
+    find_candidates,
+    take_degrees_as_radians,
+)
+from kinegrade.students.mistaking.mistake_names import MISTAKE_NAMES, describe_mistakes
+from kinegrade.students.mistaking.mistake_outcomes import RIGHT, find_outcomes
+from kinegrade.students.mistaking.mistakes import (
     choose_way,
     convert_parameters,
     find_known_mistakes,

@@ -12,7 +12,7 @@ import pytest
 
 import kinegrade
 from kinegrade.problem.template.library.library import load_template
-from kinegrade.students.mistake_kinds import find_candidates
+from kinegrade.students.mistaking.mistake_kinds import find_candidates
 from tests.small_class import asks_of, key_lines, table
 from tests.small_class import kinegrade as run
 from tests.spellings import type_answers

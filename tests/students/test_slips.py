@@ -16,9 +16,9 @@ from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.floats import Floats
-from kinegrade.students.mistaken import make_mistaken_motion
-from kinegrade.students.slips import Slips
-from kinegrade.students.unsuspecting import Unsuspecting
+from kinegrade.students.mistaking.mistaken import make_mistaken_motion
+from kinegrade.students.mistaking.slips import Slips
+from kinegrade.students.mistaking.unsuspecting import Unsuspecting
 from tests.mechanics.writing import Paper
 
 X, Y = (1, 0), (0, 1)

@@ -11,7 +11,7 @@ import pytest
 
 import kinegrade
 from kinegrade.problem.template.library.library import load_template
-from kinegrade.students.written_mistakes import list_answer_factors
+from kinegrade.students.mistaking.written_mistakes import list_answer_factors
 from tests.small_class import asks_of, table
 from tests.small_class import kinegrade as run
 from tests.spellings import type_answers

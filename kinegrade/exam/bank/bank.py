@@ -36,7 +36,7 @@ from kinegrade.problem.template.template import TemplateFile
 from kinegrade.problem.template.translated import Translated
 from kinegrade.problem.template.translations import translated
 from kinegrade.stated_marking import read_credit
-from kinegrade.students.mistake_names import MISTAKE_NAMES
+from kinegrade.students.mistaking.mistake_names import MISTAKE_NAMES
 
 MAX_BYTES = 200_000
 _BANK_FILE = FileKind(Message("bank.a-bank-file"), BankError, MAX_BYTES)

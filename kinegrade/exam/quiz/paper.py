@@ -40,7 +40,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_certified
 from kinegrade.problem.template.template import Method, Template
 from kinegrade.stated_marking import find_identifier
-from kinegrade.students.mistake_names import describe_mistakes
+from kinegrade.students.mistaking.mistake_names import describe_mistakes
 from kinegrade.worked.solution import write_worked_solution
 
 _NO_CREDIT = Fraction(0)

@@ -9,7 +9,7 @@ from typing import Any
 
 from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.mechanics.plan import Plan
-from kinegrade.students.mistakes import find_known_mistakes
+from kinegrade.students.mistaking.mistakes import find_known_mistakes
 from kinegrade.students.separation import collect_columns
 
 # Significant digits kept of a mistaken value: far more than an answer has, fewer than doubles agree

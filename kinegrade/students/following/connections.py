@@ -16,7 +16,7 @@ from kinegrade.students.following.followed_quantities import (
     find_level,
     find_share,
 )
-from kinegrade.students.mistakes import convert_parameter
+from kinegrade.students.mistaking.mistakes import convert_parameter
 
 _INSTANCES = 8  # looked at to see which asks are connected
 _CHANGED = 1.3  # times the right answer

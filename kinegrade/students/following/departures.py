@@ -31,7 +31,7 @@ from kinegrade.students.following.followed_terms import (
     read_to_follow,
     write_relations,
 )
-from kinegrade.students.unsuspecting import Unsuspecting
+from kinegrade.students.mistaking.unsuspecting import Unsuspecting
 
 _SAME = 1e-9  # relative: what differs by less is the same direction
 _AXES = (Vector(1.0, 0.0), Vector(0.0, 1.0))

@@ -40,7 +40,7 @@ from kinegrade.students.following.followed_quantities import (
 from kinegrade.students.following.followed_terms import Place
 from kinegrade.students.following.own_lengths import OwnLengths
 from kinegrade.students.following.own_values import OwnValue
-from kinegrade.students.mistaken_answers import CloseCentrodes
+from kinegrade.students.mistaking.mistaken_answers import CloseCentrodes
 
 SAME = 1e-9  # relative: what is closer is not changed, only rounded
 _LEAST = 1e-3  # in the unit of an ask: the least amount beside which a difference is seen

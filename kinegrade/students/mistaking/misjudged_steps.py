@@ -19,9 +19,9 @@ from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.relations import Relation, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic, Number
-from kinegrade.students.mistaken_reading import MistakenReading
-from kinegrade.students.rods import MisjudgedRod, Replacements
-from kinegrade.students.slips import Share, is_right
+from kinegrade.students.mistaking.mistaken_reading import MistakenReading
+from kinegrade.students.mistaking.rods import MisjudgedRod, Replacements
+from kinegrade.students.mistaking.slips import Share, is_right
 
 
 @dataclass(frozen=True)

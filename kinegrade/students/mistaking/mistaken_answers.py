@@ -22,8 +22,8 @@ from kinegrade.problem.centrode import Centrodes, find_circle
 from kinegrade.problem.quantities.functions import make_quantities
 from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.problem.template.template import Ask, Template
-from kinegrade.students.mistaken import make_mistaken_motion
-from kinegrade.students.slips import Slips
+from kinegrade.students.mistaking.mistaken import make_mistaken_motion
+from kinegrade.students.mistaking.slips import Slips
 
 
 @dataclass(frozen=True)

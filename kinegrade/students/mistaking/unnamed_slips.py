@@ -15,8 +15,8 @@ from flint import fmpq
 
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.template.template import Parameter, Template
-from kinegrade.students.misreadings import Givens
-from kinegrade.students.mistake_kinds import Mistake
+from kinegrade.students.mistaking.misreadings import Givens
+from kinegrade.students.mistaking.mistake_kinds import Mistake
 
 _Slip = Literal["other-axis", "other-side", "reversed", "forgotten"]
 

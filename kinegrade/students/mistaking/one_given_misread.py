@@ -21,8 +21,8 @@ from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.assemble import read_parameter
 from kinegrade.problem.template.template import Parameter, Template
-from kinegrade.students.misreadings import Givens, Reading, find_radii
-from kinegrade.students.mistake_names import MistakeName
+from kinegrade.students.mistaking.misreadings import Givens, Reading, find_radii
+from kinegrade.students.mistaking.mistake_names import MistakeName
 
 
 @dataclass(frozen=True)

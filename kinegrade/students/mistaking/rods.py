@@ -18,7 +18,7 @@ from kinegrade.mechanics.rates import Rate, Rates
 from kinegrade.mechanics.relations import Chain, Relation, Term, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic, Number
-from kinegrade.students.unsuspecting import Unsuspecting
+from kinegrade.students.mistaking.unsuspecting import Unsuspecting
 
 Replacements = Iterator[tuple[Rate, Number]]
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from kinegrade.problem.solution import Solution
 
 if TYPE_CHECKING:
-    from kinegrade.students.mistakes import Mistakes
+    from kinegrade.students.mistaking.mistakes import Mistakes
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class _Consequences:
     def mistakes(self) -> Mistakes:
         """The mistakes of this instance."""
         # Arrays take long to load
-        from kinegrade.students.mistakes import Mistakes  # noqa: PLC0415
+        from kinegrade.students.mistaking.mistakes import Mistakes  # noqa: PLC0415
 
         solution = self.solution
         asks = {name: solution.template.asks[name] for name in solution.answers}

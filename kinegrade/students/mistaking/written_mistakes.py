@@ -14,7 +14,7 @@ from flint import fmpq
 
 from kinegrade.problem.template.template import Ask
 from kinegrade.sign_conventions import UNSIGNED
-from kinegrade.students.mistake_names import MistakeName
+from kinegrade.students.mistaking.mistake_names import MistakeName
 
 
 def _has_sense(ask: Ask) -> bool:

@@ -1,8 +1,7 @@
 """The mistakes that are known: what each does to the givens or to the mechanism's terms.
 
-A mistake is data: shares of terms (`kinegrade.students.slips`) or a change of the givens; those of
-the answer alone are in `written_mistakes`. `mistake_names` has its identifier and the sentence that
-describes it.
+A mistake is data: shares of terms (`slips`) or a change of the givens; those of the answer alone are
+in `written_mistakes`. `mistake_names` has its identifier and the sentence that describes it.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ from flint import fmpq
 
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.stated_marking import join_label
-from kinegrade.students.misreadings import (
+from kinegrade.students.mistaking.misreadings import (
     Reading,
     complement_angles,
     find_radii,
@@ -26,9 +25,9 @@ from kinegrade.students.misreadings import (
     take_plain_lengths,
     take_plain_rates,
 )
-from kinegrade.students.mistake_names import MistakeName
-from kinegrade.students.one_given_misread import list_misreadings
-from kinegrade.students.slip_occasions import calls, find_share_occasions
+from kinegrade.students.mistaking.mistake_names import MistakeName
+from kinegrade.students.mistaking.one_given_misread import list_misreadings
+from kinegrade.students.mistaking.slip_occasions import calls, find_share_occasions
 
 
 @dataclass(frozen=True)

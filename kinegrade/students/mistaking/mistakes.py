@@ -23,11 +23,11 @@ from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.assemble import read_parameter
 from kinegrade.problem.template.template import Ask, Parameter, Template
-from kinegrade.students.mistake_kinds import Mistake, find_candidates
-from kinegrade.students.mistake_outcomes import RIGHT, SAME, find_outcomes
-from kinegrade.students.mistaken_answers import Way, solve_mistaken
-from kinegrade.students.slips import Slips
-from kinegrade.students.written_mistakes import list_answer_factors
+from kinegrade.students.mistaking.mistake_kinds import Mistake, find_candidates
+from kinegrade.students.mistaking.mistake_outcomes import RIGHT, SAME, find_outcomes
+from kinegrade.students.mistaking.mistaken_answers import Way, solve_mistaken
+from kinegrade.students.mistaking.slips import Slips
+from kinegrade.students.mistaking.written_mistakes import list_answer_factors
 
 Values = Mapping[str, Sequence[str]]  # for each parameter the texts of an array of instances
 

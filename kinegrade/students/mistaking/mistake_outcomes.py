@@ -16,9 +16,9 @@ from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.scale import list_sizes
 from kinegrade.problem.template.template import Ask, Template
-from kinegrade.students.mistake_kinds import Mistake
-from kinegrade.students.mistaken_answers import Way, solve_mistaken
-from kinegrade.students.slips import Slips
+from kinegrade.students.mistaking.mistake_kinds import Mistake
+from kinegrade.students.mistaking.mistaken_answers import Way, solve_mistaken
+from kinegrade.students.mistaking.slips import Slips
 
 RIGHT = Mistake("")
 SAME = 1e-9  # relative, below one absolute: closer than this a value is not changed, only rounded

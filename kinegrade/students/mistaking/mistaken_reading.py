@@ -17,10 +17,10 @@ from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.relations import Chain, Reading, Relation, Term, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic, Number
-from kinegrade.students.rods import MisjudgedRod
-from kinegrade.students.scalar_sum import ScalarSum
-from kinegrade.students.slip_places import SlipPlaces, find_slip_places, make_sign
-from kinegrade.students.slips import Share, Slips, is_right
+from kinegrade.students.mistaking.rods import MisjudgedRod
+from kinegrade.students.mistaking.scalar_sum import ScalarSum
+from kinegrade.students.mistaking.slip_places import SlipPlaces, find_slip_places, make_sign
+from kinegrade.students.mistaking.slips import Share, Slips, is_right
 
 # (centre carried, centre of the circle it runs about): share of the distance
 Arms = Mapping[tuple[str, str], Share]

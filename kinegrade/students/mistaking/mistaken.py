@@ -18,10 +18,10 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.relations import Relation
 from kinegrade.numbers.number import Arithmetic, Number
-from kinegrade.students.misjudged_steps import Misjudging, Stage
-from kinegrade.students.mistaken_reading import MistakenReading, read_with_slips
-from kinegrade.students.slips import Slips
-from kinegrade.students.unsuspecting import Unsuspecting
+from kinegrade.students.mistaking.misjudged_steps import Misjudging, Stage
+from kinegrade.students.mistaking.mistaken_reading import MistakenReading, read_with_slips
+from kinegrade.students.mistaking.slips import Slips
+from kinegrade.students.mistaking.unsuspecting import Unsuspecting
 
 
 def make_mistaken_motion(

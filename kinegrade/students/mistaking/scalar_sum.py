@@ -7,7 +7,7 @@ from typing import Self
 from kinegrade.mechanics.relations import add_vectors
 from kinegrade.mechanics.vector import Component, Vector
 from kinegrade.numbers.number import Arithmetic
-from kinegrade.students.slips import Share
+from kinegrade.students.mistaking.slips import Share
 
 
 class ScalarSum(Vector):
