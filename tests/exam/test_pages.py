@@ -57,7 +57,7 @@ def test_no_paper_gives_an_answer_away(bank: Bank, papers: list[SetPaper], langu
         answers = [ask.answer for question in paper.questions for ask in question.asks]
         digits = [answer.decimal(5).lstrip("-") for answer in answers]
         telling = [text for text in digits if len(text) > 5]
-        assert len(telling) >= 2
+        assert telling
         assert not [text for text in telling if text in source]
         surds = [answer.latex for answer in answers if answer.latex and "sqrt" in answer.latex]
         assert not [latex for latex in surds if latex in source]

@@ -47,16 +47,26 @@ def crank_points(angle: str, omega: str) -> float:
 
 def test_a_sense_that_has_to_be_thought_of_is_one_mistake_more() -> None:
     one = crank_points("30", "2") - crank_points("30", "-2")
-    # One of these, of which some cost nothing here: sine for cosine, degrees for radians, the angle
-    # from the other axis or side, omega reversed or forgotten, the wrong pole, the answer reversed,
-    # ten times too large or too small, and the minus
-    assert round(2 / one, 9) == 11
+    possible = 2 / one
+    assert possible == pytest.approx(round(possible))
+    # Sine for cosine, degrees for radians, the angle from the other axis, omega reversed or
+    # forgotten, the answer reversed, ten times too large or too small, the minus, rounding
+    assert possible >= 10
+    assert 9 * one <= crank_points("30", "2") < 2
 
 
 def test_where_sine_and_cosine_are_equal_two_mistakes_cost_nothing() -> None:
     one = crank_points("30", "2") - crank_points("30", "-2")
-    assert crank_points("30", "2") == pytest.approx(9 * one)
-    assert crank_points("45", "2") == pytest.approx(7 * one)
+    easier = crank_points("30", "2") - crank_points("45", "2")
+    assert easier == pytest.approx(2 * one, rel=0.1)  # rounding costs a little more or less
+
+
+def test_what_rounding_may_spoil_is_harder() -> None:
+    """The crank's end is 1 or 2 m from the pin; next to the top its height says little of v_y."""
+    template = crank()
+    wide, narrow = ({"r": "1", "h": h, "omega": "2"} for h in ("0.5", "0.99"))
+    easier, harder = predicted(template, wide, narrow, v_y=1)
+    assert easier < harder
 
 
 def test_points_weigh_the_asks() -> None:
@@ -82,10 +92,10 @@ def test_a_given_is_misread_one_at_a_time() -> None:
     ]
     assert all(len(names) == 1 for names in changed)
     # Each velocity and acceleration reversed, forgotten, or the other one; the angle from the other
-    # axis and the other side; each length for the other
+    # axis; each length for the other
     counted = Counter(name for (name,) in changed)
     rates = dict.fromkeys(("v_A", "v_B", "a_A", "a_B"), 3)
-    assert counted == {"AC": 1, "BC": 1, "gamma": 2, **rates}
+    assert counted == {"AC": 1, "BC": 1, "gamma": 1, **rates}
 
 
 def test_a_given_that_is_zero_makes_a_draw_easier() -> None:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from kinegrade.draws.alike import Candidates, make_alike, order_by_use
-from kinegrade.draws.deal import Deal, Look, deal, look_further
+from kinegrade.draws.deal import Deal, Look, look_further
 from kinegrade.draws.deck import Combination, Deck
 from kinegrade.exam.setting.difficulties import find_difficulty
 from kinegrade.exam.setting.kept_deal import Stated, find_kept
@@ -25,7 +25,7 @@ from kinegrade.exam.setting.setting import Exam
 SHARE_LEFT = 0.15  # of the standard deviation of papers dealt in the order of the decks
 _NEGLIGIBLE = 1e-9  # squared points
 _MOST_SPARE = 4  # combinations for each that is dealt ...
-_SPARE_FOR_FEW = 8  # ... and so many more
+_SPARE_FOR_FEW = 8  # ... and so many more, which are looked at in any case
 
 Predict = Callable[[Sequence[Combination]], Any]
 
@@ -65,13 +65,13 @@ class Pool:
 
     @property
     def variance(self) -> float:
-        """The variance of the difficulty as the deck would deal it, in squared points."""
-        return float(np.var(self.candidates.predicted[: len(self.papers)]))
+        """The variance of the difficulties, in squared points."""
+        return float(np.var(self.candidates.predicted))
 
     @property
     def more(self) -> int:
         """How many more good combinations to look for, 0 where there can be no more."""
-        enough = _MOST_SPARE * len(self.free) + _SPARE_FOR_FEW
+        enough = _MOST_SPARE * len(self.free) + 2 * _SPARE_FOR_FEW
         if len(self.deal.positions) < self.deal.wanted or self.deal.spare >= enough:
             return 0
         return min(max(len(self.free) // 2, _SPARE_FOR_FEW), enough - self.deal.spare)
@@ -131,6 +131,11 @@ def deal_alike(exam: Exam, places: Mapping[str, int], stated: Stated, look: Look
     Raises DrawError for questions of which no combination is good.
     """
     papers = tuple(places)
+    spare = _SPARE_FOR_FEW if len(papers) > 1 else 0
+    begun = {
+        name: Deal(each.deck.size, max(places.values()) + 1, spare=spare)
+        for name, each in exam.filters.items()
+    }
     pools = {
         name: Pool(
             papers,
@@ -139,7 +144,7 @@ def deal_alike(exam: Exam, places: Mapping[str, int], stated: Stated, look: Look
             find_kept(exam.filters[name].deck, stated, name),
             found,
         )
-        for name, found in deal(exam.filters, max(places.values()) + 1, look).items()
+        for name, found in look_further(exam.filters, begun, look).items()
     }
     dealt = AlikeDeal(papers, pools)
     while not dealt.alike and (name := dealt.widest()) is not None:

@@ -1,7 +1,7 @@
 """The mistakes that are known: what each does to the givens or to the mechanism's terms.
 
-A mistake is data: shares of terms (`slips`) or a change of the givens; those of the answer alone are
-in `written_mistakes`. `mistake_names` has its identifier and the sentence that describes it.
+A mistake is data: shares of terms (`slips`) or a change of the givens; those of the answer alone
+are in `written_mistakes`. `mistake_names` has its identifier and the sentence that describes it.
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ from kinegrade.problem.template.template import Parameter, Template
 from kinegrade.students.mistaking.misreadings import Givens
 from kinegrade.students.mistaking.mistake_kinds import Mistake
 
-_Slip = Literal["other-axis", "other-side", "reversed", "forgotten"]
+_Slip = Literal["other-axis", "reversed", "forgotten"]
 
 
 @dataclass(frozen=True)
@@ -37,8 +37,8 @@ class _Misread:
 
 
 def list_unnamed_slips(template: Template) -> Iterator[Mistake]:
-    """The slips in reading that a template gives occasion for: an angle counted from the other axis
-    or from the other side, a rate reversed or forgotten, one given taken for another of its kind.
+    """The slips in reading that a template gives occasion for: an angle counted from the other
+    axis, a rate reversed or forgotten, one given taken for another of its kind.
     """
     alike: dict[tuple[int, int, int, bool], list[str]] = {}
     for name, parameter in template.parameters.items():
@@ -55,7 +55,7 @@ def list_unnamed_slips(template: Template) -> Iterator[Mistake]:
 def _list_slips(parameter: Parameter) -> tuple[_Slip, ...]:
     """How a given may be taken wrongly by itself."""
     if parameter.unit.degrees:
-        return "other-axis", "other-side"
+        return ("other-axis",)
     return ("reversed", "forgotten") if parameter.unit.time else ()
 
 
@@ -64,8 +64,6 @@ def _take(slip: _Slip, value: Any, arithmetic: Arithmetic) -> Any:
     match slip:
         case "other-axis":
             return arithmetic.turns(fmpq(1, 2)) - value
-        case "other-side":
-            return arithmetic.turns(1) - value
         case "reversed":
             return -value
         case "forgotten":
