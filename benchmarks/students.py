@@ -8,6 +8,7 @@ Each gives for every paper of a class what is typed in, by ask. They round in th
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from math import degrees, isfinite
 from typing import Any
 
@@ -21,7 +22,7 @@ from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.tolerance import USUAL_CARRY
 from kinegrade.problem.quantities.functions import needs_configurations
 from kinegrade.problem.solution import Solution
-from kinegrade.problem.template.template import Ask
+from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.mistaking.mistake_kinds import Mistake, find_candidates
 from kinegrade.students.mistaking.mistakes import choose_way, work_out
 from kinegrade.students.rounding.working import Working
@@ -51,21 +52,24 @@ def honest(solution: Solution, chance: np.random.Generator | None) -> Mapping[st
     template, jotting = solution.template, Jotting(USUAL_CARRY, chance)
     asks = {ask: template.asks[ask] for ask in solution.answers}
     with jotting.context():
-        found = Working(jotting).answer(
-            template, asks, write_givens(solution, jotting), solution.motion.plan
-        )
+        givens = write_givens(template, find_givens(solution), jotting)
+        found = Working(jotting).answer(template, asks, givens, solution.motion.plan)
     answers = {ask: in_unit(float(value), asks[ask]) for ask, value in found.items()}
     # A centrode is not worked out by numbers but known in closed form
     return {ask: answers.get(ask, answer.value) for ask, answer in solution.answers.items()}
 
 
-def write_givens(solution: Solution, jotting: Jotting) -> dict[str, Any]:
-    """The parameters of an instance, SI, as they are written down."""
+def find_givens(solution: Solution) -> dict[str, float]:
+    """The parameters of an instance, SI."""
+    values = solution.assembly.values
+    return {name: convert_number(values[name]) for name in solution.template.parameters}
+
+
+def write_givens(template: Template, values: Mapping[str, Any], jotting: Jotting) -> dict[str, Any]:
+    """Parameters, SI, as they are written down."""
     return {
-        name: jotting.write(
-            convert_number(solution.assembly.values[name]), angle=parameter.unit.degrees
-        )
-        for name, parameter in solution.template.parameters.items()
+        name: jotting.write(value, angle=template.parameters[name].unit.degrees)
+        for name, value in values.items()
     }
 
 
@@ -128,8 +132,9 @@ def worked(solution: Solution, asks: Mapping[str, Ask], mistake: Mistake) -> Map
     jotting, template = Jotting(CARRIED), solution.template
     try:
         with jotting.context():
-            way = choose_way(mistake, template, write_givens(solution, jotting), jotting)
-            found = work_out(template, asks, way, solution.motion.plan, jotting)
+            way = choose_way(mistake, template, find_givens(solution), jotting)
+            taken = replace(way, values=write_givens(template, way.values, jotting))
+            found = work_out(template, asks, taken, solution.motion.plan, jotting)
     except (KinegradeError, Singular, ArithmeticError):
         return {}
     return {name: float(value) for name, value in found.items() if isfinite(float(value))}

@@ -31,10 +31,11 @@ def test_what_45_degrees_hide_is_refused_as_often_as_they_are_drawn() -> None:
 
 def test_a_mirrored_crank_that_turns_uniformly_turns_its_rod_alike() -> None:
     # Without angular acceleration that of the rod is the same at 180 degrees minus phi
-    separation, near = find_shares()
+    separation, near = find_shares(alpha=("0",))
     sample = separation.sample
-    dealt = separation.compare(sample).fit & ~separation.confuses(sample)
-    alike = (np.array(sample["alpha"]) == "0") & (np.array(sample["phi"]) != "90")
+    seen = separation.compare(sample)
+    dealt = seen.fit & ~separation.find_confused(seen)
+    alike = np.array(sample["phi"]) != "90"
     found = near.passing["alpha_AB"]["supplementary-angle.phi"]
     assert 0.1 < alike[dealt].mean() == pytest.approx(found, abs=0.02)
     assert "supplementary-angle.phi" not in near.refused["alpha_AB"]
