@@ -1,8 +1,9 @@
 """How hard a draw of a question is predicted to be, compared with other draws of the same question.
 
-The prediction is the number of points that a student loses on the average who makes one mistake,
-each of those that the question gives occasion for with the same chance: a known mistake, a slip in
-reading what is given, a sense that is not thought of, a value rounded too far. A mistake costs an
+The prediction is the number of points that a student loses on the average who makes one mistake:
+one of the known mistakes that the question gives occasion for, each with the same chance, or, a
+quarter as likely, a slip in reading what is given, a sense that is not thought of, a value rounded
+too far. A mistake costs an
 ask its points unless it leads to an answer within tolerance; rounding costs the share of them that
 its bound has of the tolerance. So a draw is easier where a term vanishes, where an angle is
 special (sine and cosine equal, or one of them zero), where two givens are equal, and where an
@@ -22,6 +23,10 @@ import numpy as np
 from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.students.mistaking.unnamed_slips import list_unnamed_slips
 from kinegrade.students.separation import Comparison, Separation, collect_columns
+
+# The chance of a slip that has no name, in that of a known mistake: students written by hand lose
+# points by the known ones
+_UNNAMED = 0.25
 
 
 @dataclass(frozen=True)
@@ -44,7 +49,8 @@ class Difficulty:
         for name, ask in self._wide.asks.items():
             trapped = (seen.right[name] < 0) & (ask.sign not in UNSIGNED)
             costly = [seen.changed[name] & ~seen.near[name], trapped, _round_too_far(seen, name)]
-            lost += float(self.points[name]) * np.vstack(costly).mean(axis=0)
+            chances = [1 if label else _UNNAMED for label in (*seen.identifiers[name], "", "")]
+            lost += float(self.points[name]) * np.average(np.vstack(costly), 0, chances)
         return lost
 
     @cached_property
