@@ -108,7 +108,9 @@ def mistaken(exam: Exam, turns: int) -> Count:
 
 
 def following(exam: Exam, turns: int) -> Count:
-    """Who goes on rightly from a wrong value of an earlier ask gets full marks for the later."""
+    """Who goes on rightly from a wrong value of an earlier ask is charged once: the two answers
+    together lose no more than the earlier one counts.
+    """
     found = Count()
     for turn in range(turns):
         chosen = _dealt(exam, turn, _edges)
@@ -120,11 +122,16 @@ def following(exam: Exam, turns: int) -> Count:
             own = factor * question.right[edge.earlier]
             return {edge.earlier: own, edge.later: edge.formula(question.givens, own)}
 
-        for mark in exam.mark(typed):
-            edge, _ = chosen[mark.paper.student, mark.question.number]
+        marks = exam.mark(typed)
+        charged: defaultdict[tuple[str, str], float] = defaultdict(float)
+        for mark in marks:
+            charged[mark.paper.student, mark.question.number] += mark.lost
+        for mark in marks:
+            place = mark.paper.student, mark.question.number
+            edge, _ = chosen[place]
             if mark.ask == edge.later:
-                where = f"{mark.question.template} {edge}"
-                found.add(where, mark.lost == 0, mark)
+                once = charged[place] <= mark.question.points[edge.earlier]
+                found.add(f"{mark.question.template} {edge}", once, mark)
     return found
 
 

@@ -8,7 +8,7 @@ from tests.by_hand.claims import following
 from tests.by_hand.exceptions import lost
 from tests.by_hand.school import Exam
 
-TURNS = 3
+TURNS = 1
 pytestmark = pytest.mark.xdist_group("by_hand")
 
 

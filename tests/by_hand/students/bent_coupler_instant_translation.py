@@ -151,6 +151,13 @@ def only_changes(slip: Slip) -> Mistake:
     }
 
 
+def without_tangential(given: Givens) -> Answers:
+    """The tangential acceleration forgotten wherever an angular acceleration is known."""
+    a_c = _a(given, Slip(tangential=0)) - _rates(given)[0] ** 2 * _arms(given)[3]
+    wrong = textbook(given, Slip(tangential=0))
+    return {"alpha_ABC": wrong["alpha_ABC"], "a_C_x": a_c.real, "a_C_y": a_c.imag}
+
+
 def angles(read: Mistake) -> Mistake:
     """Students who work with other angles than the given ones."""
     return lambda given: textbook({**given, **read(given)})
@@ -220,7 +227,7 @@ MISTAKES: Mapping[str, Mistake] = {
     "path-normal-dropped": only_changes(Slip(path=0)),
     "relative-normal-dropped": only_changes(Slip(about=0)),
     "relative-normal-outwards": only_changes(Slip(about=-1)),
-    "tangential-dropped": only_changes(Slip(tangential=0)),
+    "tangential-dropped": without_tangential,
     "sine-for-cosine": angles(complements),
     "degrees-for-radians": angles(numbers_of_radians),
     "wrong-pole": of_crank,
