@@ -172,7 +172,6 @@ MISTAKES: Mapping[str, Mistake] = {
     "coriolis-halved": slip(work_in_the_turning_frame, coriolis=1),
     "coriolis-reversed": slip(work_in_the_turning_frame, coriolis=-2),
     "path-normal-dropped": slip(work_in_the_turning_frame, relative_normal=0, transport_normal=0),
-    "coriolis-wrong-omega": slip(work_in_the_turning_frame, coriolis=0),
     "path-normal-outwards": slip(
         work_in_the_turning_frame, relative_normal=-1, transport_normal=-1
     ),
