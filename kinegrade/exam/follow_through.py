@@ -26,7 +26,6 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.template.template import Template
 from kinegrade.students.following.connections import (
-    find_connections,
     find_generic_plan,
     find_stages,
 )
@@ -45,7 +44,6 @@ class FollowThrough:
 
     exam: ExamFolder
     plans: dict[str, Plan | None] = field(default_factory=dict, repr=False)
-    connected: dict[str, frozenset[tuple[str, str]]] = field(default_factory=dict, repr=False)
     instances: dict[tuple[str, str], Follower | None] = field(default_factory=dict, repr=False)
 
     def __call__(
@@ -57,24 +55,11 @@ class FollowThrough:
         Empty if it does not depend on them or nothing follows. Raises ExamError if the key cannot
         be read.
         """
-        leading = {
-            ask: float(value)
-            for ask, value in own.items()
-            if (ask, later) in self._connections(question)
-        }
-        follower = self.instance(student, question) if leading else None
-        return (
-            () if follower is None else tuple(map(Fraction, follower.consequences(leading, later)))
-        )
-
-    def _connections(self, question: str) -> frozenset[tuple[str, str]]:
-        """Which ask of a question (first) another one (second) depends on."""
-        if question not in self.connected:
-            template = self.templates.get(question)
-            self.connected[question] = (
-                frozenset() if template is None else find_connections(template)
-            )
-        return self.connected[question]
+        follower = self.instance(student, question)
+        if follower is None:
+            return ()
+        answers = {ask: float(value) for ask, value in own.items() if ask in follower.template.asks}
+        return tuple(map(Fraction, follower.consequences(answers, later)))
 
     def stages(self, question: str, asks: Sequence[str]) -> Sequence[Sequence[str]]:
         """The asks of a question in the order in which the plan comes to them: velocities before

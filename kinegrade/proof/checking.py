@@ -25,6 +25,7 @@ from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
 from kinegrade.proof.spread import Copied, Spread
+from kinegrade.students.following.connections import find_connections
 from kinegrade.students.near_mistakes import find_near_mistakes
 from kinegrade.students.rounding.accuracy import WIDEST
 
@@ -60,6 +61,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     _draw(report, draws)
     _weigh(report)
     _search(report, min(sample, _SEARCHED))
+    report.following = find_connections(template, _select_asked(report))
     return report
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -37,6 +38,7 @@ class Report:
     special: Counter[str] = field(default_factory=Counter)
     spreads: dict[str, Spread] = field(default_factory=dict)
     near: NearMistakes = field(default_factory=NearMistakes)
+    following: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     seconds: float = 0.0
     remarks: list[Message] = field(default_factory=list)
     faults: list[Problem] = field(default_factory=list)

@@ -36,6 +36,10 @@ def write_findings(report: Report) -> Iterator[Message]:
     yield from _write_spreads(report)
     yield from _write_near_mistakes(Message("template.report-refused"), report.near.refused)
     yield from _write_near_mistakes(Message("template.report-inseparable"), report.near.passing)
+    if report.following:
+        yield Message("template.report-following")
+    for name, others in report.following.items():
+        yield Message("template.report-follows", ask=f"  {name}", others=list_plainly(others))
     for remark in report.remarks:
         yield Message("template.report-remark", remark=remark)
     for fault in report.faults:

@@ -108,8 +108,8 @@ def mistaken(exam: Exam, turns: int) -> Count:
 
 
 def following(exam: Exam, turns: int) -> Count:
-    """Who goes on rightly from a wrong value of an earlier ask is charged once: the two answers
-    together lose no more than the earlier one counts.
+    """Who goes on rightly from a wrong value of one ask to another one is charged for one of them:
+    which of the two led to the other does not stand on the paper.
     """
     found = Count()
     for turn in range(turns):
@@ -122,16 +122,15 @@ def following(exam: Exam, turns: int) -> Count:
             own = factor * question.right[edge.earlier]
             return {edge.earlier: own, edge.later: edge.formula(question.givens, own)}
 
-        marks = exam.mark(typed)
-        charged: defaultdict[tuple[str, str], float] = defaultdict(float)
+        marks = list(exam.mark(typed))
+        full = {(mark.paper.student, mark.question.number, mark.ask) for mark in marks if mark.full}
         for mark in marks:
-            charged[mark.paper.student, mark.question.number] += mark.lost
-        for mark in marks:
-            place = mark.paper.student, mark.question.number
-            edge, _ = chosen[place]
+            student, number = mark.paper.student, mark.question.number
+            edge, factor = chosen[student, number]
             if mark.ask == edge.later:
-                once = charged[place] <= mark.question.points[edge.earlier]
-                found.add(f"{mark.question.template} {edge}", once, mark)
+                where = f"{mark.question.template} {edge}"
+                kept = mark.full or (student, number, edge.earlier) in full
+                found.add(where, kept, f"{edge.earlier} x {factor}: {mark}")
     return found
 
 

@@ -266,21 +266,24 @@ def test_nothing_follows_in_a_pose_or_where_the_configuration_cannot_be() -> Non
     assert follow_through(template, impossible, {"omega_AB": 1.0}, "a_B") == ()
 
 
+def edges(name: str) -> set[tuple[str, str]]:
+    """The pairs of asks of which the second follows from the first."""
+    template = load_template(name)
+    found = find_connections(template, list(template.asks))
+    return {(earlier, later) for later, others in found.items() for earlier in others}
+
+
 def test_relative_speed_of_two_points_of_a_body_is_its_rotation() -> None:
-    asks = load_template("elliptic-trammel-end-driven").asks
-    name = next(
-        name for name, ask in asks.items() if "velocity" in str(ask.quantity) and "v_BA" in name
-    )
-    assert ("omega_AB", name) in find_connections(load_template("elliptic-trammel-end-driven"))
+    assert ("omega_AB", "v_BA") in edges("elliptic-trammel-end-driven")
 
 
 def test_which_asks_are_connected() -> None:
-    rocker = find_connections(load_template("slotted-rocker-and-slider-two-drivers"))
+    rocker = edges("slotted-rocker-and-slider-two-drivers")
     assert {("v_rel", "a_cor"), ("a_cor", "alpha_AB"), ("omega_AB", "alpha_AB")} <= rocker
     assert not [
         pair for pair in rocker if pair[0].startswith("a") and pair[1].startswith(("v", "o"))
     ]
-    assert find_connections(load_template("pose-cam-tappet")) == frozenset()
+    assert edges("pose-cam-tappet") == set()
 
 
 def test_the_plan_comes_to_velocities_first() -> None:

@@ -4,8 +4,8 @@ asks.
 `follow_answers` is pure. It takes the answers to one question as decided by the key, the policy and
 the known mistakes. The argument `follows` works out what follows (`kinegrade.exam.follow_through`);
 this module holds the rules. The key is tried first, and an error is charged once: of answers that
-follow from each other one is left that is charged. No credit comes from an answer that is right,
-missing, zero, absurd, copied, or so chosen that it makes the rest trivial
+follow from each other, the one with the fewest points, of equals the first. No credit comes from an
+answer that is right, missing, zero, absurd, copied, or so chosen that it makes the rest trivial
 (`kinegrade.grading.judging.trivial_answers`).
 """
 
@@ -99,7 +99,7 @@ def follow_answers(
             value = answer.own_value
             if value is not None:
                 (earlier.right if answer.is_right else earlier.wrong)[answer.ask.ask] = value
-        for answer in stage:
+        for answer in _sort_by_points(stage):
             given = earlier.leave_out(answer.ask.ask)
             if given.wrong and answer.may_follow:
                 credit = next(_find_credits(student, answer, given, follows), None)
@@ -107,6 +107,13 @@ def follow_answers(
                     verdict, earlier.basis[answer.ask.ask] = credit
                     found[answer.ask.ask] = verdict, answer.ruling.follow_through
     return found
+
+
+def _sort_by_points(answers: Sequence[Decided]) -> list[Decided]:
+    """Those with the most points first, of equals the last: what is left is charged."""
+    ordered = list(reversed(answers))
+    ordered.sort(key=lambda answer: -answer.ask.points)
+    return ordered
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,12 @@ from kinegrade.press.class_sheet import AskLine, Bar, StackedBar
 from kinegrade.reports.classes.figures import write_decimal, write_plain, write_share
 from kinegrade.reports.classes.item_statistics import find_discriminations, find_facilities
 from kinegrade.reports.classes.tally import ClassTally
-from kinegrade.reports.classes.words import find_symbol, name_question, name_verdict
+from kinegrade.reports.classes.words import (
+    explain_verdict,
+    find_symbol,
+    name_question,
+    name_verdict,
+)
 
 _HARD, _EASY, _FLAT = 0.3, 0.9, 0.1
 _WIDTH = 70.0  # pixels of the bar of a facility
@@ -62,7 +67,7 @@ def list_asks(counts: ClassTally, wording: Wording, catalogue: Catalogue) -> Ite
 def list_legend(counts: ClassTally, catalogue: Catalogue) -> Iterator[tuple[str, str]]:
     """The shades of the verdicts that occur, and their names."""
     for verdict, _ in _in_order(sum(counts.verdicts.values(), Counter[str]())):
-        yield _SHADES.get(verdict, _UNKNOWN), catalogue.write(name_verdict(verdict))
+        yield _SHADES.get(verdict, _UNKNOWN), catalogue.write(explain_verdict(verdict))
 
 
 def _share_out(verdicts: Counter[str]) -> tuple[tuple[str, float], ...]:

@@ -58,6 +58,13 @@ def name_verdict(verdict: str) -> Text:
     return _VERDICTS.get(verdict, verdict)
 
 
+def explain_verdict(verdict: str) -> Text:
+    """What a legend says of a verdict: its name, and where its rule cannot be guessed, the rule."""
+    if verdict == "follow-through":
+        return Message("report.legend-follow-through")
+    return name_verdict(verdict)
+
+
 def describe_reason(reason: str, wording: Wording) -> Text:
     """The sentence for a known mistake, or the words for a hint or a verdict; an unknown reason as
     it stands in the marks.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import chain
 from math import modf
@@ -18,22 +18,27 @@ from kinegrade.students.following.followed_quantities import (
 )
 from kinegrade.students.mistaking.mistakes import convert_parameter
 
-_INSTANCES = 8  # looked at to see which asks are connected
+_INSTANCES = 3  # looked at to see which asks are connected
 _CHANGED = 1.3  # times the right answer
 _GOLDEN, _ROOT = 0.6180339887, 0.4142135624  # steps along choices that never meet again
 
 
-def find_connections(template: Template) -> frozenset[tuple[str, str]]:
-    """Which ask (first) another one (second) depends on in a template: at one of several sets of
-    values at least.
+def find_connections(template: Template, asks: Collection[str]) -> Mapping[str, tuple[str, ...]]:
+    """For each of some asks the others from which it follows, where it follows from any: at one of
+    several sets of values at least.
     """
-    found: set[tuple[str, str]] = set()
+    stages = find_stages(template, asks)
+    found: dict[str, set[str]] = {name: set() for stage in stages for name in stage}
     for number in range(_INSTANCES):
         with suppress(KinegradeError, ArithmeticError):
-            found.update(
-                _find_connected(Follower(template, choose_generic_values(template, number)))
-            )
-    return frozenset(found)
+            follower = Follower(template, choose_generic_values(template, number))
+            for earlier, later in _find_connected(follower, stages):
+                found[later].add(earlier)
+    return {
+        later: tuple(name for name in found if name in earlier)
+        for later, earlier in found.items()
+        if earlier
+    }
 
 
 def find_generic_plan(template: Template) -> Plan | None:
@@ -59,11 +64,12 @@ def choose_generic_values(template: Template, number: int) -> dict[str, float]:
     }
 
 
-def _find_connected(follower: Follower) -> Iterator[tuple[str, str]]:
+def _find_connected(
+    follower: Follower, stages: Sequence[Sequence[str]]
+) -> Iterator[tuple[str, str]]:
     """Which ask each one depends on in an instance: a change of the first, by nearly a third,
     changes the second in some way of going on.
     """
-    stages = find_stages(follower.template, follower.template.asks)
     for number, stage in enumerate(stages):
         for earlier in stage:
             own = {earlier: _CHANGED * (follower.right(earlier) or 0.0)}

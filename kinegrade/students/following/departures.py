@@ -13,7 +13,7 @@ Equations are linear in the rates, so that without one of them all rates move al
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from kinegrade.mechanics import plan as plans
@@ -28,6 +28,7 @@ from kinegrade.numbers.number import Number
 from kinegrade.students.following.followed_terms import (
     FollowedReading,
     Place,
+    find_detours,
     read_to_follow,
     write_relations,
 )
@@ -118,6 +119,11 @@ class Equations:
             velocity = motion.velocity(base.point, body)
             if base.chain and velocity.squared():
                 yield self.move_point((body, base.point), velocity)
+
+    @cached_property
+    def by_detours(self) -> Equations:
+        """The same, points of bodies being read about another point than the base."""
+        return replace(self, reading=replace(self.reading, detours=find_detours(self.frames)))
 
     @cached_property
     def right(self) -> Motion:

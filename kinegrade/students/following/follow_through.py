@@ -136,7 +136,8 @@ class Follower:
                 for name, number in answers.items()
             ]
             for values in product(*ways):
-                yield from follow_values(self.equations, tuple(chain(*values)))
+                for equations in (self.equations, self.equations.by_detours):
+                    yield from follow_values(equations, tuple(chain(*values)))
 
     @cached_property
     def equations(self) -> Equations:
@@ -220,9 +221,9 @@ class Follower:
         return ((OwnValue(lambda motion: self.read(ask, motion), number, level, place, share),),)
 
     def place(self, call: Call) -> Place | None:
-        """The body and point whose velocity or acceleration a call gives."""
+        """The body and point whose velocity or acceleration a call gives, absolute or relative."""
         function = MOTION_FUNCTIONS.get(call.function)  # None for a rotation
-        if function is None or function.derivation != "point":
+        if function is None or function.derivation not in ("point", "relative"):
             return None
         point, *bodies = (find_name(argument) for argument in call.arguments)
         body = self.names[bodies[0]] if bodies else None

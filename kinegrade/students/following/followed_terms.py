@@ -15,7 +15,7 @@ from typing import Literal, NamedTuple
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.motion import find_relative_terms
 from kinegrade.mechanics.plan import Plan
-from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Chain, Reading, Relation, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
@@ -56,13 +56,14 @@ class Shortcut:
 class FollowedReading(Reading):
     """The terms of a motion into which a student's values can be put.
 
-    Chains use the `shortcuts`; `offsets` are the rates of the additions to the motion of a point,
-    by the last term that leads there, and `ends` that term by place; `relative` has the relative
-    motions that the plan solves for. `shares` are those of Coriolis and normal parts that are
-    taken; 1 where there is none.
+    Chains use the `shortcuts`, or by whole chain the `detours` about another point of the body.
+    `offsets` are the rates of the additions to the motion of a point, by the last term that leads
+    there, and `ends` that term by place; `relative` has the relative motions that the plan solves
+    for. `shares` are those of Coriolis and normal parts that are taken; 1 where there is none.
     """
 
     shortcuts: tuple[Shortcut, ...]
+    detours: Mapping[tuple[Sign, ...], Chain]
     ends: Mapping[Place, Sign]
     additions: Mapping[Sign, Chain]
     relative: Mapping[tuple[str, str], Term]
@@ -81,8 +82,9 @@ class FollowedReading(Reading):
         return () if end is None else tuple(term.rate for term in self.additions[end])
 
     def chain(self, chain: Chain) -> Chain:
-        """The terms after all shortcuts, with the additions."""
-        return self._add(_shorten(chain, self.shortcuts))
+        """The terms after all shortcuts or a detour, with the additions."""
+        detour = self.detours.get(tuple(map(_make_sign, chain))) if self.detours else None
+        return self._add(detour or _shorten(chain, self.shortcuts))
 
     def _add(self, chain: Chain) -> Chain:
         """The terms, each followed by the additions to the motion of the point that it leads to."""
@@ -123,7 +125,7 @@ def read_to_follow(frames: Frames, plan: Plan, places: Sequence[Place]) -> Follo
     chains = {place: _shorten(frames.chain(*place), shortcuts) for place in places}
     ends = {place: _make_sign(chain[-1]) for place, chain in chains.items() if chain}
     additions = {sign: _make_additions(place) for place, sign in ends.items()}
-    return FollowedReading(shortcuts, ends, additions, find_relative_terms(frames), {})
+    return FollowedReading(shortcuts, {}, ends, additions, find_relative_terms(frames), {})
 
 
 def write_relations(frames: Frames, plan: Plan, reading: FollowedReading) -> list[Relation]:
@@ -157,6 +159,25 @@ def _find_shortcuts(frames: Frames, plan: Plan) -> Iterator[Shortcut]:
             )
             if relation.is_vector and len(short) < len(long) and last <= latest:
                 yield Shortcut(tuple(map(_make_sign, long)), short, number)
+
+
+def find_detours(frames: Frames) -> dict[tuple[Sign, ...], Chain]:
+    """The chains of the points of a body by way of another point of it than its base, whose motion
+    a relation states once more: a rod's end D by `v_B + omega x BD`, not by `v_A + omega x AD`.
+    """
+    places = [(body, point) for body in frames.mechanism.bodies for point in body.points]
+    chains = {(body.name, point): frames.chain(body.name, point) for body, point in places}
+    detours: dict[tuple[Sign, ...], Chain] = {}
+    for relation in frames.relations:
+        for side, other in ((relation.left, relation.right), (relation.right, relation.left)):
+            about = [place for place, chain in chains.items() if chain and chain == side]
+            for body, base in about if relation.is_vector else ():
+                for point in frames.mechanism.body(body).points:
+                    arm = frames.mechanism.points[point] - frames.mechanism.points[base]
+                    turn = Term("rotation", make_turning(body), arm, point, base)
+                    way = other if point == base else (*other, turn)
+                    detours.setdefault(tuple(map(_make_sign, chains[body, point])), way)
+    return detours
 
 
 def _shorten(chain: Chain, cuts: Sequence[Shortcut]) -> Chain:
