@@ -55,8 +55,8 @@ class FollowThrough:
         Empty if it does not depend on them or nothing follows. Raises ExamError if the key cannot
         be read.
         """
-        follower = self.instance(student, question)
-        if follower is None:
+        follower = self.instance(student, question) if own else None
+        if follower is None or later not in follower.template.asks:
             return ()
         answers = {ask: float(value) for ask, value in own.items() if ask in follower.template.asks}
         return tuple(map(Fraction, follower.consequences(answers, later)))

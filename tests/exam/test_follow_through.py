@@ -59,9 +59,9 @@ def write(folder: Path, *lines: str, template: str = "slider-crank") -> FollowTh
     return FollowThrough(open_exam(folder))
 
 
-def a_B(follow: FollowThrough, student: str, omega: str = "1/2") -> float | None:
-    value = follow(student, "q1", {"omega_AB": Fraction(omega)}, "a_B")
-    return None if value is None else float(value)
+def a_B(follow: FollowThrough, student: str, omega: str = "1/2") -> list[float]:
+    """What may follow for a_B, in order."""
+    return sorted(map(float, follow(student, "q1", {"omega_AB": Fraction(omega)}, "a_B")))
 
 
 def test_every_paper_is_worked_out_as_its_key_says(small_class: Path) -> None:
@@ -77,24 +77,22 @@ def test_every_paper_is_worked_out_as_its_key_says(small_class: Path) -> None:
 
 def test_what_follows_is_of_the_student_s_own_numbers(tmp_path: Path) -> None:
     follow = write(tmp_path, line("王伟"), "", line("0012", {**GIVEN, "r": "2"}), line("=2"))
-    assert a_B(follow, "王伟") == pytest.approx(-0.5)
-    assert a_B(follow, "0012") == pytest.approx(-1.0)
-    assert a_B(follow, "=2", "1/4") == pytest.approx(-0.125)
+    assert pytest.approx(-0.5) in a_B(follow, "王伟")
+    assert pytest.approx(-1.0) in a_B(follow, "0012")
+    assert pytest.approx(-0.125) in a_B(follow, "=2", "1/4")
 
 
 @pytest.mark.parametrize(
     ("own", "later"),
     [
         ({}, "a_B"),
-        ({"v_B": Fraction(5)}, "a_B"),
-        ({"omega_AB": Fraction(1, 2)}, "v_B"),
         ({"omega_AB": Fraction(0)}, "a_B"),
         ({"omega_XY": Fraction(1)}, "a_B"),
         ({"omega_AB": Fraction(1)}, "a_XY"),
     ],
 )
 def test_where_nothing_follows(tmp_path: Path, own: Mapping[str, Fraction], later: str) -> None:
-    assert write(tmp_path, line("007"))("007", "q1", own, later) is None
+    assert write(tmp_path, line("007"))("007", "q1", own, later) == ()
 
 
 @pytest.mark.parametrize(
@@ -110,18 +108,18 @@ def test_where_nothing_follows(tmp_path: Path, own: Mapping[str, Fraction], late
 def test_what_is_not_there_any_more_costs_follow_through_only(
     tmp_path: Path, student: str, content: str, template: str
 ) -> None:
-    assert a_B(write(tmp_path, content, template=template), student) is None
+    assert a_B(write(tmp_path, content, template=template), student) == []
 
 
 def test_a_line_that_begins_otherwise_is_found_too(tmp_path: Path) -> None:
     turned = json.dumps(dict(reversed(json.loads(line("007")).items())))
-    assert a_B(write(tmp_path, line("1"), turned, line("2")), "007") == pytest.approx(-0.5)
+    assert pytest.approx(-0.5) in a_B(write(tmp_path, line("1"), turned, line("2")), "007")
 
 
 def test_only_lines_asked_about_are_read_and_few_are_kept(tmp_path: Path) -> None:
     broken = '{"student": "broken", "questions": 7}'
     follow = write(tmp_path, broken, *(line(str(number)) for number in range(KEPT + 10)))
-    assert all(a_B(follow, str(number)) is not None for number in range(KEPT + 10))
+    assert all(a_B(follow, str(number)) for number in range(KEPT + 10))
     assert len(follow.instances) == KEPT
     with pytest.raises(ExamError, match=r'key.jsonl: the paper of student "broken": is broken'):
         a_B(follow, "broken")
@@ -172,7 +170,7 @@ def test_where_the_key_says_otherwise_nothing_follows_but_a_refusal(
     record["questions"][0]["asks"] = {"a_B": {**RIGHT, **stated}}
     follow = write(tmp_path, json.dumps(record))
     if taken:
-        assert a_B(follow, "007") == pytest.approx(-0.5)
+        assert pytest.approx(-0.5) in a_B(follow, "007")
         return
     with pytest.raises(ExamError) as caught:
         a_B(follow, "007")
@@ -192,9 +190,6 @@ def test_what_follows_does_not_depend_on_who_was_asked_about_before(tmp_path: Pa
 
 def test_the_order_of_the_plan(tmp_path: Path) -> None:
     follow = write(tmp_path, line("007"))
-    assert follow.in_plan_order("q1", ("a_B", "alpha_AB", "omega_AB")) == (
-        "omega_AB",
-        "a_B",
-        "alpha_AB",
-    )
-    assert follow.in_plan_order("q9", ("a_B", "omega_AB")) == ("a_B", "omega_AB")
+    stages = follow.stages("q1", ("a_B", "alpha_AB", "omega_AB"))
+    assert stages == [["omega_AB"], ["a_B", "alpha_AB"]]
+    assert follow.stages("q9", ("a_B", "omega_AB")) == [("a_B", "omega_AB")]
