@@ -16,7 +16,6 @@ UNNAMED = {
     # the rod of the towed wheel hardly turns in draws that are kept: `check` lists them
     "crank-rocker-towed-wheel relative-normal-dropped",
     "crank-rocker-towed-wheel translation-assumed",
-    "bent-coupler-instant-translation tangential-dropped",
     "pin-in-disc-slot-and-rod degrees-for-radians",
     "rolling-wheel-pin-slotted-rocker degrees-for-radians",
     # gears of one size have no mesh on the inside; rolling inside, a wheel's omega gives its centre
@@ -27,9 +26,6 @@ UNNAMED = {
     # the key follows the centre of curvature, the student the point A of the cam
     "eccentric-cam-offset-follower coriolis-wrong-omega",
     "flat-faced-follower-curvature-radius coriolis-wrong-omega",
-    # check says so: draws are kept at which these lead to a right answer
-    "crank-rocker-towed-wheel relative-normal-dropped",
-    "crank-rocker-towed-wheel translation-assumed",
     # who forgets to square omega may well square v in v^2/r
     "eccentric-cam-offset-follower omega-not-squared",
     "four-bar-parallel-coupler far-pivot-for-pole",
