@@ -66,7 +66,7 @@ class Pad:
         where it is `copied`: it stands on the pad already, with another sign perhaps.
         """
         shown = value / DEGREE if angle else value
-        unit = self._find_unit(shown)
+        unit = self.find_unit(shown)
         error = 0.5 * unit * (DEGREE if angle else 1.0)
         whole = np.abs(shown - np.rint(shown / unit) * unit) <= _WHOLE * unit
         zero = np.abs(shown) < NOTHING
@@ -74,7 +74,7 @@ class Pad:
         self.entries.append(Entry(tuple(uses), np.where(sure | zero | copied, 0.0, error)))
         return Noted(self, len(self.entries) - 1, value, sure, angle)
 
-    def _find_unit(self, shown: Doubles) -> Doubles:
+    def find_unit(self, shown: Doubles) -> Doubles:
         """The unit of the last figure; a number next below a power of ten may, with the errors
         before it, come out above.
         """

@@ -5,6 +5,7 @@ instance, who are off by anything within half a unit of every value they write d
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import cos, radians, sin
 
 import numpy as np
 import pytest
@@ -70,3 +71,18 @@ def test_no_student_is_further_off_than_the_bound(name: str, figures: int) -> No
     for ask, value in work_at_random(template, givens, figures).items():
         off = measure_distance(convert(value, asks[ask].unit), right[ask][0][place], asks[ask])
         assert np.max(off) <= FIRST_ORDER * bounds[ask][place] + 1e-12
+
+
+def test_a_partial_sum_of_a_textbook_is_allowed_for() -> None:
+    """a = (epsilon r sin theta - omega^2 r cos theta) + rho omega^2: with four figures -11.26 and
+    10.8 leave -0.46 of -0.4648.
+    """
+    template = load_template("flat-faced-follower-curvature-radius")
+    given = {"r": "0.35", "theta": "-15", "rho": "0.3", "omega": "-6", "eps": "-10"}
+    asks = {"a_BC_y": template.asks["a_BC_y"]}
+    arrays = convert_parameters(template, {name: [text] for name, text in given.items()})
+    right = 10 * 0.35 * sin(radians(15)) - 36 * 0.35 * cos(radians(15)) + 0.3 * 36
+    student = round(10 * 0.35 * 0.2588 - round(36 * 0.35 * 0.9659, 2), 2) + 10.8
+    assert (round(right, 4), round(student, 2)) == (-0.4648, -0.46)
+    bounds = find_error_bounds(template, asks, arrays, find_plan(template), 4)
+    assert abs(student - right) <= bounds["a_BC_y"][0]

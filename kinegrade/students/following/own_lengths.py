@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import copysign, hypot
+from typing import assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.doubles import Doubles
@@ -19,6 +20,7 @@ from kinegrade.students.following.own_values import OwnValue
 
 _REST = 1e-9  # m/s: what is slower stands still
 _AT_POLE = 1e-9  # m
+_AXES = Vector(1.0, 0.0), Vector(0.0, 1.0)
 
 
 @dataclass(frozen=True)
@@ -35,10 +37,14 @@ class OwnLengths:
             case Call("distance", (one, other)):
                 for pole, point in ((one, other), (other, one)):
                     yield from self._measure_distance(pole, point, length)
-            case Call("x" | "y" as axis, (Call("pole", (Name(body),)),)):
-                yield from self._move_pole(body, axis, length)
-            case _:
+            case Call("x", (Call("pole", (Name(body),)),)):
+                yield from self._move_pole(body, _AXES[0], length)
+            case Call("y", (Call("pole", (Name(body),)),)):
+                yield from self._move_pole(body, _AXES[1], length)
+            case Call() | Name() | Number() | Operation():
                 return
+            case _:
+                assert_never(tree)
 
     def _measure_distance(
         self, pole: Expression, point: Expression, length: float
@@ -53,24 +59,24 @@ class OwnLengths:
             case Name(name):
                 bodies = self._find_turning_about(name)
                 right = self.motion.points[name]
-            case _:
+            case Call() | Number() | Operation():
                 return
+            case _:
+                assert_never(pole)
         distance = hypot(*(self.motion.points[point.name] - right))
         for body in bodies if distance > _AT_POLE else ():
             yield from self._scale(body, point.name, length / distance)
 
-    def _move_pole(self, body: str, axis: str, length: float) -> Iterator[Sequence[OwnValue]]:
-        """A coordinate of the pole: it moves along its line through the base point of the body, or
-        across the other axis.
+    def _move_pole(self, body: str, axis: Vector, length: float) -> Iterator[Sequence[OwnValue]]:
+        """A coordinate of the pole along an axis: it moves along its line through the base point of
+        the body, or across the other axis.
         """
         pole, base = self._find_pole(body), self.motion.frames.bases[body].point
-        moved = Vector(length, pole.y) if axis == "x" else Vector(pole.x, length)
-        arm = pole - self.motion.points[base]
-        across = arm.x if axis == "x" else arm.y
+        shift = length - pole.dot(axis)
+        across = (pole - self.motion.points[base]).dot(axis)
         if abs(across) > _AT_POLE:
-            share = 1 + (moved - pole).dot(Vector(1, 1)) / across
-            yield from self._scale(body, base, share)
-        yield from self._turn_about(body, pole, moved)
+            yield from self._scale(body, base, 1 + shift / across)
+        yield from self._turn_about(body, pole, pole + axis * shift)
 
     def _turn_about(self, body: str, pole: Vector, moved: Vector) -> Iterator[Sequence[OwnValue]]:
         """The body turns about another point: the velocity of its base point gives the angular

@@ -1,7 +1,9 @@
 """How far off a student may be who works correctly and writes every value down rounded: a bound for
 every instance, whatever the roundings come to.
 
-Every operation of `working` is written down.
+Every operation of `working` is written down. Textbooks also add the terms of a velocity or an
+acceleration in another order, over other arms; a partial sum is then as large as the largest one in
+the mechanism, at most, and half a unit of that is allowed for.
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.noting import Noting
 from kinegrade.numbers.pad import DEGREE, Doubles, Noted, Pad
 from kinegrade.problem.template.template import Ask, Template
+from kinegrade.students.mistaking.mistake_outcomes import find_outcomes
 from kinegrade.students.rounding.working import Working
 
 
@@ -47,10 +50,19 @@ def find_error_bounds(
             return dict.fromkeys(asks, np.full(pad.count, np.inf))
         noted = {name: number for name, number in found.items() if isinstance(number, Noted)}
         errors = dict(zip(noted, pad.sum_errors(tuple(noted.values())), strict=True))
+        scales = find_outcomes(template, asks, (), values, plan).scales
+        sums = {name: 0.5 * pad.find_unit(scales[name]) for name in noted if _is_sum(asks[name])}
     return {
-        name: _convert(errors[name], ask) if name in errors else np.zeros(pad.count)
+        name: _convert(errors[name], ask) + sums.get(name, 0.0)
+        if name in errors
+        else np.zeros(pad.count)
         for name, ask in asks.items()
     }
+
+
+def _is_sum(ask: Ask) -> bool:
+    """Whether an ask is of a velocity or an acceleration."""
+    return bool(ask.unit.length and ask.unit.time)
 
 
 def _convert(error: Doubles, ask: Ask) -> Doubles:
