@@ -25,6 +25,7 @@ from kinegrade.draws.examining import (
 )
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
+from kinegrade.numbers.pad import Doubles
 from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
@@ -129,18 +130,20 @@ class DrawFilter:
     def _work_out(self, values: Combination) -> Examined:
         """An instance, fit for students or not: what honest rounding would leave is as stated."""
         solution = solve_template(self.template, values, self.asks, self.plan)
-        allowed = self.accuracy.allow(solution, self._find_bounds(values))
+        bounds = {name: float(row[0]) for name, row in self.bound([values], self.carry).items()}
+        allowed = self.accuracy.allow(solution, bounds)
         stated = {name: self.accuracy.find_stated(name) for name in allowed}
         return Examined(solution, {name: allowed[name] or stated[name] for name in allowed})
 
-    def _find_bounds(self, values: Combination) -> Mapping[str, float]:
-        """How far off honest rounding may put each answer at these values."""
+    def bound(self, draws: Sequence[Combination], carry: int) -> Mapping[str, Doubles]:
+        """By ask how far off rounding to `carry` significant figures may put the answer of each
+        draw, in the ask's unit; nothing where no instance can be worked out.
+        """
         if self.plan is None:
             return {}
         asks = {name: self.template.asks[name] for name in self.asks}
-        arrays = convert_parameters(self.template, collect_columns([values]))
-        found = find_error_bounds(self.template, asks, arrays, self.plan, self.carry)
-        return {name: float(row[0]) for name, row in found.items()}
+        arrays = convert_parameters(self.template, collect_columns(draws))
+        return find_error_bounds(self.template, asks, arrays, self.plan, carry)
 
     def _find_zero_by_chance(self, solution: Solution) -> str:
         """The first ask whose answer is zero here and not in all draws, which would be easier than

@@ -152,13 +152,36 @@ class TrendLine:
 
 
 @dataclass(frozen=True)
+class PredictionLine:
+    """How points lost of a question, or of whole papers, vary with what was predicted, in points;
+    thirds are those of papers as predicted, as in `TrendLine`.
+    """
+
+    papers: str
+    predicted: str
+    thirds: tuple[tuple[str, str, int], ...]
+    correlation: str
+    p: str
+    adjusted: str
+
+
+@dataclass(frozen=True)
+class PredictedHardness:
+    """Whether papers that were predicted to be harder were."""
+
+    verdict: str
+    lines: tuple[PredictionLine, ...]
+
+
+@dataclass(frozen=True)
 class Hardness:
-    """Whether papers were equally hard: by version, or by the numbers drawn."""
+    """Whether papers were equally hard: by version, or by the numbers drawn; and as predicted."""
 
     verdict: str
     versions: tuple[VersionLine, ...] = ()
     plot: BoxPlot | None = None
     trends: tuple[TrendLine, ...] = ()
+    predicted: PredictedHardness | None = None
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from math import nan
 
 from kinegrade.errors import ExamError, FieldError
@@ -19,24 +20,27 @@ from kinegrade.exam.folder.numbers import require_number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.rows import Put
+from kinegrade.reports.predictions import Predictions, find_predictions
 
 
 @dataclass(frozen=True, slots=True)
 class RightAnswer:
     """A right answer: `exact` is an expression where there is one; `allowed` is the tolerance on
-    the paper.
+    the paper, `coarse` how far off an answer may be that is rounded too coarsely, 0 where that is
+    not known.
     """
 
     value: Fraction
     exact: str | None
     unit: str
     allowed: Fraction
+    coarse: float = 0.0
 
 
 @dataclass(frozen=True)
 class PaperRecord:
     """One paper: the questions as printed, right answers by column, drawn numbers by question and
-    parameter.
+    parameter, and predicted difficulties by question, where they are known.
 
     A number is NaN where the question's asks were put with different values.
     """
@@ -44,6 +48,7 @@ class PaperRecord:
     printed: tuple[str, ...]
     answers: Mapping[str, RightAnswer]
     parameters: Mapping[tuple[str, str], float]
+    difficulties: Mapping[str, float]
 
 
 @dataclass(frozen=True)
@@ -61,7 +66,16 @@ class PaperRecords:
         """The paper of a student. Raises ExamError where the exam has no paper for that student."""
         line = self.exam.line_of(student)
         with decoding(self.exam.key, name_paper(student)):
-            return PaperRecord(line.order, dict(_read_answers(line)), dict(_read_parameters(line)))
+            return PaperRecord(
+                line.order,
+                dict(_read_answers(line, self._predictions.rounding.get(student, {}))),
+                dict(_read_parameters(line)),
+                self._predictions.difficulties.get(student, {}),
+            )
+
+    @cached_property
+    def _predictions(self) -> Predictions:
+        return find_predictions(self.exam)
 
     def marked(self, student: str, columns: Iterable[str]) -> PaperRecord:
         """The paper of a student whose answers stand in these columns. Raises ExamError where it
@@ -83,6 +97,7 @@ class PaperRecords:
         it gets none.
         """
         answers, parameters = dict(paper.answers), dict(paper.parameters)
+        difficulties = dict(paper.difficulties)
         sources: dict[str, set[str]] = {}
         for column, source in put.items():
             other = self.paper(source)
@@ -90,30 +105,34 @@ class PaperRecords:
                 answers[column] = other.answers[column]
             question = column.partition(".")[0]
             sources.setdefault(question, set()).add(source)
+            alone = len(sources[question]) == 1
             parameters |= {
-                place: number if len(sources[question]) == 1 else nan
+                place: number if alone else nan
                 for place, number in other.parameters.items()
                 if place[0] == question
             }
-        return PaperRecord(paper.printed, answers, parameters)
+            difficulties[question] = other.difficulties.get(question, nan) if alone else nan
+        return PaperRecord(paper.printed, answers, parameters, difficulties)
 
 
-def _read_answers(line: KeyLine) -> Iterator[tuple[str, RightAnswer]]:
+def _read_answers(
+    line: KeyLine, rounding: Mapping[str, float]
+) -> Iterator[tuple[str, RightAnswer]]:
     """The right answers, by column. Raises FieldError."""
     for question in line.questions:
         for name, stated in question.asks.items():
             column = f"{question.question}.{name}"
             try:
-                yield column, _read_right_answer(stated)
+                yield column, _read_right_answer(stated, rounding.get(column, 0.0))
             except FieldError as fault:
                 problem = Message("marks.of-answer", ask=column, fault=fault.faults[0])
                 raise FieldError(problem) from fault
 
 
-def _read_right_answer(stated: StatedAnswer) -> RightAnswer:
+def _read_right_answer(stated: StatedAnswer, coarse: float) -> RightAnswer:
     value = find_exact_value(stated)
     low, high = read_rule(stated.tolerance).interval(value)
-    return RightAnswer(value, stated.exact, stated.unit, max(value - low, high - value))
+    return RightAnswer(value, stated.exact, stated.unit, max(value - low, high - value), coarse)
 
 
 def _read_parameters(line: KeyLine) -> Iterator[tuple[tuple[str, str], float]]:

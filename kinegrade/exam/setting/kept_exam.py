@@ -38,6 +38,11 @@ class KeptExam:
         chosen = {each.question: each.template for each in self.exam.head.questions}
         return read_kept_bank(self.exam.path / BANK, self.exam.path / TEMPLATES, chosen)
 
+    @cached_property
+    def unkeyed(self) -> Exam:
+        """The exam without its secret, for what does not depend on it. Raises BankError."""
+        return Exam(self.bank, "")
+
     def derive(self, line: KeyLine, kept: KeyQuestion, plan: Plan | None = None) -> SetQuestion:
         """A question of a paper solved again, faster by a plan that may serve.
 
@@ -101,8 +106,8 @@ class KeptExam:
 
     @cached_property
     def _plans(self) -> Mapping[str, Plan | None]:
-        """The plans by which `generate` solves, by question: they do not depend on the secret."""
-        return {name: each.plan for name, each in Exam(self.bank, "").filters.items()}
+        """The plans by which `generate` solves, by question."""
+        return {name: each.plan for name, each in self.unkeyed.filters.items()}
 
 
 def student_of(candidate: Candidate) -> Student:

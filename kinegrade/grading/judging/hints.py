@@ -23,12 +23,14 @@ Kind = Literal[
     "radians for degrees",
     "revolutions per minute",
     "revolutions per second",
+    "rounded",
     "another ask",
     "close",
 ]
 _LARGEST_POWER = 6
 _WIDEST = 0.02  # of the right answer: a wider interval would be hit by chance
 _CLOSE = 0.05  # of the right answer
+_COARSE = 0.1  # of the right answer: what is farther off is not put down to rounding
 _DOUBLED: tuple[tuple[Kind, float], ...] = (("twice", 2.0), ("half", 0.5))
 
 
@@ -45,10 +47,16 @@ class Hint:
 
 
 def find_hint(
-    value: Fraction, right: Fraction, allowed: Fraction, unit: str, others: Mapping[str, Fraction]
+    value: Fraction,
+    right: Fraction,
+    allowed: Fraction,
+    unit: str,
+    others: Mapping[str, Fraction],
+    *,
+    coarse: float = 0.0,
 ) -> Hint | None:
     """What a wrong value suggests, or None; `others` are the right answers of the question's other
-    asks, by column.
+    asks, by column, `coarse` is how far off rounding too coarsely may lead.
 
     A value fits if it lies within the tolerance, and within 2 %, of a multiple of the right answer.
 
@@ -64,6 +72,8 @@ def find_hint(
     for candidate, factor in _list_candidates(unit):
         if abs(ratio - factor) <= room * abs(factor):
             return candidate
+    if abs(ratio - 1) <= min(coarse / abs(float(right)), _COARSE):
+        return Hint("rounded")
     for column, other in others.items():
         if other and abs(float(value / other) - 1) <= room:
             return Hint("another ask", column=column)

@@ -20,6 +20,7 @@ from kinegrade.reports.classes.item_statistics import Points, correlate
 _MOST_PERMUTATIONS, _FEWEST_PERMUTATIONS = 9999, 199
 # Most numbers to shuffle: a class of 60 gets 9,999 permutations, one of 100,000 only 199
 _WORK = 10_000_000
+SIGNIFICANT = 0.05
 ENOUGH = 30  # students: with fewer, nothing can be said
 _AT_ONCE = 1_000_000  # numbers in memory
 _SEED = 20_260_501

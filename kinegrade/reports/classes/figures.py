@@ -6,6 +6,7 @@ from decimal import Decimal
 
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message
+from kinegrade.reports.classes.equal_hardness import Third
 
 _NONE = "–"  # in place of a figure that cannot be given
 _LEAST = 0.001  # p-values below are not told apart
@@ -39,6 +40,12 @@ def write_decimal(value: float | None, catalogue: Catalogue) -> str:
 def write_plain(value: float, catalogue: Catalogue) -> str:
     """A number as short as it can be written to six digits."""
     return catalogue.write_number(Decimal(f"{value:g}")).replace("-", "−")
+
+
+def write_third(third: Third, catalogue: Catalogue) -> tuple[str, str, int]:
+    """The share of the points in a third, its lowest and highest number, and its size."""
+    bounds = [write_plain(bound, catalogue) for bound in (third.lowest, third.highest)]
+    return write_share(third.share, catalogue), " … ".join(dict.fromkeys(bounds)), third.count
 
 
 def write_p(p: float, catalogue: Catalogue) -> str:

@@ -1,5 +1,5 @@
 """The part of the class report on whether papers were equally hard: versions compared with each
-other, or drawn numbers compared with points.
+other, or drawn numbers compared with points; and what was predicted.
 
 `page` calls it; `equal_hardness` has the tests.
 """
@@ -7,6 +7,7 @@ other, or drawn numbers compared with points.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import isnan
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
@@ -16,8 +17,8 @@ from kinegrade.language.message import Message, Text
 from kinegrade.press.class_sheet import BoxPlot, Hardness, Summary, Symbol, TrendLine, VersionLine
 from kinegrade.reports.classes.equal_hardness import (
     ENOUGH,
+    SIGNIFICANT,
     ParameterTrend,
-    Third,
     compare_groups,
     find_parameter_trends,
 )
@@ -26,14 +27,14 @@ from kinegrade.reports.classes.figures import (
     write_deviation,
     write_p,
     write_percent,
-    write_plain,
     write_share,
+    write_third,
 )
 from kinegrade.reports.classes.item_statistics import summarise
+from kinegrade.reports.classes.predicted_hardness import judge_predictions
 from kinegrade.reports.classes.tally import ClassTally
 from kinegrade.reports.classes.words import name_question
 
-_SIGNIFICANT = 0.05
 _MOST_TRENDS = 8
 _TOO_FEW = Message("report.too-few", enough=ENOUGH)
 
@@ -42,20 +43,23 @@ def judge_hardness(
     counts: ClassTally, exam: ExamFolder, wording: Wording, catalogue: Catalogue
 ) -> Hardness:
     """What the report says of it."""
+    enough = len(counts.answered) >= ENOUGH
+    predicted = judge_predictions(counts, catalogue) if enough else None
     if any(counts.versions):
-        return _compare_versions(counts, exam, catalogue)
-    if len(counts.answered) < ENOUGH:
+        return replace(_compare_versions(counts, exam, catalogue), predicted=predicted)
+    if not enough:
         return Hardness(catalogue.write(_TOO_FEW))
     shares = {question: counts.share(question) for question in exam.questions}
     trends = find_parameter_trends(counts.parameters, shares)
     lines = (_describe_trend(trend, wording, catalogue) for trend in trends[:_MOST_TRENDS])
-    return Hardness(catalogue.write(_judge_trends(trends)), trends=tuple(lines))
+    verdict = catalogue.write(_judge_trends(trends))
+    return Hardness(verdict, trends=tuple(lines), predicted=predicted)
 
 
 def _judge_trends(trends: Sequence[ParameterTrend]) -> Message:
     if not trends:
         return Message("report.same-papers")
-    clear = trends[0].adjusted < _SIGNIFICANT
+    clear = trends[0].adjusted < SIGNIFICANT
     conclusion = Message("report.trend-found") if clear else Message("report.no-trend")
     return Message("report.trends", numbers=len(trends), conclusion=conclusion)
 
@@ -66,17 +70,11 @@ def _describe_trend(trend: ParameterTrend, wording: Wording, catalogue: Catalogu
     return TrendLine(
         name_question(trend.question, catalogue),
         Symbol(known or None, trend.parameter),
-        tuple(_write_third(third, catalogue) for third in trend.thirds),
+        tuple(write_third(third, catalogue) for third in trend.thirds),
         write_decimal(trend.correlation, catalogue),
         write_p(trend.test.p, catalogue),
         write_p(trend.adjusted, catalogue),
     )
-
-
-def _write_third(third: Third, catalogue: Catalogue) -> tuple[str, str, int]:
-    """The share of the points in a third, its lowest and highest number, and its size."""
-    bounds = [write_plain(bound, catalogue) for bound in (third.lowest, third.highest)]
-    return write_share(third.share, catalogue), " … ".join(dict.fromkeys(bounds)), third.count
 
 
 def _compare_versions(counts: ClassTally, exam: ExamFolder, catalogue: Catalogue) -> Hardness:
@@ -128,7 +126,7 @@ def _judge_versions(counts: ClassTally, catalogue: Catalogue) -> Text:
     test = compare_groups(counts.points.sum(axis=1), counts.versions)
     if test is None:
         return ""
-    differ = test.p < _SIGNIFICANT
+    differ = test.p < SIGNIFICANT
     return Message(
         "report.test-of-versions",
         statistic=write_decimal(test.statistic, catalogue),

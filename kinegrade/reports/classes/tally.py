@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import chain
 from math import nan
 
 import numpy as np
@@ -37,7 +38,8 @@ class ClassTally:
 
     `answered` are these students, `silent` those who answered nothing. `verdicts` counts verdicts
     by ask. `losses` counts by ask why points were lost: the identifier of a mistake, a kind of
-    hint, a verdict, or `_UNEXPLAINED`.
+    hint, a verdict, or `_UNEXPLAINED`. `difficulties` are those predicted, by question; NaN where
+    none is.
     """
 
     columns: tuple[str, ...]
@@ -49,6 +51,7 @@ class ClassTally:
     losses: Mapping[str, Counter[str]]
     versions: tuple[str, ...]
     parameters: Mapping[tuple[str, str], Points]
+    difficulties: Mapping[str, Points]
 
     def share(self, question: str) -> Points:
         """Each student's share of the points of a question; NaN where the question has no points
@@ -80,6 +83,7 @@ class _Count:
     losses: dict[str, Counter[str]] = field(default_factory=dict)
     versions: list[str] = field(default_factory=list)
     parameters: list[array[float]] = field(default_factory=list)
+    difficulties: list[Mapping[str, float]] = field(default_factory=list)
     names: tuple[tuple[str, str], ...] = ()  # of the parameters of all papers so far
 
     def include(
@@ -91,6 +95,7 @@ class _Count:
         self.versions.append(version)
         self.names += tuple(name for name in paper.parameters if name not in self.names)
         self.parameters.append(array("d", (paper.parameters.get(name, nan) for name in self.names)))
+        self.difficulties.append(paper.difficulties)
         for answer in answers:
             self.verdicts[answer.column][answer.verdict] += 1
             if answer.points < answer.out_of:
@@ -135,6 +140,10 @@ def _close(count: _Count) -> ClassTally:
     for row, known in zip(numbers, count.parameters, strict=True):
         row[: len(known)] = known
     parameters = {name: numbers[:, place] for place, name in enumerate(count.names)}
+    difficulties = {
+        question: np.array([each.get(question, nan) for each in count.difficulties])
+        for question in dict.fromkeys(chain.from_iterable(count.difficulties))
+    }
     return ClassTally(
         count.columns,
         np.array(count.out_of),
@@ -145,6 +154,7 @@ def _close(count: _Count) -> ClassTally:
         count.losses,
         tuple(count.versions),
         parameters,
+        difficulties,
     )
 
 
@@ -166,7 +176,8 @@ def hint_of(answer: MarkedAnswer, paper: PaperRecord) -> Hint | None:
     if right is None or not answer.read_as:
         return None
     others = dict(_find_others(answer, paper))
-    return find_hint(read_number(answer.read_as), right.value, right.allowed, right.unit, others)
+    typed = read_number(answer.read_as)
+    return find_hint(typed, right.value, right.allowed, right.unit, others, coarse=right.coarse)
 
 
 def _find_others(answer: MarkedAnswer, paper: PaperRecord) -> Iterator[tuple[str, Fraction]]:

@@ -31,6 +31,7 @@ _REASONS: Mapping[str, Message] = {
     "revolutions per minute": Message("report.reason-turns-per-minute"),
     "revolutions per second": Message("report.reason-turns-per-second"),
     "another ask": Message("report.reason-another-ask"),
+    "rounded": Message("report.reason-rounded"),
     "close": Message("report.reason-close"),
     "unexplained": Message("report.reason-unexplained"),
     "wrong unit": Message("report.reason-wrong-unit"),

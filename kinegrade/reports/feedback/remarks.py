@@ -115,7 +115,7 @@ def _describe_hint(found: Hint, answer: MarkedAnswer, right: RightAnswer, wordin
         case "another ask":
             symbol = wording.symbols.get(found.column, "")
             return Message("feedback.other-ask", symbol=symbol) if symbol else ""
-        case "close":
+        case "rounded" | "close":
             return _describe_nearness(answer, right)
         case _:
             assert_never(found.kind)

@@ -1,0 +1,143 @@
+"""The class report on papers as they were set: whether those were harder that were predicted to be,
+and what was lost to rounding. Students of `tests/by_hand` answer, through the command line.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.setting.difficulties import predict_kept
+from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from tests.by_hand.class_list import TAUGHT
+from tests.by_hand.pad import EXACT, Answers, Pad
+from tests.by_hand.school import (
+    FOUR_FIGURES,
+    Exam,
+    Mark,
+    Paper,
+    Question,
+    Typed,
+    kinegrade,
+    make_exam,
+)
+
+TEMPLATES = ("slider-crank", "pole-four-bar-coupler")
+STUDENTS = 32
+Hard = Callable[[int], bool]  # of the place among papers from the easiest to the hardest
+
+
+@pytest.fixture(scope="module")
+def exam(tmp_path_factory: pytest.TempPathFactory) -> Exam:
+    folder = tmp_path_factory.mktemp("papers") / "class"
+    return make_exam(folder, TEMPLATES, STUDENTS, FOUR_FIGURES, "papers")
+
+
+def said(key: str) -> str:
+    return open_catalogue(ENGLISH).text(f"report.{key}")
+
+
+def answered(exam: Exam, typed: Typed, figures: int = EXACT) -> tuple[list[Mark], Path]:
+    """The marks of a class, and their folder."""
+    marks = exam.mark(typed, figures)
+    return marks, max(exam.folder.parent.glob("*/MARKS"), key=lambda each: each.stat().st_mtime)
+
+
+def report(folder: Path, marks: Path) -> str:
+    file = marks.with_name("report.html")
+    kinegrade("report", folder, marks, "-o", file, "--force")
+    return file.read_text(encoding="utf-8")
+
+
+def read_row(html: str, name: str) -> list[str]:
+    """The cells of the row that begins so, in the table of predictions."""
+    table = html.partition(said("page.predicted-spread"))[2]
+    row = re.search(rf"<tr><td>{re.escape(name)}</td>(.*?)</tr>", table)
+    assert row, name
+    return re.findall(r"<td[^>]*>(.*?)</td>", row[1])
+
+
+def lost_to_rounding(html: str) -> int:
+    name = re.escape(said("reason-rounded"))
+    return sum(map(int, re.findall(rf'<td>{name}</td><td class="number">(\d+)', html)))
+
+
+def miss(question: Question) -> Answers:
+    """Answers that no mistake, no guess and no rounding explains."""
+    return {
+        ask: (1.23 + 0.31 * place) * value
+        for place, (ask, value) in enumerate(question.right.items())
+    }
+
+
+def fail(exam: Exam, hard: Hard) -> Typed:
+    """A class that misses a question where its place among the papers is hard."""
+    predicted = predict_kept(KeptExam(open_exam(exam.folder)))
+
+    def typed(paper: Paper, question: Question) -> Answers:
+        others = [predicted[each.student][question.number] for each in exam.papers]
+        place = sorted(range(STUDENTS), key=others.__getitem__).index(paper.place)
+        return miss(question) if hard(place) else question.right
+
+    return typed
+
+
+@pytest.mark.parametrize(
+    ("hard", "conclusion", "correlation", "advantage"),
+    [
+        (lambda place: place >= STUDENTS / 2, "prediction-held", (0.4, 1.0), (30, 100)),
+        (lambda place: place < STUDENTS / 2, "prediction-reversed", (-1.0, -0.4), (-100, -30)),
+        (lambda place: place % 2 == 0, "prediction-not-seen", (-0.3, 0.3), (-29, 29)),
+    ],
+)
+def test_what_was_predicted_is_held_against_the_points_lost(
+    exam: Exam,
+    hard: Hard,
+    conclusion: str,
+    correlation: tuple[float, float],
+    advantage: tuple[int, int],
+) -> None:
+    """The advantage is that of the papers predicted easiest over the hardest, in per cent."""
+    html = report(exam.folder, answered(exam, fail(exam, hard))[1])
+    assert said(conclusion) in html
+    for number in (1, 2):
+        predicted, *thirds, found, _, _ = read_row(html, f"Question {number}")
+        shares = [int(re.findall(r"\d+", third)[0]) for third in thirds if third]
+        assert re.fullmatch(r"\d+\.\d\d ± \d\.\d\d", predicted)
+        lowest, highest = correlation
+        assert lowest <= float(found.replace("−", "-")) <= highest
+        assert advantage[0] <= shares[0] - shares[-1] <= advantage[1]
+    assert len(read_row(html, said("whole-paper"))) == 7
+    assert not lost_to_rounding(html)
+
+
+def test_what_three_figures_cost_is_told_apart_from_what_was_not_understood(exam: Exam) -> None:
+    def typed(paper: Paper, question: Question) -> Answers:
+        method = next(iter(TAUGHT[question.template].methods.values()))
+        return method(question.givens, Pad(3))
+
+    marks, folder = answered(exam, typed, 3)
+    lost = [mark for mark in marks if mark.lost and not mark.names]
+    assert lost
+    html = report(exam.folder, folder)
+    assert lost_to_rounding(html) == len(lost)
+    assert said("reason-unexplained") not in html
+    assert said("reason-close") not in html
+
+
+def test_nothing_is_said_where_the_folder_no_longer_says_it(exam: Exam, tmp_path: Path) -> None:
+    _, marks = answered(exam, fail(exam, lambda place: place >= STUDENTS / 2))
+    shutil.copytree(exam.folder, tmp_path / "EXAM")
+    for file in (tmp_path / "EXAM" / "templates").rglob("slider-crank.toml"):
+        file.write_text("schema = 99\n", encoding="utf-8")
+    html = report(tmp_path / "EXAM", marks)
+    assert said("page.hardness") in html
+    assert said("whole-paper") not in html
+    assert said("prediction-held") not in html
