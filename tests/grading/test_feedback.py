@@ -88,6 +88,24 @@ def test_nothing_is_guessed_where_zero_is_right_and_a_wide_tolerance_does_not_gu
 
 
 @pytest.mark.parametrize(
+    ("typed", "coarse", "kind"),
+    [
+        ("2.08", 0.09, "rounded"),
+        ("2.08", 0.07, "close"),
+        ("1.85", 0.16, "rounded"),
+        ("1.85", 0.14, None),
+        ("1.79", 0.5, None),  # more than a tenth is not put down to rounding
+        ("-2", 0.5, "opposite"),
+    ],
+)
+def test_what_rounding_may_lead_to_is_put_down_to_it(
+    typed: str, coarse: float, kind: str | None
+) -> None:
+    found = find_hint(Fraction(typed), Fraction(2), Fraction("0.02"), "m/s", {}, coarse=coarse)
+    assert (found and found.kind) == kind
+
+
+@pytest.mark.parametrize(
     ("exact", "decimal", "unit", "expected"),
     [
         ("13/4", "3.25", "rad/s", "3.25\u202frad/s"),

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.exam.setting.difficulties import predict_kept
+from kinegrade.exam.setting.difficulties import bound_coarse_rounding, predict_kept
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
@@ -130,6 +130,24 @@ def test_what_three_figures_cost_is_told_apart_from_what_was_not_understood(exam
     assert lost_to_rounding(html) == len(lost)
     assert said("reason-unexplained") not in html
     assert said("reason-close") not in html
+
+
+def test_an_exam_that_asks_for_three_figures_finds_two_too_coarse(
+    exam: Exam, tmp_path: Path
+) -> None:
+    shutil.copytree(exam.folder, tmp_path / "EXAM")
+    bank = tmp_path / "EXAM" / "bank.toml"
+    text = bank.read_text(encoding="utf-8").replace("carry = 4", "carry = 3")
+    bank.write_text(text, encoding="utf-8")
+    three, two = (
+        bound_coarse_rounding(KeptExam(open_exam(folder)))
+        for folder in (exam.folder, tmp_path / "EXAM")
+    )
+    assert len(three) == STUDENTS
+    for student, bounds in three.items():
+        assert bounds
+        for column, bound in bounds.items():
+            assert two[student][column] >= 9.99 * bound
 
 
 def test_nothing_is_said_where_the_folder_no_longer_says_it(exam: Exam, tmp_path: Path) -> None:
