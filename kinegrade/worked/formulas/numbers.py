@@ -17,6 +17,7 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.symbols import INFINITY
 
 DIGITS = 4
+_CERTAINLY = 9  # digits of a number that is no longer than it looks
 _LONGEST = 26  # characters of an exact value that is still easy to read within an equation
 
 
@@ -37,9 +38,15 @@ def state_quantity(quantity: Quantity) -> tuple[Link, ...]:
     """The same of a quantity in its unit."""
     if quantity.at_infinity:
         return equate(INFINITY)
-    decimal = Measured(Number(quantity.decimal(DIGITS)), quantity.unit)
     if quantity.is_plain:
         return equate(Measured(Number(quantity.decimal(12)), quantity.unit))
+    decimal = (
+        state_angle(quantity.value)
+        if quantity.unit == "deg"
+        else Measured(
+            _keep_zeros(quantity.decimal(DIGITS), quantity.decimal(_CERTAINLY)), quantity.unit
+        )
+    )
     if quantity.exact is None or len(quantity.exact) > _LONGEST:
         return equate(decimal)
     return (*equate(state_exactly(quantity)), *approximate(decimal))
@@ -53,12 +60,20 @@ def state_exactly(quantity: Quantity) -> Formula:
 
 
 def round_number(number: Any) -> Number:
-    """A number in SI to four significant digits, without unit.
+    """A number in SI to four significant digits, without unit; what is rounded keeps its zeros.
 
-    >>> round_number(0.00002), round_number(-2 / 3)
-    (Number(digits='0.00002'), Number(digits='-0.6667'))
+    >>> round_number(0.00002), round_number(-2 / 3), round_number(7.0004)
+    (Number(digits='0.00002'), Number(digits='-0.6667'), Number(digits='7.000'))
     """
-    return Number(write_decimal(number, DIGITS))
+    return _keep_zeros(write_decimal(number, DIGITS), write_decimal(number, _CERTAINLY))
+
+
+def _keep_zeros(short: str, long: str) -> Number:
+    """A decimal of four digits without the zeros at its end, or with them where it has more digits
+    than it shows.
+    """
+    zeros = "" if short == long else "0" * (DIGITS - count_digits(short))
+    return Number(short + ("." if zeros and "." not in short else "") + zeros)
 
 
 def state_angle(angle: float) -> Measured:
