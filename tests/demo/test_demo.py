@@ -244,9 +244,20 @@ def test_every_manner_of_typing_occurs_and_right_answers_stay_right(
 @pytest.mark.parametrize("slip", sorted(set(SLIPS) - {"blank"}))
 def test_a_slip_gets_no_points(verdicts: Verdicts, counted: Typed, slip: str) -> None:
     places = [place for place, answer in counted.items() if answer.slip == slip]
-    assert {verdicts[place]["verdict"] for place in places} <= {"wrong", "mistake"}
-    assert {verdicts[place]["points"] for place in places} == {"0"}
-    assert len(places) >= 5
+    verdict = {place: verdicts[place]["verdict"] for place in places}
+    alone = [place for place in places if verdict[place] != "follow-through"]
+    assert {verdict[place] for place in alone} <= {"wrong", "mistake"}
+    assert {verdicts[place]["points"] for place in alone} == {"0"}
+    assert len(alone) >= 5
+    # Two slips in one question may be one slip carried on: another answer is charged then
+    for student, column in set(places) - set(alone):
+        question = column.partition(".")[0]
+        others = (
+            answer
+            for (who, where), answer in counted.items()
+            if who == student and where.startswith(question) and where != column
+        )
+        assert any(answer.slip not in ("right", "blank") for answer in others)
 
 
 def test_blanks_and_unreadable_cells_are_told_apart(verdicts: Verdicts, counted: Typed) -> None:
@@ -270,7 +281,8 @@ def test_two_digits_are_right_just_when_they_are_near_enough(
         if answer.slip == "two digits":
             value = keys[student][column].value
             near = abs(Decimal(answer.text) - value) <= abs(value) / 100
-            assert verdicts[student, column]["verdict"] == ("right" if near else "wrong")
+            expected = {"right"} if near else {"wrong", "mistake"}
+            assert verdicts[student, column]["verdict"] in expected
             seen[near] += 1
     assert min(seen[True], seen[False]) > 0
 

@@ -248,8 +248,7 @@ def test_what_follows_from_an_own_answer_is_worked_out_with_the_numbers_of_the_v
     [every] = pool(tmp_path / "pool.xml").values()
     put = every[STUDENTS.index(donor)]
     own = round(Fraction(put.right[0]) * Fraction(117, 100), 6)
-    follows = FollowThrough(open_exam(exam))(donor, "q1", {"omega_AB": own}, "a_B")
-    assert follows is not None
+    follows, *_ = FollowThrough(open_exam(exam))(donor, "q1", {"omega_AB": own}, "a_B")
     typed = [[f"{float(own):.6f}", f"{float(follows):.8g}"]]
     assert grade(exam, tmp_path, download([(student, [put], typed)]))[0] == 1  # others are absent
     marks = {
