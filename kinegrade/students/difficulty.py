@@ -1,11 +1,9 @@
 """How hard a draw of a question is predicted to be, compared with other draws of the same question.
 
-The prediction is the number of points that a student loses on the average who makes one mistake:
-one of the known mistakes that the question gives occasion for, each with the same chance, or, a
-quarter as likely, a slip in reading what is given, a sense that is not thought of, a value rounded
-too far. A mistake costs an
-ask its points unless it leads to an answer within tolerance; rounding costs the share of them that
-its bound has of the tolerance. So a draw is easier where a term vanishes, where an angle is
+The prediction is the number of points that a student loses on the average who makes one mistake,
+each of those that the question gives occasion for with the same chance: a known mistake, a slip in
+reading what is given, a sense that is not thought of. A mistake costs an ask its points unless it
+leads to an answer within tolerance. So a draw is easier where a term vanishes, where an angle is
 special (sine and cosine equal, or one of them zero), where two givens are equal, and where an
 answer is positive in the sense that counts as positive.
 """
@@ -22,11 +20,7 @@ import numpy as np
 
 from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.students.mistaking.unnamed_slips import list_unnamed_slips
-from kinegrade.students.separation import Comparison, Separation, collect_columns
-
-# The chance of a slip that has no name, in that of a known mistake: students written by hand lose
-# points by the known ones
-_UNNAMED = 0.25
+from kinegrade.students.separation import Separation, collect_columns
 
 
 @dataclass(frozen=True)
@@ -48,9 +42,8 @@ class Difficulty:
         lost = np.zeros(len(draws))
         for name, ask in self._wide.asks.items():
             trapped = (seen.right[name] < 0) & (ask.sign not in UNSIGNED)
-            costly = [seen.changed[name] & ~seen.near[name], trapped, _round_too_far(seen, name)]
-            chances = [1 if label else _UNNAMED for label in (*seen.identifiers[name], "", "")]
-            lost += float(self.points[name]) * np.average(np.vstack(costly), 0, chances)
+            costly = np.vstack([seen.changed[name] & ~seen.near[name], trapped])
+            lost += float(self.points[name]) * costly.mean(axis=0)
         return lost
 
     @cached_property
@@ -60,12 +53,3 @@ class Difficulty:
             return None
         slips = tuple(list_unnamed_slips(self.separation.template))
         return replace(self.separation, mistakes=(*self.separation.mistakes, *slips))
-
-
-def _round_too_far(seen: Comparison, name: str) -> Any:
-    """For each draw the share that the bound of honest rounding has of the tolerance, in hundredths
-    so that it is the same on every machine.
-    """
-    with np.errstate(all="ignore"):
-        share = seen.bounds[name] / seen.rooms[name]
-    return np.round(np.clip(np.nan_to_num(share), 0, 1), 2)

@@ -52,8 +52,8 @@ class Comparison:
 
     `right` has every ask's right answers, in its unit; `near` marks where a mistaken value might be
     taken for right, `changed` where it is another value at all; `fit` marks the instances that may
-    be drawn, as far as doubles can decide. `bounds` are those of honest rounding, `rooms` how far
-    off an answer may be, both in the asks' units.
+    be drawn, as far as doubles can decide. `bounds` are those of honest rounding, in the asks'
+    units.
     """
 
     identifiers: Mapping[str, tuple[str, ...]]
@@ -62,7 +62,6 @@ class Comparison:
     changed: Mapping[str, Any]
     fit: Any
     bounds: Mapping[str, Any]
-    rooms: Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -98,13 +97,13 @@ class Separation:
         carry = self.accuracy.carry
         bounds = find_error_bounds(self.template, self.asks, arrays, self.plan, carry)
         written_share = 0.5 * 10.0 ** (1 - carry)
-        identifiers, near, changed, rooms = {}, {}, {}, {}
+        identifiers, near, changed = {}, {}, {}
         for name, ask in self.asks.items():
             written = list_answer_factors(ask)
             truth, *wrong = found.answers[name]
             wrong += [truth * float(factor) for factor in written.values()]
             identifiers[name] = (*(mistake.label for mistake in self.mistakes), *written)
-            rooms[name] = room = self.room(name, truth, found, bounds[name])
+            room = self.room(name, truth, found, bounds[name])
             with np.errstate(all="ignore"):
                 near[name] = np.array(
                     [
@@ -116,7 +115,7 @@ class Separation:
             near[name][len(self.mistakes) :] &= truth != 0  # zero has no sense and no decimal point
         right = {name: rows[0] for name, rows in found.answers.items()}
         fit = self.fit(found, arrays)
-        return Comparison(identifiers, right, near, changed, fit, bounds, rooms)
+        return Comparison(identifiers, right, near, changed, fit, bounds)
 
     def inseparable(self) -> dict[str, tuple[str, ...]]:
         """For each ask the mistakes that the sample cannot distinguish from the truth.

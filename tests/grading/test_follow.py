@@ -69,6 +69,14 @@ def followed(ruling: Ruling = AS_PRINTED, **typed: str) -> dict[str, Decision]:
     return follow_answers("007", decided(typed, ruling), follows)
 
 
+def test_nothing_follows_in_a_question_of_which_one_answer_is_absurd() -> None:
+    """omega_AB = 3.1 leads to 19.22, and that to 40.83; 1 is no angle beside 350."""
+    sensible = {"omega_AB": "3.1", "alpha_AB": "19.2", "a_B": "40.8"}
+    assert set(followed(**sensible)) == {"alpha_AB", "a_B"}
+    assert followed(**sensible, phi="1") == {}
+    assert set(followed(**sensible, phi="0")) == {"alpha_AB", "a_B"}
+
+
 def test_an_answer_that_follows_from_the_own_earlier_one_gets_all_points_and_a_reason() -> None:
     found = followed(omega_AB="3.1", alpha_AB="19.3")
     assert list(found) == ["alpha_AB"]

@@ -72,6 +72,11 @@ class Decided:
         return value if value and right and _LEAST <= abs(value / right) <= _MOST else None
 
     @property
+    def is_absurd(self) -> bool:
+        """Whether it is a number from which nothing sensible follows."""
+        return bool(self.reading.value and self.key.value) and self.own_value is None
+
+    @property
     def is_right(self) -> bool:
         """Whether it is right by the key, whatever else is decided about it."""
         return judge(self.reading, self.ruling.key(self.key)).kind == "right"
@@ -90,9 +95,12 @@ def follow_answers(
     """The decisions that follow-through improves, by ask; `answers` are those to one question.
 
     An answer that earned follow-through counts as a student's answer for later asks, so an error is
-    charged once however far it carries.
+    charged once however far it carries. Where one answer is absurd, nothing follows from any: the
+    others may have been found from it.
     """
     found: dict[str, Decision] = {}
+    if any(answer.is_absurd for answer in answers):
+        return found
     earlier = _Earlier({}, {}, {answer.ask.ask: answer.key.value for answer in answers}, {})
     for stage in follows.sorted(answers):
         for answer in stage:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import permutations
 from typing import Any, Literal, assert_never
 
 from flint import fmpq
@@ -47,9 +47,8 @@ def list_unnamed_slips(template: Template) -> Iterator[Mistake]:
         unit = parameter.unit
         alike.setdefault((unit.length, unit.time, unit.angle, unit.degrees), []).append(name)
     for names in alike.values():
-        for one, other in pairwise([*names, names[0]]):
-            if one != other:
-                yield Mistake("", givens=_Misread(one, None, other))
+        for one, other in permutations(names, 2):
+            yield Mistake("", givens=_Misread(one, None, other))
 
 
 def _list_slips(parameter: Parameter) -> tuple[_Slip, ...]:

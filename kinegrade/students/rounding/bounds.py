@@ -3,7 +3,7 @@ every instance, whatever the roundings come to.
 
 Every operation of `working` is written down. Textbooks also add the terms of a velocity or an
 acceleration in another order, over other arms; a partial sum is then as large as the largest one in
-the mechanism, at most, and half a unit of that is allowed for.
+the mechanism, at most, and half a unit of that is allowed for, twice.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def find_error_bounds(
         noted = {name: number for name, number in found.items() if isinstance(number, Noted)}
         errors = dict(zip(noted, pad.sum_errors(tuple(noted.values())), strict=True))
         scales = find_outcomes(template, asks, (), values, plan).scales
-        sums = {name: 0.5 * pad.find_unit(scales[name]) for name in noted if _is_sum(asks[name])}
+        sums = {name: pad.find_unit(scales[name]) for name in noted if _is_sum(asks[name])}
     return {
         name: _convert(errors[name], ask) + sums.get(name, 0.0)
         if name in errors
