@@ -46,6 +46,11 @@ class Paper:
     student: str
     questions: tuple[Question, ...]
 
+    @property
+    def points(self) -> float:
+        """The points of all its questions."""
+        return sum(sum(question.points.values()) for question in self.questions)
+
 
 @dataclass(frozen=True)
 class Mark:
@@ -83,9 +88,9 @@ class Exam:
     papers: tuple[Paper, ...]
     runs: Iterator[int]
 
-    def mark(self, typed: Typed, figures: int = EXACT) -> list[Mark]:
-        """The marks of a class that types such answers with so many figures; none where nobody types
-        anything.
+    def mark(self, typed: Typed, figures: int = EXACT, policy: str = "") -> list[Mark]:
+        """The marks of a class that types such answers with so many figures, by such a policy; none
+        where nobody types anything.
         """
         sheet = {
             (paper.student, f"{question.number}.{ask}"): write(value, figures)
@@ -100,8 +105,11 @@ class Exam:
         place.mkdir()
         asked = self.papers[0].questions
         columns = [f"{question.number}.{ask}" for question in asked for ask in question.points]
-        answers = _write_sheet(place / "answers.csv", columns, sheet)
-        kinegrade("grade", self.folder, answers, "-o", place / "MARKS")
+        students = [paper.student for paper in self.papers]
+        answers = _write_sheet(place / "answers.csv", students, columns, sheet)
+        rules = place / "policy.toml"
+        rules.write_text(policy, encoding="utf-8")
+        kinegrade("grade", self.folder, answers, "-o", place / "MARKS", "--policy", rules)
         return list(self._read_marks(place / "MARKS" / "marks.csv", sheet))
 
     def _read_marks(self, file: Path, sheet: Mapping[tuple[str, str], str]) -> Iterator[Mark]:
@@ -181,9 +189,13 @@ def _read_question(entry: Mapping[str, object]) -> Question:
     )
 
 
-def _write_sheet(file: Path, columns: Sequence[str], sheet: Mapping[tuple[str, str], str]) -> Path:
+def _write_sheet(
+    file: Path,
+    students: Sequence[str],
+    columns: Sequence[str],
+    sheet: Mapping[tuple[str, str], str],
+) -> Path:
     """The sheet of answers, a row for each student; where nothing was typed it is blank."""
-    students = dict.fromkeys(student for student, _ in sheet)
     with file.open("w", encoding="utf-8", newline="") as lines:
         writer = csv.writer(lines, lineterminator="\n")
         writer.writerow(["student", *columns])

@@ -1,6 +1,6 @@
 """All proofs: how much of each `make prove` and `make test` run.
 
-In full they take about 4,700 seconds of processor time, 39 minutes on two free cores. "fair marks"
+In full they take about 5,100 seconds of processor time, 42 minutes on two free cores. "fair marks"
 looks at 1,000 papers of each of the fifty-one templates.
 """
 
@@ -16,6 +16,7 @@ from tests.prove import (
     properties,
     round_trips,
     sound_templates,
+    whole_papers,
 )
 from tests.prove.proof import Proof
 
@@ -27,5 +28,6 @@ PROOFS = (
     Proof("clear figures", clear_figures.hold, cases=5_000, batch=100, sample=50),
     Proof("round trips", round_trips.hold, cases=1_000, batch=25, sample=9),
     Proof("by hand", by_hand.hold, cases=len(TAUGHT), batch=1, sample=0),
+    Proof("whole papers", whole_papers.hold, cases=10, batch=1, sample=0),
     Proof("fair marks", fair_marks.hold, cases=2_500, batch=50, sample=50),
 )
