@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from itertools import count
 from pathlib import Path
+from typing import Any
 
 from tests.by_hand.pad import EXACT, Answers, Givens
 
@@ -29,12 +30,16 @@ THREE_FIGURES = 'carry = 3\ntolerance = "honest"'
 
 @dataclass(frozen=True)
 class Question:
-    """A question of one paper: its column's beginning, what is given and what is right."""
+    """A question of one paper: its column's beginning, what is given, in which `units`, and what is
+    right, to within `rooms`.
+    """
 
     number: str
     template: str
     givens: Givens
+    units: Mapping[str, str]
     right: Answers
+    rooms: Answers
     points: Mapping[str, float]
 
 
@@ -177,16 +182,22 @@ def _read_paper(place: int, line: Mapping[str, object]) -> Paper:
     return Paper(place, str(line["student"]), tuple(map(_read_question, questions)))
 
 
-def _read_question(entry: Mapping[str, object]) -> Question:
-    parameters: Mapping[str, Mapping[str, float]] = entry["parameters"]  # type: ignore[assignment]
-    asks: Mapping[str, Mapping[str, float]] = entry["asks"]  # type: ignore[assignment]
+def _read_question(entry: Mapping[str, Any]) -> Question:
+    parameters, asks = entry["parameters"], entry["asks"]
     return Question(
-        str(entry["question"]),
-        str(entry["template"]),
+        entry["question"],
+        entry["template"],
         {name: given["value"] for name, given in parameters.items()},
+        {name: given["unit"] for name, given in parameters.items()},
         {name: ask["value"] for name, ask in asks.items()},
+        {name: _read_room(ask) for name, ask in asks.items()},
         {name: ask["points"] for name, ask in asks.items()},
     )
+
+
+def _read_room(ask: Mapping[str, Any]) -> float:
+    stated = ask["tolerance"]
+    return max(stated["relative"] * abs(ask["value"]), stated["absolute"])
 
 
 def _write_sheet(
