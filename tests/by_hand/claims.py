@@ -123,14 +123,16 @@ def following(exam: Exam, turns: int) -> Count:
             return {edge.earlier: own, edge.later: edge.formula(question.givens, own)}
 
         marks = list(exam.mark(typed))
-        full = {(mark.paper.student, mark.question.number, mark.ask) for mark in marks if mark.full}
+        full = {
+            (mark.paper.student, mark.question.number, mark.ask) for mark in marks if not mark.lost
+        }
         for mark in marks:
             student, number = mark.paper.student, mark.question.number
-            edge, factor = chosen[student, number]
+            edge, _ = chosen[student, number]
             if mark.ask == edge.later:
                 where = f"{mark.question.template} {edge}"
-                kept = mark.full or (student, number, edge.earlier) in full
-                found.add(where, kept, f"{edge.earlier} x {factor}: {mark}")
+                kept = not mark.lost or (student, number, edge.earlier) in full
+                found.add(where, kept, mark)
     return found
 
 
