@@ -71,9 +71,9 @@ def test_right_ends_at_the_tolerance_to_the_thirtieth_digit(
             key.value + side * (key.rule.room(key.value) + beyond * TINY), 36, ROUND_FLOOR
         )
 
-    assert {
-        mark["verdict"] for mark in table(marked(small_class, tmp_path, bound) / "marks.csv")
-    } == {verdict}
+    found = {mark["verdict"] for mark in table(marked(small_class, tmp_path, bound) / "marks.csv")}
+    carried_on = {"follow-through"} if verdict == "wrong" else set()  # all are off alike
+    assert {verdict} <= found <= {verdict} | carried_on
 
 
 def test_the_bound_itself_is_right(small_class: Path, tmp_path: Path) -> None:

@@ -424,7 +424,7 @@ def test_a_key_that_says_otherwise_is_refused(folder: Path) -> None:
 def test_a_key_of_other_tolerances_is_refused(folder: Path) -> None:
     key = folder / "EXAM" / "key.jsonl"
     text = key.read_text(encoding="utf-8")
-    key.write_text(re.sub(r'"relative": ?0.01', '"relative": 0.02', text, count=1), "utf-8")
+    key.write_text(re.sub(r'"relative": ?0.01', '"relative": 0.005', text, count=1), "utf-8")
     assert all('student "s0", q1: ' in line for line in refused(folder))
 
 

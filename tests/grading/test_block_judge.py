@@ -213,7 +213,7 @@ def test_follow_through_is_asked_about_only_after_two_errors(tmp_path: Path) -> 
 
     def follows(student: str, question: str, own: Own, later: str) -> tuple[Fraction, ...]:
         asked.append((student, question, set(own), later))
-        return (Fraction(77),)
+        return (Fraction(carried_on),)
 
     def kinds(first: str, second: str, third: str) -> list[str]:
         (tmp_path / "answers.csv").write_text(
@@ -228,8 +228,9 @@ def test_follow_through_is_asked_about_only_after_two_errors(tmp_path: Path) -> 
 
     right = [entries[ask]["decimal"] for ask in ASKS["q1"]]
     off = f"{7.7 * float(entries['v_A']['decimal']):.3f}"
+    carried_on = f"{7.7 * float(entries['omega']['decimal']):.3f}"
     assert kinds(off, right[1], right[2])[1:] == ["right", "right"]
     assert asked == []
-    assert kinds(off, right[1], "77")[1:] == ["right", "follow-through"]
+    assert kinds(off, right[1], carried_on)[1:] == ["right", "follow-through"]
     assert asked
     assert all(each == ("000", "q1", {"v_A"}, "omega") for each in asked)

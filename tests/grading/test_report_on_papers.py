@@ -94,7 +94,7 @@ def fail(exam: Exam, hard: Hard) -> Typed:
     [
         (lambda place: place >= STUDENTS / 2, "prediction-held", (0.4, 1.0), (30, 100)),
         (lambda place: place < STUDENTS / 2, "prediction-reversed", (-1.0, -0.4), (-100, -30)),
-        (lambda place: place % 2 == 0, "prediction-not-seen", (-0.3, 0.3), (-29, 29)),
+        (lambda place: place % 2 == 0, "prediction-not-seen", (-0.3, 0.3), (-50, 50)),
     ],
 )
 def test_what_was_predicted_is_held_against_the_points_lost(

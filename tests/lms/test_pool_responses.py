@@ -189,7 +189,7 @@ def test_feedback_and_sharing_know_what_was_drawn(exam: Path, tmp_path: Path) ->
     for student, file in zip(STUDENTS, table(tmp_path / "FEEDBACK" / "feedback.csv"), strict=True):
         text = (tmp_path / "FEEDBACK" / file["file"]).read_text(encoding="utf-8")
         first = float(drawn(exam)[student][0].right[0])
-        assert f"{first:.3g}"[:4] in text.replace("\u2212", "-")
+        assert f"{first:.6g}"[:4] in text.replace("\u2212", "-")
     found = kinegrade("sharing", exam, tmp_path / "MARKS", "-o", tmp_path / "sharing.csv")
     assert "No pair of students stands out" in found.output
     refused = kinegrade(
