@@ -37,7 +37,9 @@ def drawn(paper: SetPaper) -> list[object]:
     return [question.drawn.values for question in paper.questions]
 
 
-def test_a_question_more_leaves_the_codes_of_the_papers_as_they_are(bank: Bank, tmp_path: Path) -> None:
+def test_a_question_more_leaves_the_codes_of_the_papers_as_they_are(
+    bank: Bank, tmp_path: Path
+) -> None:
     before = papers(bank, 4)
     (tmp_path / "bank.toml").write_text(
         BANK + '[[questions]]\ntemplate = "slider-crank"\n', encoding="utf-8"
