@@ -105,9 +105,11 @@ def _carried(factor: float) -> Typed:
 PATTERNS: Mapping[str, Typed] = {
     "0": _everywhere(0.0),
     "1": _everywhere(1.0),
+    "minus 2": _everywhere(-2.0),
     "huge": _everywhere(1e9),
     "tiny": _everywhere(1e-9),
     "random": _random,
     "a fiftieth": _scaled(0.02),
+    "a hundred times": _scaled(100.0),
     "carried on from 500 times": _carried(500.0),
 }
