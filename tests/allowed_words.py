@@ -236,6 +236,8 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         "problem/statement.py": [
             "{}.toml: statement.{}",
             "{}.toml: text.{}",
+        ],
+        "problem/statement_faults.py": [
             "{}.toml: {}",
         ],
     },

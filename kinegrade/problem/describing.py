@@ -8,7 +8,8 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.statement import check_statements, write_statement
+from kinegrade.problem.statement import write_statement
+from kinegrade.problem.statement_faults import check_statements
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask, Parameter, Template
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -132,6 +132,16 @@ class Quantity:
         if isinstance(self.number, Angle):
             return not self.number.parts and bool(self.number.half_turns == 0)
         return 0 in self.number if isinstance(self.number, arb) else bool(self.number == 0)
+
+    @property
+    def is_negative(self) -> bool:
+        """Whether the number is below zero."""
+        return not self.is_zero and self.value < 0
+
+    @property
+    def size(self) -> Quantity:
+        """The quantity without its sign."""
+        return replace(self, number=-self.number) if self.is_negative else self
 
     @cached_property
     def certified(self) -> str:

@@ -17,7 +17,7 @@ from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
-from kinegrade.problem.statement import find_statement_faults
+from kinegrade.problem.statement_faults import find_statement_faults
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import find_unfinished_translations
 from kinegrade.proof.answerable import find_answerable, write_values

@@ -74,7 +74,9 @@ class Problem:
         """The question at its default values. Raises KinegradeError."""
         solution = self.solve()
         mechanism = solution.assembly.mechanism.map(float)
-        shown = ShownInstance(self.template, solution.parameters, mechanism)
+        shown = ShownInstance(
+            self.template, solution.parameters, mechanism, tuple(self.template.asks)
+        )
         place = QuestionPlace(1, self.template.name)
         return lay_out_question(place, shown, (), self._language)
 

@@ -114,7 +114,7 @@ def test_statements_and_figures_are_those_of_the_paper(small_class: Path) -> Non
 def test_what_is_shown_needs_no_solving(name: str) -> None:
     template = load_template(name)
     solution = solve_template(template, {})
-    shown = show_instance(template, {})
+    shown = show_instance(template, {}, template.asks)
     assert write_statement(template, shown.parameters, "en") == write_statement(
         template, solution.parameters, "en"
     )

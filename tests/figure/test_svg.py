@@ -38,7 +38,7 @@ def texts(root: ElementTree.Element) -> list[str]:
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_shipped_figure_is_whole_and_within_its_box(name: str) -> None:
     template = load_template(name)
-    scene = sketch(show_instance(template, {}).mechanism, template.figure)
+    scene = sketch(show_instance(template, {}, template.asks).mechanism, template.figure)
     root = ElementTree.fromstring(to_svg(scene))
     left, top, width, height = numbers(root.attrib["viewBox"])
     assert (left, top) == (0, 0)

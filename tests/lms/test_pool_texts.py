@@ -47,6 +47,23 @@ template = "crank.toml"
 draw = {{ h = ["1/2"], r = [1], omega = [2, -2], s = [1, -1] }}
 asks = {{ v_x = 1 }}
 """
+# an angular acceleration, which nothing that is asked needs
+UNPRINTED = (
+    ("with {{ omega }};", "with {{ omega }} {{ change }};"),
+    ("转动，", "转动 {{ change }}，"),
+    ('"omega" }', '"omega", acceleration = "alpha" }'),
+    (
+        "[parameters]",
+        '[text]\nchange = [{ en = "and {{ alpha }}", zh = "，{{ alpha }}" }]\n\n[parameters]\n'
+        'alpha = { unit = "rad/s^2", draw = [1, 2, 3, 4], means = { en = "rate", zh = "角加速度" } }',
+    ),
+)
+UNPRINTED_BANK = f"""{HEAD}
+[[questions]]
+template = "crank.toml"
+draw = {{ h = ["1/2"], r = [1], omega = [2] }}
+asks = {{ v_x = 1 }}
+"""
 
 
 def set_exam(folder: Path, bank: str) -> Path:
@@ -129,5 +146,17 @@ def test_variants_that_differ_in_a_word_or_a_sign_alone_are_told_apart(
         student: [((place + 1) % 4, group[(place + 1) % 4].right)]
         for place, student in enumerate(STUDENTS)
     }
+    (tmp_path / "a.csv").write_text(analysis(package, answers), encoding="utf-8")
+    assert totals(exam, tmp_path / "a.csv", "canvas") == ["1"] * 4
+
+
+def test_variants_that_differ_in_what_is_not_printed_alone_count_as_one(tmp_path: Path) -> None:
+    (tmp_path / "crank.toml").write_text(crank_text(*UNPRINTED), encoding="utf-8")
+    exam = set_exam(tmp_path, UNPRINTED_BANK)
+    package = tmp_path / "pool.zip"
+    pooled(exam, package, 4)
+    [group] = groups(package)
+    assert len({item.text for item in group}) == 1
+    answers = {student: [(place, group[place].right)] for place, student in enumerate(STUDENTS)}
     (tmp_path / "a.csv").write_text(analysis(package, answers), encoding="utf-8")
     assert totals(exam, tmp_path / "a.csv", "canvas") == ["1"] * 4

@@ -10,7 +10,8 @@ from kinegrade.draws.examining import Refused, solve_sensible
 from kinegrade.errors import TemplateError
 from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.statement import check_statements, write_statement
+from kinegrade.problem.statement import write_statement
+from kinegrade.problem.statement_faults import check_statements
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.checking import check
 from tests.problem.crank import crank

@@ -26,7 +26,7 @@ from kinegrade.language.message import Message, Quoted, list_all
 from kinegrade.numbers.angle import Inexact
 from kinegrade.numbers.field import Field
 from kinegrade.problem.assemble import read_parameter
-from kinegrade.problem.statement import check_statements
+from kinegrade.problem.statement_faults import check_statements
 from kinegrade.problem.template.domain import read_choices
 from kinegrade.problem.template.library.library import load_kept_template, load_template
 from kinegrade.problem.template.template import Parameter, Template

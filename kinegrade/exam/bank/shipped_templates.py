@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Literal, TypeAlias
 
 from kinegrade.errors import BankError, KinegradeError, Problem
-from kinegrade.problem.statement import check_statements
+from kinegrade.problem.statement_faults import check_statements
 from kinegrade.problem.template.library.library import list_names, load_template
 from kinegrade.problem.template.tags import list_tags
 from kinegrade.problem.template.template import Template

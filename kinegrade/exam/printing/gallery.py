@@ -23,8 +23,8 @@ from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.press.legible import make_legible
 from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure
 from kinegrade.press.typst.press import TypstPress
+from kinegrade.problem.given import list_givens
 from kinegrade.problem.solution import Solution
-from kinegrade.problem.statement import Given, write_with_unit
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import require_language
@@ -138,9 +138,5 @@ def _draw_figure(solution: Solution, language: Language) -> GalleryFigure:
     """The figure of an instance with the values drawn."""
     template = solution.template
     figure = sketch(solution.assembly.mechanism.map(float), template.figure)
-    givens = (
-        Given(template.parameters[name].symbol, write_with_unit(quantity))
-        for name, quantity in solution.parameters.items()
-    )
-    values = ", ".join(map(str, givens))
+    values = ", ".join(map(str, list_givens(template, solution.parameters).values()))
     return GalleryFigure(figure, write_decimals_of_prose(values, language))

@@ -46,11 +46,14 @@ class QuestionPlace:
 
 @dataclass(frozen=True)
 class ShownInstance:
-    """What a question shows of an instance of its template; the mechanism is in doubles."""
+    """What a question shows of an instance of its template, and what it asks; the mechanism is in
+    doubles.
+    """
 
     template: Template
     parameters: Mapping[str, Quantity]
     mechanism: Mechanism
+    asks: tuple[str, ...]
 
 
 def lay_out_paper(
@@ -93,7 +96,8 @@ def _lay_out_set_question(
     rows = tuple(
         _make_paper_row(entry, template.asks[entry.ask.name], language) for entry in question.asks
     )
-    shown = ShownInstance(template, solution.parameters, mechanism)
+    asks = tuple(entry.ask.name for entry in question.asks)
+    shown = ShownInstance(template, solution.parameters, mechanism, asks)
     place = QuestionPlace(number, question.question.identifier)
     return lay_out_question(place, shown, rows, language, figure)
 
@@ -112,7 +116,7 @@ def lay_out_question(
         place.identifier,
         template.about.title.in_language(language),
         sum((row.points for row in rows), Fraction(0)),
-        write_statement(template, shown.parameters, language),
+        write_statement(template, shown.parameters, language, shown.asks),
         figure(shown.mechanism, template.figure),
         rows,
         template=template.name,

@@ -15,7 +15,7 @@ from kinegrade.language.message import Fault, Location, Message
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.statement import list_statement_languages, write_specimens
-from kinegrade.problem.template.slots import Slot, find_slots_in_formulas, split_slots
+from kinegrade.problem.template.slots import find_slots, find_slots_in_formulas
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import list_lines
 
@@ -59,8 +59,8 @@ def _find_unfilled(template: Template) -> Iterator[Fault]:
     for place, translated in list_lines(template):
         for where, text in translated.list_written(place):
             inside = find_slots_in_formulas(text)
-            for slot in split_slots(text):
-                if isinstance(slot, Slot) and slot not in inside:
+            for slot in find_slots(text):
+                if slot not in inside:
                     what = Message("exam.slot-not-filled", name=slot.name)
                     yield Fault(key_path(where), what)
 

@@ -71,12 +71,13 @@ def print_worked_solution(
     except Refused as refusal:
         what = Message("exam.too-large-to-work", reason=refusal.detail)
         raise MechanismError(Fault(template.name, what)) from refusal
-    worked = write_worked_solution(solution, _list_shown(template), language, method)
+    asks = _list_shown(template)
+    worked = write_worked_solution(solution, asks, language, method)
     question = WorkedQuestion(
         1,
         "q1",
         template.about.title.in_language(language),
-        write_statement(template, solution.parameters, language),
+        write_statement(template, solution.parameters, language, asks),
         worked.blocks,
         template.name,
     )

@@ -40,14 +40,13 @@ def _work_question(
 ) -> WorkedQuestion:
     """A question with its worked solution, for the quantities that are asked."""
     template, solution = question.question.template, question.drawn.solution
-    worked = write_worked_solution(
-        solution, (entry.ask.name for entry in question.asks), language, method
-    )
+    asks = tuple(entry.ask.name for entry in question.asks)
+    worked = write_worked_solution(solution, asks, language, method)
     return WorkedQuestion(
         number,
         question.question.identifier,
         template.about.title.in_language(language),
-        write_statement(template, solution.parameters, language),
+        write_statement(template, solution.parameters, language, asks),
         worked.blocks,
         template.name,
     )

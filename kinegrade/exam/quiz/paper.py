@@ -4,7 +4,7 @@ known mistakes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
@@ -109,7 +109,7 @@ def _make_question(
     template = source.templates[name]
     solution = source.kept.derive(line, entry).drawn.solution if wishes.solutions else None
     try:
-        shown = show_instance(template, entry.values)
+        shown = show_instance(template, entry.values, entry.asks)
         asks = tuple(
             _make_ask(template, ask, stated, wishes, source) for ask, stated in entry.asks.items()
         )
@@ -143,8 +143,10 @@ def _write_solution(
     return write_blocks(write_worked_solution(solution, asks, language, method).blocks, language)
 
 
-def show_instance(template: Template, given: Mapping[str, str]) -> ShownInstance:
-    """What a paper shows of an instance, without solving it.
+def show_instance(
+    template: Template, given: Mapping[str, str], asks: Iterable[str]
+) -> ShownInstance:
+    """What a paper that asks this shows of an instance, without solving it.
 
     Raises TemplateError, MechanismError.
     """
@@ -158,7 +160,7 @@ def show_instance(template: Template, given: Mapping[str, str]) -> ShownInstance
             for name, value in known.items()
         }
         mechanism = assemble(template, values, arithmetic).mechanism.map(float)
-        return ShownInstance(template, parameters, mechanism)
+        return ShownInstance(template, parameters, mechanism, tuple(asks))
 
     return solve_certified(work)
 

@@ -110,13 +110,12 @@ class Variant:
     @cached_property
     def texts(self) -> frozenset[str]:
         """Its statement in each language as a quiz shows it, without mark-up."""
-        parameters = show_instance(self.template, self.entry.values).parameters
-        return frozenset(
-            _plain_text(
-                write_prose(write_statement(self.template, parameters, language), "statement")
-            )
+        shown = show_instance(self.template, self.entry.values, self.entry.asks)
+        statements = (
+            write_statement(self.template, shown.parameters, language, shown.asks)
             for language in list_statement_languages(self.template)
         )
+        return frozenset(_plain_text(write_prose(each, "statement")) for each in statements)
 
     @cached_property
     def letters(self) -> frozenset[str]:

@@ -127,7 +127,7 @@ class _Finder:
         faults = []
         for drawn in self._drawn():
             likely = self._likely(each, drawn)
-            if len(likely) == 1:
+            if likely and _are_alike(likely):
                 for number in drawn:
                     found[number] = likely[0].source
             elif any(trim(each.responses[number]) not in _BLANK for number in drawn):
@@ -171,6 +171,12 @@ class _Finder:
         from kinegrade.exam.quiz.variants import of_text  # noqa: PLC0415  # takes seconds to load
 
         return of_text(variants, text) if trim(text) else []
+
+
+def _are_alike(variants: Sequence[Variant]) -> bool:
+    """Whether students could not tell variants apart: they differ in no given that is printed."""
+    first, *others = variants
+    return all(each.right == first.right and each.texts == first.texts for each in others)
 
 
 def _is_right(variant: Variant, stated: Sequence[tuple[str, float]]) -> bool:

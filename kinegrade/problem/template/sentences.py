@@ -35,9 +35,15 @@ from kinegrade.files.fields.values import found
 from kinegrade.language.message import Message, Quoted, list_plainly
 from kinegrade.mechanics.drivers import DRIVERS, Driver
 from kinegrade.mechanics.joints import GROUND, JOINTS, Joint
+from kinegrade.sign_conventions import Convention
 
 _Stated = TypeVar("_Stated", bound=Joint | Driver)
-_AXES = {"+x": "0", "-x": "pi", "+y": "pi/2", "-y": "-pi/2"}
+_AXES: Mapping[Convention, Expression] = {
+    "+x": read_expression("0"),
+    "-x": read_expression("pi"),
+    "+y": read_expression("pi/2"),
+    "-y": read_expression("-pi/2"),
+}
 
 
 @dataclass(frozen=True)
@@ -122,9 +128,13 @@ def _read_direction(text: str | None) -> Expression | None:
     """The angle of a direction: of an axis by its name, or as an expression."""
     if text is None:
         return None
-    if text in _AXES:
-        return read_expression(_AXES[text])
-    return read_expression(text)
+    named = (angle for axis, angle in _AXES.items() if axis == text)
+    return next(named, None) or read_expression(text)
+
+
+def find_axis(direction: Expression) -> Convention | None:
+    """The axis along which a direction points; None for any other."""
+    return next((axis for axis, angle in _AXES.items() if angle == direction), None)
 
 
 def _list_examples(sentences: Iterable[str]) -> Message:

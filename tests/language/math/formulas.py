@@ -84,7 +84,7 @@ def list_formulas() -> list[str]:
 
 def _list_formulas_of(name: str) -> Iterator[str]:
     template = load_template(name)
-    shown = show_instance(template, {}).parameters
+    shown = show_instance(template, {}, template.asks).parameters
     symbols = [*template.parameters.values(), *template.asks.values()]
     yield from (each.symbol for each in symbols)
     for language in LANGUAGES:

@@ -31,7 +31,8 @@ NEEDED = (
     "asks",
     #: The whole problem in Markdown and `$LaTeX$`, complete without the figure. Every parameter
     #: stands in it as `{{ name }}`, which prints symbol, value and unit; `{{ name.value }}` prints
-    #: the value with its unit.
+    #: the value with its unit, `{{ name.size }}` symbol and value without the sign. `{{ OA.turning
+    #: }}` and `{{ B.moving }}` say how a driven body or point goes, with its givens.
     "statement",
 )
 OPTIONAL = (
@@ -41,7 +42,8 @@ OPTIONAL = (
     #: them.
     "conditions",
     #: Wordings that depend on the values: for each name a list of texts with a condition under
-    #: `if`; the last may have none. The statement uses them as `{{ name }}`.
+    #: `if`; the last may have none. The statement uses them as `{{ name }}`. A text is left out
+    #: where nothing that is asked needs any given in it.
     "text",
     #: The results that the source gives; `kinegrade check` proves them.
     "published",

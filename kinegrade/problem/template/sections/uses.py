@@ -14,8 +14,9 @@ from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.template.conditions import mixes_angle_and_number
 from kinegrade.problem.template.draft import Draft
+from kinegrade.problem.template.driven import find_driven
 from kinegrade.problem.template.sections.values import NamedKind, explain_missing
-from kinegrade.problem.template.slots import find_slot_faults
+from kinegrade.problem.template.slots import Fillings, find_slot_faults
 from kinegrade.problem.template.template import Condition, Published, Wording
 from kinegrade.problem.template.translated import Translated
 
@@ -115,26 +116,26 @@ class _Uses:
             self.faults.note(place, what, do=Message("template.parts-of-pi"))
 
     def words(self) -> None:
-        """Statements name parameters and texts, texts name parameters."""
-        parameters = {*self.draft.parameters, *self.draft.faulty}
+        """Statements name parameters, what is driven, and texts; texts name no texts."""
+        givens = {*self.draft.parameters, *self.draft.faulty}
+        driven = find_driven(self.draft.drivers.values(), givens)
         for name, wordings in self.draft.texts.items():
             for number, wording in wordings.items():
-                self._wording(("text", name, number), wording, parameters)
+                self._wording(("text", name, number), wording, Fillings(givens, (), driven))
         if self.draft.statement is not None:
-            self.slots(("statement",), self.draft.statement, parameters, self.draft.texts)
+            fillings = Fillings(givens, self.draft.texts, driven)
+            self.slots(("statement",), self.draft.statement, fillings)
 
-    def _wording(self, place: Place, wording: Wording, parameters: Collection[str]) -> None:
+    def _wording(self, place: Place, wording: Wording, fillings: Fillings) -> None:
         """A wording names parameters, in its condition too."""
         if wording.condition is not None:
             self.condition((*place, "if"), wording.condition)
-        self.slots(place, wording.text, parameters, ())
+        self.slots(place, wording.text, fillings)
 
-    def slots(
-        self, place: Place, text: Translated, parameters: Collection[str], texts: Collection[str]
-    ) -> None:
+    def slots(self, place: Place, text: Translated, fillings: Fillings) -> None:
         """A fault for everything in double braces that is no name known here, once a language."""
         for where, written in text.list_written(place):
-            for fault in dict.fromkeys(find_slot_faults(written, parameters, texts)):
+            for fault in dict.fromkeys(find_slot_faults(written, fillings)):
                 if fault.name:
                     self._miss(fault.name, _Miss(where, fault.what, fault.do))
                 else:
