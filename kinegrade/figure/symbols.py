@@ -7,7 +7,19 @@ from __future__ import annotations
 from math import ceil, cos, pi, sin
 
 from kinegrade.figure.plane import angle_of, length, polar, unit
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.scene import (
+    BOLD,
+    FIRM,
+    PITCH,
+    THIN,
+    TOOTHED,
+    Bow,
+    Disc,
+    Outline,
+    Primitive,
+    Strokes,
+)
+from kinegrade.figure.teeth import trace_rack
 from kinegrade.mechanics.vector import Vector
 
 PIN = 0.85  # radius of a pin's circle
@@ -15,7 +27,7 @@ _HATCH = 1.5  # depth of ground hatching
 BLOCK_LENGTH, _BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, _BAR_WIDTH = 1.9, 3.5
 _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
-RACK_DEPTH = 1.8  # from the pitch line of a rack to its back
+RACK_DEPTH = 2.4  # from the pitch line of a rack to its back
 # Height of a fixed pin's stand; taller where a sleeve turns about the pin
 STAND, TALL_STAND = (3.6, 5.2)
 HEAD_LENGTH, _HEAD_WIDTH = 2.0, 1.1
@@ -40,11 +52,10 @@ def draw_knife_edge(at: Vector, toward: Vector) -> tuple[Primitive, ...]:
     return (wedge, *draw_ground(base - across * 2.6, base + across * 2.6, toward))
 
 
-def draw_rack(start: Vector, end: Vector, back: Vector) -> tuple[Primitive, ...]:
-    """A toothed bar by its pitch line, with its material in the direction `back`."""
-    depth = back * RACK_DEPTH
-    strip = Outline((start, end, end + depth, start + depth), FIRM, "grey")
-    return (strip, Strokes(((start, end),), BOLD))
+def draw_rack(start: Vector, end: Vector, back: Vector, contact: Vector) -> tuple[Primitive, ...]:
+    """A toothed bar with its pitch line, its material in the direction `back`."""
+    contour = trace_rack(start, end, back, contact, RACK_DEPTH)
+    return (Outline(contour, TOOTHED, "grey"), Strokes(((start, end),), PITCH))
 
 
 def draw_ground(start: Vector, end: Vector, side: Vector) -> tuple[Primitive, ...]:

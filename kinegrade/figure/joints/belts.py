@@ -26,7 +26,7 @@ def find_belt_symbol(mechanism: Mechanism, joint: Belt) -> Symbol:
 
 def _find_rim(mechanism: Mechanism, body: str, circle: Circle, touch: Vector) -> Rim:
     at = mechanism.points[circle.centre]
-    return Rim(body, circle.centre, at, circle.radius, "wheel", False, touch)
+    return Rim(body, circle.centre, at, circle.radius, "wheel", False, touch, touch)
 
 
 def _find_strand(mechanism: Mechanism, joint: Belt, side: int) -> Strand:

@@ -51,6 +51,7 @@ def find_arc_symbol(mechanism: Mechanism, joint: Arc) -> Symbol:
         "slot" if particle else "wheel",
         False,
         mechanism.points[joint.point],
+        mechanism.points[joint.point],
     )
     return Symbol(point=joint.point, rims=(rim,))
 
@@ -78,6 +79,7 @@ def _find_rims(
             circle.radius,
             kinds[body],
             joint.inside and circle.radius == outer,
+            touch,
             touch,
         )
         for body, circle in circles

@@ -23,7 +23,8 @@ NO_BACK = Vector(0.0, 0.0)
 class Rim:
     """A circle of a body; `ring` when the material lies outside; `touch` is the contact point.
 
-    The kind "edge" is drawn as a line only: a circle that belongs to no joint.
+    The kind "edge" is drawn as a line only: a circle that belongs to no joint. A gear has a
+    tooth at `tooth` on its pitch circle.
     """
 
     body: str
@@ -33,6 +34,7 @@ class Rim:
     kind: Kind
     ring: bool
     touch: Vector
+    tooth: Vector
 
 
 @dataclass(frozen=True)

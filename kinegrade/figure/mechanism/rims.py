@@ -4,30 +4,62 @@ joints; and those that only a hint knows.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 from kinegrade.figure.joints.symbol import Rim, Symbol
-from kinegrade.figure.plane import length
+from kinegrade.figure.plane import angle_of, length, polar
+from kinegrade.figure.teeth import find_tooth_angle
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Rimmed
+
+_Key = tuple[str, str, float]  # the body, the centre and the radius of a circle
 
 
 def find_rims(
     mechanism: Mechanism, symbols: Iterable[Symbol], circles: Iterable[Rimmed]
 ) -> tuple[Rim, ...]:
     """Every circle once: those of the joints, then those of the hints."""
-    found: dict[tuple[str, str, float], Rim] = {}
-    of_joints = [rim for symbol in symbols for rim in symbol.rims]
-    of_hints = [_find_edge(mechanism, circle) for circle in circles]
-    for rim in (*of_joints, *of_hints):
-        found.setdefault((rim.body, rim.centre, round(rim.radius, 6)), rim)
+    found: dict[_Key, Rim] = {}
+    pairs = [symbol.rims for symbol in symbols]
+    alone = [(_find_edge(mechanism, circle),) for circle in circles]
+    for rims in (*pairs, *alone):
+        for rim in _engage(rims, found):
+            found.setdefault(_make_key(rim), rim)
     return tuple(found.values())
+
+
+def _make_key(rim: Rim) -> _Key:
+    return rim.body, rim.centre, round(rim.radius, 6)
+
+
+def _engage(rims: tuple[Rim, ...], found: Mapping[_Key, Rim]) -> tuple[Rim, ...]:
+    """The circles of a joint, with the teeth of the second in the gaps of the first, as far as a
+    circle is not engaged already.
+    """
+    if len(rims) < 2:
+        return rims
+    one, other = sorted(rims, key=lambda rim: _make_key(rim) not in found)
+    one = found.get(_make_key(one), one)
+    return one, replace(other, tooth=_find_next_tooth(one, other))
+
+
+def _find_next_tooth(one: Rim, other: Rim) -> Vector:
+    """Where the other circle has a tooth, half a tooth beside one of the first at their contact."""
+    step = find_tooth_angle(one.radius)
+    ahead = (angle_of(one.tooth - one.at) - angle_of(other.touch - one.at)) % step
+    along = ahead * one.radius / other.radius * (1.0 if one.ring != other.ring else -1.0)
+    turn = angle_of(other.touch - other.at) + along + find_tooth_angle(other.radius) / 2
+    return other.at + polar(turn, other.radius)
 
 
 def _find_edge(mechanism: Mechanism, circle: Rimmed) -> Rim:
     at, touched = mechanism.points[circle.centre], mechanism.points[circle.through]
-    return Rim(circle.body, circle.centre, at, length(touched - at), "edge", False, touched)
+    return Rim(
+        circle.body, circle.centre, at, length(touched - at), "edge", False, touched, touched
+    )
 
 
 def order_rims(found: tuple[Rim, ...]) -> tuple[Rim, ...]:

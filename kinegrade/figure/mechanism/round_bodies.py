@@ -9,13 +9,23 @@ from kinegrade.figure import symbols
 from kinegrade.figure.joints.symbol import Rim, Symbol, find_fixed_pin
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.cam import trace_cam_profile
-from kinegrade.figure.scene import FIRM, PITCH, THIN, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.scene import (
+    FIRM,
+    PITCH,
+    THIN,
+    TOOTHED,
+    Disc,
+    Fill,
+    Outline,
+    Primitive,
+    Strokes,
+)
+from kinegrade.figure.teeth import TOOTH_ROOT, trace_gear
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
-_RING = 2.0  # millimetres of material around a circle that encloses others
-_PENCILS = {"wheel": FIRM, "slot": FIRM, "gear": PITCH, "cam": FIRM}
+_RING = 2.4  # millimetres of material around a circle that encloses others
 
 
 def draw_round_bodies(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -53,8 +63,9 @@ def _draw_fixed_rim(rim: Rim) -> tuple[Primitive, ...]:
         case "edge":
             return (Disc(rim.at, rim.radius, FIRM),)
         case "gear":
-            edge = symbols.draw_round_ground(rim.at, rim.radius, rim.ring)
-            return (*edge[:-1], Disc(rim.at, rim.radius, PITCH))
+            root = rim.radius + (TOOTH_ROOT if rim.ring else -TOOTH_ROOT)
+            hatching, _ = symbols.draw_round_ground(rim.at, root, rim.ring)
+            return (hatching, *_draw_gear(rim, "none"))
         case "wheel" | "slot" | "cam":
             return symbols.draw_round_ground(rim.at, rim.radius, rim.ring)
         case _:
@@ -64,18 +75,27 @@ def _draw_fixed_rim(rim: Rim) -> tuple[Primitive, ...]:
 def _draw_ring(rim: Rim) -> tuple[Primitive, ...]:
     """A rim around others: the body lies outside."""
     outer = Disc(rim.at, rim.radius + _RING, FIRM, "grey")
-    return (outer, Disc(rim.at, rim.radius, _PENCILS[rim.kind], "white"))
+    if rim.kind == "gear":
+        return (outer, *_draw_gear(rim, "white"))
+    return (outer, Disc(rim.at, rim.radius, FIRM, "white"))
+
+
+def _draw_gear(rim: Rim, fill: Fill) -> tuple[Primitive, ...]:
+    """The teeth with the pitch circle."""
+    teeth = Outline(trace_gear(rim.at, rim.tooth, rim.ring), TOOTHED, fill)
+    return (teeth, Disc(rim.at, rim.radius, PITCH))
 
 
 def _draw_round(rim: Rim) -> tuple[Primitive, ...]:
     """A wheel, a gear, or a ring-shaped slot."""
-    pen = _PENCILS[rim.kind]
     match rim.kind:
         case "slot":
             half = symbols.SLOT_WIDTH / 2
-            return (Disc(rim.at, rim.radius + half, pen), Disc(rim.at, rim.radius - half, pen))
-        case "wheel" | "gear" | "cam" | "edge":
-            return (Disc(rim.at, rim.radius, pen, "grey"),)
+            return (Disc(rim.at, rim.radius + half, FIRM), Disc(rim.at, rim.radius - half, FIRM))
+        case "gear":
+            return _draw_gear(rim, "grey")
+        case "wheel" | "cam" | "edge":
+            return (Disc(rim.at, rim.radius, FIRM, "grey"),)
         case _:
             assert_never(rim.kind)
 

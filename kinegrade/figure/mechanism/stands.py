@@ -18,16 +18,21 @@ from kinegrade.mechanics.vector import Vector
 
 # Radians between a stand's axis and a bar at which the bar is clear of its hatching
 _STAND_ROOM = 0.85
+_INSIDE = 8.5  # millimetres of radius at which a stand is clear of the hatching of a fixed wheel
 
 
 def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
-    """The knife edges, then the stands of fixed pins; a pin at the centre of a fixed wheel needs
-    none.
+    """The knife edges, then the stands of fixed pins; a pin at the centre of a fixed wheel without
+    room for one needs none.
     """
     at = anatomy.mechanism.points
     for name, side in anatomy.knife_edges.items():
         yield from draw_knife_edge(at[name], side)
-    wheels = {rim.centre for rim in anatomy.rims if rim.body == GROUND and not rim.ring}
+    wheels = {
+        rim.centre
+        for rim in anatomy.rims
+        if rim.body == GROUND and not rim.ring and rim.radius < _INSIDE
+    }
     for name in find_fixed_pins(anatomy.symbols):
         if name not in wheels and name not in anatomy.knife_edges:
             side = _find_free_side(at[name], anatomy.parts)

@@ -35,7 +35,7 @@ def draw_straight_part(part: Part) -> tuple[Primitive, ...]:
 def _draw_bar(bar: Bar) -> tuple[Primitive, ...]:
     match bar.use:
         case "rack":
-            return symbols.draw_rack(bar.start, bar.end, bar.back)
+            return symbols.draw_rack(bar.start, bar.end, bar.back, bar.actions[0])
         case "slot":
             return symbols.draw_slotted_bar(bar.start, bar.end, _find_slot(bar))
         case "link" | "bar" | "face":

@@ -5,8 +5,8 @@ from __future__ import annotations
 from kinegrade.figure.joints.symbol import Foot, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.plane import on_line, same_line
-from kinegrade.figure.scene import PITCH, Primitive, Strokes
-from kinegrade.figure.symbols import RACK_DEPTH, draw_ground
+from kinegrade.figure.scene import Primitive
+from kinegrade.figure.symbols import RACK_DEPTH, draw_ground, draw_rack
 from kinegrade.mechanics.vector import Vector
 
 _LEAST = 8.0  # millimetres of a track on either side of a contact
@@ -45,7 +45,8 @@ def _draw_surface(group: list[Foot], pins: list[Vector]) -> tuple[Primitive, ...
     if not first.toothed:
         return draw_ground(start, end, first.away)
     depth = first.away * RACK_DEPTH
-    return (*draw_ground(start + depth, end + depth, first.away), Strokes(((start, end),), PITCH))
+    rack = draw_rack(start, end, first.away, first.contact)
+    return (*rack, *draw_ground(start + depth, end + depth, first.away))
 
 
 def _measure_span(foot: Foot, along: Vector) -> tuple[Vector, Vector]:

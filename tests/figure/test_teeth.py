@@ -1,0 +1,102 @@
+"""Gears and racks have teeth of one size, and where they meet, a tooth stands in a gap."""
+
+from __future__ import annotations
+
+from math import hypot, pi
+
+import pytest
+
+from kinegrade.figure.joints.symbol import Rim, Symbol
+from kinegrade.figure.mechanism.layers import draw
+from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.mechanism.rims import find_rims
+from kinegrade.figure.plane import length, polar
+from kinegrade.figure.scene import PITCH, TOOTHED, Disc, Outline, Strokes
+from kinegrade.figure.teeth import TOOTH_ROOT, TOOTH_TIP, trace_gear, trace_rack
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from tests.figure.mechanisms import Case
+from tests.figure.more_mechanisms import planet_in_ring, rack_and_gear
+
+ORIGIN = Vector(0.0, 0.0)
+
+
+def contours(case: Case) -> list[Outline]:
+    primitives = draw(scale_to_paper(case[0], 100.0), case[1]).primitives
+    return [part for part in primitives if isinstance(part, Outline) and part.pen == TOOTHED]
+
+
+def gear(body: str, at: Vector, radius: float, touch: Vector, ring: bool = False) -> Rim:
+    return Rim(body, body, at, radius, "gear", ring, touch, touch)
+
+
+def meshed(*pairs: tuple[Rim, Rim]) -> dict[str, Rim]:
+    nothing = Mechanism({}, (), (), ())
+    return {rim.body: rim for rim in find_rims(nothing, [Symbol(rims=pair) for pair in pairs], ())}
+
+
+def depth_at(rim: Rim, touch: Vector) -> float:
+    """How far from the centre the corner of the contour is that is nearest in direction."""
+    contour = trace_gear(rim.at, rim.tooth, rim.ring)
+    away = (touch - rim.at) / length(touch - rim.at)
+    near = max(contour, key=lambda corner: (corner - rim.at).dot(away) / length(corner - rim.at))
+    return length(near - rim.at) - rim.radius
+
+
+@pytest.mark.parametrize("inward", [False, True])
+def test_a_gear_has_whole_teeth_on_both_sides_of_its_pitch_circle(inward: bool) -> None:
+    contour = trace_gear(ORIGIN, Vector(12.0, 0.0), inward)
+    radii = {round(hypot(*corner), 6) for corner in contour}
+    outward = -1 if inward else 1
+    assert radii == {12.0 + outward * TOOTH_TIP, 12.0 - outward * TOOTH_ROOT}
+    assert len(contour) % 4 == 0
+    assert 2 * pi * 12.0 / (len(contour) / 4) == pytest.approx(3.0, rel=0.05)
+
+
+def test_where_two_gears_meet_one_has_a_tooth_and_the_other_a_gap() -> None:
+    touch = Vector(10.0, 0.0)
+    found = meshed((gear("I", ORIGIN, 10.0, touch), gear("II", Vector(17.0, 0.0), 7.0, touch)))
+    assert depth_at(found["I"], touch) > 0 > depth_at(found["II"], touch)
+
+
+def test_a_ring_gear_has_a_gap_where_its_planet_has_a_tooth() -> None:
+    touch = Vector(0.0, 20.0)
+    planet = gear("planet", Vector(0.0, 12.0), 8.0, touch)
+    found = meshed((planet, gear("ring", ORIGIN, 20.0, touch, ring=True)))
+    assert depth_at(found["planet"], touch) > 0 < depth_at(found["ring"], touch)
+
+
+def test_the_third_gear_of_a_train_meets_the_second_as_it_stands() -> None:
+    one = gear("I", ORIGIN, 10.0, Vector(10.0, 0.0))
+    two = gear("II", Vector(18.0, 0.0), 8.0, Vector(10.0, 0.0))
+    elsewhere = Vector(18.0, 0.0) + polar(0.9, 8.0)
+    third = gear("III", Vector(18.0, 0.0) + polar(0.9, 14.0), 6.0, elsewhere)
+    second = Rim("II", "II", two.at, 8.0, "gear", False, elsewhere, elsewhere)
+    found = meshed((one, two), (second, third))
+    assert found["II"].tooth != elsewhere
+    ahead = trace_gear(found["II"].at, found["II"].tooth, False)
+    behind = trace_gear(found["III"].at, found["III"].tooth, False)
+    tips = [tip for tip in ahead if length(tip - found["II"].at) > 8.0]
+    inside = [tip for tip in tips if length(tip - found["III"].at) < 6.0]
+    roots = [root for root in behind if length(root - found["III"].at) < 6.0]
+    middles = [(roots[index - 1] + roots[index]) / 2 for index in range(0, len(roots), 2)]
+    assert inside
+    assert all(min(length(tip - middle) for middle in middles) < 1.0 for tip in inside)
+
+
+def test_a_rack_has_a_gap_at_its_contact_and_its_back_away_from_the_gear() -> None:
+    contour = trace_rack(ORIGIN, Vector(30.0, 0.0), Vector(0.0, -1.0), Vector(15.0, 0.0), 2.0)
+    near = [corner for corner in contour if abs(corner.x - 15.0) < 1.0]
+    assert {corner.y for corner in near} == {-TOOTH_ROOT}
+    assert {corner.y for corner in contour} == {TOOTH_TIP, -TOOTH_ROOT, -2.0}
+    assert all(-1e-9 <= corner.x <= 30.0 + 1e-9 for corner in contour)
+
+
+def test_gears_and_racks_of_a_mechanism_are_drawn_with_teeth_and_pitch_lines() -> None:
+    assert len(contours(planet_in_ring())) == 2
+    assert len(contours(rack_and_gear())) == 2
+    primitives = draw(scale_to_paper(rack_and_gear()[0], 100.0), rack_and_gear()[1]).primitives
+    pitched = [
+        type(part) for part in primitives if isinstance(part, Disc | Strokes) and part.pen == PITCH
+    ]
+    assert pitched == [Disc, Strokes]
