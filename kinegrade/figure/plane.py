@@ -72,6 +72,13 @@ def same_line(one: Line, other: Line) -> bool:
     )
 
 
+def meet(one: Line, other: Line) -> Vector:
+    """Where two lines cross, which must not be parallel."""
+    ahead = (other.point - one.point).cross(other.direction) / one.direction.cross(other.direction)
+    crossing: Vector = one.point + one.direction * ahead
+    return crossing
+
+
 def collinear(points: Sequence[Vector]) -> bool:
     """Whether all points lie on one straight line."""
     far = max(points, key=lambda point: length(point - points[0]))

@@ -24,8 +24,8 @@ from kinegrade.mechanics.vector import Vector
 
 PIN = 0.85  # radius of a pin's circle
 _HATCH = 1.5  # depth of ground hatching
-BLOCK_LENGTH, _BLOCK_WIDTH = 5.0, 3.0
-SLOT_WIDTH, _BAR_WIDTH = 1.9, 3.5
+BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
+SLOT_WIDTH, BAR_WIDTH = 1.9, 3.5
 _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 RACK_DEPTH = 2.4  # from the pitch line of a rack to its back
 # Height of a fixed pin's stand; taller where a sleeve turns about the pin
@@ -41,8 +41,8 @@ def draw_pin(at: Vector) -> tuple[Primitive, ...]:
 def draw_pivot(at: Vector, toward: Vector, height: float = STAND) -> tuple[Primitive, ...]:
     """The stand of a pin fixed to the ground: a triangle on hatching, in the direction `toward`."""
     base, across = at + toward * height, toward.turned()
-    triangle = Outline((at, base + across * 2.1, base - across * 2.1), FIRM, "white")
-    return (triangle, *draw_ground(base - across * 3.4, base + across * 3.4, toward))
+    triangle = Outline((at, base + across * 1.8, base - across * 1.8), FIRM, "white")
+    return (triangle, *draw_ground(base - across * 2.6, base + across * 2.6, toward))
 
 
 def draw_knife_edge(at: Vector, toward: Vector) -> tuple[Primitive, ...]:
@@ -86,7 +86,7 @@ def draw_round_ground(centre: Vector, radius: float, outward: bool) -> tuple[Pri
 
 
 def draw_block(
-    at: Vector, along: Vector, size: float = BLOCK_LENGTH, width: float = _BLOCK_WIDTH
+    at: Vector, along: Vector, size: float = BLOCK_LENGTH, width: float = BLOCK_WIDTH
 ) -> Outline:
     """A slider: a rectangle with its long side along the guide."""
     half, across = along * (size / 2), along.turned() * (width / 2)
@@ -95,14 +95,6 @@ def draw_block(
         FIRM,
         "white",
     )
-
-
-def draw_ground_slider(
-    at: Vector, along: Vector, side: Vector, reach: float = 7.5
-) -> tuple[Primitive, ...]:
-    """A block on a hatched ground guide, which lies on the given side of it."""
-    base = at + side * (_BLOCK_WIDTH / 2 + FIRM.width / 2)
-    return (*draw_ground(base - along * reach, base + along * reach, side), draw_block(at, along))
 
 
 def draw_guide(at: Vector, along: Vector, reach: float = 2.8) -> tuple[Primitive, ...]:
@@ -131,7 +123,7 @@ def draw_slotted_bar(
     start: Vector, end: Vector, slot: tuple[Vector, Vector]
 ) -> tuple[Primitive, ...]:
     """A rounded bar with a straight slot in it."""
-    body = Outline(trace_stadium(start, end, _BAR_WIDTH), FIRM, "grey")
+    body = Outline(trace_stadium(start, end, BAR_WIDTH), FIRM, "grey")
     return (body, Outline(trace_stadium(*slot, SLOT_WIDTH), THIN, "white"))
 
 

@@ -39,7 +39,7 @@ def test_a_pen_is_named_where_it_changes() -> None:
     )
     assert [line for line in source.split("\n") if line.startswith(r"\pgfsetlinewidth")] == [
         r"\pgfsetlinewidth{0.8mm}",
-        r"\pgfsetlinewidth{0.3mm}\pgfsetdash{{3pt}{2pt}{0.01pt}{2pt}}{0pt}",
+        r"\pgfsetlinewidth{0.18mm}\pgfsetdash{{3pt}{2pt}{0.01pt}{2pt}}{0pt}",
         r"\pgfsetlinewidth{0.18mm}\pgfsetdash{}{0pt}",
     ]
 

@@ -4,20 +4,24 @@ rest.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from math import pi
+from collections.abc import Iterator
+from math import asin
+from typing import assert_never
 
-from kinegrade.figure.joints.symbol import find_fixed_pins
+from kinegrade.figure.joints.symbol import Rim, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
-from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod
-from kinegrade.figure.plane import SIDE_VECTORS, angle_of, foot, length, shorter_way
-from kinegrade.figure.scene import Primitive
-from kinegrade.figure.symbols import STAND, TALL_STAND, draw_knife_edge, draw_pivot
-from kinegrade.mechanics.joints import GROUND, Line
+from kinegrade.figure.mechanism.plates import Plate
+from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc
+from kinegrade.figure.plane import SIDE_VECTORS, angle_of, length, nearest_of, shorter_way
+from kinegrade.figure.scene import BOLD, Primitive
+from kinegrade.figure.symbols import BAR_WIDTH, STAND, TALL_STAND, draw_knife_edge, draw_pivot
+from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.vector import Vector
 
-# Radians between a stand's axis and a bar at which the bar is clear of its hatching
-_STAND_ROOM = 0.85
+_NARROWEST = 0.63  # radians between the axis of a stand and the corner of its hatching
+_CORNER = 4.4  # millimetres from a pin to that corner
+_CLEAR = 0.2  # millimetres between the hatching and a bar
+_AROUND = 3.4  # millimetres around the middle of a stand that keep clear of other bodies
 _INSIDE = 8.5  # millimetres of radius at which a stand is clear of the hatching of a fixed wheel
 
 
@@ -35,7 +39,7 @@ def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
     }
     for name in find_fixed_pins(anatomy.symbols):
         if name not in wheels and name not in anatomy.knife_edges:
-            side = _find_free_side(at[name], anatomy.parts)
+            side = _choose_side(at[name], anatomy)
             yield from draw_pivot(at[name], side, _choose_height(at[name], anatomy))
 
 
@@ -45,27 +49,50 @@ def _choose_height(at: Vector, anatomy: Anatomy) -> float:
     return TALL_STAND if turning else STAND
 
 
-def _find_free_side(at: Vector, parts: Sequence[Part]) -> Vector:
-    """Down, unless a bar goes there; then the side with the widest room."""
-    leaving = []
-    for part in parts:
-        if isinstance(part, Bar | Rod):
-            near = foot(at, _find_axis(part))
-            if length(near - at) < 1.0:
-                leaving += [
-                    angle_of(end - at) for end in (part.start, part.end) if length(end - at) > 1.0
-                ]
+def _choose_side(at: Vector, anatomy: Anatomy) -> Vector:
+    """Down, so that the supports of a mechanism look alike in all postures, unless something is in
+    the way there.
+    """
 
-    def room(side: Vector) -> float:
-        return min((abs(shorter_way(angle - angle_of(side))) for angle in leaving), default=pi)
+    def hindrance(side: Vector) -> float:
+        bars = sum(_measure_part(part, at, side) for part in anatomy.parts)
+        rims = sum(_measure_rim(rim, at, side) for rim in anatomy.rims)
+        return round(bars + rims, 6)
 
-    sides = [SIDE_VECTORS[name] for name in ("down", "left", "right", "up")]
-    return (
-        sides[0]
-        if room(sides[0]) > _STAND_ROOM
-        else max(sides, key=lambda side: round(room(side), 6))
-    )
+    return min((SIDE_VECTORS[name] for name in ("down", "up", "left", "right")), key=hindrance)
 
 
-def _find_axis(part: Bar | Rod) -> Line:
-    return Line(part.start, part.end - part.start)
+def _measure_part(part: Part, at: Vector, side: Vector) -> float:
+    """How much a part is in the way of a stand on a side of the pin; 0 for not at all."""
+    match part:
+        case Bar() | Rod():
+            middle = at + side * (STAND / 2)
+            if length(nearest_of(at, part.start, part.end) - at) > 1.0:
+                gap = length(nearest_of(middle, part.start, part.end) - middle)
+                return max(0.0, _AROUND - gap)
+            ends, half = (part.start, part.end), _find_half_width(part)
+        case Plate():
+            ends, half = part.corners, BOLD.width / 2
+            if all(length(corner - at) > 1.0 for corner in ends):
+                return 0.0
+        case SlottedDisc():
+            return 0.0
+        case _:
+            assert_never(part)
+    room = _NARROWEST + asin((half + _CLEAR) / _CORNER)
+    leaving = [angle_of(end - at) - angle_of(side) for end in ends if length(end - at) > 1.0]
+    return sum(max(0.0, room - abs(shorter_way(angle))) for angle in leaving)
+
+
+def _find_half_width(part: Bar | Rod) -> float:
+    slotted = isinstance(part, Bar) and part.use in ("slot", "rack")
+    return (BAR_WIDTH if slotted else BOLD.width) / 2
+
+
+def _measure_rim(rim: Rim, at: Vector, side: Vector) -> float:
+    """How much a moving wheel beside the pin is in the way; one about or over the pin is on all
+    sides of it.
+    """
+    if rim.body == GROUND or rim.ring or length(rim.at - at) < rim.radius + 1.0:
+        return 0.0
+    return max(0.0, _AROUND + rim.radius - length(rim.at - at - side * (STAND / 2)))

@@ -1,0 +1,123 @@
+"""Supports look alike in all postures of a mechanism: below, unless something is in the way."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.figure.mechanism.anatomy import Anatomy
+from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.mechanism.rails import Rail, find_rails
+from kinegrade.figure.mechanism.stands import draw_stands
+from kinegrade.figure.plane import length, unit
+from kinegrade.figure.scene import Outline
+from kinegrade.mechanics.joints import GROUND, Circle, Line, Mesh, Pin, Roll, Slide
+from kinegrade.mechanics.mechanism import Body, Mechanism
+from kinegrade.mechanics.vector import Vector
+from tests.figure.mechanisms import RIGHT, UP, hinted, polar
+
+ORIGIN = Vector(0.0, 0.0)
+DOWN = -UP
+
+
+def anatomy_of(mechanism: Mechanism) -> Anatomy:
+    """The anatomy at 100 mm per metre."""
+    drawn, hints = hinted(mechanism)
+    return Anatomy.of(scale_to_paper(drawn, 100.0), hints)
+
+
+def sides_of_stands(mechanism: Mechanism) -> list[Vector]:
+    """The sides on which the stands of fixed pins are, in whole numbers."""
+    stands = [part for part in draw_stands(anatomy_of(mechanism)) if isinstance(part, Outline)]
+    toward = [unit((part.corners[1] + part.corners[2]) / 2 - part.corners[0]) for part in stands]
+    return [Vector(float(round(side.x)), float(round(side.y))) for side in toward]
+
+
+def crank(angle: float) -> Mechanism:
+    points = {"O": ORIGIN, "A": polar(0.3, angle)}
+    return Mechanism(points, (Body("OA", ("O", "A")),), (Pin("O", ("OA", GROUND)),), ())
+
+
+@pytest.mark.parametrize("angle", [0, 60, 135, 180, -45, -135])
+def test_a_stand_is_below_a_bar_that_leaves_it_free(angle: float) -> None:
+    assert sides_of_stands(crank(angle)) == [DOWN]
+
+
+@pytest.mark.parametrize("angle", [-60, -90, -120])
+def test_a_stand_hangs_above_a_bar_that_leaves_downward(angle: float) -> None:
+    assert sides_of_stands(crank(angle)) == [UP]
+
+
+def test_a_stand_keeps_clear_of_a_wheel_beside_its_pin() -> None:
+    points = {"O": ORIGIN, "A": Vector(0.15, -0.11)}
+    bodies = (Body("OA", ("O", "A")), Body("W", ("A",)))
+    joints = (Pin("O", ("OA", GROUND)), Pin("A", ("OA", "W")))
+    wheel = Roll("W", Circle("A", 0.15), GROUND, Line(Vector(0.0, -0.26), RIGHT))
+    assert sides_of_stands(Mechanism(points, bodies, joints, ())) == [DOWN]
+    assert sides_of_stands(Mechanism(points, bodies, (*joints, wheel), ())) == [UP]
+
+
+def test_the_pin_of_a_fixed_gear_has_a_stand_where_there_is_room() -> None:
+    def fixed_gear(radius: float) -> Mechanism:
+        points = {"O": ORIGIN, "A": Vector(0.0, radius + 0.1)}
+        mesh = Mesh("W", Circle("A", 0.1), GROUND, Circle("O", radius), "arm")
+        joints = (Pin("O", ("arm", GROUND)), Pin("A", ("arm", "W")), mesh)
+        return Mechanism(points, (Body("arm", ("O", "A")), Body("W", ("A",))), joints, ())
+
+    assert sides_of_stands(fixed_gear(0.2)) == [DOWN]
+    assert sides_of_stands(fixed_gear(0.05)) == []
+
+
+def slider(step: Vector, along: Vector = RIGHT) -> Rail:
+    """The rail of a block whose rod leaves by a step to A."""
+    points = {"B": ORIGIN, "A": step}
+    joints = (Slide("B", "AB", Line(ORIGIN, along), GROUND),)
+    (rail,) = find_rails(anatomy_of(Mechanism(points, (Body("AB", ("A", "B")),), joints, ())))
+    return rail
+
+
+@pytest.mark.parametrize("angle", [170, 30, 90, -165, -10])
+def test_the_floor_is_below_its_block(angle: float) -> None:
+    assert slider(polar(0.4, angle)).side == DOWN
+
+
+@pytest.mark.parametrize("angle", [-30, -90, -150])
+def test_a_block_hangs_on_its_guide_where_the_rod_leaves_downward(angle: float) -> None:
+    assert slider(polar(0.4, angle)).side == UP
+
+
+@pytest.mark.parametrize("angle", [160, -160])
+def test_a_wall_is_on_the_side_away_from_the_rod(angle: float) -> None:
+    assert slider(polar(0.4, angle), UP).side == RIGHT
+
+
+def test_a_floor_ends_where_a_rod_would_cross_it() -> None:
+    free, cut = slider(polar(0.4, 170)), slider(polar(0.4, -165))
+    assert (free.start.x, free.end.x) == (-7.5, 7.5)
+    assert -7.5 < cut.start.x < -2.5
+    assert cut.end.x == 7.5
+
+
+def trammel(a: Vector, b: Vector, *names: str) -> tuple[Rail, ...]:
+    """The rails of a rod AB on the floor and at the wall, with these points at the corner."""
+    points = {"A": a, "B": b, **dict.fromkeys(names, ORIGIN)}
+    joints = (
+        Slide("A", "AB", Line(ORIGIN, RIGHT), GROUND),
+        Slide("B", "AB", Line(ORIGIN, UP), GROUND),
+    )
+    return find_rails(anatomy_of(Mechanism(points, (Body("AB", ("A", "B")),), joints, ())))
+
+
+def test_a_floor_and_a_wall_meet_in_a_corner_at_a_marked_point() -> None:
+    floor, wall = trammel(Vector(0.4, 0.0), Vector(0.0, 0.3), "O")
+    assert length(floor.start - wall.start) < 1e-9
+    assert floor.start.x < 0 > floor.start.y
+
+
+def test_guides_that_meet_at_no_marked_point_stay_apart() -> None:
+    floor, wall = trammel(Vector(0.4, 0.0), Vector(0.0, 0.3))
+    assert length(floor.start - wall.start) > 10
+
+
+def test_guides_that_run_on_beyond_their_crossing_have_no_corner() -> None:
+    floor, wall = trammel(Vector(0.03, 0.0), Vector(0.0, 0.3), "O")
+    assert length(floor.start - wall.start) > 3
