@@ -23,6 +23,7 @@ from kinegrade.figure.teeth import trace_rack
 from kinegrade.mechanics.vector import Vector
 
 PIN = 0.85  # radius of a pin's circle
+_HALF_PIN = 1.15
 _HATCH = 1.5  # depth of ground hatching
 BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, BAR_WIDTH = 1.9, 3.5
@@ -36,6 +37,13 @@ HEAD_LENGTH, _HEAD_WIDTH = 2.0, 1.1
 def draw_pin(at: Vector) -> tuple[Primitive, ...]:
     """A revolute joint: a small open circle."""
     return (Disc(at, PIN, FIRM, "white"),)
+
+
+def draw_half_pin(at: Vector, side: Vector) -> tuple[Primitive, ...]:
+    """A revolute joint at the side of a bar that runs on through it: a half circle."""
+    flat = at + side * (BOLD.width / 2)
+    arc = Bow(flat, _HALF_PIN, angle_of(side) - pi / 2, pi, FIRM)
+    return (Outline(arc.path(), FIRM, "white"),)
 
 
 def draw_pivot(at: Vector, toward: Vector, height: float = STAND) -> tuple[Primitive, ...]:
@@ -139,8 +147,8 @@ def draw_centre_mark(at: Vector) -> tuple[Primitive, ...]:
 
 
 def draw_dot(at: Vector) -> tuple[Primitive, ...]:
-    """A marked point that is not a joint, with a white edge to stand out from a bar."""
-    return (Disc(at, 0.95, None, "white"), Disc(at, 0.65, None, "black"))
+    """A marked point that is not a joint, wider than a bar, which it does not interrupt."""
+    return (Disc(at, 0.75, None, "black"),)
 
 
 def draw_arrowhead(tip: Vector, toward: Vector) -> Outline:

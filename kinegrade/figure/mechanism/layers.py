@@ -1,5 +1,7 @@
-"""The mechanism itself as primitives, from the lowest layer up: circles, stands, bars, blocks,
-pins.
+"""The mechanism itself as primitives, from the lowest layer up: circles, plates, stands, blocks,
+bars, pins.
+
+Slender bars lie above the blocks and slotted bars to whose pins they lead.
 """
 
 from __future__ import annotations
@@ -13,10 +15,10 @@ from kinegrade.figure.mechanism.belts import draw_belts
 from kinegrade.figure.mechanism.pins import draw_points
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.round_bodies import draw_round_bodies
-from kinegrade.figure.mechanism.sliders import draw_blocks, draw_sleeves
+from kinegrade.figure.mechanism.sliders import draw_blocks, draw_ground_sliders, draw_sleeves
 from kinegrade.figure.mechanism.stands import draw_stands
 from kinegrade.figure.mechanism.straight_bodies import draw_straight_part
-from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc
+from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc, is_slender
 from kinegrade.figure.mechanism.tracks import draw_tracks
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 from kinegrade.mechanics.mechanism import Mechanism
@@ -46,13 +48,17 @@ def _draw_layers(anatomy: Anatomy) -> Iterator[Primitive]:
     for part in anatomy.parts:
         if isinstance(part, Plate | SlottedDisc):
             yield from draw_straight_part(part)
+    yield from _draw_reference_lines(anatomy)
     yield from draw_stands(anatomy)
+    for part in anatomy.parts:
+        if isinstance(part, Bar) and not is_slender(part):
+            yield from draw_straight_part(part)
+    yield from draw_ground_sliders(anatomy)
+    yield from draw_blocks(anatomy)
     yield from draw_sleeves(anatomy)
     for part in anatomy.parts:
-        if isinstance(part, Bar | Rod):
+        if is_slender(part):
             yield from draw_straight_part(part)
-    yield from _draw_reference_lines(anatomy)
-    yield from draw_blocks(anatomy)
     yield from draw_points(anatomy)
 
 

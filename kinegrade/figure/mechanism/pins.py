@@ -1,5 +1,5 @@
-"""The marks of points as primitives: open circles at pins, crosses at centres and at labelled
-construction points, dots at other marked points.
+"""The marks of points as primitives: open circles at pins, half circles at the side of a bar that
+runs on, crosses at centres and at labelled construction points, dots at other marked points.
 """
 
 from __future__ import annotations
@@ -7,8 +7,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinegrade.figure.mechanism.anatomy import Anatomy
+from kinegrade.figure.mechanism.stands import choose_side
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod, is_slender
+from kinegrade.figure.plane import NEAR, length, nearest_of, unit
 from kinegrade.figure.scene import Primitive
-from kinegrade.figure.symbols import draw_centre_mark, draw_dot, draw_pin
+from kinegrade.figure.symbols import draw_centre_mark, draw_dot, draw_half_pin, draw_pin
+from kinegrade.mechanics.vector import Vector
+
+_CLEAR = 1.0  # millimetres beyond a pin from which on a bar is seen to run on
+_LOWER = Vector(0.01, -0.1)  # where a pin sits when nothing else decides: below, or to the right
 
 
 def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -23,7 +30,8 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
     for name in sorted(owned - pins - centres - tips):
         yield from draw_dot(at[name])
     for name in sorted(pins):
-        yield from draw_pin(at[name])
+        side = _find_side_of_through_bar(anatomy, name)
+        yield from draw_half_pin(at[name], side) if side else draw_pin(at[name])
 
 
 def _find_pins(anatomy: Anatomy) -> set[str]:
@@ -38,3 +46,47 @@ def _find_pins(anatomy: Anatomy) -> set[str]:
 def _find_labelled(anatomy: Anatomy) -> set[str]:
     labels = anatomy.hints.labels.items()
     return {name for name, symbol in labels if symbol and name in anatomy.mechanism.points}
+
+
+def _find_side_of_through_bar(anatomy: Anatomy, name: str) -> Vector | None:
+    """The unit vector from the only bar that runs on through a pin to the members pinned to it.
+
+    None where no bar or more than one does, where something slides on it, and at a wheel's centre.
+    """
+    at = anatomy.mechanism.points[name]
+    joined = list(_list_joined(anatomy, name))
+    through = [bar for bar in joined if len(_list_ways(bar, at)) == 2]
+    if len(through) != 1 or _is_occupied(anatomy, at):
+        return None
+    toward = _LOWER
+    for bar in joined:
+        if bar is not through[0]:
+            toward = sum((unit(way) for way in _list_ways(bar, at)), toward)
+    if any(symbol.fixed and symbol.point == name for symbol in anatomy.symbols):
+        toward = toward + choose_side(at, anatomy)
+    across = unit(through[0].end - through[0].start).turned()
+    return across if across.dot(toward) > 0 else -across
+
+
+def _list_joined(anatomy: Anatomy, name: str) -> Iterator[Bar | Rod]:
+    """The slender bars of the bodies to which a point belongs, as far as they lead to it."""
+    at, bodies = anatomy.mechanism.points[name], anatomy.mechanism.bodies
+    owners = {body.name for body in bodies if name in body.points}
+    for part in anatomy.parts:
+        if is_slender(part) and part.body in owners and _leads_to(part, at):
+            yield part
+
+
+def _leads_to(bar: Bar | Rod, at: Vector) -> bool:
+    return length(at - nearest_of(at, bar.start, bar.end)) < NEAR
+
+
+def _list_ways(bar: Bar | Rod, at: Vector) -> list[Vector]:
+    """The vectors from a point on a bar to those of its ends that are clear of it."""
+    return [end - at for end in (bar.start, bar.end) if length(end - at) > _CLEAR]
+
+
+def _is_occupied(anatomy: Anatomy, at: Vector) -> bool:
+    slides = [slide for symbol in anatomy.symbols for slide in (symbol.sleeve, symbol.block)]
+    places = [slide.point for slide in slides if slide] + [rim.at for rim in anatomy.rims]
+    return any(length(place - at) < NEAR for place in places)

@@ -23,11 +23,15 @@ def draw_sleeves(anatomy: Anatomy) -> Iterator[Primitive]:
 
 
 def draw_blocks(anatomy: Anatomy) -> Iterator[Primitive]:
-    """The blocks in slots and on ground guides; a rod needs none in its guide."""
+    """The blocks in slots."""
     for symbol in anatomy.symbols:
         if symbol.block:
             at, along = symbol.block.point, symbol.block.direction
             yield draw_block(at, along, BLOCK_LENGTH - 1.0, SLOT_WIDTH)
+
+
+def draw_ground_sliders(anatomy: Anatomy) -> Iterator[Primitive]:
+    """The blocks on ground guides; a rod needs none in its guide."""
     for rail in find_rails(anatomy):
         yield from draw_ground(rail.start, rail.end, rail.side)
         yield draw_block(rail.at, rail.along)

@@ -39,7 +39,7 @@ def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
     }
     for name in find_fixed_pins(anatomy.symbols):
         if name not in wheels and name not in anatomy.knife_edges:
-            side = _choose_side(at[name], anatomy)
+            side = choose_side(at[name], anatomy)
             yield from draw_pivot(at[name], side, _choose_height(at[name], anatomy))
 
 
@@ -49,7 +49,7 @@ def _choose_height(at: Vector, anatomy: Anatomy) -> float:
     return TALL_STAND if turning else STAND
 
 
-def _choose_side(at: Vector, anatomy: Anatomy) -> Vector:
+def choose_side(at: Vector, anatomy: Anatomy) -> Vector:
     """Down, so that the supports of a mechanism look alike in all postures, unless something is in
     the way there.
     """

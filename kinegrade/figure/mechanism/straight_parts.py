@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeGuard
 
 from kinegrade.figure.joints.symbol import NO_BACK, Use
 from kinegrade.figure.mechanism.plates import Plate
@@ -49,3 +50,8 @@ class Rod:
 
 
 Part = Bar | Plate | SlottedDisc | Rod
+
+
+def is_slender(part: Part) -> TypeGuard[Bar | Rod]:
+    """Whether a part is drawn as one bold line."""
+    return isinstance(part, Rod) or (isinstance(part, Bar) and part.use not in ("slot", "rack"))

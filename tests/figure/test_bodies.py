@@ -1,0 +1,123 @@
+"""What a body looks like: how its bars meet blocks and pins, and how its rigid corners show."""
+
+from __future__ import annotations
+
+from math import hypot
+
+import pytest
+
+from kinegrade.figure.mechanism.layers import Drawing, draw
+from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.scene import BOLD, Disc, Outline, Primitive, Strokes
+from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
+from kinegrade.mechanics.mechanism import Body, Mechanism
+from kinegrade.mechanics.vector import Vector
+from tests.figure.mechanisms import RIGHT, Case, hinted, slider_crank, slotted_rocker
+from tests.figure.more_mechanisms import parallelogram_with_sleeve, sleeve_with_arm
+
+ORIGIN = Vector(0.0, 0.0)
+
+
+def drawing_of(case: Case, scale: float = 100.0) -> Drawing:
+    return draw(scale_to_paper(case[0], scale), case[1])
+
+
+def place(case: Case, name: str) -> Vector:
+    return case[0].points[name] * 100.0
+
+
+def near(one: Vector, other: Vector, within: float = 0.01) -> bool:
+    return hypot(*(one - other)) < within
+
+
+def layer(drawing: Drawing, shown: Primitive) -> int:
+    return drawing.primitives.index(shown)
+
+
+def bold_line_to(drawing: Drawing, at: Vector) -> Strokes:
+    """The bold line that ends at a point."""
+    return next(
+        part
+        for part in drawing.primitives
+        if isinstance(part, Strokes)
+        and part.pen == BOLD
+        and any(near(end, at) for end in part.lines[0])
+    )
+
+
+def blocks_about(drawing: Drawing, at: Vector) -> list[Outline]:
+    return [
+        part
+        for part in drawing.primitives
+        if isinstance(part, Outline)
+        and len(part.corners) == 4
+        and near(sum(part.corners, ORIGIN) / 4, at)
+    ]
+
+
+def circles_at(drawing: Drawing, at: Vector) -> list[Disc]:
+    return [part for part in drawing.primitives if isinstance(part, Disc) and near(part.centre, at)]
+
+
+@pytest.mark.parametrize(
+    ("case", "point"), [(slider_crank(0.2, 2.0, 60), "B"), (slotted_rocker(0.2, 30, 75), "A")]
+)
+def test_a_bar_runs_over_a_block_to_its_pin(case: Case, point: str) -> None:
+    drawing, at = drawing_of(case), place(case, point)
+    (block,) = blocks_about(drawing, at)
+    (pin,) = circles_at(drawing, at)
+    assert layer(drawing, block) < layer(drawing, bold_line_to(drawing, at)) < layer(drawing, pin)
+
+
+def lever(joined: Vector) -> Case:
+    """A bar CBD about the ground pin C, with a link from the middle of it to a ground pin."""
+    points = {"C": ORIGIN, "B": RIGHT * 0.2, "D": RIGHT * 0.5, "A": RIGHT * 0.2 + joined}
+    joints = (Pin("C", ("CD", GROUND)), Pin("B", ("CD", "AB")), Pin("A", ("AB", GROUND)))
+    bodies = (Body("CD", ("C", "B", "D")), Body("AB", ("A", "B")))
+    return hinted(Mechanism(points, bodies, joints, ()))
+
+
+def half_circles(drawing: Drawing) -> list[Outline]:
+    return [
+        part
+        for part in drawing.primitives
+        if isinstance(part, Outline) and part.fill == "white" and len(part.corners) > 8
+    ]
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_pin_on_a_bar_that_runs_on_is_a_half_circle_on_the_side_of_the_other_bar(
+    side: float,
+) -> None:
+    case = lever(Vector(0.1, 0.2 * side))
+    drawing, at = drawing_of(case), place(case, "B")
+    (half,) = half_circles(drawing)
+    assert circles_at(drawing, at) == []
+    heights = [(corner - at).y * side for corner in half.corners]
+    assert min(heights) == pytest.approx(BOLD.width / 2)  # it leaves the bar whole
+    assert max(heights) > 1.0
+    assert layer(drawing, half) > layer(drawing, bold_line_to(drawing, at))  # over the link
+
+
+def test_the_slider_of_a_bar_that_runs_on_has_its_half_circle_below_the_bar() -> None:
+    points = {"A": ORIGIN, "B": RIGHT * 0.3, "D": RIGHT * 0.5}
+    joints = (Pin("A", ("AD", GROUND)), Slide("B", "AD", Line(RIGHT * 0.3, RIGHT), GROUND))
+    case = hinted(Mechanism(points, (Body("AD", ("A", "B", "D")),), joints, ()))
+    (half,) = half_circles(drawing_of(case))
+    assert max(corner.y for corner in half.corners) < 0
+
+
+@pytest.mark.parametrize(
+    ("case", "point"), [(parallelogram_with_sleeve(), "F"), (sleeve_with_arm(), "B")]
+)
+def test_the_pin_of_a_sleeve_is_whole_as_the_bar_slides_through_it(case: Case, point: str) -> None:
+    drawing = drawing_of(case)
+    assert len(circles_at(drawing, place(case, point))) == 1
+    assert half_circles(drawing) == []
+
+
+def test_a_marked_point_does_not_interrupt_its_bar() -> None:
+    case = lever(Vector(0.0, 0.2))
+    (dot,) = circles_at(drawing_of(case), place(case, "D"))
+    assert (dot.fill, dot.pen) == ("black", None)
+    assert dot.radius > BOLD.width / 2
