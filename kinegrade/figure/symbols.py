@@ -26,7 +26,7 @@ PIN = 0.85  # radius of a pin's circle
 _HALF_PIN = 1.15
 _HATCH = 1.5  # depth of ground hatching
 BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
-SLOT_WIDTH, BAR_WIDTH = 1.9, 3.5
+SLOT_WIDTH, BAR_WIDTH, SLEEVE_WIDTH = 1.9, 3.5, 3.2
 _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 RACK_DEPTH = 2.4  # from the pitch line of a rack to its back
 # Height of a fixed pin's stand; taller where a sleeve turns about the pin
@@ -54,9 +54,11 @@ def draw_pivot(at: Vector, toward: Vector, height: float = STAND) -> tuple[Primi
 
 
 def draw_knife_edge(at: Vector, toward: Vector) -> tuple[Primitive, ...]:
-    """A fixed wedge whose tip is at a side of a body, standing in the direction `toward`."""
+    """A fixed point that touches a side of a body: the tip of a black wedge, which stands in the
+    direction `toward`.
+    """
     base, across = at + toward * 3.2, toward.turned()
-    wedge = Outline((at, base + across * 1.3, base - across * 1.3), FIRM, "grey")
+    wedge = Outline((at, base + across, base - across), None, "black")
     return (wedge, *draw_ground(base - across * 2.6, base + across * 2.6, toward))
 
 
@@ -118,26 +120,29 @@ def draw_guide(at: Vector, along: Vector, reach: float = 2.8) -> tuple[Primitive
     )
 
 
-def trace_stadium(start: Vector, end: Vector, width: float) -> tuple[Vector, ...]:
-    """The outline of a strip with round ends about the two points."""
-    facing = angle_of(end - start)
-    caps = ((end, facing - pi / 2), (start, facing + pi / 2))
-    return tuple(
-        point for centre, turn in caps for point in Bow(centre, width / 2, turn, pi, FIRM).path()
-    )
+def trace_round(corners: tuple[Vector, ...], radius: float) -> tuple[Vector, ...]:
+    """The outline about a convex polygon (counter-clockwise; or two points) at a distance from it,
+    with round corners.
+    """
+    outline: list[Vector] = []
+    for index, corner in enumerate(corners):
+        onward = corners[(index + 1) % len(corners)] - corner
+        start, end = angle_of(corner - corners[index - 1]), angle_of(onward)
+        outline += Bow(corner, radius, start - pi / 2, (end - start) % (2 * pi), FIRM).path()
+    return tuple(outline)
 
 
 def draw_slotted_bar(
     start: Vector, end: Vector, slot: tuple[Vector, Vector]
 ) -> tuple[Primitive, ...]:
     """A rounded bar with a straight slot in it."""
-    body = Outline(trace_stadium(start, end, BAR_WIDTH), FIRM, "grey")
-    return (body, Outline(trace_stadium(*slot, SLOT_WIDTH), THIN, "white"))
+    body = Outline(trace_round((start, end), BAR_WIDTH / 2), FIRM, "grey")
+    return (body, Outline(trace_round(slot, SLOT_WIDTH / 2), THIN, "white"))
 
 
 def draw_sleeve(at: Vector, along: Vector) -> tuple[Primitive, ...]:
     """A sleeve around a bar."""
-    return (draw_block(at, along, 6.4, 3.2),)
+    return (draw_block(at, along, 6.4, SLEEVE_WIDTH),)
 
 
 def draw_centre_mark(at: Vector) -> tuple[Primitive, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import hypot
+from math import atan2, degrees, hypot
 
 import pytest
 
@@ -13,7 +13,14 @@ from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from tests.figure.mechanisms import RIGHT, Case, hinted, slider_crank, slotted_rocker
-from tests.figure.more_mechanisms import parallelogram_with_sleeve, sleeve_with_arm
+from tests.figure.more_mechanisms import (
+    bent_coupler,
+    corner_in_two_sleeves,
+    parallelogram_with_sleeve,
+    plate_on_fixed_corners,
+    sleeve_with_arm,
+    sliding_plate,
+)
 
 ORIGIN = Vector(0.0, 0.0)
 
@@ -121,3 +128,99 @@ def test_a_marked_point_does_not_interrupt_its_bar() -> None:
     (dot,) = circles_at(drawing_of(case), place(case, "D"))
     assert (dot.fill, dot.pen) == ("black", None)
     assert dot.radius > BOLD.width / 2
+
+
+def black_triangles_of(case: Case) -> list[Outline]:
+    return [
+        part
+        for part in drawing_of(case).primitives
+        if isinstance(part, Outline) and part.fill == "black" and len(part.corners) == 3
+    ]
+
+
+def angle_between(gusset: Outline) -> float:
+    """Degrees between the two sides of a gusset at its corner."""
+    corner, *ends = gusset.corners
+    one, other = (end - corner for end in ends)
+    return degrees(atan2(abs(one.cross(other)), one.dot(other)))
+
+
+def test_a_bent_rod_has_a_gusset_that_reaches_out_from_under_its_pin() -> None:
+    case = bent_coupler()
+    (gusset,) = black_triangles_of(case)
+    assert near(gusset.corners[0], place(case, "B"))
+    assert angle_between(gusset) == pytest.approx(110.0)
+    assert hypot(*((gusset.corners[1] + gusset.corners[2]) / 2 - place(case, "B"))) > 1.5
+
+
+def test_the_corner_of_two_legs_in_sleeves_is_rigid_and_no_mark_sits_on_it() -> None:
+    case = corner_in_two_sleeves()
+    at_corner = [
+        gusset for gusset in black_triangles_of(case) if near(gusset.corners[0], place(case, "M"))
+    ]
+    assert len(at_corner) == 1
+    assert circles_at(drawing_of(case), place(case, "M")) == []
+
+
+def test_an_arm_ends_at_the_edge_of_its_sleeve_with_a_gusset_on_either_side() -> None:
+    case = sleeve_with_arm()
+    drawing, at = drawing_of(case), place(case, "B")
+    (sleeve,) = blocks_about(drawing, at)
+    arm = next(
+        part
+        for part in drawing.primitives
+        if isinstance(part, Strokes)
+        and part.pen == BOLD
+        and {near(end, place(case, "D")) for end in part.lines[0]} == {True, False}
+    )
+    bar = bold_line_to(drawing, place(case, "A"))
+    assert layer(drawing, arm) < layer(drawing, sleeve) < layer(drawing, bar)
+    first, second = black_triangles_of(case)
+    assert near(first.corners[0], second.corners[0])
+    assert hypot(*(first.corners[0] - at)) == pytest.approx(1.6)  # half the sleeve's width
+    assert [angle_between(each) for each in (first, second)] == [pytest.approx(90.0)] * 2
+
+
+def coupler_plate() -> Case:
+    """A plate pinned at each of its three corners to a bar that turns about the ground."""
+    points = {"A": ORIGIN, "B": RIGHT * 0.4, "C": Vector(0.1, 0.3)}
+    grounds = {f"{name}0": at + Vector(-0.1, 0.2) for name, at in points.items()}
+    pins = [Pin(name, ("ABC", name)) for name in points]
+    stands = [Pin(f"{name}0", (name, GROUND)) for name in points]
+    bars = [Body(name, (name, f"{name}0")) for name in points]
+    plate = Body("ABC", ("A", "B", "C"))
+    return hinted(Mechanism({**points, **grounds}, (plate, *bars), (*pins, *stands), ()))
+
+
+def plate_of(case: Case) -> Outline:
+    return next(
+        part
+        for part in drawing_of(case).primitives
+        if isinstance(part, Outline) and part.fill == "grey"
+    )
+
+
+def test_a_plate_pinned_at_its_corners_is_round_about_its_pins() -> None:
+    case = coupler_plate()
+    outline = plate_of(case).corners
+    assert len(outline) > 9
+    for name in "ABC":
+        gaps = [hypot(*(corner - place(case, name))) for corner in outline]
+        assert min(gaps) == pytest.approx(1.9)
+
+
+@pytest.mark.parametrize(("case", "corners"), [(sliding_plate(), 3), (plate_on_fixed_corners(), 4)])
+def test_a_plate_of_a_stated_shape_keeps_it(case: Case, corners: int) -> None:
+    assert len(plate_of(case).corners) == corners
+
+
+def test_the_corners_of_a_plate_need_no_dots_and_its_middle_has_one() -> None:
+    case = plate_on_fixed_corners()
+    drawing = drawing_of(case)
+    assert [len(circles_at(drawing, place(case, name))) for name in "DEFGO"] == [0, 0, 0, 0, 1]
+
+
+def test_the_fixed_points_of_a_plate_are_black_points_and_no_hinges() -> None:
+    case = plate_on_fixed_corners()
+    tips = [wedge.corners[0] for wedge in black_triangles_of(case)]
+    assert [any(near(tip, place(case, name)) for tip in tips) for name in "AB"] == [True, True]

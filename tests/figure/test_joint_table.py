@@ -76,7 +76,7 @@ ADDED: tuple[tuple[Joint, set[str]], ...] = (
     (Slide("O", "I", LEVEL, "II"), PIN | {"features", "block"}),
     (Slide("O", GROUND, LEVEL, "II"), PIN | {"features", "sleeve", "fixed"}),
     (Sleeve("I", LEVEL, GROUND), {"guide", "translating"}),
-    (Sleeve("I", LEVEL, "II"), {"features", "sleeve"}),
+    (Sleeve("I", LEVEL, "II"), {"features", "sleeve", "carrier"}),
     (Arc("B", "I", LARGE, "II"), {"point", "rims"}),
     (Contact("I", SMALL, "II", BELOW), {"rims", "features"}),
     (Contact("I", SMALL, "II", LARGE), {"rims"}),

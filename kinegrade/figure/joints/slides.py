@@ -40,7 +40,8 @@ def find_sleeve_symbol(mechanism: Mechanism, joint: Sleeve) -> Symbol:
     at, along = _find_sleeve_centre(mechanism, joint, carrier, bar), unit(joint.line.direction)
     if joint.of == GROUND:
         return Symbol(translating=joint.body, guide=Guide(joint.body, at, along))
-    return Symbol(features=(Feature(bar, joint.line, at, "bar"),), sleeve=Line(at, along))
+    edge = Feature(bar, joint.line, at, "bar")
+    return Symbol(features=(edge,), sleeve=Line(at, along), carrier=carrier)
 
 
 def _tell_bar_from_carrier(mechanism: Mechanism, joint: Sleeve) -> tuple[str, str]:

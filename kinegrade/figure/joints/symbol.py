@@ -77,7 +77,8 @@ class Symbol:
     - `translating`: a body that the joint keeps from turning against the ground;
     - `rims`, `features`, `foot`, `guide`: circles, lines of bodies, a track and a guide;
     - `strands`: the straight parts of a belt;
-    - `sleeve`, `block`: where one is, with the unit vector along which it slides.
+    - `sleeve`, `block`: where one is, with the unit vector along which it slides; `carrier` is the
+      body of which a sleeve is a part.
     """
 
     point: str | None = None
@@ -92,6 +93,7 @@ class Symbol:
     strands: tuple[Strand, ...] = ()
     sleeve: Line | None = None
     block: Line | None = None
+    carrier: str | None = None
 
 
 def find_fixed_pins(symbols: Sequence[Symbol]) -> list[str]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.joints.table import find_symbols
 from kinegrade.figure.mechanism.bars import find_straight_parts
+from kinegrade.figure.mechanism.gussets import Corner, find_corners
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction
 from kinegrade.figure.mechanism.rims import find_rims, order_rims
 from kinegrade.figure.mechanism.straight_parts import Part, Rod
@@ -32,6 +33,7 @@ class Anatomy:
     rims: tuple[Rim, ...]
     parts: tuple[Part, ...]
     knife_edges: Mapping[str, Vector]
+    corners: tuple[Corner, ...]
 
     @staticmethod
     def of(mechanism: Mechanism, hints: FigureHints) -> Anatomy:
@@ -39,7 +41,8 @@ class Anatomy:
         symbols = find_symbols(mechanism, hints.shapes)
         rims = order_rims(find_rims(mechanism, symbols, hints.circles))
         parts = find_straight_parts(mechanism, hints.shapes, symbols, rims)
-        return Anatomy(mechanism, hints, symbols, rims, parts, _find_knife_edges(symbols, parts))
+        edges, corners = _find_knife_edges(symbols, parts), find_corners(parts, symbols)
+        return Anatomy(mechanism, hints, symbols, rims, parts, edges, corners)
 
     @property
     def sleeves(self) -> tuple[Line, ...]:

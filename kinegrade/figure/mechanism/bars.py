@@ -6,7 +6,8 @@ All of this follows from the points of the body and from the lines on which othe
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from dataclasses import replace
 from itertools import pairwise
 
 from kinegrade.figure.joints.symbol import Feature, Rim, Symbol
@@ -34,6 +35,8 @@ def find_straight_parts(
         if body.name not in round_ones and not body.particle:
             lines = [feature for feature in features if feature.body == body.name]
             parts += _find_parts(mechanism, body, lines, shapes)
+    pins = {mechanism.points[symbol.point] for symbol in symbols if symbol.point and symbol.pinned}
+    parts = [_round_off(part, pins, features) for part in parts]
     bars = [part for part in parts if isinstance(part, Bar)]
     return (*parts, *find_rods(mechanism, shapes, symbols, found, bars))
 
@@ -52,6 +55,14 @@ def _find_parts(
         yield _lay_bar(body.name, points, group)
     if not any(set(points) <= covered for covered in on_axis):
         yield from [plate] if plate else _find_links(body.name, points, shapes)
+
+
+def _round_off(part: Part, pins: Set[Vector], features: Sequence[Feature]) -> Part:
+    """A plate whose corners all are pins, and on whose edges nothing acts, is round about them."""
+    if isinstance(part, Plate) and set(part.corners) <= pins:
+        acted = any(edge.body == part.body and _is_edge(edge, part) for edge in features)
+        return replace(part, rounded=not acted)
+    return part
 
 
 def _is_edge(feature: Feature, plate: Plate | None) -> bool:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.belts import draw_belts
+from kinegrade.figure.mechanism.gussets import draw_gussets, find_welded_arms
 from kinegrade.figure.mechanism.pins import draw_points
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.round_bodies import draw_round_bodies
@@ -55,10 +56,14 @@ def _draw_layers(anatomy: Anatomy) -> Iterator[Primitive]:
             yield from draw_straight_part(part)
     yield from draw_ground_sliders(anatomy)
     yield from draw_blocks(anatomy)
+    arms = [arm for arm, _ in find_welded_arms(anatomy.parts, anatomy.symbols)]
+    for arm in arms:
+        yield from draw_straight_part(arm)
     yield from draw_sleeves(anatomy)
     for part in anatomy.parts:
-        if is_slender(part):
+        if is_slender(part) and part not in arms:
             yield from draw_straight_part(part)
+    yield from draw_gussets(anatomy.corners)
     yield from draw_points(anatomy)
 
 

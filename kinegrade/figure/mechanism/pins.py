@@ -7,19 +7,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinegrade.figure.mechanism.anatomy import Anatomy
+from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.stands import choose_side
-from kinegrade.figure.mechanism.straight_parts import Bar, Rod, is_slender
-from kinegrade.figure.plane import NEAR, length, nearest_of, unit
+from kinegrade.figure.mechanism.straight_parts import is_slender, list_ways
+from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import Primitive
 from kinegrade.figure.symbols import draw_centre_mark, draw_dot, draw_half_pin, draw_pin
 from kinegrade.mechanics.vector import Vector
 
-_CLEAR = 1.0  # millimetres beyond a pin from which on a bar is seen to run on
 _LOWER = Vector(0.01, -0.1)  # where a pin sits when nothing else decides: below, or to the right
 
 
 def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
-    """Crosses below dots below circles; the tip of a knife edge needs no mark."""
+    """Crosses below dots below circles; the tip of a knife edge and a rigid corner need no mark."""
     at = anatomy.mechanism.points
     tips = set(anatomy.knife_edges)
     pins = _find_pins(anatomy) - tips
@@ -27,7 +27,7 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
     centres = ({rim.centre for rim in anatomy.rims} | _find_labelled(anatomy) - owned - tips) - pins
     for name in sorted(centres):
         yield from draw_centre_mark(at[name])
-    for name in sorted(owned - pins - centres - tips):
+    for name in sorted(owned - pins - centres - tips - _find_at_corners(anatomy)):
         yield from draw_dot(at[name])
     for name in sorted(pins):
         side = _find_side_of_through_bar(anatomy, name)
@@ -43,6 +43,14 @@ def _find_pins(anatomy: Anatomy) -> set[str]:
     }
 
 
+def _find_at_corners(anatomy: Anatomy) -> set[str]:
+    """The points at which a body has a rigid corner or the corner of its plate."""
+    corners = [corner.at for corner in anatomy.corners]
+    corners += [at for part in anatomy.parts if isinstance(part, Plate) for at in part.corners]
+    points = anatomy.mechanism.points.items()
+    return {name for name, at in points if any(length(at - corner) < NEAR for corner in corners)}
+
+
 def _find_labelled(anatomy: Anatomy) -> set[str]:
     labels = anatomy.hints.labels.items()
     return {name for name, symbol in labels if symbol and name in anatomy.mechanism.points}
@@ -54,36 +62,19 @@ def _find_side_of_through_bar(anatomy: Anatomy, name: str) -> Vector | None:
     None where no bar or more than one does, where something slides on it, and at a wheel's centre.
     """
     at = anatomy.mechanism.points[name]
-    joined = list(_list_joined(anatomy, name))
-    through = [bar for bar in joined if len(_list_ways(bar, at)) == 2]
+    owners = {body.name for body in anatomy.mechanism.bodies if name in body.points}
+    joined = [part for part in anatomy.parts if is_slender(part) and part.body in owners]
+    through = [bar for bar in joined if len(list_ways(bar, at)) == 2]
     if len(through) != 1 or _is_occupied(anatomy, at):
         return None
     toward = _LOWER
     for bar in joined:
         if bar is not through[0]:
-            toward = sum((unit(way) for way in _list_ways(bar, at)), toward)
+            toward = sum((unit(way) for way in list_ways(bar, at)), toward)
     if any(symbol.fixed and symbol.point == name for symbol in anatomy.symbols):
         toward = toward + choose_side(at, anatomy)
     across = unit(through[0].end - through[0].start).turned()
     return across if across.dot(toward) > 0 else -across
-
-
-def _list_joined(anatomy: Anatomy, name: str) -> Iterator[Bar | Rod]:
-    """The slender bars of the bodies to which a point belongs, as far as they lead to it."""
-    at, bodies = anatomy.mechanism.points[name], anatomy.mechanism.bodies
-    owners = {body.name for body in bodies if name in body.points}
-    for part in anatomy.parts:
-        if is_slender(part) and part.body in owners and _leads_to(part, at):
-            yield part
-
-
-def _leads_to(bar: Bar | Rod, at: Vector) -> bool:
-    return length(at - nearest_of(at, bar.start, bar.end)) < NEAR
-
-
-def _list_ways(bar: Bar | Rod, at: Vector) -> list[Vector]:
-    """The vectors from a point on a bar to those of its ends that are clear of it."""
-    return [end - at for end in (bar.start, bar.end) if length(end - at) > _CLEAR]
 
 
 def _is_occupied(anatomy: Anatomy, at: Vector) -> bool:

@@ -14,10 +14,15 @@ from kinegrade.mechanics.vector import Vector
 
 @dataclass(frozen=True)
 class Plate:
-    """A body with three or more marked points that are not in line; corners counter-clockwise."""
+    """A body with three or more marked points that are not in line; corners counter-clockwise.
+
+    It is `rounded` about the pins at its corners where all of them are pins and no edge of it
+    matters.
+    """
 
     body: str
     corners: tuple[Vector, ...]
+    rounded: bool = False
 
 
 def find_plate(body: Body, points: Sequence[Vector], shapes: Mapping[str, str]) -> Plate | None:

@@ -11,14 +11,16 @@ from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import BOLD, FIRM, Disc, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
+_PLATE_EDGE = 1.9  # millimetres of a plate beyond the pins at its corners
+
 
 def draw_straight_part(part: Part) -> tuple[Primitive, ...]:
     """The primitives of one straight part."""
     match part:
         case Plate():
-            return (Outline(part.corners, BOLD, "grey"),)
+            return (Outline(_trace_plate(part), FIRM, "grey"),)
         case SlottedDisc():
-            slot = Outline(symbols.trace_stadium(*part.slot, symbols.SLOT_WIDTH), FIRM, "white")
+            slot = Outline(symbols.trace_round(part.slot, symbols.SLOT_WIDTH / 2), FIRM, "white")
             return (Disc(part.centre, part.radius, FIRM, "grey"), slot)
         case Rod():
             along = unit(part.end - part.start)
@@ -30,6 +32,13 @@ def draw_straight_part(part: Part) -> tuple[Primitive, ...]:
             return _draw_bar(part)
         case _:
             assert_never(part)
+
+
+def _trace_plate(plate: Plate) -> tuple[Vector, ...]:
+    """Round about the pins of a plate; exact where a corner is no pin, or an edge touches
+    something.
+    """
+    return symbols.trace_round(plate.corners, _PLATE_EDGE) if plate.rounded else plate.corners
 
 
 def _draw_bar(bar: Bar) -> tuple[Primitive, ...]:

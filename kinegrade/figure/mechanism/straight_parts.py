@@ -7,7 +7,10 @@ from typing import TypeGuard
 
 from kinegrade.figure.joints.symbol import NO_BACK, Use
 from kinegrade.figure.mechanism.plates import Plate
+from kinegrade.figure.plane import NEAR, length, nearest_of
 from kinegrade.mechanics.vector import Vector
+
+_CLEAR = 1.0  # millimetres of a bar beyond a point from which on it is seen to run on
 
 
 @dataclass(frozen=True)
@@ -55,3 +58,12 @@ Part = Bar | Plate | SlottedDisc | Rod
 def is_slender(part: Part) -> TypeGuard[Bar | Rod]:
     """Whether a part is drawn as one bold line."""
     return isinstance(part, Rod) or (isinstance(part, Bar) and part.use not in ("slot", "rack"))
+
+
+def list_ways(bar: Bar | Rod, at: Vector) -> list[Vector]:
+    """The vectors from a point on a bar to those of its ends that are clear of it; none when the
+    bar does not lead to the point.
+    """
+    if length(at - nearest_of(at, bar.start, bar.end)) > NEAR:
+        return []
+    return [end - at for end in (bar.start, bar.end) if length(end - at) > _CLEAR]

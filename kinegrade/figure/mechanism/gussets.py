@@ -1,0 +1,94 @@
+"""Rigid corners: where two bars of one body meet, or an arm meets the sleeve it carries, a gusset
+fills each angle between them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations, product
+
+from kinegrade.figure.joints.symbol import Symbol
+from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, is_slender, list_ways
+from kinegrade.figure.plane import length, unit
+from kinegrade.figure.scene import Outline, Primitive
+from kinegrade.figure.symbols import SLEEVE_WIDTH
+from kinegrade.mechanics.joints import Line
+from kinegrade.mechanics.vector import Vector
+
+# Millimetres of a bar along which a gusset is welded to it; more where the angle is wide, so that
+# the gusset reaches out from under a pin
+_LEG, _LONG_LEG, _BEYOND_PIN = 3.0, 5.0, 2.1
+_SLEEVE_LEG = 1.8  # the same, of an arm on a sleeve
+_SHARE = 0.4  # of the shorter bar that a gusset takes at most
+_STRAIGHT = 0.02  # radians: bars in one line have no corner
+
+
+@dataclass(frozen=True)
+class Corner:
+    """A rigid corner: its place, the unit vectors of two bars that leave it, and the millimetres
+    of each that a gusset takes.
+    """
+
+    at: Vector
+    legs: tuple[Vector, Vector]
+    leg: float
+
+
+def find_corners(parts: Sequence[Part], symbols: Sequence[Symbol]) -> tuple[Corner, ...]:
+    """The corners between slender bars of one body, and those between an arm and its sleeve."""
+    slender = [part for part in parts if is_slender(part)]
+    between = [
+        corner
+        for one, other in combinations(slender, 2)
+        if one.body == other.body
+        for corner in _find_corners_between(one, other)
+    ]
+    arms = [corner for arm in find_welded_arms(parts, symbols) for corner in _weld(*arm)]
+    return (*between, *arms)
+
+
+def find_welded_arms(
+    parts: Sequence[Part], symbols: Sequence[Symbol]
+) -> Iterator[tuple[Bar | Rod, Line]]:
+    """Each bar that ends at a sleeve of its own body, with the axis of the sleeve, which it meets
+    at an angle.
+    """
+    for symbol in symbols:
+        for part in parts:
+            if symbol.sleeve and is_slender(part) and part.body == symbol.carrier:
+                ways = list_ways(part, symbol.sleeve.point)
+                if len(ways) == 1 and _is_corner(ways[0], symbol.sleeve.direction):
+                    yield part, symbol.sleeve
+
+
+def draw_gussets(corners: Sequence[Corner]) -> Iterator[Primitive]:
+    """The gussets, each a black triangle."""
+    for corner in corners:
+        ends = (corner.at + leg * corner.leg for leg in corner.legs)
+        yield Outline((corner.at, *ends), None, "black")
+
+
+def _find_corners_between(one: Bar | Rod, other: Bar | Rod) -> Iterator[Corner]:
+    for at in dict.fromkeys((one.start, one.end, other.start, other.end)):
+        for way, across in product(list_ways(one, at), list_ways(other, at)):
+            if _is_corner(way, across):
+                yield Corner(at, (unit(way), unit(across)), _choose_leg(way, across))
+
+
+def _choose_leg(one: Vector, other: Vector) -> float:
+    chord = length(unit(one) + unit(other)) / 2  # its distance from the corner, over the leg
+    wanted = max(_LEG, min(_LONG_LEG, _BEYOND_PIN / chord))
+    return min(wanted, _SHARE * length(one), _SHARE * length(other))
+
+
+def _weld(arm: Bar | Rod, sleeve: Line) -> Iterator[Corner]:
+    (way,) = list_ways(arm, sleeve.point)
+    toward, along = unit(way), unit(sleeve.direction)
+    edge = sleeve.point + toward * (SLEEVE_WIDTH / 2 / abs(toward.cross(along)))
+    for side in (along, -along):
+        yield Corner(edge, (toward, side), _SLEEVE_LEG)
+
+
+def _is_corner(one: Vector, other: Vector) -> bool:
+    return abs(unit(one).cross(unit(other))) > _STRAIGHT
