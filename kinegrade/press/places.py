@@ -7,7 +7,7 @@ from typing import Literal
 from kinegrade.language.message import Location, Message
 
 SheetPart = Literal[
-    "title", "statement", "symbol", "meaning", "sign", "remark", "solution", "givens"
+    "title", "statement", "symbol", "meaning", "sign", "tolerance", "remark", "solution", "givens"
 ]
 RULES = Message("typesetting.place-rules")
 KEY = Message("typesetting.place-key")

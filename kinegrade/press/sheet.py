@@ -33,6 +33,7 @@ class AnswerRow:
     unit: str  # plain: "m/s^2", "deg"; "1" for a pure number
     sign: str  # prose, "counter-clockwise positive", what else holds for the box; "" for nothing
     points: Fraction
+    tolerance: tuple[str, ...] = ()  # prose, a line each; none where a text states it
 
 
 @dataclass(frozen=True)

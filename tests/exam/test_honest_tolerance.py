@@ -51,7 +51,7 @@ draw = { h = [0], r = [1, 2, 3], omega = [2, 3, 4] }
 asks = { v_x = 1, v_y = { points = 2, tolerance = { absolute = 0.25 } } }
 """
 SHARE = r"(?:1|1[.,]5|2|3|4|5) %"
-USUAL, WIDE = 0.01, 0.05  # the second a share that another version may have found
+WIDE = 0.05  # a share that another version may have found
 Ask = dict[str, Any]
 
 
@@ -111,58 +111,41 @@ def words(pdf: bytes) -> str:
 
 
 @pytest.mark.parametrize(
-    ("language", "rule", "within", "or_amount"),
-    [
-        (
-            "en",
-            "Where a row of the answer table states another tolerance, that one holds for its "
-            "answer.",
-            "within 3 %",
-            " or $0.5\\,\\unit{m/s^2}$",
-        ),
-        (
-            "zh",
-            "答案表的某一行注明其他容差时，该行答案以所注容差为准。",
-            "允许偏差 3 %",
-            "或 $0.5\\,\\unit{m/s^2}$",
-        ),
-        (
-            "de",
-            "Steht in einer Zeile der Antworttabelle eine andere Toleranz, so gilt diese für ihre "
-            "Antwort.",
-            "Toleranz 3 %",
-            " oder $0.5\\,\\unit{m/s^2}$",
-        ),
-    ],
+    ("language", "choice", "near_zero"),
+    [("en", " or ", "near zero "), ("zh", "或", "近零 "), ("de", " oder ", "nahe null ")],
 )
-def test_the_rules_refer_to_the_rows_and_a_row_states_what_is_wider(
-    tmp_path: Path, language: Language, rule: str, within: str, or_amount: str
+def test_each_row_states_its_tolerance_and_what_is_allowed_near_zero(
+    tmp_path: Path, language: Language, choice: str, near_zero: str
 ) -> None:
     paper = lay_out(tmp_path, language)
-    assert paper.rules[2].endswith(rule)
-    v_B, omega_AB, a_B = (row.sign for question in paper.questions for row in question.rows)
-    assert re.split("[;；] ?", v_B)[-1] == within
-    assert "%" not in omega_AB  # what is stated is enough
-    assert re.split("[;；] ?", a_B)[-1] == within + or_amount
+    v_B, omega_AB, a_B = (row.tolerance for question in paper.questions for row in question.rows)
+    amount = r"\$\\pm[125]0*(?:\.0*[125])?\\,\\unit\{%s\}\$|\$\\pm0\.0*[125]\\,\\unit\{%s\}\$"
+    for row, share, unit in ((v_B, "3 %", "m/s"), (omega_AB, "1 %", "rad/s")):
+        assert row[0] == share
+        assert re.fullmatch(near_zero + f"(?:{amount % (unit, unit)})", row[1])
+    assert a_B[0] == rf"3 %{choice}$\pm0.5\,\unit{{m/s^2}}$"
+
+
+def test_a_row_of_a_zero_looks_like_others_and_allows_no_more_than_the_key(generated: Path) -> None:
+    key = asks_of(generated / "EXAM")["007", "q3.v_x"]
+    assert key["value"] == 0
+    paper = words((generated / "EXAM" / "papers" / "007.pdf").read_bytes())
+    along = re.search(r"along x.*?along y", paper)
+    assert along is not None
+    printed = re.search(r"near zero ±([0-9.]+)", along[0])
+    assert printed is not None
+    kept = float(key["tolerance"]["absolute"])
+    assert kept / 2.5 <= float(printed[1]) <= kept
+    assert paper.count("near zero ±") >= 3
 
 
 def test_every_layout_prints_the_rows_tolerance(tmp_path: Path) -> None:
     paper = lay_out(tmp_path, "en")
     typst, latex = write_paper_source(paper), write_paper_body(paper)
     tree = write_paper_tree(paper, {}).decode()
-    assert len(re.findall("within 3 %", typst)) == 2
-    assert len(re.findall(r"within 3(?:\\,|~|\s)*\\%", latex)) == 2
-    assert tree.count("within") == 2
-
-
-def test_a_row_does_not_tell_that_its_answer_is_zero(generated: Path) -> None:
-    key = asks_of(generated / "EXAM")["007", "q3.v_x"]
-    assert key["value"] == 0
-    assert key["tolerance"]["absolute"] > 0
-    paper = words((generated / "EXAM" / "papers" / "007.pdf").read_bytes())
-    along = re.search(r"along x.*?along y", paper)
-    assert along is not None
-    assert "within" not in along[0]
+    assert len(re.findall("3 %", typst)) == 2
+    assert len(re.findall(r"3(?:\\,|~|\s)*\\%", latex)) == 2
+    assert tree.count("3 %") == 2
 
 
 def test_a_paper_is_printed_again_byte_for_byte(generated: Path) -> None:
@@ -176,7 +159,7 @@ def test_a_paper_printed_again_states_the_tolerance_that_its_key_keeps(folder: P
         result = kinegrade("paper", folder / "EXAM", "007", *options)
         assert (result.exit_code, result.stderr) == (0, "")
         if not options:
-            assert "within 5 %" in words(result.stdout_bytes)
+            assert re.search(r" 5 % near zero", words(result.stdout_bytes))
 
 
 @pytest.mark.parametrize(("off", "verdict"), [("0.0499", "right"), ("0.0501", "wrong")])
@@ -305,9 +288,9 @@ def test_each_row_states_the_share_that_the_key_keeps(coupler: Path) -> None:
         paper = words((coupler / "EXAM" / "papers" / f"{line['student']}.pdf").read_bytes())
         (question,) = line["questions"]
         kept = [float(ask["tolerance"]["relative"]) for ask in question["asks"].values()]
-        stated = [float(share) / 100 for share in re.findall(r"within ([\d.]+) %", paper)]
-        assert stated == pytest.approx([share for share in kept if share != USUAL])
-        assert set(stated) <= {0.015, 0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1}
+        stated = [float(share) / 100 for share in re.findall(r"([\d.]+) % near zero", paper)]
+        assert stated == pytest.approx(kept)
+        assert set(stated) <= {0.01, 0.015, 0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1}
 
 
 @pytest.mark.parametrize(("part", "right"), [("0.999", True), ("1.001", False)])

@@ -51,22 +51,21 @@ def write(message: Message, language: str) -> str:
         (
             "1/200",
             "1/500",
-            "at most 0.5 % of that value, or by at most 0.002 in the unit of the table, whichever "
-            "is more.",
-            "0.5 %（或不超过 0.002，以表中单位计，取其大者）",
+            "at most 0.5 % of that value, or by at most $0.002\\,\\unit{m/s}$, whichever is more.",
+            "0.5 %（或不超过 $0.002\\,\\unit{m/s}$，取其大者）",
         ),
         (
             "0",
             "1/100000",
-            "by at most 0.00001 in the unit of the table.",
-            "不超过 0.00001（以表中单位计）",
+            "by at most $0.00001\\,\\unit{m/s}$.",
+            "不超过 $0.00001\\,\\unit{m/s}$即",
         ),
     ],
 )
 def test_the_rule_in_words(relative: str, absolute: str, english: str, chinese: str) -> None:
     tolerance = Tolerance(Fraction(relative), Fraction(absolute))
-    assert english in write(make_marking_rule(tolerance), "en")
-    assert chinese in write(make_marking_rule(tolerance), "zh")
+    assert english in write(make_marking_rule(tolerance, "m/s"), "en")
+    assert chinese in write(make_marking_rule(tolerance, "m/s"), "zh")
 
 
 @pytest.mark.parametrize(
@@ -90,17 +89,16 @@ def test_the_rule_in_words(relative: str, absolute: str, english: str, chinese: 
         (
             Tolerance(Fraction(1, 200), Fraction(1, 50), 2),
             "(where that is 1.204, from 1.15 to 1.25), or differs from it by at most 0.5 % of it "
-            "or 0.02 in the unit of the "
-            "table. Where the exact value is zero, or less than 5 % of",
-            "或与其之差不超过精确值的 0.5 %或 0.02（以表中单位计），即判为正确。",
+            "or $0.02\\,\\unit{m/s}$. Where the exact value is zero, or less than 5 % of",
+            "或与其之差不超过精确值的 0.5 %或 $0.02\\,\\unit{m/s}$，即判为正确。",
         ),
     ],
 )
 def test_the_rule_of_significant_digits_in_words(
     tolerance: Tolerance, english: str, chinese: str
 ) -> None:
-    assert english in write(make_marking_rule(tolerance), "en")
-    assert chinese in write(make_marking_rule(tolerance), "zh")
+    assert english in write(make_marking_rule(tolerance, "m/s"), "en")
+    assert chinese in write(make_marking_rule(tolerance, "m/s"), "zh")
 
 
 @pytest.mark.parametrize(
@@ -155,32 +153,37 @@ def test_an_exam_of_an_earlier_version_asks_for_as_many_digits_as_its_tolerance_
     assert write_rules(bank, "en")[0].startswith("Carry at least seven significant digits")
 
 
-def test_an_ask_with_its_own_tolerance_is_named(tmp_path: Path) -> None:
+def test_the_rules_leave_every_tolerance_to_the_rows(tmp_path: Path) -> None:
     file = tmp_path / "bank.toml"
     file.write_text(BANK, encoding="utf-8")
     bank = read_bank(file)
     english, chinese = write_rules(bank, "en"), write_rules(bank, "zh")
-    assert len(english) == len(chinese) == 4
-    assert english[-1] == (
-        "For question 1, $a_{B}$: an answer is right if it differs from the exact value by at "
-        "most 0.05 in the unit of the table. Write at least 2 decimals, however many digits that "
-        "takes."
-    )
-    assert chinese[-1].startswith("第 1 题 $a_{B}$：答案与精确值之差不超过 0.05")
+    assert len(english) == len(chinese) == 3
+    assert "%" not in "".join(english)
+    assert "“near zero” is allowed where the exact value is smaller" in english[-1]
+    assert "“近零”一栏的偏差" in chinese[-1]
 
 
-def test_a_question_whose_asks_share_a_tolerance_is_named_once(tmp_path: Path) -> None:
+def test_nothing_is_said_of_zero_where_amounts_alone_are_allowed(tmp_path: Path) -> None:
     file = tmp_path / "bank.toml"
-    file.write_text(
-        BANK.replace(
-            ", tolerance = { absolute = 0.05 } } }", ' } }\ntolerance = { relative = "2 %" }'
-        ),
-        encoding="utf-8",
+    file.write_text(BANK.replace('relative = "1 %"', "absolute = 0.1"), encoding="utf-8")
+    assert "near zero" not in "".join(write_rules(read_bank(file), "en"))
+
+
+def test_the_rules_say_what_agreeing_to_digits_means(tmp_path: Path) -> None:
+    file = tmp_path / "bank.toml"
+    file.write_text(BANK.replace('relative = "1 %"', "figures = 3"), encoding="utf-8")
+    assert write_rules(read_bank(file), "en")[-1] == (
+        "“3 digits” means that the answer agrees with the exact value to 3 significant digits "
+        "(where that is 1.2304, from 1.225 to 1.235)."
     )
-    english = write_rules(read_bank(file), "en")
-    assert len(english) == 4
-    assert english[-1].startswith(
-        "For question 1: an answer is right if it differs from the exact value by at most 2 %"
+
+
+def test_arrows_are_not_said_to_be_drawn_to_scale(tmp_path: Path) -> None:
+    file = tmp_path / "bank.toml"
+    file.write_text(BANK, encoding="utf-8")
+    assert write_rules(read_bank(file), "en")[1].endswith(
+        "Lengths in figures are drawn to scale; arrows are not."
     )
 
 

@@ -7,15 +7,16 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from kinegrade.exam.bank.blueprint import Bank
-from kinegrade.exam.printing.rules import make_row_tolerance, write_rules
+from kinegrade.exam.printing.row_tolerance import write_row_tolerance
+from kinegrade.exam.printing.rules import write_rules
 from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
-from kinegrade.language.message import Message
 from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.motion import Motion
 from kinegrade.press.paper_parts import write_points_text
 from kinegrade.press.sheet import (
     AnswerRow,
@@ -72,7 +73,7 @@ def lay_out_paper(
         paper.student.student,
         paper.student.name,
         paper.code,
-        write_rules(bank, language, [each.question.identifier for each in paper.printed]),
+        write_rules(bank, language),
         sheets,
     )
 
@@ -94,7 +95,8 @@ def _lay_out_set_question(
     template, solution = question.question.template, question.drawn.solution
     mechanism = solution.assembly.mechanism.map(float)
     rows = tuple(
-        _make_paper_row(entry, template.asks[entry.ask.name], language) for entry in question.asks
+        _make_paper_row(entry, template.asks[entry.ask.name], solution.doubles, language)
+        for entry in question.asks
     )
     asks = tuple(entry.ask.name for entry in question.asks)
     shown = ShownInstance(template, solution.parameters, mechanism, asks)
@@ -129,19 +131,16 @@ def make_answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow
     return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, sign, points)
 
 
-def _make_paper_row(entry: SetAsk, ask: Ask, language: Language) -> AnswerRow:
-    """The row as a paper has it, on which any number of turns may be written, and which states a
-    tolerance that is this paper's own.
+def _make_paper_row(entry: SetAsk, ask: Ask, motion: Motion, language: Language) -> AnswerRow:
+    """The row as a paper has it, which states its tolerance, and on which any number of turns may
+    be written.
     """
-    row = make_answer_row(ask, entry.ask.points, language)
+    tolerance = write_row_tolerance(entry, motion, language)
+    row = replace(make_answer_row(ask, entry.ask.points, language), tolerance=tolerance)
+    if not ask.cyclic:
+        return row
     words = open_catalogue(language)
-    if ask.cyclic:
-        row = replace(row, sign=words.text("paper.sign-with-full-turns", sign=row.sign))
-    if entry.stated != entry.ask.tolerance:
-        within = make_row_tolerance(entry.stated, row.unit)
-        signed = Message("paper.sign-with-tolerance", sign=row.sign, within=within)
-        row = replace(row, sign=words.write(signed if row.sign else within))
-    return row
+    return replace(row, sign=words.text("paper.sign-with-full-turns", sign=row.sign))
 
 
 def make_key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyBook:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from decimal import Decimal
 from fractions import Fraction
 from math import sqrt
 
-from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
+from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Part, list_choices
@@ -23,58 +23,27 @@ _NUMERALS: Mapping[int, Message] = {
 }
 
 
-def write_rules(bank: Bank, language: Language, order: Sequence[str] = ()) -> tuple[str, ...]:
-    """The sentences of the rules box, with the tolerances of single questions and asks where they
-    differ.
-
-    `order` holds the identifiers of the questions in their order on the paper, which gives their
-    numbers there; by default it is the bank's.
+def write_rules(bank: Bank, language: Language) -> tuple[str, ...]:
+    """The sentences of the rules box, the same on all papers of an exam: how far an answer may be
+    off stands in its row.
     """
-    places = order or [question.identifier for question in bank.questions]
-    numbers = {identifier: number for number, identifier in enumerate(places, start=1)}
-    rules = [
-        _make_writing_rule(bank),
+    asked = [ask.tolerance for question in bank.questions for ask in question.asks]
+    right = Message("paper.rule-of-rows")
+    if any(tolerance.share for tolerance in asked):
+        near_zero = Message("paper.rule-near-zero")
+        right = Message("paper.sentences", first=right, second=near_zero)
+    figures = sorted({each.figures for each in asked if each.figures})
+    rules = (
+        _make_writing_rule(bank, asked),
         Message("paper.rule-of-axes"),
-        Message("paper.rule", rule=_make_rule(bank)),
-    ]
-    for question in sorted(bank.questions, key=lambda each: numbers[each.identifier]):
-        rules.extend(_list_exceptions(bank, question, numbers[question.identifier]))
+        right,
+        *(Message("paper.rule-of-figures", **_give_example(each)) for each in figures),
+    )
     return tuple(map(open_catalogue(language).write, rules))
 
 
-def _list_exceptions(bank: Bank, question: BankQuestion, number: int) -> Iterator[Message]:
-    """The rules of a question that are not the bank's: one for all of it, or for single asks."""
-    usual = _make_rule(bank)
-    rules = {ask.name: _make_rule(ask) for ask in question.asks}
-    distinct = set(rules.values())
-    if len(distinct) == 1 and distinct != {usual}:
-        yield Message("paper.rule-of-question", number=number, rule=distinct.pop())
-        return
-    for name, rule in rules.items():
-        if rule != usual:
-            symbol = question.template.asks[name].symbol
-            yield Message("paper.rule-of-ask", number=number, symbol=symbol, rule=rule)
-
-
-def _make_rule(stated: Bank | BankAsk) -> Message:
-    """When an answer is right: as the bank states it, and as rows of the answer table may."""
-    rule = make_marking_rule(stated.tolerance)
-    if stated.honest:
-        return Message("paper.sentences", first=rule, second=Message("paper.row-states-another"))
-    return rule
-
-
-def make_row_tolerance(tolerance: Tolerance, unit: str) -> Message:
-    """What a row of the answer table states where a rule leaves it to the rows."""
-    amounts = [make_percent(tolerance.relative)]
-    if tolerance.absolute:
-        amounts.append(_make_amount(tolerance.absolute, unit))
-    return Message("paper.within", amounts=list_choices(amounts))
-
-
-def _make_writing_rule(bank: Bank) -> Message:
+def _make_writing_rule(bank: Bank, asked: Iterable[Tolerance]) -> Message:
     """How to work and how to write answers: with the digits that are to be carried."""
-    asked = (ask.tolerance for question in bank.questions for ask in question.asks)
     digits = count_digits(bank.carry, asked)
     point = f"{sqrt(3) / 2:.{digits}f}"
     writing = Message(
@@ -104,15 +73,11 @@ def spell_out(number: int) -> Part:
     return _NUMERALS.get(number, number)
 
 
-def make_marking_rule(
-    tolerance: Tolerance, unit: str = "", stated: Tolerance | None = None
-) -> Message:
-    """When an answer is right, in words a first-year reads.
+def make_marking_rule(tolerance: Tolerance, unit: str, stated: Tolerance | None = None) -> Message:
+    """When an answer in `unit` is right, in words a first-year reads, where no row states it.
 
-    An amount is in the unit of the paper's table, or in `unit`, which is named with it, where there
-    is no table. Next to zero the share that the bank has `stated` holds, where the tolerance is one
-    paper's own. The sentence begins with a small letter, to follow a colon: `paper.rule` has it
-    alone.
+    Next to zero the share that the bank has `stated` holds, where the tolerance is one paper's own.
+    The sentence begins with a small letter, to follow a colon: `paper.rule` has it alone.
     """
     if tolerance.figures:
         return _make_figures_rule(tolerance, tolerance.figures, unit)
@@ -121,15 +86,8 @@ def make_marking_rule(
     share, zero = make_percent(tolerance.relative), _make_rule_near_zero(stated or tolerance)
     if not tolerance.absolute:
         return Message("paper.right-within-share", share=share, zero=zero)
-    if unit:
-        amount = _make_amount(tolerance.absolute, unit)
-        return Message("paper.right-within-share-or-amount", share=share, amount=amount, zero=zero)
-    return Message(
-        "paper.right-within-share-or-amount-in-table",
-        share=share,
-        number=tolerance.absolute,
-        zero=zero,
-    )
+    amount = _make_amount(tolerance.absolute, unit)
+    return Message("paper.right-within-share-or-amount", share=share, amount=amount, zero=zero)
 
 
 def _make_rule_near_zero(tolerance: Tolerance) -> Message:
@@ -164,15 +122,7 @@ def _make_figures_rule(tolerance: Tolerance, figures: int, unit: str) -> Message
     """The rule of significant figures, by an example: to 3 of them, 1.2304 allows 1.225 to
     1.235.
     """
-    example = f"{'1.23456'[: figures + 1]}04"
-    low, high = figures_interval(Fraction(example), figures)
-    parts: dict[str, Part] = {
-        "figures": figures,
-        "example": Decimal(example),
-        "low": low,
-        "high": high,
-        "zero": _make_rule_near_zero(tolerance),
-    }
+    parts = _give_example(figures) | {"zero": _make_rule_near_zero(tolerance)}
     amounts = []
     if tolerance.relative:
         amounts.append(Message("paper.share-of-value", share=make_percent(tolerance.relative)))
@@ -183,22 +133,31 @@ def _make_figures_rule(tolerance: Tolerance, figures: int, unit: str) -> Message
     return Message("paper.right-to-figures-or-within", amounts=list_choices(amounts), **parts)
 
 
-def _make_amount(amount: Fraction, unit: str) -> Message:
-    r"""A tolerance as prose, with its unit where one is named: a pure number has none.
+def _give_example(figures: int) -> dict[str, Part]:
+    """A value with what agrees with it to so many significant digits."""
+    example = f"{'1.23456'[: figures + 1]}04"
+    low, high = figures_interval(Fraction(example), figures)
+    return {"figures": figures, "example": Decimal(example), "low": low, "high": high}
 
-    >>> _make_amount(Fraction(1, 4), "m/s")
-    Message('paper.amount', number='$0.25\\,\\unit{m/s}$')
+
+def _make_amount(amount: Fraction, unit: str) -> Message:
+    return Message("paper.amount", number=write_amount(amount, unit))
+
+
+def write_amount(amount: Fraction, unit: str, sign: str = "") -> str:
+    r"""An amount as prose, with its unit and behind its sign: a pure number has no unit.
+
+    >>> write_amount(Fraction(1, 4), "m/s"), write_amount(Fraction(1, 2), "deg", r"\pm")
+    ('$0.25\\,\\unit{m/s}$', '$\\pm0.5^\\circ$')
     """
+    number = f"{sign}{write_plain(amount)}"
     match unit:
-        case "":
-            return Message("paper.amount-in-table", number=amount)
         case "1":
-            return Message("paper.amount", number=amount)
+            return f"${number}$"
         case "deg":
-            return Message("paper.amount", number=rf"${write_plain(amount)}^\circ$")
+            return rf"${number}^\circ$"
         case _:
-            number = rf"${write_plain(amount)}\,\unit{{{unit}}}$"
-            return Message("paper.amount", number=number)
+            return rf"${number}\,\unit{{{unit}}}$"
 
 
 def make_percent(share: Fraction) -> Message:

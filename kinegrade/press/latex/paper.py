@@ -130,6 +130,9 @@ def _write_ask(row: AnswerRow, words: Catalogue, where: Location) -> str:
         symbol=lambda: write_latex_math(row.symbol, locate_part(where, "symbol")),
         meaning=lambda: write_line(row.meaning, locate_part(where, "meaning")),
         sign=lambda: write_line(row.sign, locate_part(where, "sign")),
+        tolerance=lambda: convert_each(
+            lambda line: write_line(line, locate_part(where, "tolerance")), row.tolerance
+        ),
     )
     printed = write_plain(words.text("paper.unitless")) if row.unit == "1" else write_unit(row.unit)
     return write_command(
@@ -138,5 +141,6 @@ def _write_ask(row: AnswerRow, words: Catalogue, where: Location) -> str:
         parts["meaning"],
         parts["sign"],
         printed,
+        r"\newline ".join(parts["tolerance"]),
         write_points_text(row.points, words.language),
     )

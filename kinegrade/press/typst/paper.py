@@ -102,6 +102,9 @@ def _write_answer_row(row: AnswerRow, where: Location, words: Catalogue) -> Shee
         symbol=lambda: write_formula(row.symbol, locate_part(where, "symbol")),
         meaning=lambda: write_line(row.meaning, locate_part(where, "meaning")),
         sign=lambda: write_line(row.sign, locate_part(where, "sign")) if row.sign else None,
+        tolerance=lambda: convert_each(
+            lambda line: write_line(line, locate_part(where, "tolerance")), row.tolerance
+        ),
     )
     return sheet | {
         "wide": is_wide_symbol(row.symbol, locate_part(where, "symbol")),

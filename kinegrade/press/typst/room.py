@@ -15,7 +15,7 @@ from kinegrade.press.sheet import AnswerRow, QuestionSheet
 
 _PAGE = 225.0  # millimetres: a little less than any page holds between its margins
 _MEASURE = 123.0  # millimetres: the width of a line of text, without a figure beside it
-_LINE_OF_ROW = 36  # Latin characters that surely fit a line of what is asked for
+_LINE_OF_ROW = 30  # Latin characters that surely fit a line of what is asked for
 _PARAGRAPH = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*+]|\d+[.)])\s)")  # or item of a list
 _PLAIN_SYMBOL = 7  # letters: the width of a symbol that surely fits its column
 

@@ -42,8 +42,8 @@ from kinegrade.press.word.tree import (
 
 _FIELD_WIDTHS = (0.5, 0.25, 0.25)
 _FIELD_SIDES: tuple[Alignment, ...] = ("Default", "Default", "Default")
-_ROW_WIDTHS = (0.44, 0.14, 0.31, 0.11)
-_ROW_SIDES: tuple[Alignment, ...] = ("Default", "Right", "Default", "Right")
+_ROW_WIDTHS = (0.38, 0.13, 0.22, 0.18, 0.09)
+_ROW_SIDES: tuple[Alignment, ...] = ("Default", "Right", "Default", "Default", "Right")
 _MARKS = 12  # questions in one table for the marker
 _CENTER: Alignment = "Center"
 _MARK_SIDES: tuple[Alignment, ...] = ("Default", *(_CENTER,) * _MARKS)
@@ -149,6 +149,7 @@ def _write_question(
         words.text("paper.layout.asked"),
         _NO_BREAK,
         words.text("paper.layout.answer"),
+        words.text("paper.layout.tolerance"),
         words.text("paper.layout.point-column"),
     )
     blocks.append(
@@ -180,9 +181,18 @@ def _write_row(row: AnswerRow, where: Location, words: Catalogue) -> list[Node]:
             make_formula(row.symbol, locate_part(where, "symbol")),
             make_text(f"{_NO_BREAK}="),
         ],
+        tolerance=lambda: convert_each(
+            lambda line: write_line(line, locate_part(where, "tolerance")), row.tolerance
+        ),
     )
-    sign = [make_line_break(), *parts["sign"]] if parts["sign"] else []
     unit = words.text("paper.unitless") if row.unit == "1" else write_unit(row.unit)
     box = make_styled("Answer box", [make_paragraph([make_text(unit)])])
     points = make_plain([make_text(f"/ {write_points_text(row.points, words.language)}")])
-    return [make_plain([*parts["meaning"], *sign]), make_plain(parts["symbol"]), box, points]
+    asked = _write_lines([parts["meaning"], parts["sign"]])
+    return [asked, make_plain(parts["symbol"]), box, _write_lines(parts["tolerance"]), points]
+
+
+def _write_lines(lines: Iterable[Sequence[Node]]) -> Node:
+    """Those of the lines that are not empty, one below another."""
+    nodes = [node for line in lines if line for node in (make_line_break(), *line)]
+    return make_plain(nodes[1:])

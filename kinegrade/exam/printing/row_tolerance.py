@@ -1,0 +1,58 @@
+"""How far an answer may be off, as the row of the answer table states it, in the ask's unit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from math import floor, log10
+
+from kinegrade.exam.printing.rules import make_decimals_rule, make_percent, write_amount
+from kinegrade.exam.setting.setting import SetAsk
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message, Part, list_choices
+from kinegrade.mechanics.motion import Motion
+from kinegrade.problem.tolerance import find_scale_of_mechanism
+
+_PLAIN = (10, 5, 2, 1)  # amounts of other figures would tell how large the mechanism's answers are
+
+
+def write_row_tolerance(entry: SetAsk, motion: Motion, language: Language) -> tuple[str, ...]:
+    """The lines of an ask's row, as prose: its tolerance on this paper, and the amount that is
+    allowed next to zero, whatever its answer is. `motion` is the instance's, in doubles.
+    """
+    words = open_catalogue(language)
+    return tuple(map(words.write, (*_list_stated(entry), *_list_near_zero(entry, motion))))
+
+
+def round_down(amount: Fraction) -> Fraction:
+    """The largest of 1, 2, 5, 10, 20 ... that is not above a positive amount, exactly.
+
+    >>> round_down(Fraction("0.0198")), round_down(Fraction("0.5"))
+    (Fraction(1, 100), Fraction(1, 2))
+    """
+    decade = Fraction(10) ** floor(log10(amount))
+    return next(plain * decade for plain in _PLAIN if plain * decade <= amount)
+
+
+def _list_stated(entry: SetAsk) -> Iterator[Message]:
+    stated, unit = entry.stated, entry.answer.unit
+    choices: list[Part] = []
+    if stated.figures:
+        choices.append(Message("paper.tolerance-figures", figures=stated.figures))
+    if stated.relative:
+        choices.append(make_percent(stated.relative))
+    if stated.absolute:
+        choices.append(write_amount(stated.absolute, unit, r"\pm"))
+    yield Message("paper.tolerance-stated", amounts=list_choices(choices))
+    decimals = None if stated.share else make_decimals_rule(stated.absolute)
+    if decimals:
+        yield decimals
+
+
+def _list_near_zero(entry: SetAsk, motion: Motion) -> Iterator[Message]:
+    """The amount as far down as it is plain, so that what the row allows is always right."""
+    room = entry.ask.tolerance.share * find_scale_of_mechanism(motion, entry.answer.measure)
+    if room > 0 and (amount := round_down(room)) > entry.stated.absolute:
+        number = write_amount(amount, entry.answer.unit, r"\pm")
+        yield Message("paper.tolerance-near-zero", number=number)
