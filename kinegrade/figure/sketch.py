@@ -10,6 +10,7 @@ from functools import lru_cache
 
 from kinegrade.figure.marks.angles import draw_least_legs, mark_angles
 from kinegrade.figure.marks.dimensions import mark_lengths
+from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.motions import mark_motions
 from kinegrade.figure.marks.names import label_bodies, label_points
 from kinegrade.figure.marks.radii import mark_radii
@@ -58,7 +59,7 @@ def size_figure(
 @lru_cache(maxsize=1024)
 def draw_unit_figure(shown: Subject) -> Scene:
     """The figure of a mechanism of unit size. Raises TemplateError as `sketch` does."""
-    mechanism, hints = shown.mechanism, shown.hints
+    mechanism, hints = shown.mechanism, drop_still(shown.mechanism, shown.hints)
     span = measure_span(mechanism, hints)
     scale = _choose_first_scale(mechanism, hints, span)
     return fit_scene(lambda scale: _compose(mechanism, hints, scale), scale, span)

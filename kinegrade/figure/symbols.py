@@ -4,6 +4,8 @@ direction.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
 from math import ceil, cos, pi, sin
 
 from kinegrade.figure.plane import angle_of, length, polar, unit
@@ -21,6 +23,7 @@ from kinegrade.figure.scene import (
 )
 from kinegrade.figure.teeth import trace_rack
 from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
 
 PIN = 0.85  # radius of a pin's circle
 _HALF_PIN = 1.15
@@ -32,6 +35,9 @@ RACK_DEPTH = 2.4  # from the pitch line of a rack to its back
 # Height of a fixed pin's stand; taller where a sleeve turns about the pin
 STAND, TALL_STAND = (3.6, 5.2)
 HEAD_LENGTH, _HEAD_WIDTH = 2.0, 1.1
+_HEAD_STEP = 1.6  # from one head of an arrow to the next
+# Heads of the arrow of a velocity, and of an acceleration
+HEADS: Mapping[Level, int] = {"velocity": 1, "acceleration": 2}
 
 
 def draw_pin(at: Vector) -> tuple[Primitive, ...]:
@@ -162,21 +168,24 @@ def draw_arrowhead(tip: Vector, toward: Vector) -> Outline:
     return Outline((tip, back + across, back - across), None, "black")
 
 
-def draw_arrow(start: Vector, end: Vector) -> tuple[Primitive, ...]:
-    """A straight arrow for a given motion."""
+def draw_arrow(start: Vector, end: Vector, heads: int = 1) -> tuple[Primitive, ...]:
+    """A straight arrow for a given motion, with so many heads one behind the other."""
     toward = unit(end - start)
     shaft = Strokes(((start, end - toward * HEAD_LENGTH * 0.8),), FIRM)
-    return (shaft, draw_arrowhead(end, toward))
+    tips = [end - toward * (index * _HEAD_STEP) for index in range(heads)]
+    return (shaft, *(draw_arrowhead(tip, toward) for tip in tips))
 
 
-def draw_curved_arrow(
-    centre: Vector, radius: float, start: float, sweep: float
-) -> tuple[Primitive, ...]:
-    """An arrow along a circular arc for a given rotation."""
-    back = HEAD_LENGTH / radius * (1 if sweep > 0 else -1)
-    tip = centre + polar(start + sweep, radius)
-    base = centre + polar(start + sweep - back, radius)
-    return (
-        Bow(centre, radius, start, sweep - back * 0.7, FIRM),
-        draw_arrowhead(tip, unit(tip - base)),
-    )
+def draw_curved_arrow(bow: Bow, heads: int = 1) -> tuple[Primitive, ...]:
+    """An arrow along a circular arc for a given rotation, with so many heads."""
+    turn = (1 if bow.sweep > 0 else -1) / bow.radius
+    end = bow.start + bow.sweep
+    shaft = replace(bow, sweep=bow.sweep - turn * HEAD_LENGTH * 0.7, pen=FIRM)
+    tips = [end - turn * index * _HEAD_STEP for index in range(heads)]
+    return (shaft, *(_draw_curved_head(bow, tip, turn) for tip in tips))
+
+
+def _draw_curved_head(bow: Bow, at: float, turn: float) -> Outline:
+    """The head of a curved arrow whose tip is at an angle: along the chord beneath it."""
+    tip, base = (bow.centre + polar(angle, bow.radius) for angle in (at, at - turn * HEAD_LENGTH))
+    return draw_arrowhead(tip, unit(tip - base))

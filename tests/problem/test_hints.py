@@ -47,6 +47,7 @@ def test_a_full_table_reads_as_written() -> None:
         arrows = [
             { symbol = '\omega', turns = "OA", sense = "cw" },
             { symbol = "v_B", moves = "B", along = "left" },
+            { symbol = "a_B", moves = "B", rate = "acceleration" },
         ]
         labels = { A = "A_1", B = false, OA = "1" }
         shapes = { AB = "bent" }
@@ -57,7 +58,11 @@ def test_a_full_table_reads_as_written() -> None:
     assert hints.radii == (Radius("r_1", "O", "ground", "B"),)
     assert hints.circles == (Rimmed("OA", "O", "B"),)
     assert hints.lines == (("O", "B"),)
-    assert hints.arrows == (Turning("\\omega", "OA", "cw"), Moving("v_B", "B", "left"))
+    assert hints.arrows == (
+        Turning("\\omega", "OA", "cw"),
+        Moving("v_B", "B", "left"),
+        Moving("a_B", "B", None, "acceleration"),
+    )
     assert dict(hints.labels) == {"A": "A_1", "B": None, "OA": "1"}
     assert dict(hints.shapes) == {"AB": "bent"}
     assert hints.axes
@@ -137,6 +142,10 @@ def test_all_faults_come_at_once() -> None:
             [
                 'arrows[1].along: no point or side "norht" - did you mean "right"? (known here: A, B, O, down, left, right, up)'
             ],
+        ),
+        (
+            "arrows = [{ symbol = 'v', turns = 'OA', rate = 'speed' }]",
+            ['arrows[1].rate: "speed" - expected velocity or acceleration'],
         ),
         (
             "lengths = [{ symbol = '#read', from = 'O', to = 'A' }]",

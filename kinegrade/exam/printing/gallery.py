@@ -25,6 +25,7 @@ from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.given import list_givens
 from kinegrade.problem.solution import Solution
+from kinegrade.problem.template.given_marks import mark_givens
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import require_language
@@ -137,6 +138,6 @@ def _write_faults(error: KinegradeError, language: Language) -> tuple[str, ...]:
 def _draw_figure(solution: Solution, language: Language) -> GalleryFigure:
     """The figure of an instance with the values drawn."""
     template = solution.template
-    figure = sketch(solution.assembly.mechanism.map(float), template.figure)
+    figure = sketch(solution.assembly.mechanism.map(float), mark_givens(template))
     values = ", ".join(map(str, list_givens(template, solution.parameters).values()))
     return GalleryFigure(figure, write_decimals_of_prose(values, language))

@@ -30,6 +30,7 @@ from kinegrade.press.sheet import (
 )
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.statement import write_statement
+from kinegrade.problem.template.given_marks import mark_givens
 from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask, Template
@@ -119,7 +120,7 @@ def lay_out_question(
         template.about.title.in_language(language),
         sum((row.points for row in rows), Fraction(0)),
         write_statement(template, shown.parameters, language, shown.asks),
-        figure(shown.mechanism, template.figure),
+        figure(shown.mechanism, mark_givens(template)),
         rows,
         template=template.name,
     )

@@ -11,52 +11,69 @@ from typing import assert_never
 from kinegrade.figure.plane import unit
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.numbers.number import Number
 from kinegrade.problem.template.hints import Sense
+
+_SENSES: Mapping[float, Sense | None] = {1.0: "ccw", 0.0: None, -1.0: "cw"}
 
 
 @dataclass(frozen=True)
 class TurningBody:
-    """A body that is turned in a sense."""
+    """A body that is turned relative to another: its sense, None where the rate is zero."""
 
     body: str
-    sense: Sense
+    of: str
+    sense: Sense | None
 
 
 @dataclass(frozen=True)
 class MovingPoint:
-    """A point that is moved in a direction, given by a unit vector."""
+    """A point that is moved in a direction, given by a unit vector; None where the rate is zero."""
 
     point: str
-    toward: Vector
+    toward: Vector | None
 
 
-def find_given_motion(points: Mapping[str, Vector], driver: Driver) -> TurningBody | MovingPoint:
-    """What the arrow of a driver shows."""
+def find_given_motion(
+    points: Mapping[str, Vector], driver: Driver, level: Level
+) -> TurningBody | MovingPoint:
+    """What the arrow of a driver's velocity or acceleration shows."""
+    sign = _find_sign(_find_rate(driver, level))
     match driver:
         case Rotation():
-            return TurningBody(driver.body, "cw" if driver.velocity < 0 else "ccw")
+            return TurningBody(driver.body, driver.of, _SENSES[sign])
         case Component():
-            return MovingPoint(driver.point, unit(driver.direction) * _find_sign(driver))
+            return MovingPoint(driver.point, unit(driver.direction) * sign if sign else None)
         case Circulation():
-            around_centre = (points[driver.point] - points[driver.centre]).turned()
-            return MovingPoint(driver.point, unit(around_centre) * _find_sign(driver))
+            around_centre = unit((points[driver.point] - points[driver.centre]).turned())
+            return MovingPoint(driver.point, around_centre * sign if sign else None)
         case _:
             assert_never(driver)
 
 
 def reduce_to_sense(driver: Driver) -> Driver:
-    """The driver with a velocity of 1 or -1 and without acceleration, its direction of unit
-    length.
-    """
-    match driver:
+    """The driver with rates of 1, 0 or -1, its direction of unit length."""
+    velocity, acceleration = _find_sign(driver.velocity), _find_sign(driver.acceleration)
+    reduced = replace(driver, velocity=velocity, acceleration=acceleration)
+    match reduced:
         case Component():
-            along = unit(driver.direction)
-            return replace(driver, velocity=_find_sign(driver), acceleration=0.0, direction=along)
+            return replace(reduced, direction=unit(reduced.direction))
         case Rotation() | Circulation():
-            return replace(driver, velocity=_find_sign(driver), acceleration=0.0)
+            return reduced
         case _:
-            assert_never(driver)
+            assert_never(reduced)
 
 
-def _find_sign(driver: Driver) -> float:
-    return -1.0 if driver.velocity < 0 else 1.0
+def _find_rate(driver: Driver, level: Level) -> Number:
+    match level:
+        case "velocity":
+            return driver.velocity
+        case "acceleration":
+            return driver.acceleration
+        case _:
+            assert_never(level)
+
+
+def _find_sign(rate: Number) -> float:
+    return float((rate > 0) - (rate < 0))

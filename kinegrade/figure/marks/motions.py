@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinegrade.figure.joints.drivers import MovingPoint, find_given_motion
+from kinegrade.figure.marks.imposed import find_imposed_direction
 from kinegrade.figure.placing.mark import Mark, direction
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_beside
 from kinegrade.figure.plane import mean, unit
 from kinegrade.figure.scene import Primitive
-from kinegrade.figure.symbols import PIN, draw_arrow
+from kinegrade.figure.symbols import HEADS, PIN, draw_arrow
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Moving
@@ -26,7 +26,7 @@ def mark_motions(mechanism: Mechanism, hint: Moving) -> list[Mark]:
     toward = (
         unit(direction(mechanism.points, point, hint.along))
         if hint.along
-        else _find_imposed_direction(mechanism, hint.point)
+        else find_imposed_direction(mechanism, hint)
     )
     across = toward.turned()
     across = across if across.dot(mean(mechanism.points.values()) - point) <= 1e-6 else -across
@@ -37,9 +37,7 @@ def mark_motions(mechanism: Mechanism, hint: Moving) -> list[Mark]:
         for shift in (0.0, -_ARROW / 2, 3.0)
         for side in (1.0, -1.0)
     ]
-    return [
-        _MovingArrow(start, toward, hint.symbol, 0.5 * rank) for rank, start in enumerate(starts)
-    ]
+    return [_MovingArrow(start, toward, hint, 0.5 * rank) for rank, start in enumerate(starts)]
 
 
 @dataclass(frozen=True)
@@ -48,7 +46,7 @@ class _MovingArrow:
 
     start: Vector
     toward: Vector
-    symbol: str
+    hint: Moving
     demerit: float
     shared: bool = False
 
@@ -58,21 +56,12 @@ class _MovingArrow:
 
     def wish(self) -> Wish:
         """Beside the arrow, else around its tip."""
-        shaft = list_spots_beside(self.symbol, self.start + self.toward * 3, self._end())
-        return Wish(self.symbol, shaft, self._end())
+        shaft = list_spots_beside(self.hint.symbol, self.start + self.toward * 3, self._end())
+        return Wish(self.hint.symbol, shaft, self._end())
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead."""
-        return draw_arrow(self.start, self._end())
+        return draw_arrow(self.start, self._end(), HEADS[self.hint.level])
 
     def _end(self) -> Vector:
         return self.start + self.toward * _ARROW
-
-
-def _find_imposed_direction(mechanism: Mechanism, point: str) -> Vector:
-    """The direction of the velocity that a driver gives the point; to the right when none does."""
-    for driver in mechanism.drivers:
-        motion = find_given_motion(mechanism.points, driver)
-        if isinstance(motion, MovingPoint) and motion.point == point:
-            return motion.toward
-    return Vector(1.0, 0.0)

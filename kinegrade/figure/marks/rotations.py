@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import pi
 
-from kinegrade.figure.joints.drivers import TurningBody, find_given_motion
 from kinegrade.figure.joints.symbol import find_fixed_pin
+from kinegrade.figure.marks.imposed import find_imposed_sense
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.layout import Layout
@@ -16,13 +16,18 @@ from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_along_arc
 from kinegrade.figure.plane import angle_of, length, mean, shorter_way
 from kinegrade.figure.scene import THIN, Bow, Primitive
-from kinegrade.figure.symbols import draw_curved_arrow
+from kinegrade.figure.symbols import HEADS, draw_curved_arrow
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.template.hints import TURN, Sense, Turning
 
 _RADII = (5.0, 6.5, 8.0, 10.0)  # millimetres, of the arrow of a rotation about its pivot
-_ARC = 6.5  # millimetres, length of that arrow
+# Millimetres, length of that arrow; an acceleration has one head more
+_ARCS: Mapping[Level, float] = {"velocity": 6.5, "acceleration": 7.6}
+# Millimetres, of the arrow of a rotation relative to another body
+_RELATIVE_RADII, _RELATIVE_ARC = (7.0, 8.5, 10.0, 11.5, 13.0, 5.5), 9.0
 _TWELFTHS = tuple(index * pi / 6 for index in range(12))
 _ASTRAY = 2.5  # demerit of each radian between the arrow and the body
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
@@ -35,18 +40,42 @@ def add_rotation(
     """The layout with an arrow about the pivot of a body, the preferred one close to it, where the
     body leaves it; it keeps clear of the letters `named` that are still to be written there.
     """
-    centre = _find_pivot(mechanism, hint.body, drawing)
+    if hint.of == GROUND:
+        centre = _find_pivot(mechanism, hint.body, drawing)
+        arrows = _list_absolute_arrows(mechanism, hint, centre, drawing)
+    else:
+        centre = _find_common_point(mechanism, hint)
+        arrows = _list_relative_arrows(mechanism, hint, centre, drawing)
     close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
-    sense = hint.sense or _find_imposed_sense(mechanism, hint.body)
-    crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
-    outside = [rim.radius + 2.0 for rim in drawing.rims if rim.body == hint.body]
-    radii = (*_RADII, *outside)
-    arrows = list_turning_arrows(hint.symbol, sense, centre, radii, crank, astray=_ASTRAY)
     return layout.marked(arrows, layout.written(close).labels)
 
 
+def _list_absolute_arrows(
+    mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing
+) -> list[Mark]:
+    """Arrows about the pivot of a body, where the body leaves it first."""
+    sense = hint.sense or find_imposed_sense(mechanism, hint)
+    crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
+    outside = [rim.radius + 2.0 for rim in drawing.rims if rim.body == hint.body]
+    return list_turning_arrows(hint, sense, centre, (*_RADII, *outside), crank, astray=_ASTRAY)
+
+
+def _list_relative_arrows(
+    mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing
+) -> list[Mark]:
+    """Arrows about the pin of two bodies that start on the one that counts as fixed."""
+    sense = hint.sense or find_imposed_sense(mechanism, hint)
+    start = _find_crank_direction(mechanism, hint.of, centre, drawing)
+    return [
+        _TurningArrow(
+            Bow(centre, radius, start, _RELATIVE_ARC / radius * TURN[sense], THIN), hint, rank
+        )
+        for rank, radius in enumerate(_RELATIVE_RADII)
+    ]
+
+
 def list_turning_arrows(
-    symbol: str,
+    hint: Turning,
     sense: Sense,
     centre: Vector,
     radii: Sequence[float],
@@ -59,11 +88,11 @@ def list_turning_arrows(
     """
     found: list[Mark] = []
     for radius in radii:
-        span = _ARC / radius * TURN[sense]
+        span = _ARCS[hint.level] / radius * TURN[sense]
         for angle in _TWELFTHS:
             bow = Bow(centre, radius, angle - span / 2, span, THIN)
             demerit = 1.5 * abs(radius - radii[0]) + astray * abs(shorter_way(angle - toward))
-            found.append(_TurningArrow(bow, symbol, demerit))
+            found.append(_TurningArrow(bow, hint, demerit))
     return found
 
 
@@ -72,7 +101,7 @@ class _TurningArrow:
     """A curved arrow along an arc."""
 
     bow: Bow
-    symbol: str
+    hint: Turning
     demerit: float
     shared: bool = False
 
@@ -82,11 +111,11 @@ class _TurningArrow:
 
     def wish(self) -> Wish:
         """Along the arc."""
-        return list_spots_along_arc(self.symbol, self.bow)
+        return list_spots_along_arc(self.hint.symbol, self.bow)
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The arc and its arrowhead."""
-        return draw_curved_arrow(self.bow.centre, self.bow.radius, self.bow.start, self.bow.sweep)
+        return draw_curved_arrow(self.bow, HEADS[self.hint.level])
 
 
 def _find_crank_direction(
@@ -104,6 +133,15 @@ def _find_crank_direction(
     return angle_of(far - centre) if length(far - centre) > 1.0 else pi / 2
 
 
+def _find_common_point(mechanism: Mechanism, hint: Turning) -> Vector:
+    """Where a body is pinned to the one it turns relative to; the mean of its points when it is
+    not.
+    """
+    points, others = mechanism.body(hint.body).points, mechanism.body(hint.of).points
+    common = [name for name in points if name in others]
+    return mean(mechanism.points[name] for name in common or points)
+
+
 def _find_pivot(mechanism: Mechanism, body: str, drawing: Drawing) -> Vector:
     """Where a body's rotation is marked: its fixed pin, else its circle's centre, else the mean of
     its points.
@@ -115,12 +153,3 @@ def _find_pivot(mechanism: Mechanism, body: str, drawing: Drawing) -> Vector:
         if rim.body == body:
             return rim.at
     return mean(mechanism.points[name] for name in mechanism.body(body).points)
-
-
-def _find_imposed_sense(mechanism: Mechanism, body: str) -> Sense:
-    """The sense in which a driver turns the body; counter-clockwise when none does."""
-    for driver in mechanism.drivers:
-        motion = find_given_motion(mechanism.points, driver)
-        if isinstance(motion, TurningBody) and motion.body == body:
-            return motion.sense
-    return "ccw"

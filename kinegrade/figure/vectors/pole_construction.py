@@ -215,4 +215,4 @@ def _mark_rotation_about(
     """Curved arrows about the pole, towards the points whose velocities are drawn first."""
     toward = angle_of(mean(arrow.start for arrow in placed) - centre) if placed else pi / 2
     sense = rotation.sense or "ccw"
-    return list_turning_arrows(rotation.symbol, sense, centre, _TURNING_RADII, toward, astray=1.0)
+    return list_turning_arrows(rotation, sense, centre, _TURNING_RADII, toward, astray=1.0)

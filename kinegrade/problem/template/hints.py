@@ -9,6 +9,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.vector_equation import Level
+
 Sense = Literal["ccw", "cw"]
 _Side = Literal["right", "up", "left", "down"]
 Shape = Literal["gear", "cam", "bent", "bar", "through"]
@@ -18,6 +21,7 @@ SENSES: tuple[Sense, ...] = ("ccw", "cw")
 TURN: Mapping[Sense, float] = {"ccw": 1.0, "cw": -1.0}  # counter-clockwise is positive
 SIDES: tuple[_Side, ...] = ("right", "up", "left", "down")
 SHAPES: tuple[Shape, ...] = ("gear", "cam", "bent", "bar", "through")
+LEVELS: tuple[Level, ...] = ("velocity", "acceleration")
 PROJECTIONS: tuple[Projection, ...] = ("horizontal", "vertical")
 
 
@@ -72,24 +76,25 @@ class Rimmed:
 
 @dataclass(frozen=True)
 class Turning:
-    """A curved arrow about the pivot of a body; without a sense it follows the sign of the imposed
-    motion.
+    """A curved arrow about the pivot of a body, or about its pin on the body `of` that it turns
+    relative to; without a sense it follows the sign of the imposed motion.
     """
 
     symbol: str
     body: str
     sense: Sense | None = None
+    level: Level = "velocity"
+    of: str = GROUND
 
 
 @dataclass(frozen=True)
 class Moving:
-    """A straight arrow at a point, towards a side or a point; else as the imposed velocity has
-    it.
-    """
+    """A straight arrow at a point, towards a side or a point; else as the imposed motion has it."""
 
     symbol: str
     point: str
     along: str | None = None
+    level: Level = "velocity"
 
 
 @dataclass(frozen=True)

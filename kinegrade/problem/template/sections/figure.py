@@ -12,6 +12,7 @@ from kinegrade.files.fields.values import Read, choice, flag, found
 from kinegrade.language.message import Message, Quoted
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.template.hints import (
+    LEVELS,
     PROJECTIONS,
     SENSES,
     SHAPES,
@@ -140,18 +141,20 @@ def _read_moving(table: Table, names: Names) -> Moving | None:
     row = table.only(*keys.MOVING)
     symbol, point = row.required("symbol", _read_symbol), row.required("moves", names.point)
     along = row.optional("along", names.direction)
+    level = row.optional("rate", choice(LEVELS)) or "velocity"
     if symbol is None or point is None:
         return None
-    return Moving(symbol, point, along)
+    return Moving(symbol, point, along, level)
 
 
 def _read_turning(table: Table, names: Names) -> Turning | None:
     row = table.only(*keys.TURNING)
     symbol, body = row.required("symbol", _read_symbol), row.required("turns", names.moving_body)
     sense = row.optional("sense", choice(SENSES))
+    level = row.optional("rate", choice(LEVELS)) or "velocity"
     if symbol is None or body is None:
         return None
-    return Turning(symbol, body, sense)
+    return Turning(symbol, body, sense, level)
 
 
 def _read_line(value: object, names: Names) -> tuple[str, str]:

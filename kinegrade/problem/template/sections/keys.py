@@ -124,7 +124,8 @@ FIGURE = (
     "radii",
     #: Circles of a body that no joint mentions, such as the flange of a wheel.
     "circles",
-    #: Arrows of given motions: straight with `moves`, curved with `turns`.
+    #: Arrows of motions: straight with `moves`, curved with `turns`. An input whose rate is a
+    #: parameter, or its negative, has its arrow without one; and always in the sense that it has.
     "arrows",
     #: Thin lines between two points: `[["O", "A"]]`.
     "lines",
@@ -180,15 +181,18 @@ MOVING = (
     "symbol",
     #: The point at which the arrow stands.
     "moves",
-    #: The point or the side towards which it points; as the imposed velocity does where it is not
-    #: stated.
+    #: The point or the side towards which it points, where no input moves the point.
     "along",
+    #: `velocity`, or `acceleration` for an arrow with two heads; a velocity where it is not stated.
+    "rate",
 )
 TURNING = (
     #: Its symbol in LaTeX math.
     "symbol",
     #: The body about whose pivot the arrow is curved.
     "turns",
-    #: `ccw` or `cw`; that of the imposed motion where it is not stated.
+    #: `ccw` or `cw`, where no input turns the body.
     "sense",
+    #: `velocity`, or `acceleration` for an arrow with two heads; a velocity where it is not stated.
+    "rate",
 )

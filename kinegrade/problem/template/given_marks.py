@@ -1,0 +1,97 @@
+"""What a figure has to mark of what is given: an arrow for each rate that an input imposes, and of
+the author's marks those whose letters are printed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Set
+from dataclasses import replace
+from typing import assert_never
+
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Expression, Name, find_names
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Number as Digits
+from kinegrade.language.math.tree import Row
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.template.hints import FigureHints, Moving, Turning
+from kinegrade.problem.template.sentences import DriverSentence
+from kinegrade.problem.template.template import Parameter, Template
+
+
+def mark_givens(template: Template, printed: Set[str] | None = None) -> FigureHints:
+    """What the figure of a template shows when the parameters `printed` (all: None) are given.
+
+    An input whose rate is a parameter, or its negative, has an arrow with the parameter's symbol; a
+    hint of the author replaces it. An arrow follows the input, so it has the sense of each
+    instance. A measure whose letters are all of parameters that are not printed is left out.
+    """
+    hidden = _list_hidden_symbols(template, printed)
+    author = template.figure
+    arrows = _list_arrows(template)
+    return replace(
+        author,
+        lengths=tuple(mark for mark in author.lengths if _is_printed(mark.symbol, hidden)),
+        angles=tuple(mark for mark in author.angles if _is_printed(mark.symbol, hidden)),
+        radii=tuple(mark for mark in author.radii if _is_printed(mark.symbol, hidden)),
+        arrows=tuple(arrow for arrow in arrows if _is_printed(arrow.symbol, hidden)),
+    )
+
+
+def _list_hidden_symbols(template: Template, printed: Set[str] | None) -> Set[Row]:
+    if printed is None:
+        return frozenset()
+    symbols = {name: _read(given.symbol) for name, given in template.parameters.items()}
+    return set(symbols.values()) - {symbols[name] for name in printed}
+
+
+def _is_printed(symbol: str, hidden: Set[Row]) -> bool:
+    """Whether a symbol is given, or some letter of a product like `2 k r` is."""
+    row = _read(symbol)
+    letters = {(node,) for node in row if not isinstance(node, Digits)}
+    return row not in hidden and not (hidden and letters <= hidden)
+
+
+def _read(symbol: str) -> Row:
+    return read_math(symbol, "figure")
+
+
+def _list_arrows(template: Template) -> Iterator[Turning | Moving]:
+    """The arrows of the inputs, each with the symbol of the author's hint where there is one, then
+    the author's other arrows.
+    """
+    told = {_identify(arrow): arrow for arrow in template.figure.arrows}
+    for sentence in template.scheme.drivers:
+        for level, rate in _list_rates(sentence):
+            imposed = _make_arrow(_name_rate(rate, template.parameters), sentence, level)
+            hint = told.pop(_identify(imposed), imposed)
+            if hint.symbol:
+                yield replace(imposed, symbol=hint.symbol)
+    yield from told.values()
+
+
+def _identify(arrow: Turning | Moving) -> tuple[str, Level]:
+    """What an arrow is about: bodies and points never share a name."""
+    match arrow:
+        case Turning(body=name) | Moving(point=name):
+            return name, arrow.level
+        case _:
+            assert_never(arrow)
+
+
+def _list_rates(sentence: DriverSentence) -> tuple[tuple[Level, Expression], ...]:
+    return ("velocity", sentence.velocity), ("acceleration", sentence.acceleration)
+
+
+def _name_rate(rate: Expression, parameters: Mapping[str, Parameter]) -> str:
+    """The symbol of a rate that is a parameter or its negative; empty for any other."""
+    for name in find_names(rate):
+        if name in parameters and rate in (Name(name), read_expression(f"-{name}")):
+            return parameters[name].symbol
+    return ""
+
+
+def _make_arrow(symbol: str, sentence: DriverSentence, level: Level) -> Turning | Moving:
+    if sentence.stated.TURNS:
+        return Turning(symbol, sentence.body, None, level, sentence.of)
+    return Moving(symbol, sentence.point, None, level)

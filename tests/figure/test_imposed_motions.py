@@ -1,0 +1,67 @@
+"""The arrows of imposed motions: the true sense of each rate, none for what is zero, and a rotation
+relative to a body told from one relative to the ground.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import degrees, hypot
+
+import pytest
+
+from kinegrade.figure.scene import FIRM, Bow, Disc, Scene
+from kinegrade.figure.sketch import sketch
+from kinegrade.mechanics.drivers import Component, Rotation
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import Moving, Turning
+from tests.figure.clear import heads
+from tests.figure.mechanisms import slider_crank
+
+
+def crank_with(velocity: float, acceleration: float, of: str = "ground") -> Scene:
+    """A crank drawn with the arrows of both rates that a driver gives it."""
+    mechanism, hints = slider_crank(0.2, 1.75, 60)
+    drivers = (Rotation("OA", velocity, acceleration, of),)
+    both = (
+        Turning(r"\omega", "OA", None, "velocity", of),
+        Turning(r"\alpha", "OA", None, "acceleration", of),
+    )
+    return sketch(replace(mechanism, drivers=drivers), replace(hints, arrows=both))
+
+
+def turned_arrows(scene: Scene) -> list[Bow]:
+    return [part for part in scene.primitives if isinstance(part, Bow) and part.pen == FIRM]
+
+
+def test_an_angular_acceleration_is_drawn_in_its_own_sense_with_one_head_more() -> None:
+    faster, slower, steady = crank_with(2, 1), crank_with(2, -1), crank_with(2, 0)
+    assert [bow.sweep > 0 for bow in turned_arrows(faster)] == [True, True]
+    assert [bow.sweep > 0 for bow in turned_arrows(slower)] == [True, False]
+    assert [len(heads(scene)) for scene in (faster, slower, steady)] == [3, 3, 1]
+
+
+def test_a_rate_of_zero_has_no_arrow_and_no_symbol() -> None:
+    assert r"\alpha" in {label.symbol for label in crank_with(2, 1).labels}
+    assert r"\alpha" not in {label.symbol for label in crank_with(2, 0).labels}
+    assert turned_arrows(crank_with(0, 0)) == []
+
+
+def test_a_straight_acceleration_points_as_it_is_imposed() -> None:
+    mechanism, hints = slider_crank(0.2, 1.75, 60)
+    drivers = (Component("B", "AB", Vector(1.0, 0.0), 2.0, -1.0),)
+    both = (Moving("v", "B"), Moving("a", "B", None, "acceleration"))
+    scene = sketch(replace(mechanism, drivers=drivers), replace(hints, arrows=both))
+    senses = [head.corners[0].x - head.corners[1].x > 0 for head in heads(scene)]
+    assert senses == [True, False, False]
+
+
+def test_a_rotation_relative_to_a_body_starts_on_that_body_at_their_pin() -> None:
+    mechanism, hints = slider_crank(0.2, 1.75, 60)
+    arrow = Turning(r"\omega_r", "AB", None, "velocity", "OA")
+    drivers = (Rotation("AB", -1.0, 0.0, "OA"),)
+    scene = sketch(replace(mechanism, drivers=drivers), replace(hints, arrows=(arrow,)))
+    (bow,) = turned_arrows(scene)
+    pins = [part.centre for part in scene.primitives if isinstance(part, Disc)]
+    assert min(hypot(*(pin - bow.centre)) for pin in pins) < 1e-6
+    assert degrees(bow.start) % 360 == pytest.approx(240)  # from A towards O
+    assert bow.sweep < 0

@@ -1,0 +1,71 @@
+"""What a figure marks of the givens follows from the inputs and from what is printed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from kinegrade.problem.template.given_marks import mark_givens
+from kinegrade.problem.template.hints import FigureHints, Length, Moving, Turning
+from tests.problem.crank import crank
+
+FASTER = ('velocity = "omega"', 'velocity = "-omega", acceleration = "h"')
+
+
+def test_each_rate_that_is_a_parameter_has_one_arrow_with_its_symbol() -> None:
+    assert mark_givens(crank()).arrows == (Turning(r"\omega", "OA"),)
+    assert mark_givens(crank(FASTER, kept=True)).arrows == (
+        Turning(r"\omega", "OA"),
+        Turning("h", "OA", None, "acceleration"),
+    )
+
+
+def test_a_driven_point_has_its_arrow_at_the_point() -> None:
+    moved = crank(("OA turns", "A of OA moves along +x"), kept=True)
+    assert mark_givens(moved).arrows == (Moving(r"\omega", "A"),)
+
+
+def test_what_turns_relative_to_a_body_is_marked_so() -> None:
+    two = crank(
+        ('OA = "O A"', 'OA = "O A"\nOP = "O P"'),
+        ('"pin O: ground OA"', '"pin O: ground OA", "pin O: ground OP"'),
+        (
+            'motion = "OA turns", velocity = "omega"',
+            'motion = "OA turns relative to OP", velocity = "omega" }, { motion = "OP turns", velocity = "3"',
+        ),
+    )
+    assert mark_givens(two).arrows == (Turning(r"\omega", "OA", None, "velocity", "OP"),)
+
+
+def hinted(*arrows: Turning | Moving, rate: str = "omega") -> tuple[Turning | Moving, ...]:
+    """The arrows of the crank turned at a rate, with an author's hints."""
+    template = crank(('velocity = "omega"', f'velocity = "{rate}"'))
+    return mark_givens(replace(template, figure=FigureHints(arrows=arrows))).arrows
+
+
+def test_a_hint_for_an_input_gives_its_symbol_and_never_the_sense() -> None:
+    assert hinted(Turning("w", "OA", "cw")) == (Turning("w", "OA"),)
+    assert hinted(Turning("2w", "OA", "cw"), rate="2*omega") == (Turning("2w", "OA"),)
+
+
+def test_a_rate_of_several_factors_without_a_hint_has_no_arrow() -> None:
+    assert hinted(rate="2*omega") == ()
+
+
+def test_a_hint_for_what_no_input_moves_stands_as_it_is() -> None:
+    free = Moving("u", "A", "left")
+    assert hinted(free) == (Turning(r"\omega", "OA"), free)
+
+
+def test_marks_of_what_is_not_printed_are_left_out() -> None:
+    template = crank()
+    lengths = (
+        Length("r", "O", "A"),
+        Length("2 r", "O", "A"),
+        Length("r h", "O", "P"),
+        Length("AB", "O", "P"),
+    )
+    marked = replace(template, figure=replace(template.figure, lengths=lengths))
+    without_r = mark_givens(marked, {"h", "omega"})
+    assert [length.symbol for length in without_r.lengths] == ["r h", "AB"]
+    assert mark_givens(marked, {"r", "h"}).arrows == ()
+    assert mark_givens(marked).lengths == lengths
