@@ -1,0 +1,25 @@
+"""Printed figures have no flaw at any draw: the SVG is read and measured by geometry of its own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from kinegrade.figure.back_ends.svg import to_svg
+from kinegrade.figure.sketch import sketch
+from tests.figures.flaws import find_flaws, find_part_flaws
+from tests.figures.known import KNOWN
+from tests.figures.svg_shapes import read_picture
+from tests.prove.draws import seeded_solution, seeded_template
+
+
+def hold(seed: int, _: Path) -> None:
+    """Print the figure of the instance of a seed and look for flaws."""
+    name = seeded_template(seed).name
+    if name in KNOWN:
+        return
+    solution = seeded_solution(seed)
+    mechanism, hints = solution.motion.frames.mechanism.map(float), solution.template.figure
+    scene = sketch(mechanism, hints)
+    picture = read_picture(to_svg(scene))
+    found = find_flaws(picture) + find_part_flaws(picture, mechanism, hints, scene.scale)
+    assert found == [], f"{name}: {'; '.join(found)}"
