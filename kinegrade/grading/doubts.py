@@ -1,18 +1,19 @@
-"""The single cells of a block that a person should look at: those that could not be read or have a
-wrong unit, and those that were read with a remark.
+"""What in a block a person should look at: cells that could not be read or have a wrong unit, or
+that were read with a remark, and answers that are right on another paper.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial
+from itertools import groupby
 from typing import NamedTuple
 
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.files.cell_text import shorten
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.fast.judged_block import JudgedBlock
-from kinegrade.language.message import Message, Text
+from kinegrade.language.message import Message, Text, list_all
 
 
 class Doubt(NamedTuple):
@@ -28,6 +29,7 @@ def find_doubts(
     judged: JudgedBlock, asks: Sequence[Ask], columns: Sequence[str]
 ) -> Iterator[Doubt]:
     """The doubts, cell by cell; `columns` are the headers of the asks' columns."""
+    yield from _find_shared(judged, asks, columns)
     for place, reading in judged.cells.readings.items():
         row, number = divmod(place, len(asks))
         file, line = judged.rows[row][1].place(number)
@@ -41,6 +43,21 @@ def find_doubts(
         if reading.remark:
             done = Message("marking.judged", verdict=verdict)
             yield Doubt(complain(reading.remark, done), _find_reason(reading.remark))
+
+
+def _find_shared(
+    judged: JudgedBlock, asks: Sequence[Ask], columns: Sequence[str]
+) -> Iterator[Doubt]:
+    """One doubt for each student whose answers are right on another paper."""
+    places = (place for place, kind in enumerate(judged.kinds) if kind == "another paper")
+    for row, group in groupby(places, lambda place: place // len(columns)):
+        numbers = [place % len(columns) for place in group]
+        file, line = judged.rows[row][1].place(numbers[0])
+        questions = list_all(dict.fromkeys(asks[number].question for number in numbers))
+        problem = Message("marking.of-another-paper", questions=questions)
+        done = Message("marking.nothing-followed")
+        typed = judged.cells.typed[row * len(columns) + numbers[0]]
+        yield Doubt(Complaint(file, line, columns[numbers[0]], shorten(typed), problem, done))
 
 
 def _find_reason(remark: Text) -> Text:

@@ -16,6 +16,7 @@ from kinegrade.exam.folder.keys import Ask, Paper, Sitting
 from kinegrade.files.cell_text import is_answered
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.doubts import find_doubts
+from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.block_judge import BlockJudge
 from kinegrade.grading.fast.judged_block import USUAL_CREDITS, JudgedBlock, Row
 from kinegrade.grading.judging.follow import Follows
@@ -66,11 +67,12 @@ def mark_blocks(exam: Sitting, sheet: Sheet, terms: MarkingTerms) -> Iterator[Ma
     """
     last = (entries[-1].responses for entries in sheet.entries.values())
     styles, policy = find_file_style(last, terms.decimal), terms.policy
-    judge = BlockJudge(exam.asks, policy, terms.alternatives, styles, terms.follows, exam.language)
+    papers = PapersAnswered(exam)
+    judge = BlockJudge(papers, policy, terms.alternatives, styles, terms.follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
     marker = _Marker(sheet, judge, asks, add_amounts(ask.points for ask in asks), terms.pool)
-    papers = exam.papers()
-    while block := list(islice(papers, _BLOCK)):
+    each = exam.papers()
+    while block := list(islice(each, _BLOCK)):
         yield marker.block(block)
 
 
@@ -159,7 +161,7 @@ class _Marker:
                 known[way] = tuple(
                     [
                         self._question_points(judged, question, way)
-                        for question in self.judge.questions
+                        for question in self.judge.papers.questions
                     ]
                 )
             yield known[way]

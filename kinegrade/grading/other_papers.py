@@ -15,14 +15,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import groupby
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Ask, Paper
+from kinegrade.exam.folder.keys import Ask, group_places
+from kinegrade.grading.fast.bounds import Flags, Numbers
+from kinegrade.grading.fast.intervals import Intervals, list_intervals
 from kinegrade.grading.judging.judge import Kind
 from kinegrade.grading.marks import MarkedBlock
 from kinegrade.language.message import Fault, Message
@@ -31,10 +33,7 @@ _LOOKED_AT = 400  # students, evenly across the class: enough for a share, few e
 _LEAST = 4  # answers: fewer say nothing about a class
 _BY_CHANCE = 0.5  # of the foreign answers: this many may also be foreign by chance
 _MOVED = (0.93, 1.07)  # factors for keys that no student had
-_SAME = 1e-9  # relative: values further apart than this are different
 _MOSTLY = 0.6  # of a student's answers
-Numbers = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 _EXPLAINED: tuple[Kind, ...] = ("mistake", "follow-through", "accepted", "void")
 
 
@@ -72,10 +71,10 @@ class OtherPapers:
         step = max(1, len(self.rows) // _LOOKED_AT)
         places = np.arange(0, len(self.rows), step)
         answers = _Answers(np.array(self.rows)[places], np.array(self.right)[places], places)
-        papers = [*exam.papers(), *exam.variants()]
-        bounds = [_Bounds.of(papers, number) for number in range(len(self.asks))]
-        found = answers.foreign(bounds, self._questions())
-        chance = _expect_by_chance(lambda moved: answers.foreign(moved, self._questions()), bounds)
+        bounds = list_intervals(chain(exam.papers(), exam.variants()), len(self.asks))
+        questions = group_places(self.asks)
+        found = answers.foreign(bounds, questions)
+        chance = _expect_by_chance(lambda moved: answers.foreign(moved, questions), bounds)
         swapped = answers.swapped(bounds)
         certain = (2 * found > answers.count and chance <= _BY_CHANCE * found) or (
             2 * swapped > answers.students
@@ -85,44 +84,6 @@ class OtherPapers:
             problem = Message("marking.other-papers", count=self.numbers, wrong=self.strange)
             expected, do = Message("marking.own-answers"), Message("marking.check-rows")
             raise ExamError(Fault(file, problem, expected, do))
-
-    def _questions(self) -> list[list[int]]:
-        groups = groupby(enumerate(self.asks), lambda each: each[1].question)
-        return [[number for number, _ in group] for _, group in groups]
-
-
-@dataclass(frozen=True, slots=True)
-class _Bounds:
-    """The interval in which an answer to one ask is right, for each paper; `period` is a full turn,
-    or 0.
-    """
-
-    value: Numbers
-    low: Numbers
-    high: Numbers
-    period: float
-
-    @classmethod
-    def of(cls, papers: Sequence[Paper], number: int) -> _Bounds:
-        """The bounds for one ask."""
-        keys = [paper.key(number, ()) for paper in papers]
-        value = np.array([float(key.value) for key in keys])
-        low, high = (np.array([float(key.interval[end]) for key in keys]) for end in (0, 1))
-        period = max((float(key.period or 0) for key in keys), default=0.0)
-        return cls(value, low, high, period)
-
-    def moved(self, factor: float) -> _Bounds:
-        """The same bounds around other values."""
-        return _Bounds(self.value * factor, self.low * factor, self.high * factor, self.period)
-
-    def fit(self, answers: Numbers) -> Flags:
-        """Which answers are right on which papers: a row for each answer."""
-        away = answers[:, None] - self.value
-        if self.period:
-            away = (away + self.period / 2) % self.period - self.period / 2
-        ends = self.low - self.value, self.high - self.value
-        slack = 1e-12 * np.abs(self.value)
-        return (away >= np.minimum(*ends) - slack) & (away <= np.maximum(*ends) + slack)
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +108,7 @@ class _Answers:
         """The number of numeric answers."""
         return int((~np.isnan(self.numbers)).sum())
 
-    def foreign(self, bounds: Sequence[_Bounds], questions: Sequence[Sequence[int]]) -> int:
+    def foreign(self, bounds: Sequence[Intervals], questions: Sequence[Sequence[int]]) -> int:
         """The number of foreign answers."""
         found = 0
         for places in questions:
@@ -160,7 +121,7 @@ class _Answers:
             found += int(given[fits.any(axis=1) & ~all_right].sum())
         return found
 
-    def swapped(self, bounds: Sequence[_Bounds]) -> int:
+    def swapped(self, bounds: Sequence[Intervals]) -> int:
         """The number of students who mostly gave the right answers of one other paper."""
         given = (~np.isnan(self.numbers)).sum(axis=1)
         counts = np.zeros((len(self.numbers), len(bounds[0].value)), dtype=np.uint16)
@@ -171,17 +132,16 @@ class _Answers:
         right = (self.right & ~np.isnan(self.numbers)).sum(axis=1)
         return int(((most >= _MOSTLY * given) & (most > right) & (given >= _LEAST)).sum())
 
-    def _others(self, bounds: Sequence[_Bounds]) -> Flags:
+    def _others(self, bounds: Sequence[Intervals]) -> Flags:
         """For each student the papers that differ from the student's in these asks."""
         differ = np.zeros((len(self.places), len(bounds[0].value)), dtype=np.bool_)
         for each in bounds:
-            away = np.abs(each.value - each.value[self.places][:, None])
-            differ |= away > _SAME * np.abs(each.value)
+            differ |= each.differ(each.value[self.places])
         return differ
 
 
 def _expect_by_chance(
-    count: Callable[[Sequence[_Bounds]], int], bounds: Sequence[_Bounds]
+    count: Callable[[Sequence[Intervals]], int], bounds: Sequence[Intervals]
 ) -> float:
     """How many there are on papers that no student had."""
     return sum(count([each.moved(factor) for each in bounds]) for factor in _MOVED) / len(_MOVED)

@@ -27,13 +27,14 @@ class Earned:
 
 def earn(exam: Exam, sheets: int) -> Mapping[str, list[Earned]]:
     """By pattern what so many sheets earn, or as many as there are papers; they take turns."""
-    names = list(PATTERNS)
+    patterns = list_patterns(exam)
+    names = list(patterns)
     papers = exam.papers[: sheets * len(names)]
     chosen = {paper.student: names[paper.place % len(names)] for paper in papers}
 
     def fill(paper: Paper, question: Question) -> Answers:
         name = chosen.get(paper.student)
-        return PATTERNS[name](paper, question) if name else {}
+        return patterns[name](paper, question) if name else {}
 
     followed, alone = (_share(exam, fill, policy) for policy in ("", NO_FOLLOW_THROUGH))
     found = defaultdict(list)
@@ -54,7 +55,7 @@ def too_much(found: Mapping[str, list[Earned]]) -> Mapping[str, list[Earned]]:
 
 def _share(exam: Exam, fill: Typed, policy: str) -> Mapping[str, float]:
     points: Counter[str] = Counter()
-    for mark in exam.mark(fill, policy=policy):
+    for mark in exam.mark(fill, policy=policy, complaints=True):
         points[mark.paper.student] += mark.points / mark.paper.points
     return points
 
@@ -102,14 +103,27 @@ def _carried(factor: float) -> Typed:
     return fill
 
 
-PATTERNS: Mapping[str, Typed] = {
-    "0": _everywhere(0.0),
-    "1": _everywhere(1.0),
-    "minus 2": _everywhere(-2.0),
-    "huge": _everywhere(1e9),
-    "tiny": _everywhere(1e-9),
-    "random": _random,
-    "a fiftieth": _scaled(0.02),
-    "a hundred times": _scaled(100.0),
-    "carried on from 500 times": _carried(500.0),
-}
+def _neighbours(exam: Exam) -> Typed:
+    """What is right on the next paper."""
+
+    def fill(paper: Paper, question: Question) -> Answers:
+        neighbour = exam.papers[(paper.place + 1) % len(exam.papers)]
+        return neighbour.question(question.number).right
+
+    return fill
+
+
+def list_patterns(exam: Exam) -> Mapping[str, Typed]:
+    """All ways to fill a sheet in that exam, by name."""
+    return {
+        "0": _everywhere(0.0),
+        "1": _everywhere(1.0),
+        "minus 2": _everywhere(-2.0),
+        "huge": _everywhere(1e9),
+        "tiny": _everywhere(1e-9),
+        "random": _random,
+        "a fiftieth": _scaled(0.02),
+        "a hundred times": _scaled(100.0),
+        "carried on from 500 times": _carried(500.0),
+        "the neighbour's paper": _neighbours(exam),
+    }

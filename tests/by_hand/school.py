@@ -56,6 +56,10 @@ class Paper:
         """The points of all its questions."""
         return sum(sum(question.points.values()) for question in self.questions)
 
+    def question(self, number: str) -> Question:
+        """The question of that number."""
+        return next(question for question in self.questions if question.number == number)
+
 
 @dataclass(frozen=True)
 class Mark:
@@ -93,9 +97,16 @@ class Exam:
     papers: tuple[Paper, ...]
     runs: Iterator[int]
 
-    def mark(self, typed: Typed, figures: int = EXACT, policy: str = "") -> list[Mark]:
+    def mark(
+        self,
+        typed: Typed,
+        figures: int = EXACT,
+        policy: str = "",
+        *,
+        complaints: bool = False,
+    ) -> list[Mark]:
         """The marks of a class that types such answers with so many figures, by such a policy; none
-        where nobody types anything.
+        where nobody types anything. What is complained of is raised, unless that may be.
         """
         sheet = {
             (paper.student, f"{question.number}.{ask}"): write(value, figures)
@@ -114,7 +125,8 @@ class Exam:
         answers = _write_sheet(place / "answers.csv", students, columns, sheet)
         rules = place / "policy.toml"
         rules.write_text(policy, encoding="utf-8")
-        kinegrade("grade", self.folder, answers, "-o", place / "MARKS", "--policy", rules)
+        marking = "grade", self.folder, answers, "-o", place / "MARKS", "--policy", rules
+        kinegrade(*marking, complaints=complaints)
         return list(self._read_marks(place / "MARKS" / "marks.csv", sheet))
 
     def _read_marks(self, file: Path, sheet: Mapping[tuple[str, str], str]) -> Iterator[Mark]:

@@ -7,10 +7,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import partial
 from itertools import groupby
+from math import nan
 
-from kinegrade.exam.folder.keys import Exam, Examinee
-from kinegrade.grading.judging.decision import decide, void
-from kinegrade.grading.judging.follow import Decided, Follows, follow_answers
+import numpy as np
+
+from kinegrade.exam.folder.keys import Exam, Examinee, Paper
+from kinegrade.grading.fast.another_paper import PapersAnswered
+from kinegrade.grading.judging.decision import Decision, decide, void
+from kinegrade.grading.judging.follow import Decided, Follows, follow_answers, withhold
 from kinegrade.grading.marks import Mark
 from kinegrade.grading.policy.accepted import Alternatives
 from kinegrade.grading.policy.policy import Policy
@@ -63,18 +67,35 @@ def _row(
         )
         decision = decide(reader(typed), key, ruling, others, reader)
         decided.append(Decided(ask, reader(typed), key, ruling, decision))
-    better: Mapping[str, object] = {}
+    better: dict[str, Decision] = {}
     if follows is not None:
         better = {
             f"{question}.{name}": decision
             for question, group in groupby(decided, lambda each: each.ask.question)
             for name, decision in follow_answers(examinee.student, list(group), follows).items()
         }
+        _withhold(exam, examinee, decided, better)
     return [_mark(examinee, entry, each, better) for each in decided]
 
 
-def _mark(examinee: Examinee, entry: Entry, each: Decided, better: Mapping[str, object]) -> Mark:
-    verdict, share = better.get(each.ask.column, each.decision)  # type: ignore[misc]
+def _withhold(
+    exam: Exam, examinee: Examinee, decided: Sequence[Decided], better: dict[str, Decision]
+) -> None:
+    """Takes back what follows where the answers are those to another paper."""
+    own = Paper(examinee.student, "", [examinee.keys[ask.column] for ask in exam.asks])
+    numbers = [
+        nan if each.reading.kind != "number" else float(each.reading.value or 0) for each in decided
+    ]
+    wrong = [each.decision[0].kind in ("wrong", "mistake", "accepted") for each in decided]
+    for question in PapersAnswered(exam).find_shared(own, np.array(numbers), np.array(wrong)):
+        for place in question:
+            column = exam.asks[place].column
+            if column in better:
+                better[column] = withhold(decided[place].decision)
+
+
+def _mark(examinee: Examinee, entry: Entry, each: Decided, better: Mapping[str, Decision]) -> Mark:
+    verdict, share = better.get(each.ask.column, each.decision)
     if each.ruling.void:
         verdict, share = void((verdict, share), each.ruling, handed_in=entry.line is not None)
     now = each.ruling.ask(each.ask)

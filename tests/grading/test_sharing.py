@@ -11,7 +11,6 @@ from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 from itertools import chain
-from math import exp, factorial
 from pathlib import Path
 
 import pytest
@@ -20,12 +19,13 @@ from click.testing import CliRunner, Result
 from kinegrade.cli.sharing import sharing as command
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.keys import Key
+from kinegrade.grading.poisson import find_tail
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.reports.sharing.fits import find_windows
 from kinegrade.reports.sharing.report import HEADER, describe_sharing, write_sharing_csv
-from kinegrade.reports.sharing.search import Pair, find_tail
+from kinegrade.reports.sharing.search import Pair
 from kinegrade.reports.sharing.sharing import MOST, Sharing, find_pairs
 from tests.grading.marked_folder import mark_class
 from tests.grading.sitting_class import SittingClass, honest_slips, sitting_class
@@ -158,13 +158,6 @@ def test_a_class_of_two_thousand_in_seconds() -> None:
         ("s3", "s1999"),
         ("s1500", "s20"),
     }
-
-
-@pytest.mark.parametrize(("count", "mean"), [(1, 0.2), (3, 0.05), (7, 2.5), (4, 3.9)])
-def test_the_tail_of_the_poisson_distribution(count: int, mean: float) -> None:
-    assert find_tail(count, mean) == pytest.approx(
-        1 - sum(exp(-mean) * mean**each / factorial(each) for each in range(count))
-    )
 
 
 def test_what_fits_is_what_would_be_right_there() -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from itertools import groupby
 from typing import NamedTuple, Protocol, assert_never
 
 from kinegrade.language import ENGLISH, Language
@@ -153,6 +154,9 @@ class Sitting(Protocol):
     def papers(self) -> Iterator[Paper]:
         """The papers in the order of the roster."""
 
+    def variants(self) -> Sequence[Paper]:
+        """The papers of the pool that was made of the exam, none if there is no pool."""
+
 
 @dataclass(frozen=True, slots=True)
 class Exam:
@@ -176,6 +180,16 @@ class Exam:
         """The papers of the examinees."""
         for each in self.examinees:
             yield Paper(each.student, each.name, [each.keys[ask.column] for ask in self.asks])
+
+    def variants(self) -> Sequence[Paper]:
+        """None: an exam in memory has the papers of its examinees alone."""
+        return ()
+
+
+def group_places(asks: Sequence[Ask]) -> Sequence[range]:
+    """The positions of each question's asks among all asks."""
+    groups = groupby(range(len(asks)), lambda place: asks[place].question)
+    return [range(places[0], places[-1] + 1) for places in (list(group) for _, group in groups)]
 
 
 def list_questions(asks: Sequence[Ask]) -> tuple[str, ...]:

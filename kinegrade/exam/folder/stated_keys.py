@@ -146,6 +146,18 @@ def read_centres(keys: Keys) -> Sequence[float]:
     return [nan if key.period else float(Fraction(key.value)) for key in keys]
 
 
+def read_values(keys: Keys) -> Sequence[float]:
+    """The right answers in double precision, those of cyclic angles too; nearly rounded."""
+    if isinstance(keys, StatedKeys):
+        return [entry.value for entry in keys.entries]
+    return [float(Fraction(key.value)) for key in keys]
+
+
+def read_periods(keys: Keys) -> Sequence[Fraction | None]:
+    """The full turn of each ask, where any number of turns is right too."""
+    return keys.terms.periods if isinstance(keys, StatedKeys) else [key.period for key in keys]
+
+
 def read_rules(keys: Keys) -> tuple[Tolerance, ...]:
     """The rule of each ask; where papers share all of them, the same object."""
     return keys.terms.rules if isinstance(keys, StatedKeys) else tuple(key.rule for key in keys)

@@ -8,16 +8,18 @@ accepted answers, a wrong unit.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from itertools import groupby
+from operator import itemgetter
 
 import numpy as np
 
 from kinegrade.exam.folder.keys import Ask, Key, Keys
 from kinegrade.exam.folder.stated_keys import read_centres, read_mistakes, read_rules
+from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
 from kinegrade.grading.fast.comparison import Comparison, compare
 from kinegrade.grading.fast.judged_block import NO_SHARE, JudgedBlock, Row
@@ -25,39 +27,44 @@ from kinegrade.grading.fast.mistaken import Mistakes, find_best
 from kinegrade.grading.fast.reasons import read_reasons, write_mistakes
 from kinegrade.grading.fast.typed_cells import CellReader
 from kinegrade.grading.judging.decision import Decision, decide, name_mistakes, void
-from kinegrade.grading.judging.follow import Decided, Follows, follow_answers
+from kinegrade.grading.judging.follow import Decided, Follows, follow_answers, withhold
 from kinegrade.grading.judging.judge import Kind, Verdict, judge
 from kinegrade.grading.policy.accepted import Alternative, Alternatives
 from kinegrade.grading.policy.policy import NO_ROOM, Policy, Ruling
 from kinegrade.grading.typed.decimal_style import FileStyle
-from kinegrade.language import ENGLISH, Language
+from kinegrade.language import Language
 from kinegrade.numbers.tolerance import Tolerance
 
 # Places to be decided one by one: the mistakes to consider there, or all
 _Open = dict[int, Collection[str] | None]
 # Numbers that a later answer may build on
 _LED_ON: tuple[Kind, ...] = ("wrong", "mistake", "accepted")
+_ROW: Callable[[tuple[int, range]], int] = itemgetter(0)
 _NO_KEY = Key(Fraction(0), Tolerance())
 
 
 @dataclass(frozen=True, slots=True)
 class BlockJudge:
     """Everything needed to judge the rows of a class; `follows` is asked where a student may have
-    carried an error forward. Reasons are in `language`, or can be said in it.
+    carried an error forward, `papers` whether that was done on another paper. Reasons are in the
+    language of the papers, or can be said in it.
     """
 
-    asks: tuple[Ask, ...]
+    papers: PapersAnswered
     policy: Policy
     alternatives: Alternatives
     styles: FileStyle
     follows: Follows | None = None
-    language: Language = ENGLISH
 
     @property
-    def questions(self) -> list[range]:
-        """The positions of each question's asks among all asks."""
-        groups = groupby(range(len(self.asks)), lambda number: self.asks[number].question)
-        return [range(places[0], places[-1] + 1) for places in (list(group) for _, group in groups)]
+    def asks(self) -> tuple[Ask, ...]:
+        """The asks in the order of the paper."""
+        return self.papers.sitting.asks
+
+    @property
+    def language(self) -> Language:
+        """The language of the papers."""
+        return self.papers.sitting.language
 
     def judged(self, rows: Sequence[Row]) -> JudgedBlock:
         """Judges every answer in these rows."""
@@ -67,8 +74,8 @@ class BlockJudge:
         for place, names in self._compared(block).items():
             block.put(place, self._decided(block, place, names))
         if self.follows is not None:
-            for row, question in self._led_on(block):
-                self._follow_through(block, row, question, self.follows)
+            for row, led_on in groupby(self._led_on(block), _ROW):
+                self._credit(block, row, [question for _, question in led_on], self.follows)
         for number, ask in enumerate(self.asks):
             self._void(block, number, self.policy.ruling(ask.column))
         return block
@@ -176,17 +183,38 @@ class BlockJudge:
         """Rows and questions in which a number that is not right comes after another number."""
         for row in range(len(block.rows)):
             kinds = block.kinds[row * len(self.asks) : (row + 1) * len(self.asks)]
-            for question in self.questions:
+            for question in self.papers.questions:
                 if sum(kind in _LED_ON for kind in kinds[question.start : question.stop]) > 1:
                     yield row, question
 
-    def _follow_through(
-        self, block: JudgedBlock, row: int, question: range, follows: Follows
+    def _credit(
+        self, block: JudgedBlock, row: int, led_on: Sequence[range], follows: Follows
     ) -> None:
+        """Records what follows from own answers of a row, to these questions."""
+        first, better = row * len(self.asks), {}
+        for question in led_on:
+            better |= self._followed(block, row, question, follows)
+        shared = self._find_shared(block, row) if better else ()
+        for number, decision in better.items():
+            if any(number in question for question in shared):
+                block.put(first + number, withhold(block.decision(first + number)))
+            else:
+                block.put(first + number, decision)
+
+    def _find_shared(self, block: JudgedBlock, row: int) -> Sequence[range]:
+        """The questions of a row that are answered as is right on another paper."""
+        places = slice(row * len(self.asks), (row + 1) * len(self.asks))
+        wrong = np.array([kind in _LED_ON for kind in block.kinds[places]])
+        return self.papers.find_shared(block.rows[row][0], block.cells.values[places], wrong)
+
+    def _followed(
+        self, block: JudgedBlock, row: int, question: range, follows: Follows
+    ) -> Mapping[int, Decision]:
+        """What follow-through improves, by the number of the ask."""
         paper, first = block.rows[row][0], row * len(self.asks)
         sources = {paper.source(number) for number in question}
         if len(sources) > 1:  # drawn separately: nothing follows for one mechanism from another
-            return
+            return {}
         answers = [
             Decided(
                 self.asks[number],
@@ -198,9 +226,8 @@ class BlockJudge:
             for number in question
         ]
         better = follow_answers(sources.pop(), answers, follows)
-        for number in question:
-            if self.asks[number].ask in better:
-                block.put(first + number, better[self.asks[number].ask])
+        names = {self.asks[number].ask: number for number in question}
+        return {names[ask]: decision for ask, decision in better.items()}
 
     def _void(self, block: JudgedBlock, number: int, ruling: Ruling) -> None:
         """Marks all answers to an ask as void, if it is void."""

@@ -117,6 +117,13 @@ def follow_answers(
     return found
 
 
+def withhold(decision: Decision) -> Decision:
+    """The decision without follow-through, where the answers are those to another paper."""
+    verdict, share = decision
+    reason = Message("marking.another-paper", reason=verdict.reason)
+    return replace(verdict, kind="another paper", reason=reason), share
+
+
 def _sort_by_points(answers: Sequence[Decided]) -> list[Decided]:
     """Those with the most points first, of equals the last: what is left is charged."""
     ordered = list(reversed(answers))

@@ -26,6 +26,9 @@ Kind = Literal[
     "accepted",
     #: It follows from the student's own wrong answer to an earlier ask.
     "follow-through",
+    #: It would follow from the student's own wrong answers, but all numeric answers to its
+    #: question, and to another one at least, are right on one other paper of the exam.
+    "another paper",
     #: A known mistake leads to it.
     "mistake",
     #: Anything else that could be read.

@@ -33,6 +33,7 @@ _VERDICTS = (
     "wrong unit",
     "unreadable",
     "blank",
+    "another paper",
 )  # in the order of the segments of a bar
 _UNKNOWN = "shade5"
 _SHADES = {verdict: f"shade{place}" for place, verdict in enumerate(_VERDICTS)}

@@ -14,12 +14,17 @@ _VERDICTS: Mapping[str, Message] = {
     "right": Message("report.verdict-right"),
     "accepted": Message("report.verdict-accepted"),
     "follow-through": Message("report.verdict-follow-through"),
+    "another paper": Message("report.verdict-another-paper"),
     "mistake": Message("report.verdict-mistake"),
     "wrong": Message("report.verdict-wrong"),
     "wrong unit": Message("report.verdict-wrong-unit"),
     "blank": Message("report.verdict-blank"),
     "unreadable": Message("report.verdict-unreadable"),
     "void": Message("report.verdict-void"),
+}
+_RULES: Mapping[str, Message] = {
+    "follow-through": Message("report.legend-follow-through"),
+    "another paper": Message("report.legend-another-paper"),
 }
 _REASONS: Mapping[str, Message] = {
     "opposite": Message("report.reason-opposite"),
@@ -39,6 +44,7 @@ _REASONS: Mapping[str, Message] = {
     "blank": Message("report.reason-blank"),
     "accepted": Message("report.reason-accepted"),
     "follow-through": Message("report.reason-follow-through"),
+    "another paper": Message("report.reason-another-paper"),
     "mistake": Message("report.reason-mistake"),
     "void": Message("report.reason-void"),
 }
@@ -61,9 +67,7 @@ def name_verdict(verdict: str) -> Text:
 
 def explain_verdict(verdict: str) -> Text:
     """What a legend says of a verdict: its name, and where its rule cannot be guessed, the rule."""
-    if verdict == "follow-through":
-        return Message("report.legend-follow-through")
-    return name_verdict(verdict)
+    return _RULES[verdict] if verdict in _RULES else name_verdict(verdict)
 
 
 def describe_reason(reason: str, wording: Wording) -> Text:

@@ -25,6 +25,7 @@ _VERDICTS: Mapping[str, Message] = {
     "right": Message("feedback.verdict-right"),
     "accepted": Message("feedback.verdict-accepted"),
     "follow-through": Message("feedback.verdict-follow-through"),
+    "another paper": Message("feedback.verdict-wrong"),
     "mistake": Message("feedback.verdict-wrong"),
     "wrong": Message("feedback.verdict-wrong"),
     "wrong unit": Message("feedback.verdict-wrong-unit"),
@@ -37,6 +38,7 @@ _EXPLAINED: Mapping[str, Message] = {
     "unreadable": Message("feedback.unreadable"),
     "accepted": Message("feedback.accepted"),
     "follow-through": Message("feedback.follow-through"),
+    "another paper": Message("feedback.another-paper"),
     "void": Message("feedback.void"),
 }
 _WITH_NOTE = ("wrong unit", "unreadable")  # their notes on reading the cell are for the student too

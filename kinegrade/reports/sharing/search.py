@@ -8,13 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import exp, lgamma, log
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.exam.folder.keys import Exam, Examinee
 from kinegrade.grading.fast.bounds import Numbers
+from kinegrade.grading.poisson import find_tail
 from kinegrade.reports.sharing.fits import Windows, find_windows
 from kinegrade.reports.sharing.wrong_answers import WrongAnswers
 
@@ -50,25 +50,6 @@ class Pair:
     expected: float
     as_key_expected: float
     chance: float
-
-
-def find_tail(count: int, mean: float) -> float:
-    """The probability that a Poisson variable with that mean is at least `count`; a mean of zero
-    allows nothing.
-
-    >>> round(find_tail(2, 0.1), 6), find_tail(0, 0.1), find_tail(1, 0.0)
-    (0.004679, 1.0, 0.0)
-    """
-    if count <= mean or not count:
-        return 1.0
-    if not mean:
-        return 0.0
-    term = chance = exp(count * log(mean) - mean - lgamma(count + 1))
-    while term > 1e-12 * chance:
-        count += 1
-        term *= mean / count
-        chance += term
-    return chance
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,6 +16,8 @@ from kinegrade.marks_folder.cells import explain_edited
 from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import MarkedAnswer
 
+_UNEXPLAINED = ("wrong", "another paper")
+
 
 @dataclass(frozen=True)
 class WrongAnswers:
@@ -41,7 +43,7 @@ def find_wrong_answers(exam: Exam, answers: Iterable[MarkedAnswer]) -> WrongAnsw
         number = _read_number(answer)
         if student is None or ask is None or number is None:
             faults[_explain(answer, student, ask)] = None
-        elif answer.verdict == "wrong" and number and isfinite(number):
+        elif answer.verdict in _UNEXPLAINED and not answer.mistakes and number and isfinite(number):
             numbers[ask][student] = number
             typed[student, ask] = answer.typed
     if faults:

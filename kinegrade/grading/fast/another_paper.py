@@ -1,0 +1,94 @@
+"""Questions that a student answered as is right on one other paper of the exam.
+
+Some answers of another paper follow from each other on any paper: a magnitude from its components,
+a velocity from a rate where a length is the same. They were not carried on from an own value, so
+`block_judge` gives no follow-through for them.
+
+One question tells nothing: a number misread gives all the answers of a paper that has that number,
+and in a large class a wrong number is right on some paper by chance. So at least two questions have
+to fit the same paper, each with all its numeric answers, and the Poisson distribution has to make
+that rarer than the level for this student. How often a question fits by chance is the least of how
+often each of its wrong answers does, and all of them together, on the papers of the exam.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+
+import numpy as np
+
+from kinegrade.exam.folder.keys import Paper, Sitting, group_places
+from kinegrade.exam.folder.stated_keys import read_values
+from kinegrade.grading.fast.bounds import Flags, Numbers
+from kinegrade.grading.fast.intervals import Intervals, list_intervals
+from kinegrade.grading.poisson import find_tail
+
+_LEVEL = 0.02
+_QUESTIONS = 2
+_WIDENED = 20  # times a tolerance: how densely right answers lie in a small class
+
+
+@dataclass(frozen=True, slots=True)
+class _Fitting:
+    """Which papers the answers to a question fit, and how often a paper does so by chance."""
+
+    question: range
+    papers: Flags
+    share: float
+
+
+@dataclass(frozen=True)
+class PapersAnswered:
+    """The papers of a sitting, read once an answer is held against them."""
+
+    sitting: Sitting
+
+    @cached_property
+    def questions(self) -> Sequence[range]:
+        """The positions of each question's asks among all asks."""
+        return group_places(self.sitting.asks)
+
+    @cached_property
+    def _intervals(self) -> list[Intervals]:
+        papers = chain(self.sitting.papers(), self.sitting.variants())
+        return list_intervals(papers, len(self.sitting.asks))
+
+    def find_shared(self, paper: Paper, numbers: Numbers, wrong: Flags) -> Sequence[range]:
+        """The questions that a student answered as is right on one other paper; `numbers` are the
+        student's by ask, NaN where there is none, and `wrong` where they are on the own `paper`.
+
+        Raises ExamError where the papers cannot be read.
+        """
+        own = np.array(read_values(paper.keys), dtype=np.float64)
+        tried = [question for question in self.questions if wrong[list(question)].any()]
+        if len(tried) < _QUESTIONS:
+            return ()
+        found = [self._fitting(question, own, numbers, wrong) for question in tried]
+        counts = np.sum([each.papers for each in found], axis=0)
+        other = int(counts.argmax())
+        count, mean = int(counts[other]), sum(each.share for each in found)
+        if count < _QUESTIONS or len(counts) * find_tail(count, mean) > _LEVEL:
+            return ()
+        return [each.question for each in found if each.papers[other]]
+
+    def _fitting(self, question: range, own: Numbers, numbers: Numbers, wrong: Flags) -> _Fitting:
+        differ = [self._intervals[ask].differ(own[[ask]])[0] for ask in question]
+        fits: Flags = np.any(differ, axis=0)
+        for ask in question:
+            if not np.isnan(numbers[ask]):
+                fits &= self._intervals[ask].fit(numbers[[ask]])[0]
+        together = max(1, int(fits.sum())) / len(fits)
+        return _Fitting(question, fits, min([together, *self._shares(question, numbers, wrong)]))
+
+    def _shares(self, question: range, numbers: Numbers, wrong: Flags) -> Iterator[float]:
+        """The share of all papers on which each wrong answer is right, or would be if as many of
+        their answers lay next to it as lie around it.
+        """
+        for ask in question:
+            if wrong[ask]:
+                intervals, answer = self._intervals[ask], numbers[[ask]]
+                around = intervals.widened(_WIDENED).fit(answer).mean() / _WIDENED
+                yield max(intervals.fit(answer).mean(), around)
