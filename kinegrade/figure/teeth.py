@@ -4,9 +4,9 @@ the gear, so that gears of one figure mesh.
 
 from __future__ import annotations
 
-from math import ceil, floor, pi
+from math import ceil, cos, floor, pi, sin
 
-from kinegrade.figure.plane import angle_of, length, polar, unit
+from kinegrade.figure.plane import angle_of, length, unit
 from kinegrade.mechanics.vector import Vector
 
 _PITCH = 3.0  # from tooth to tooth
@@ -27,10 +27,12 @@ def trace_gear(centre: Vector, tooth: Vector, inward: bool) -> tuple[Vector, ...
     """
     radius, first = length(tooth - centre), angle_of(tooth - centre)
     step, outward = find_tooth_angle(radius), -1.0 if inward else 1.0
+    (x, y), shares = centre, [(share * step, radius + outward * high) for share, high in _CORNERS]
+    turns = (first + number * step for number in range(round(2 * pi / step)))
     return tuple(
-        centre + polar(first + (number + share) * step, radius + outward * height)
-        for number in range(round(2 * pi / step))
-        for share, height in _CORNERS
+        Vector(x + reach * cos(turn + share), y + reach * sin(turn + share))
+        for turn in turns
+        for share, reach in shares
     )
 
 

@@ -8,9 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.figure.mechanism.cam import trace_cam_profile
+from kinegrade.figure.mechanism.layers import draw
+from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.mechanism.round.cam import trace_cam_profile
 from kinegrade.figure.plane import length, polar
+from kinegrade.figure.scene import PITCH, Disc, Outline
 from kinegrade.mechanics.vector import Vector
+from tests.figure.mechanisms import follower_curvature
+from tests.figure.more_mechanisms import pointed_follower
 
 
 @given(st.floats(0.1, 0.5), st.integers(-40, 40), st.floats(0.05, 0.6))
@@ -31,5 +36,41 @@ def test_the_profile_has_the_given_curvature_around_the_contact(
     contact = polar(radians(90 - theta), r)
     centre = contact - Vector(0.0, rho)
     profile = trace_cam_profile(Vector(0.0, 0.0), contact, centre, rho)
-    near = sorted(profile, key=lambda corner: length(corner - contact))[:5]
-    assert all(length(corner - centre) == pytest.approx(rho, rel=1e-6) for corner in near)
+    at = min(range(len(profile)), key=lambda place: length(profile[place] - contact))
+    assert length(profile[at] - contact) < 1e-9
+    assert radius_at(profile, at) == pytest.approx(rho, rel=0.02)
+
+
+def radius_at(profile: tuple[Vector, ...], at: int) -> float:
+    """The radius of the circle through a corner and its neighbours."""
+    before, here, after = (profile[(at + step) % len(profile)] for step in (-1, 0, 1))
+    area = (here - before).cross(after - before) / 2
+    return length(here - before) * length(after - here) * length(after - before) / (4 * area)
+
+
+@given(st.floats(0.1, 0.5), st.integers(-40, 40), st.floats(0.05, 0.6))
+def test_the_curvature_changes_gradually_all_around(r: float, theta: int, rho: float) -> None:
+    contact = polar(radians(90 - theta), r)
+    profile = trace_cam_profile(Vector(0.0, 0.0), contact, contact - Vector(0.0, rho), rho)
+    radii = [radius_at(profile, at) for at in range(len(profile))]
+    assert min(radii) > 0.2 * min(rho, r)
+    steps = zip(radii, radii[1:] + radii[:1], strict=True)
+    assert all(abs(after - before) < 0.3 * before for before, after in steps)
+
+
+def test_a_base_circle_touches_the_profile_from_inside() -> None:
+    mechanism, hints = follower_curvature(0.3, 15.0, 0.25)
+    primitives = draw(scale_to_paper(mechanism, 100.0), hints).primitives
+    (base,) = [part for part in primitives if isinstance(part, Disc) and part.pen == PITCH]
+    (profile,) = [part for part in primitives if isinstance(part, Outline) and part.fill == "grey"]
+    assert base.centre == mechanism.points["O"] * 100.0
+    assert base.radius == pytest.approx(min(length(at - base.centre) for at in profile.corners))
+
+
+def test_a_follower_whose_point_runs_on_a_cam_has_a_pointed_head_and_no_dot() -> None:
+    mechanism, hints = pointed_follower()
+    primitives = draw(scale_to_paper(mechanism, 100.0), hints).primitives
+    contact = mechanism.points["A"] * 100.0
+    heads = [part for part in primitives if isinstance(part, Outline) and contact in part.corners]
+    assert [min(head.corners, key=lambda at: at.y) for head in heads] == [contact]
+    assert all(part.centre != contact for part in primitives if isinstance(part, Disc))

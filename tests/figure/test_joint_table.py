@@ -77,7 +77,7 @@ ADDED: tuple[tuple[Joint, set[str]], ...] = (
     (Slide("O", GROUND, LEVEL, "II"), PIN | {"features", "sleeve", "fixed"}),
     (Sleeve("I", LEVEL, GROUND), {"guide", "translating"}),
     (Sleeve("I", LEVEL, "II"), {"features", "sleeve", "carrier"}),
-    (Arc("B", "I", LARGE, "II"), {"point", "rims"}),
+    (Arc("B", "I", LARGE, "II"), {"point", "rims", "edge"}),
     (Contact("I", SMALL, "II", BELOW), {"rims", "features"}),
     (Contact("I", SMALL, "II", LARGE), {"rims"}),
     (Roll("I", SMALL, GROUND, BELOW), {"rims", "foot"}),

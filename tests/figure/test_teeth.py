@@ -10,6 +10,7 @@ from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rims import find_rims
+from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import length, polar
 from kinegrade.figure.scene import PITCH, TOOTHED, Disc, Outline, Strokes
 from kinegrade.figure.teeth import TOOTH_ROOT, TOOTH_TIP, trace_gear, trace_rack
@@ -100,3 +101,11 @@ def test_gears_and_racks_of_a_mechanism_are_drawn_with_teeth_and_pitch_lines() -
         type(part) for part in primitives if isinstance(part, Disc | Strokes) and part.pen == PITCH
     ]
     assert pitched == [Disc, Strokes]
+
+
+def test_no_letter_finds_a_place_between_teeth() -> None:
+    (planet, *_) = contours(planet_in_ring())
+    obstacles = Obstacles.of([planet])
+    for tip, root in zip(planet.corners[1::4], planet.corners[3::4], strict=True):
+        for x, y in (tip, root):
+            assert obstacles.under_box(x, y, 0.1, 0.1) > 0

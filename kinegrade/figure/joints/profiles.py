@@ -53,7 +53,7 @@ def find_arc_symbol(mechanism: Mechanism, joint: Arc) -> Symbol:
         mechanism.points[joint.point],
         mechanism.points[joint.point],
     )
-    return Symbol(point=joint.point, rims=(rim,))
+    return Symbol(point=joint.point, edge=None if particle else joint.body, rims=(rim,))
 
 
 def _choose_kind(body: str, toothed: bool, shapes: Mapping[str, str]) -> Kind:

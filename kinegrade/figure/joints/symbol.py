@@ -74,6 +74,7 @@ class Symbol:
 
     - `point`: the marked point at which the joint is; `pinned` when it is an open circle, `fixed`
       when it stands on the ground; `turning` are the bodies that share it;
+    - `edge`: a body whose point runs on the rim of another;
     - `translating`: a body that the joint keeps from turning against the ground;
     - `rims`, `features`, `foot`, `guide`: circles, lines of bodies, a track and a guide;
     - `strands`: the straight parts of a belt;
@@ -85,6 +86,7 @@ class Symbol:
     pinned: bool = False
     fixed: bool = False
     turning: tuple[str, ...] = ()
+    edge: str | None = None
     translating: str | None = None
     rims: tuple[Rim, ...] = ()
     features: tuple[Feature, ...] = ()

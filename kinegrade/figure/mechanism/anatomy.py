@@ -53,6 +53,16 @@ class Anatomy:
             if symbol.sleeve and symbol.point not in self.knife_edges
         )
 
+    @property
+    def heads(self) -> Mapping[str, Rod]:
+        """The rods that run on a rim with their points, by those points."""
+        rods = {part.body: part for part in self.parts if isinstance(part, Rod)}
+        return {
+            symbol.point: rods[symbol.edge]
+            for symbol in self.symbols
+            if symbol.point and symbol.edge in rods
+        }
+
     def is_rod(self, symbol: Symbol) -> bool:
         """Whether a joint is the guide of a rod."""
         rods = {part.body for part in self.parts if isinstance(part, Rod)}

@@ -9,7 +9,7 @@ from typing import assert_never
 
 from kinegrade.figure.joints.table import find_symbols
 from kinegrade.figure.mechanism.rims import find_rims
-from kinegrade.figure.mechanism.round_bodies import trace_cam_outline
+from kinegrade.figure.mechanism.round.round_bodies import trace_cam_outline
 from kinegrade.figure.scene import Box, Primitive, Scene, find_common_box, move
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector

@@ -15,7 +15,8 @@ from kinegrade.figure.mechanism.belts import draw_belts
 from kinegrade.figure.mechanism.gussets import draw_gussets, find_welded_arms
 from kinegrade.figure.mechanism.pins import draw_points
 from kinegrade.figure.mechanism.plates import Plate
-from kinegrade.figure.mechanism.round_bodies import draw_round_bodies
+from kinegrade.figure.mechanism.round.heads import draw_heads
+from kinegrade.figure.mechanism.round.round_bodies import draw_round_bodies
 from kinegrade.figure.mechanism.sliders import draw_blocks, draw_ground_sliders, draw_sleeves
 from kinegrade.figure.mechanism.stands import draw_stands
 from kinegrade.figure.mechanism.straight_bodies import draw_straight_part
@@ -64,6 +65,7 @@ def _draw_layers(anatomy: Anatomy) -> Iterator[Primitive]:
         if is_slender(part) and part not in arms:
             yield from draw_straight_part(part)
     yield from draw_gussets(anatomy.corners)
+    yield from draw_heads(anatomy)
     yield from draw_points(anatomy)
 
 

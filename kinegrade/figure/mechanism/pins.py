@@ -19,9 +19,11 @@ _LOWER = Vector(0.01, -0.1)  # where a pin sits when nothing else decides: below
 
 
 def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
-    """Crosses below dots below circles; the tip of a knife edge and a rigid corner need no mark."""
+    """Crosses below dots below circles; the tip of a knife edge or of a pointed follower and a
+    rigid corner need no mark.
+    """
     at = anatomy.mechanism.points
-    tips = set(anatomy.knife_edges)
+    tips = {*anatomy.knife_edges, *anatomy.heads}
     pins = _find_pins(anatomy) - tips
     owned = {name for body in anatomy.mechanism.bodies for name in body.points}
     centres = ({rim.centre for rim in anatomy.rims} | _find_labelled(anatomy) - owned - tips) - pins

@@ -8,7 +8,8 @@ from typing import assert_never
 from kinegrade.figure import symbols
 from kinegrade.figure.joints.symbol import Rim, Symbol, find_fixed_pin
 from kinegrade.figure.mechanism.anatomy import Anatomy
-from kinegrade.figure.mechanism.cam import trace_cam_profile
+from kinegrade.figure.mechanism.round.cam import trace_cam_profile
+from kinegrade.figure.plane import length
 from kinegrade.figure.scene import (
     FIRM,
     PITCH,
@@ -38,9 +39,12 @@ def trace_cam_outline(
     mechanism: Mechanism, joints: Sequence[Symbol], rim: Rim
 ) -> tuple[Vector, ...]:
     """The profile of a cam about its fixed pin, in the unit of the mechanism."""
+    return trace_cam_profile(_find_pivot(mechanism, joints, rim), rim.touch, rim.at, rim.radius)
+
+
+def _find_pivot(mechanism: Mechanism, joints: Sequence[Symbol], rim: Rim) -> Vector:
     pin = find_fixed_pin(joints, rim.body)
-    pivot = rim.at if pin is None else mechanism.points[pin]
-    return trace_cam_profile(pivot, rim.touch, rim.at, rim.radius)
+    return rim.at if pin is None else mechanism.points[pin]
 
 
 def _draw_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
@@ -101,6 +105,14 @@ def _draw_round(rim: Rim) -> tuple[Primitive, ...]:
 
 
 def _draw_cam(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
-    """The profile, with a thin line from the centre of curvature to the contact."""
+    """The profile with its base circle, and a thin line from the centre of curvature to the
+    contact.
+    """
     profile = trace_cam_outline(anatomy.mechanism, anatomy.symbols, rim)
-    return (Outline(profile, FIRM, "grey"), Strokes(((rim.at, rim.touch),), THIN))
+    pivot = _find_pivot(anatomy.mechanism, anatomy.symbols, rim)
+    base = min(length(corner - pivot) for corner in profile)
+    return (
+        Outline(profile, FIRM, "grey"),
+        Disc(pivot, base, PITCH),
+        Strokes(((rim.at, rim.touch),), THIN),
+    )
