@@ -79,9 +79,13 @@ def _draw_fixed_rim(rim: Rim) -> tuple[Primitive, ...]:
 def _draw_ring(rim: Rim) -> tuple[Primitive, ...]:
     """A rim around others: the body lies outside."""
     outer = Disc(rim.at, rim.radius + _RING, FIRM, "grey")
-    if rim.kind == "gear":
-        return (outer, *_draw_gear(rim, "white"))
-    return (outer, Disc(rim.at, rim.radius, FIRM, "white"))
+    match rim.kind:
+        case "gear":
+            return (outer, *_draw_gear(rim, "white"))
+        case "wheel" | "slot" | "cam" | "edge":
+            return (outer, Disc(rim.at, rim.radius, FIRM, "white"))
+        case _:
+            assert_never(rim.kind)
 
 
 def _draw_gear(rim: Rim, fill: Fill) -> tuple[Primitive, ...]:
