@@ -83,13 +83,18 @@ def draw_ground(start: Vector, end: Vector, side: Vector) -> tuple[Primitive, ..
     return (Strokes(hatching, THIN), Strokes(((start, end),), FIRM))
 
 
-def draw_round_ground(centre: Vector, radius: float, outward: bool) -> tuple[Primitive, ...]:
-    """A fixed circular surface with hatching inside or outside."""
-    count = max(12, ceil(2 * pi * radius / 1.5))
+def draw_round_ground(
+    centre: Vector, radius: float, outward: bool, arc: tuple[float, float] | None = None
+) -> tuple[Primitive, ...]:
+    """A fixed circular surface, or an arc of it from an angle onward, with hatching inside or
+    outside.
+    """
+    first, sweep = arc or (0.0, 2 * pi)
+    count = max(12, ceil(sweep * radius / 1.5))
     depth = _HATCH if outward else -min(_HATCH, radius / 3)
     lines = []
     for index in range(count):
-        (x, y), angle = centre, 2 * pi * index / count
+        (x, y), angle = centre, first + sweep * index / count
         along, upward = cos(angle), sin(angle)
         x, y = x + along * radius, y + upward * radius
         lines.append(
@@ -98,7 +103,8 @@ def draw_round_ground(centre: Vector, radius: float, outward: bool) -> tuple[Pri
                 Vector(x + (along - upward * 0.7) * depth, y + (upward + along * 0.7) * depth),
             )
         )
-    return (Strokes(tuple(lines), THIN), Disc(centre, radius, FIRM))
+    edge = Bow(centre, radius, first, sweep, FIRM) if arc else Disc(centre, radius, FIRM)
+    return (Strokes(tuple(lines), THIN), edge)
 
 
 def draw_block(

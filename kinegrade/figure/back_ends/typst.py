@@ -5,6 +5,7 @@ picture in it.
 from __future__ import annotations
 
 from functools import lru_cache
+from math import sqrt
 from typing import assert_never
 
 from kinegrade.figure.back_ends.required_symbol import require_symbol
@@ -30,6 +31,7 @@ _DASHES: dict[Dash, str] = {
     "dashed": ', dash: "dashed"',
     "dash-dotted": ', dash: "dash-dotted"',
 }
+_SAGITTA = 0.02  # millimetres that the chords of an arc leave it at most
 _FILLS: dict[Fill, str] = {"none": "none", "white": "white", "grey": "luma(91%)", "black": "black"}
 
 
@@ -110,7 +112,8 @@ def _write(primitive: Primitive, height: float) -> str:
             ]
             return f"place(curve({_write_style(primitive.pen, 'none')}, {', '.join(steps)}))"
         case Bow():
-            return _write_outline(Outline(primitive.path(), primitive.pen, closed=False), height)
+            path = primitive.path(min(0.17, sqrt(8 * _SAGITTA / primitive.radius)))
+            return _write_outline(Outline(path, primitive.pen, closed=False), height)
         case Outline():
             return _write_outline(primitive, height)
         case _:

@@ -5,6 +5,7 @@ slots.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import assert_never
 
 from kinegrade.figure.joints.symbol import Feature, Foot, Kind, Rim, Symbol
@@ -23,7 +24,7 @@ def find_touch_symbol(
     rims = _find_rims(mechanism, joint, kinds)
     match joint.on:
         case Circle():
-            return Symbol(rims=rims)
+            return Symbol(rims=tuple(_limit(rim, shapes) for rim in rims))
         case Line():
             away = unit(rims[0].touch - rims[0].at)
         case _:
@@ -54,6 +55,11 @@ def find_arc_symbol(mechanism: Mechanism, joint: Arc) -> Symbol:
         mechanism.points[joint.point],
     )
     return Symbol(point=joint.point, edge=None if particle else joint.body, rims=(rim,))
+
+
+def _limit(rim: Rim, shapes: Mapping[str, str]) -> Rim:
+    """A rim of which the author wants only an arc."""
+    return replace(rim, contacts=(rim.touch,)) if shapes.get(rim.body) == "arc" else rim
 
 
 def _choose_kind(body: str, toothed: bool, shapes: Mapping[str, str]) -> Kind:

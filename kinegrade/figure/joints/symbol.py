@@ -10,12 +10,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from kinegrade.figure.plane import angle_of, shorter_way
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 
 Kind = Literal["wheel", "gear", "slot", "cam", "edge"]
 Use = Literal["link", "slot", "bar", "face", "rack"]
 Strand = tuple[Vector, Vector]  # a straight part of a belt, from rim to rim
+_BEYOND = 0.65  # radians that an arc goes on beyond its last contact
 NO_BACK = Vector(0.0, 0.0)
 
 
@@ -24,7 +26,8 @@ class Rim:
     """A circle of a body; `ring` when the material lies outside; `touch` is the contact point.
 
     The kind "edge" is drawn as a line only: a circle that belongs to no joint. A gear has a
-    tooth at `tooth` on its pitch circle.
+    tooth at `tooth` on its pitch circle. Of a track with `contacts` only the arc around these is
+    drawn.
     """
 
     body: str
@@ -35,6 +38,15 @@ class Rim:
     ring: bool
     touch: Vector
     tooth: Vector
+    contacts: tuple[Vector, ...] = ()
+
+    def find_arc(self) -> tuple[float, float] | None:
+        """The angle at which the arc begins that is drawn, and how far it goes; None for all."""
+        if not self.contacts:
+            return None
+        first = angle_of(self.contacts[0] - self.at)
+        beside = [shorter_way(angle_of(at - self.at) - first) for at in self.contacts]
+        return first + min(beside) - _BEYOND, max(beside) - min(beside) + 2 * _BEYOND
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,7 @@ from kinegrade.problem.template.hints import Radius
 
 _SMALL_RADIUS = 8.0  # millimetres: a smaller circle has its radius marked from outside
 _PREFERRED = tuple(turn * pi for turn in (0.75, 0.25, -0.75, -0.25, 0.5, 1.0, 0.0, -0.5))
+_ALONG_ARC = (0.12, 0.88, 0.2, 0.8, 0.28, 0.72, 0.36, 0.64)  # parts of an arc from its start
 _SHIFTS = tuple(shift * pi / 24 for shift in (0, 2, -2))
 
 
@@ -29,7 +30,10 @@ def mark_radii(at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius) -
     Raises TemplateError when no circle of the mechanism has that centre.
     """
     rim = _find_rim(found, hint, at[hint.through] if hint.through else None)
+    arc = rim.find_arc()
     angles = [turn + shift for shift in _SHIFTS for turn in _PREFERRED]
+    if arc:
+        angles = [arc[0] + share * arc[1] for share in _ALONG_ARC]
     if rim.kind == "cam":
         angles = [angle_of(rim.touch - rim.at)]
     way = _FromOutside if rim.radius < _SMALL_RADIUS else _FromCentre

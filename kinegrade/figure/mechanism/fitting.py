@@ -10,7 +10,7 @@ from typing import assert_never
 from kinegrade.figure.joints.table import find_symbols
 from kinegrade.figure.mechanism.rims import find_rims
 from kinegrade.figure.mechanism.round.round_bodies import trace_cam_outline
-from kinegrade.figure.scene import Box, Primitive, Scene, find_common_box, move
+from kinegrade.figure.scene import FIRM, Bow, Box, Primitive, Scene, find_common_box, move
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
@@ -74,7 +74,9 @@ def measure_span(
             case "cam":
                 boxes += [(point, 0.0) for point in trace_cam_outline(mechanism, joints, rim)]
             case "wheel" | "gear" | "slot" | "edge":
-                boxes.append((rim.at, rim.radius))
+                arc = rim.find_arc()
+                path = Bow(rim.at, rim.radius, *arc, FIRM).path() if arc else ()
+                boxes += [(point, 0.0) for point in path] or [(rim.at, rim.radius)]
             case _:
                 assert_never(rim.kind)
     across = [at.x + side * radius for at, radius in boxes for side in (-1, 1)]

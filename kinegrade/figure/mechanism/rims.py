@@ -28,6 +28,10 @@ def find_rims(
     for rims in (*pairs, *alone):
         for rim in _engage(rims, found):
             found.setdefault(_make_key(rim), rim)
+        for rim in rims:
+            known = found[_make_key(rim)]
+            contacts = dict.fromkeys((*known.contacts, *rim.contacts))
+            found[_make_key(rim)] = replace(known, contacts=tuple(contacts))
     return tuple(found.values())
 
 

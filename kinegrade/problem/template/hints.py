@@ -14,13 +14,13 @@ from kinegrade.mechanics.vector_equation import Level
 
 Sense = Literal["ccw", "cw"]
 _Side = Literal["right", "up", "left", "down"]
-Shape = Literal["gear", "cam", "bent", "bar", "through"]
+Shape = Literal["gear", "cam", "bent", "bar", "through", "arc"]
 Projection = Literal["horizontal", "vertical"]
 
 SENSES: tuple[Sense, ...] = ("ccw", "cw")
 TURN: Mapping[Sense, float] = {"ccw": 1.0, "cw": -1.0}  # counter-clockwise is positive
 SIDES: tuple[_Side, ...] = ("right", "up", "left", "down")
-SHAPES: tuple[Shape, ...] = ("gear", "cam", "bent", "bar", "through")
+SHAPES: tuple[Shape, ...] = ("gear", "cam", "bent", "bar", "through", "arc")
 LEVELS: tuple[Level, ...] = ("velocity", "acceleration")
 PROJECTIONS: tuple[Projection, ...] = ("horizontal", "vertical")
 
@@ -105,7 +105,8 @@ class FigureHints:
     label. A point that is only constructed appears when it has a label. `lines` are thin, between
     two points. `shapes` overrides: "gear" (pitch circle), "cam" (only the curvature at the contact
     is known), "bent" (a rod through its points in order, not a plate), "bar" (sliders run on it in
-    sleeves, not in a slot), "through" (a translating rod that goes on beyond its point).
+    sleeves, not in a slot), "through" (a translating rod that goes on beyond its point), "arc" (a
+    round track of which only the arc around its wheels is drawn).
     """
 
     lengths: tuple[Length, ...] = ()

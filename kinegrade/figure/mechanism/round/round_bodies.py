@@ -71,7 +71,7 @@ def _draw_fixed_rim(rim: Rim) -> tuple[Primitive, ...]:
             hatching, _ = symbols.draw_round_ground(rim.at, root, rim.ring)
             return (hatching, *_draw_gear(rim, "none"))
         case "wheel" | "slot" | "cam":
-            return symbols.draw_round_ground(rim.at, rim.radius, rim.ring)
+            return symbols.draw_round_ground(rim.at, rim.radius, rim.ring, rim.find_arc())
         case _:
             assert_never(rim.kind)
 
