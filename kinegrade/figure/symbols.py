@@ -17,6 +17,7 @@ from kinegrade.figure.scene import (
     TOOTHED,
     Bow,
     Disc,
+    Fill,
     Outline,
     Primitive,
     Strokes,
@@ -34,6 +35,7 @@ _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 RACK_DEPTH = 2.4  # from the pitch line of a rack to its back
 # Height of a fixed pin's stand; taller where a sleeve turns about the pin
 STAND, TALL_STAND = (3.6, 5.2)
+_STEPS = 60  # corners of a round band, whose edges are drawn over them
 HEAD_LENGTH, _HEAD_WIDTH = 2.0, 1.1
 _HEAD_STEP = 1.6  # from one head of an arrow to the next
 # Heads of the arrow of a velocity, and of an acceleration
@@ -142,6 +144,16 @@ def trace_round(corners: tuple[Vector, ...], radius: float) -> tuple[Vector, ...
         start, end = angle_of(corner - corners[index - 1]), angle_of(onward)
         outline += Bow(corner, radius, start - pi / 2, (end - start) % (2 * pi), FIRM).path()
     return tuple(outline)
+
+
+def draw_round_slot(centre: Vector, radius: float, fill: Fill) -> tuple[Primitive, ...]:
+    """A ring-shaped slot; what is drawn before shows through its middle, not through its band."""
+    outer, inner = radius + SLOT_WIDTH / 2, radius - SLOT_WIDTH / 2
+    turns = [2 * pi * step / _STEPS for step in range(_STEPS + 1)]
+    there = [centre + polar(turn, outer) for turn in turns]
+    back = [centre + polar(turn, inner) for turn in reversed(turns)]
+    band = Outline((*there, *back), None, fill)
+    return (band, Disc(centre, outer, FIRM), Disc(centre, inner, FIRM))
 
 
 def draw_slotted_bar(

@@ -56,7 +56,7 @@ def _draw_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
         case "cam":
             return _draw_cam(anatomy, rim)
         case "wheel" | "gear" | "slot":
-            return _draw_ring(rim) if rim.ring else _draw_round(rim)
+            return _draw_ring(rim) if rim.ring else _draw_round(anatomy, rim)
         case _:
             assert_never(rim.kind)
 
@@ -94,12 +94,13 @@ def _draw_gear(rim: Rim, fill: Fill) -> tuple[Primitive, ...]:
     return (teeth, Disc(rim.at, rim.radius, PITCH))
 
 
-def _draw_round(rim: Rim) -> tuple[Primitive, ...]:
-    """A wheel, a gear, or a ring-shaped slot."""
+def _draw_round(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
+    """A wheel, a gear, or a ring-shaped slot; of slots that cross, every other one is grey."""
     match rim.kind:
         case "slot":
-            half = symbols.SLOT_WIDTH / 2
-            return (Disc(rim.at, rim.radius + half, FIRM), Disc(rim.at, rim.radius - half, FIRM))
+            slots = [other for other in anatomy.rims if other.kind == "slot"]
+            fills: tuple[Fill, Fill] = ("grey", "white")
+            return symbols.draw_round_slot(rim.at, rim.radius, fills[slots.index(rim) % 2])
         case "gear":
             return _draw_gear(rim, "grey")
         case "wheel" | "cam" | "edge":
