@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import assert_never
 
+from kinegrade.figure.joints.ropes import find_rope, is_rope
 from kinegrade.figure.joints.symbol import Feature, Foot, Kind, Rim, Symbol
 from kinegrade.figure.plane import foot, unit
 from kinegrade.mechanics.joints import GROUND, Arc, Circle, Contact, Line, Mesh, Roll
@@ -32,6 +33,10 @@ def find_touch_symbol(
     if joint.of == GROUND:
         foot_on_track = Foot(joint.on, rims[0].touch, away, joint.circle.radius, toothed)
         return Symbol(rims=rims, foot=foot_on_track)
+    if is_rope(shapes, joint.of):
+        return Symbol(
+            rims=rims, hanging=find_rope(mechanism, joint.of, joint.on, rims[0].touch, shapes)
+        )
     edge = Feature(joint.of, joint.on, rims[0].touch, "rack" if toothed else "face", away)
     return Symbol(rims=rims, features=(edge,))
 

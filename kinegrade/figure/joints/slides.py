@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from kinegrade.figure.joints.ropes import is_rope
 from kinegrade.figure.joints.symbol import Feature, Guide, Symbol
 from kinegrade.figure.plane import on_line, unit
 from kinegrade.mechanics.joints import GROUND, Line, Sleeve, Slide
@@ -16,9 +17,12 @@ from kinegrade.mechanics.vector import Vector
 def find_slide_symbol(mechanism: Mechanism, joint: Slide, shapes: Mapping[str, str]) -> Symbol:
     """A pin on a ground guide, in a sleeve about a bar, or in the slot of a bar.
 
-    The bar runs in a sleeve where the ground holds its point, or where its shape is "bar".
+    The bar runs in a sleeve where the ground holds its point, or where its shape is "bar". What
+    hangs on a rope has no guide.
     """
     at, along = mechanism.points[joint.point], unit(joint.line.direction)
+    if joint.of == GROUND and is_rope(shapes, joint.body):
+        return Symbol(point=joint.point)
     if joint.of == GROUND:
         return Symbol(point=joint.point, pinned=True, guide=Guide(joint.body, at, along))
     held = joint.body == GROUND

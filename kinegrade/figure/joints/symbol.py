@@ -81,6 +81,19 @@ class Guide:
 
 
 @dataclass(frozen=True)
+class Hanging:
+    """A rope along a line of its body, from where it leaves a wheel to its end; `loaded` when a
+    load hangs there.
+    """
+
+    body: str
+    line: Line
+    start: Vector
+    end: Vector
+    loaded: bool
+
+
+@dataclass(frozen=True)
 class Symbol:
     """What a joint adds to each layer; nothing by default.
 
@@ -89,7 +102,7 @@ class Symbol:
     - `edge`: a body whose point runs on the rim of another;
     - `translating`: a body that the joint keeps from turning against the ground;
     - `rims`, `features`, `foot`, `guide`: circles, lines of bodies, a track and a guide;
-    - `strands`: the straight parts of a belt;
+    - `strands`: the straight parts of a belt; `hanging`: a rope;
     - `sleeve`, `block`: where one is, with the unit vector along which it slides; `carrier` is the
       body of which a sleeve is a part.
     """
@@ -105,6 +118,7 @@ class Symbol:
     foot: Foot | None = None
     guide: Guide | None = None
     strands: tuple[Strand, ...] = ()
+    hanging: Hanging | None = None
     sleeve: Line | None = None
     block: Line | None = None
     carrier: str | None = None

@@ -29,10 +29,11 @@ def find_straight_parts(
 ) -> tuple[Part, ...]:
     """The straight parts of every body that is not a disc, wheel or gear."""
     round_ones = {rim.body for rim in found}
+    ropes = {symbol.hanging.body for symbol in symbols if symbol.hanging}
     features = [feature for symbol in symbols for feature in symbol.features]
     parts: list[Part] = []
     for body in mechanism.bodies:
-        if body.name not in round_ones and not body.particle:
+        if body.name not in round_ones | ropes and not body.particle:
             lines = [feature for feature in features if feature.body == body.name]
             parts += _find_parts(mechanism, body, lines, shapes)
     pins = {mechanism.points[symbol.point] for symbol in symbols if symbol.point and symbol.pinned}

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.anatomy import Anatomy
-from kinegrade.figure.mechanism.belts import draw_belts
+from kinegrade.figure.mechanism.belts import draw_belts, draw_ropes
 from kinegrade.figure.mechanism.gussets import draw_gussets, find_welded_arms
 from kinegrade.figure.mechanism.pins import draw_points
 from kinegrade.figure.mechanism.plates import Plate
@@ -46,6 +46,7 @@ def draw(mechanism: Mechanism, hints: FigureHints) -> Drawing:
 def _draw_layers(anatomy: Anatomy) -> Iterator[Primitive]:
     yield from draw_round_bodies(anatomy)
     yield from draw_belts(anatomy)
+    yield from draw_ropes(anatomy)
     yield from draw_tracks(anatomy)
     for part in anatomy.parts:
         if isinstance(part, Plate | SlottedDisc):

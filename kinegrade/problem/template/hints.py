@@ -14,13 +14,13 @@ from kinegrade.mechanics.vector_equation import Level
 
 Sense = Literal["ccw", "cw"]
 _Side = Literal["right", "up", "left", "down"]
-Shape = Literal["gear", "cam", "bent", "bar", "through", "arc"]
+Shape = Literal["gear", "cam", "bent", "bar", "through", "arc", "rope", "load"]
 Projection = Literal["horizontal", "vertical"]
 
 SENSES: tuple[Sense, ...] = ("ccw", "cw")
 TURN: Mapping[Sense, float] = {"ccw": 1.0, "cw": -1.0}  # counter-clockwise is positive
 SIDES: tuple[_Side, ...] = ("right", "up", "left", "down")
-SHAPES: tuple[Shape, ...] = ("gear", "cam", "bent", "bar", "through", "arc")
+SHAPES: tuple[Shape, ...] = ("gear", "cam", "bent", "bar", "through", "arc", "rope", "load")
 LEVELS: tuple[Level, ...] = ("velocity", "acceleration")
 PROJECTIONS: tuple[Projection, ...] = ("horizontal", "vertical")
 
@@ -106,7 +106,8 @@ class FigureHints:
     two points. `shapes` overrides: "gear" (pitch circle), "cam" (only the curvature at the contact
     is known), "bent" (a rod through its points in order, not a plate), "bar" (sliders run on it in
     sleeves, not in a slot), "through" (a translating rod that goes on beyond its point), "arc" (a
-    round track of which only the arc around its wheels is drawn).
+    round track of which only the arc around its wheels is drawn), "rope" (what a wheel rolls on,
+    from the wheel to its point), "load" (the same with a load at its point).
     """
 
     lengths: tuple[Length, ...] = ()

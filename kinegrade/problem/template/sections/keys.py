@@ -131,7 +131,8 @@ FIGURE = (
     "lines",
     #: Other text for a point, or text for a body: `{ O = "O_1" }`; `false` for no label.
     "labels",
-    #: Other shapes of bodies: `{ OA = "bent" }`.
+    #: Other shapes of bodies: `{ OA = "bent" }`; `gear`, `cam`, `arc`, `rope`, `load`, `bent`, `bar`,
+    #: `through`.
     "shapes",
     #: `true` to draw the axes x and y.
     "axes",
