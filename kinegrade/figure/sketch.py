@@ -14,6 +14,7 @@ from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.motions import mark_motions
 from kinegrade.figure.marks.names import label_bodies, label_points
 from kinegrade.figure.marks.radii import mark_radii
+from kinegrade.figure.marks.right_angles import add_right_angle
 from kinegrade.figure.marks.rotations import add_rotation
 from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, fit_scene, measure_span
 from kinegrade.figure.mechanism.layers import Drawing, draw
@@ -91,6 +92,8 @@ def _place_bound_marks(
     """Marks bound to points: angles, rotations (which keep clear of the letters at their pivots),
     distances, motions.
     """
+    for points in hints.right_angles:
+        layout = add_right_angle(layout, paper.points, points, drawing)
     legs = [draw_least_legs(paper.points, angle, drawing) for angle in hints.angles]
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [line for lines in legs[number:] for line in lines]

@@ -33,6 +33,8 @@ BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, BAR_WIDTH, SLEEVE_WIDTH = 1.9, 3.5, 3.2
 _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 RACK_DEPTH = 2.4  # from the pitch line of a rack to its back
+# Millimetres: a tooth of a jaw, and the gap at the mouth; the slope between the two jaws
+_TOOTH, _MOUTH, _MOUTH_SLOPE = 0.9, 2.2, 0.3
 # Height of a fixed pin's stand; taller where a sleeve turns about the pin
 STAND, TALL_STAND = (3.6, 5.2)
 _STEPS = 60  # corners of a round band, whose edges are drawn over them
@@ -74,6 +76,28 @@ def draw_rack(start: Vector, end: Vector, back: Vector, contact: Vector) -> tupl
     """A toothed bar with its pitch line, its material in the direction `back`."""
     contour = trace_rack(start, end, back, contact, RACK_DEPTH)
     return (Outline(contour, TOOTHED, "grey"), Strokes(((start, end),), PITCH))
+
+
+def draw_jaw(pivot: Vector, mouth: Vector, back: Vector) -> tuple[Primitive, ...]:
+    """A plate from its pivot to its mouth with teeth on the side away from `back`, and the fixed
+    jaw that it faces, which is nearest at the mouth.
+    """
+    along, size = unit(mouth - pivot), length(mouth - pivot)
+    half, count = BAR_WIDTH / 2, max(4, round(size / 2.2))
+    teeth = [
+        mouth - along * (size * (index + 0.5) / count) - back * (half + _TOOTH * (index % 2))
+        for index in range(count)
+    ]
+    round_mouth = pi if back.cross(along) > 0 else -pi
+    caps = [
+        Bow(at, half, angle_of(side), round_mouth, FIRM).path()
+        for at, side in ((mouth, back), (pivot, -back))
+    ]
+    plate = Outline((*caps[0], *teeth, *caps[1]), FIRM, "grey")
+    upward = unit(-along - back * _MOUTH_SLOPE)
+    facing = mouth - back * (half + _TOOTH + _MOUTH)
+    outward = upward.turned() if back.dot(upward.turned()) < 0 else -upward.turned()
+    return (*draw_ground(facing - upward * 2.0, facing + upward * size * 0.9, outward), plate)
 
 
 def draw_ground(start: Vector, end: Vector, side: Vector) -> tuple[Primitive, ...]:

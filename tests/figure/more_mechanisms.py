@@ -334,8 +334,8 @@ def plate_on_fixed_corners() -> Case:
     )
 
 
-def corner_in_two_sleeves() -> Case:
-    e, d, phi = 0.25, 0.4, 35.0
+def corner_in_two_sleeves(d: float = 0.4) -> Case:
+    e, phi = 0.25, 35.0
     a, b = UP * d, ORIGIN
     end = a + polar(e, phi)
     m = polar(e + d * sin(radians(phi)), phi)

@@ -8,7 +8,7 @@ import pytest
 
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
-from kinegrade.figure.scene import BOLD, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, Disc, Outline, Primitive, Strokes
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -224,3 +224,33 @@ def test_the_fixed_points_of_a_plate_are_black_points_and_no_hinges() -> None:
     case = plate_on_fixed_corners()
     tips = [wedge.corners[0] for wedge in black_triangles_of(case)]
     assert [any(near(tip, place(case, name)) for tip in tips) for name in "AB"] == [True, True]
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("pivot", ["A", "B"])
+def test_the_teeth_of_a_jaw_and_the_fixed_jaw_are_away_from_what_moves_it(
+    side: float, pivot: str
+) -> None:
+    """The fixed jaw is nearest to the end of the moving one that is not pinned to the ground."""
+    points = {"A": Vector(0.0, 0.5), "B": ORIGIN, "G": RIGHT * (0.4 * side)}
+    hinge = "B" if pivot == "A" else "A"
+    joints = (Pin(pivot, ("jaw", GROUND)), Pin(hinge, ("jaw", "bar")))
+    bodies = (Body("jaw", ("A", "B")), Body("bar", (hinge, "G")))
+    drawing = drawing_of(hinted(Mechanism(points, bodies, joints, ()), shapes={"jaw": "jaw"}))
+    jaw = next(
+        part for part in drawing.primitives if isinstance(part, Outline) and part.fill == "grey"
+    )
+    levels = [corner.x * side for corner in jaw.corners]
+    assert (max(levels), min(levels)) == (pytest.approx(1.75), pytest.approx(-2.65))
+    wall = max(
+        (
+            line
+            for part in drawing.primitives
+            if isinstance(part, Strokes) and part.pen == FIRM
+            for line in part.lines
+        ),
+        key=lambda line: hypot(*(line[1] - line[0])),
+    )
+    low, high = sorted(wall, key=lambda end: end.y)
+    assert max(low.x * side, high.x * side) < min(levels)
+    assert ((low.x - high.x) * side > 0) == (pivot == "A")

@@ -81,7 +81,7 @@ def test_all_faults_come_at_once() -> None:
     """) == (
         'crank.toml:3: figure.lengths[1].to: no point "C" - known here: A, B, O',
         'crank.toml:4: figure.angles: "none" - expected a list of tables like [{ symbol = "r", ... }]',
-        'crank.toml:5: figure.shapes.AB: "geer" - expected gear, cam, bent, bar or through',
+        'crank.toml:5: figure.shapes.AB: "geer" - expected gear, cam, bent, bar, through or jaw',
         'crank.toml:6: figure.axis: unknown key - did you mean "axes"?',
     )
 
@@ -167,3 +167,16 @@ def test_all_faults_come_at_once() -> None:
 )
 def test_a_fault_is_reported_with_its_place(text: str, expected: list[str]) -> None:
     assert faults(text) == tuple(f"crank.toml:2: figure.{fault}" for fault in expected)
+
+
+def test_a_right_angle_is_three_points_with_the_corner_in_the_middle() -> None:
+    assert read('right_angles = [["O", "A", "B"]]').right_angles == (("O", "A", "B"),)
+    expected = (
+        "expected three different points with the corner in the middle, "
+        'like right_angles = [["C", "D", "E"]]'
+    )
+    assert faults('right_angles = [["O", "A", "O"], ["O", "A"], ["O", "A", "D"]]') == (
+        f"crank.toml:2: figure.right_angles[1]: a list - {expected}",
+        f"crank.toml:2: figure.right_angles[2]: a list - {expected}",
+        'crank.toml:2: figure.right_angles[3]: no point "D" - known here: A, B, O',
+    )

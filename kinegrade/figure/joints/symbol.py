@@ -12,10 +12,11 @@ from typing import Literal
 
 from kinegrade.figure.plane import angle_of, shorter_way
 from kinegrade.mechanics.joints import Line
+from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
 Kind = Literal["wheel", "gear", "slot", "cam", "edge"]
-Use = Literal["link", "slot", "bar", "face", "rack"]
+Use = Literal["link", "slot", "bar", "face", "rack", "jaw"]
 Strand = tuple[Vector, Vector]  # a straight part of a belt, from rim to rim
 _BEYOND = 0.65  # radians that an arc goes on beyond its last contact
 NO_BACK = Vector(0.0, 0.0)
@@ -133,3 +134,9 @@ def find_fixed_pin(symbols: Sequence[Symbol], body: str) -> str | None:
     """The first point about which a body turns on the ground; None when it turns about none."""
     pins = (symbol.point for symbol in symbols if symbol.fixed and body in symbol.turning)
     return next(pins, None)
+
+
+def find_pins(mechanism: Mechanism, symbols: Sequence[Symbol]) -> frozenset[Vector]:
+    """Where the mechanism has pins."""
+    names = (joint.point for joint in symbols if joint.point and joint.pinned)
+    return frozenset(mechanism.points[name] for name in names)

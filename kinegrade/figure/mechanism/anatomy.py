@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kinegrade.figure.joints.symbol import Rim, Symbol
+from kinegrade.figure.joints.symbol import Rim, Symbol, find_pins
 from kinegrade.figure.joints.table import find_symbols
 from kinegrade.figure.mechanism.bars import find_straight_parts
 from kinegrade.figure.mechanism.gussets import Corner, find_corners
@@ -41,7 +41,8 @@ class Anatomy:
         symbols = find_symbols(mechanism, hints.shapes)
         rims = order_rims(find_rims(mechanism, symbols, hints.circles))
         parts = find_straight_parts(mechanism, hints.shapes, symbols, rims)
-        edges, corners = _find_knife_edges(symbols, parts), find_corners(parts, symbols)
+        pins = find_pins(mechanism, symbols)
+        edges, corners = _find_knife_edges(symbols, parts), find_corners(parts, symbols, pins)
         return Anatomy(mechanism, hints, symbols, rims, parts, edges, corners)
 
     @property

@@ -10,11 +10,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from itertools import pairwise
 
-from kinegrade.figure.joints.symbol import Feature, Rim, Symbol
+from kinegrade.figure.joints.symbol import Feature, Rim, Symbol, find_fixed_pin, find_pins
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction, find_plate
 from kinegrade.figure.mechanism.rods import find_rods
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
-from kinegrade.figure.plane import collinear, length, on_line, same_line, unit
+from kinegrade.figure.plane import NEAR, collinear, length, mean, on_line, same_line, unit
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 
@@ -36,8 +36,14 @@ def find_straight_parts(
         if body.name not in round_ones | ropes and not body.particle:
             lines = [feature for feature in features if feature.body == body.name]
             parts += _find_parts(mechanism, body, lines, shapes)
-    pins = {mechanism.points[symbol.point] for symbol in symbols if symbol.point and symbol.pinned}
+    pins = find_pins(mechanism, symbols)
     parts = [_round_off(part, pins, features) for part in parts]
+    parts = [
+        _shape_jaw(part, mechanism, symbols)
+        if isinstance(part, Bar) and shapes.get(part.body) == "jaw"
+        else part
+        for part in parts
+    ]
     bars = [part for part in parts if isinstance(part, Bar)]
     return (*parts, *find_rods(mechanism, shapes, symbols, found, bars))
 
@@ -119,3 +125,15 @@ def _find_links(body: str, points: list[Vector], shapes: Mapping[str, str]) -> I
         along = max((point - points[0] for point in points), key=length)
         ordered = sorted(points, key=along.dot)
         yield Bar(body, ordered[0], ordered[-1])
+
+
+def _shape_jaw(bar: Bar, mechanism: Mechanism, symbols: Sequence[Symbol]) -> Bar:
+    """A bar as the jaw of a crusher: from its fixed pin on, with its back to what moves it."""
+    pin = find_fixed_pin(symbols, bar.body)
+    start, end = bar.start, bar.end
+    if pin is not None and length(mechanism.points[pin] - end) < NEAR:
+        start, end = end, start
+    across = unit(end - start).turned()
+    rest = mean(mechanism.points.values()) - start
+    back = across if rest.dot(across) > 0 else -across
+    return replace(bar, start=start, end=end, use="jaw", back=back)

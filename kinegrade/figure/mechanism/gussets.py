@@ -4,7 +4,7 @@ fills each angle between them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 from itertools import combinations, product
 
@@ -16,9 +16,9 @@ from kinegrade.figure.symbols import SLEEVE_WIDTH
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 
-# Millimetres of a bar along which a gusset is welded to it; more where the angle is wide, so that
-# the gusset reaches out from under a pin
-_LEG, _LONG_LEG, _BEYOND_PIN = 3.0, 5.0, 2.1
+_LEG = 2.2  # millimetres of a bar along which a gusset is welded to it
+# The same under a pin, and more where the angle is wide, so that the gusset reaches out from it
+_PINNED_LEG, _LONG_LEG, _BEYOND_PIN = 3.0, 5.0, 2.1
 _SLEEVE_LEG = 1.8  # the same, of an arm on a sleeve
 _SHARE = 0.4  # of the shorter bar that a gusset takes at most
 _STRAIGHT = 0.02  # radians: bars in one line have no corner
@@ -35,14 +35,16 @@ class Corner:
     leg: float
 
 
-def find_corners(parts: Sequence[Part], symbols: Sequence[Symbol]) -> tuple[Corner, ...]:
+def find_corners(
+    parts: Sequence[Part], symbols: Sequence[Symbol], pins: Set[Vector]
+) -> tuple[Corner, ...]:
     """The corners between slender bars of one body, and those between an arm and its sleeve."""
     slender = [part for part in parts if is_slender(part)]
     between = [
         corner
         for one, other in combinations(slender, 2)
         if one.body == other.body
-        for corner in _find_corners_between(one, other)
+        for corner in _find_corners_between(one, other, pins)
     ]
     arms = [corner for arm in find_welded_arms(parts, symbols) for corner in _weld(*arm)]
     return (*between, *arms)
@@ -69,17 +71,18 @@ def draw_gussets(corners: Sequence[Corner]) -> Iterator[Primitive]:
         yield Outline((corner.at, *ends), None, "black")
 
 
-def _find_corners_between(one: Bar | Rod, other: Bar | Rod) -> Iterator[Corner]:
+def _find_corners_between(one: Bar | Rod, other: Bar | Rod, pins: Set[Vector]) -> Iterator[Corner]:
     for at in dict.fromkeys((one.start, one.end, other.start, other.end)):
         for way, across in product(list_ways(one, at), list_ways(other, at)):
             if _is_corner(way, across):
-                yield Corner(at, (unit(way), unit(across)), _choose_leg(way, across))
+                legs = unit(way), unit(across)
+                wanted = _choose_leg_under_pin(*legs) if at in pins else _LEG
+                yield Corner(at, legs, min(wanted, _SHARE * length(way), _SHARE * length(across)))
 
 
-def _choose_leg(one: Vector, other: Vector) -> float:
-    chord = length(unit(one) + unit(other)) / 2  # its distance from the corner, over the leg
-    wanted = max(_LEG, min(_LONG_LEG, _BEYOND_PIN / chord))
-    return min(wanted, _SHARE * length(one), _SHARE * length(other))
+def _choose_leg_under_pin(one: Vector, other: Vector) -> float:
+    chord = length(one + other) / 2  # its distance from the corner, over the leg
+    return max(_PINNED_LEG, min(_LONG_LEG, _BEYOND_PIN / chord))
 
 
 def _weld(arm: Bar | Rod, sleeve: Line) -> Iterator[Corner]:
@@ -91,4 +94,4 @@ def _weld(arm: Bar | Rod, sleeve: Line) -> Iterator[Corner]:
 
 
 def _is_corner(one: Vector, other: Vector) -> bool:
-    return abs(unit(one).cross(unit(other))) > _STRAIGHT
+    return bool(abs(unit(one).cross(unit(other))) > _STRAIGHT)

@@ -47,6 +47,8 @@ def _draw_bar(bar: Bar) -> tuple[Primitive, ...]:
             return symbols.draw_rack(bar.start, bar.end, bar.back, bar.actions[0])
         case "slot":
             return symbols.draw_slotted_bar(bar.start, bar.end, _find_slot(bar))
+        case "jaw":
+            return symbols.draw_jaw(bar.start, bar.end, bar.back)
         case "link" | "bar" | "face":
             return (Strokes(((bar.start, bar.end),), BOLD),)
         case _:

@@ -10,6 +10,7 @@ from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.plane import NEAR, length, nearest_of
 from kinegrade.mechanics.vector import Vector
 
+_SLENDER: frozenset[Use] = frozenset(("link", "bar", "face"))
 _CLEAR = 1.0  # millimetres of a bar beyond a point from which on it is seen to run on
 
 
@@ -18,7 +19,8 @@ class Bar:
     """One straight part; `free` are its ends without a marked point, `actions` the points where
     other bodies slide or rest on it.
 
-    A rack has its pitch line as axis and its material in the direction `back`.
+    A rack has its pitch line as axis and its material in the direction `back`; a jaw starts at its
+    pivot and has its teeth on the side away from `back`.
     """
 
     body: str
@@ -57,7 +59,7 @@ Part = Bar | Plate | SlottedDisc | Rod
 
 def is_slender(part: Part) -> TypeGuard[Bar | Rod]:
     """Whether a part is drawn as one bold line."""
-    return isinstance(part, Rod) or (isinstance(part, Bar) and part.use not in ("slot", "rack"))
+    return isinstance(part, Rod) or (isinstance(part, Bar) and part.use in _SLENDER)
 
 
 def list_ways(bar: Bar | Rod, at: Vector) -> list[Vector]:

@@ -19,6 +19,7 @@ def crop_to_view(mechanism: Mechanism, hints: FigureHints) -> Mechanism:
         hints.radii,
         hints.circles,
         hints.lines,
+        hints.right_angles,
         hints.arrows,
         labelled,
     )

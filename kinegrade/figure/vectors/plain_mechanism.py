@@ -24,7 +24,7 @@ def _drop_givens(hints: FigureHints) -> FigureHints:
     """The hints about the mechanism itself: without dimensions, angles, radii, given motions and
     axes.
     """
-    return replace(hints, lengths=(), angles=(), radii=(), arrows=(), axes=False)
+    return replace(hints, lengths=(), angles=(), right_angles=(), radii=(), arrows=(), axes=False)
 
 
 @dataclass(frozen=True)

@@ -7,20 +7,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, get_args
 
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector_equation import Level
 
 Sense = Literal["ccw", "cw"]
 _Side = Literal["right", "up", "left", "down"]
-Shape = Literal["gear", "cam", "bent", "bar", "through", "arc", "rope", "load"]
+Shape = Literal["gear", "cam", "bent", "bar", "through", "arc", "rope", "load", "jaw"]
 Projection = Literal["horizontal", "vertical"]
 
 SENSES: tuple[Sense, ...] = ("ccw", "cw")
 TURN: Mapping[Sense, float] = {"ccw": 1.0, "cw": -1.0}  # counter-clockwise is positive
 SIDES: tuple[_Side, ...] = ("right", "up", "left", "down")
-SHAPES: tuple[Shape, ...] = ("gear", "cam", "bent", "bar", "through", "arc", "rope", "load")
+SHAPES: tuple[Shape, ...] = get_args(Shape)
 LEVELS: tuple[Level, ...] = ("velocity", "acceleration")
 PROJECTIONS: tuple[Projection, ...] = ("horizontal", "vertical")
 
@@ -103,10 +103,11 @@ class FigureHints:
 
     `labels` gives other text for a point, or text for a body ("ground": its fixed circle); None: no
     label. A point that is only constructed appears when it has a label. `lines` are thin, between
-    two points. `shapes` overrides: "gear" (pitch circle), "cam" (only the curvature at the contact
-    is known), "bent" (a rod through its points in order, not a plate), "bar" (sliders run on it in
-    sleeves, not in a slot), "through" (a translating rod that goes on beyond its point), "arc" (a
-    round track of which only the arc around its wheels is drawn), "rope" (what a wheel rolls on,
+    two points; `right_angles` are marked at the second of three points. `shapes` overrides: "gear"
+    (pitch circle), "cam" (only the curvature at the contact is known), "bent" (a rod through its
+    points in order, not a plate), "bar" (sliders run on it in sleeves, not in a slot), "through" (a
+    translating rod that goes on beyond its point), "jaw" (of a crusher, facing a fixed jaw), "arc"
+    (a round track of which only the arc around its wheels is drawn), "rope" (what a wheel rolls on,
     from the wheel to its point), "load" (the same with a load at its point).
     """
 
@@ -115,6 +116,7 @@ class FigureHints:
     radii: tuple[Radius, ...] = ()
     circles: tuple[Rimmed, ...] = ()
     lines: tuple[tuple[str, str], ...] = ()
+    right_angles: tuple[tuple[str, str, str], ...] = ()
     arrows: tuple[Turning | Moving, ...] = ()
     labels: Mapping[str, str | None] = field(default_factory=dict)
     shapes: Mapping[str, Shape] = field(default_factory=dict)

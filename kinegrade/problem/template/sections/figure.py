@@ -75,6 +75,7 @@ def read_figure(table: Table, names: Names) -> FigureHints:
         radii=_read_marks(figure, "radii", _read_radius, names),
         circles=_read_marks(figure, "circles", _read_circle, names),
         lines=figure.listing("lines", lambda value: _read_line(value, names)),
+        right_angles=figure.listing("right_angles", lambda value: _read_right_angle(value, names)),
         arrows=_read_marks(figure, "arrows", _read_arrow, names),
         labels=_read_labels(figure, names),
         shapes=_read_shapes(figure, names),
@@ -167,6 +168,15 @@ def _read_line(value: object, names: Names) -> tuple[str, str]:
             return names.point(start), names.point(end)
         case _:
             raise FieldError(found(value), Message("template.two-points-like"))
+
+
+def _read_right_angle(value: object, names: Names) -> tuple[str, str, str]:
+    """Three different points."""
+    match value:
+        case [start, at, end] if len({names.point(name) for name in (start, at, end)}) == 3:
+            return names.point(start), names.point(at), names.point(end)
+        case _:
+            raise FieldError(found(value), Message("template.three-points-like"))
 
 
 def _read_labels(figure: Table, names: Names) -> Mapping[str, str | None]:

@@ -129,10 +129,12 @@ FIGURE = (
     "arrows",
     #: Thin lines between two points: `[["O", "A"]]`.
     "lines",
+    #: Right angles to mark, by three points with the corner in the middle: `[["C", "D", "E"]]`.
+    "right_angles",
     #: Other text for a point, or text for a body: `{ O = "O_1" }`; `false` for no label.
     "labels",
-    #: Other shapes of bodies: `{ OA = "bent" }`; `gear`, `cam`, `arc`, `rope`, `load`, `bent`, `bar`,
-    #: `through`.
+    #: Other shapes of bodies: `{ OA = "bent" }`; `gear`, `cam`, `arc`, `rope`, `load`, `bent`,
+    #: `bar`, `through`, `jaw`.
     "shapes",
     #: `true` to draw the axes x and y.
     "axes",

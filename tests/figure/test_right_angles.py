@@ -1,0 +1,64 @@
+"""The mark of a right angle: a small square between two legs."""
+
+from __future__ import annotations
+
+from math import hypot
+
+import pytest
+
+from kinegrade.errors import TemplateError
+from kinegrade.figure.scene import THIN, Outline, Scene
+from kinegrade.figure.sketch import sketch
+from kinegrade.mechanics.joints import GROUND, Pin
+from kinegrade.mechanics.mechanism import Body, Mechanism
+from kinegrade.mechanics.vector import Vector
+from tests.figure.mechanisms import Case, hinted, polar
+from tests.figure.more_mechanisms import corner_in_two_sleeves, sleeve_with_arm
+
+
+def bent_rod(degrees: float) -> Case:
+    points = {"O": polar(0.4, degrees), "C": Vector(0.0, 0.0), "A": polar(0.5, 0)}
+    mechanism = Mechanism(points, (Body("rod", ("O", "C", "A")),), (Pin("O", ("rod", GROUND)),), ())
+    return hinted(mechanism, shapes={"rod": "bent"}, right_angles=[["O", "C", "A"]])
+
+
+def squares(scene: Scene) -> list[Outline]:
+    return [
+        part
+        for part in scene.primitives
+        if isinstance(part, Outline) and part.pen == THIN and not part.closed
+    ]
+
+
+def test_a_right_angle_is_marked_by_a_square_whose_ends_are_on_its_legs() -> None:
+    scene = sketch(*bent_rod(90))
+    (square,) = squares(scene)
+    first, far, second = square.corners
+    assert (first - far).dot(second - far) == pytest.approx(0.0)
+    assert hypot(*(first - far)) == pytest.approx(hypot(*(second - far)))
+
+
+def test_the_square_goes_round_a_sleeve() -> None:
+    mechanism, _ = sleeve_with_arm()
+    case = hinted(mechanism, right_angles=[["A", "B", "D"]])
+    (square,) = squares(sketch(*case))
+    first, far, _ = square.corners
+    assert hypot(*(first - far)) > 3.2  # half the length of the sleeve
+
+
+def test_an_angle_that_is_no_right_one_is_not_marked_as_such() -> None:
+    with pytest.raises(TemplateError) as caught:
+        sketch(*bent_rod(87))
+    assert caught.value.problems == (
+        'figure.right_angles: the angle at "C" is 87.0° and no right one; '
+        "mark only angles that are right at all values",
+    )
+
+
+def test_where_a_bar_runs_on_the_square_may_be_on_its_other_side() -> None:
+    """Beside the sleeve of the arm, where the other bar does not leave room for it."""
+    mechanism, _ = corner_in_two_sleeves(0.015)
+    case = hinted(mechanism, right_angles=[["A", "E", "M"]])
+    (square,) = squares(sketch(*case))
+    on_arm, far, _ = square.corners
+    assert (far - on_arm).dot(mechanism.points["M"] - mechanism.points["E"]) < 0
