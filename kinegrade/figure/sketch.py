@@ -92,6 +92,7 @@ def _place_bound_marks(
     """Marks bound to points: angles, rotations (which keep clear of the letters at their pivots),
     distances, motions.
     """
+    mechanism_alone = layout.obstacles
     for points in hints.right_angles:
         layout = add_right_angle(layout, paper.points, points, drawing)
     legs = [draw_least_legs(paper.points, angle, drawing) for angle in hints.angles]
@@ -103,7 +104,7 @@ def _place_bound_marks(
         if isinstance(given, Turning):
             layout = add_rotation(layout, paper, given, drawing, named)
     for distance in hints.lengths:
-        layout = layout.marked(mark_lengths(paper.points, distance, layout.obstacles))
+        layout = layout.marked(mark_lengths(paper.points, distance, mechanism_alone))
     for straight in hints.arrows:
         if isinstance(straight, Moving):
             layout = layout.marked(mark_motions(paper, straight))

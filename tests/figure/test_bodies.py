@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import atan2, degrees, hypot
 
 import pytest
@@ -9,10 +10,11 @@ import pytest
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.scene import BOLD, FIRM, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
-from tests.figure.mechanisms import RIGHT, Case, hinted, slider_crank, slotted_rocker
+from tests.figure.mechanisms import RIGHT, UP, Case, hinted, slider_crank, slotted_rocker
 from tests.figure.more_mechanisms import (
     bent_coupler,
     corner_in_two_sleeves,
@@ -130,12 +132,16 @@ def test_a_marked_point_does_not_interrupt_its_bar() -> None:
     assert dot.radius > BOLD.width / 2
 
 
-def black_triangles_of(case: Case) -> list[Outline]:
+def list_black_triangles(primitives: Iterable[Primitive]) -> list[Outline]:
     return [
         part
-        for part in drawing_of(case).primitives
+        for part in primitives
         if isinstance(part, Outline) and part.fill == "black" and len(part.corners) == 3
     ]
+
+
+def black_triangles_of(case: Case) -> list[Outline]:
+    return list_black_triangles(drawing_of(case).primitives)
 
 
 def angle_between(gusset: Outline) -> float:
@@ -254,3 +260,20 @@ def test_the_teeth_of_a_jaw_and_the_fixed_jaw_are_away_from_what_moves_it(
     low, high = sorted(wall, key=lambda end: end.y)
     assert max(low.x * side, high.x * side) < min(levels)
     assert ((low.x - high.x) * side > 0) == (pivot == "A")
+
+
+def test_an_extension_line_is_no_bar_beside_which_a_length_could_be_written() -> None:
+    """Two distances from a corner of a plate, where the extension line of the first lies along the
+    second.
+    """
+    points = {"D": Vector(0.0, 0.0), "E": Vector(0.5, 0.0), "G": Vector(0.0, 0.5)}
+    points |= {"A": Vector(0.0, 0.2), "B": Vector(0.08, 0.0)}
+    joints = (
+        Slide("A", GROUND, Line(points["A"], UP), "plate"),
+        Slide("B", GROUND, Line(points["B"], RIGHT), "plate"),
+    )
+    mechanism = Mechanism(points, (Body("plate", ("D", "E", "G")),), joints, ())
+    lengths = [{"symbol": name.lower(), "from": "D", "to": name} for name in "AB"]
+    drawn = sketch(*hinted(mechanism, lengths=lengths)).primitives
+    fixed_points, ends = 2, 4
+    assert len(list_black_triangles(drawn)) == fixed_points + ends
