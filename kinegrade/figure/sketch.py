@@ -10,6 +10,7 @@ from functools import lru_cache
 
 from kinegrade.figure.marks.angles import draw_least_legs, mark_angles
 from kinegrade.figure.marks.dimensions import mark_lengths
+from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.motions import mark_motions
 from kinegrade.figure.marks.names import label_bodies, label_points
@@ -21,12 +22,10 @@ from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.place import Wish, list_spots_around
-from kinegrade.figure.scene import THIN, Primitive, Scene, Strokes, find_common_box
+from kinegrade.figure.placing.place import Wish
+from kinegrade.figure.scene import Primitive, Scene, find_common_box
 from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
-from kinegrade.figure.symbols import draw_arrowhead
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints, Moving, Turning
 
 _SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a first estimate
@@ -81,20 +80,20 @@ def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Pr
     ).written(named)
     for radius in hints.radii:
         layout = layout.marked(mark_radii(paper.points, drawing.rims, radius))
-    if hints.axes:
-        layout = _add_axes(layout)
+    layout = add_axes_aside(layout, hints)
     return layout.written(label_bodies(paper, hints, drawing)).primitives
 
 
 def _place_bound_marks(
     layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing, named: tuple[Wish, ...]
 ) -> Layout:
-    """Marks bound to points: angles, rotations (which keep clear of the letters at their pivots),
-    distances, motions.
+    """Marks bound to points: frames, angles, rotations (which keep clear of the letters at their
+    pivots), distances, motions.
     """
     mechanism_alone = layout.obstacles
     for points in hints.right_angles:
         layout = add_right_angle(layout, paper.points, points, drawing)
+    layout = add_frames(layout, paper.points, hints)
     legs = [draw_least_legs(paper.points, angle, drawing) for angle in hints.angles]
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [line for lines in legs[number:] for line in lines]
@@ -109,20 +108,6 @@ def _place_bound_marks(
         if isinstance(straight, Moving):
             layout = layout.marked(mark_motions(paper, straight))
     return layout
-
-
-def _add_axes(layout: Layout) -> Layout:
-    """A small frame x, y at the lower left, outside everything else."""
-    box = find_common_box(layout.lines)
-    corner, reach = Vector(box.left - 4.0, box.bottom - 1.0), 7.0
-    ends = {"x": corner + Vector(reach, 0.0), "y": corner + Vector(0.0, reach)}
-    lines = Strokes(tuple((corner, end) for end in ends.values()), THIN)
-    heads = (
-        draw_arrowhead(ends["x"], Vector(1.0, 0.0)),
-        draw_arrowhead(ends["y"], Vector(0.0, 1.0)),
-    )
-    names = (Wish(name, list_spots_around(name, end)) for name, end in ends.items())
-    return layout.drawn((lines, *heads)).written(names)
 
 
 def _choose_first_scale(
@@ -140,6 +125,6 @@ def _choose_first_scale(
     factors = []
     for axis, (limit, drawn) in enumerate(((WIDTH, box.width), (HEIGHT, box.height))):
         beside = drawn - span[axis] * guess + _WRITING[axis] + further
-        beside += straight * _ARROWS[axis] + hints.axes * _AXES[axis]
+        beside += straight * _ARROWS[axis] + (hints.axes == "aside") * _AXES[axis]
         factors.append(max(limit - beside, limit / 4) / max(span[axis], 1e-9))
     return min(factors)

@@ -54,6 +54,11 @@ class Unit:
         return self.text == "deg"
 
     @property
+    def is_length(self) -> bool:
+        """Whether this is the unit of a length."""
+        return self.length == 1 and self.time == 0
+
+    @property
     def latex(self) -> str:
         """The unit in upright LaTeX math, with `^\\circ` for degrees and nothing for pure
         numbers.

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 
 from kinegrade.problem.template.given_marks import mark_givens
-from kinegrade.problem.template.hints import FigureHints, Length, Moving, Turning
+from kinegrade.problem.template.hints import Angle, Axes, FigureHints, Length, Moving, Turning
 from tests.problem.crank import crank
 
 FASTER = ('velocity = "omega"', 'velocity = "-omega", acceleration = "h"')
@@ -54,6 +55,38 @@ def test_a_rate_of_several_factors_without_a_hint_has_no_arrow() -> None:
 def test_a_hint_for_what_no_input_moves_stands_as_it_is() -> None:
     free = Moving("u", "A", "left")
     assert hinted(free) == (Turning(r"\omega", "OA"), free)
+
+
+def axes_for(*changes: tuple[str, str], asked: Collection[str] | None = None) -> Axes | None:
+    return mark_givens(crank(*changes), asked=asked).axes
+
+
+HEIGHT = ('quantity = "y(velocity(A))", unit = "m/s"', 'quantity = "y(A)", unit = "m"')
+SPEED = (
+    'quantity = "x(velocity(A))", unit = "m/s", sign = "+x"',
+    'quantity = "magnitude(velocity(A))", unit = "m/s", sign = "magnitude"',
+)
+
+
+def test_components_have_a_small_frame_and_coordinates_axes_at_the_origin() -> None:
+    assert axes_for() == "aside"
+    assert axes_for(HEIGHT, asked=["v_y"]) == "origin"
+    assert axes_for(HEIGHT) == "aside"  # asked only where a bank names it
+    assert axes_for(SPEED, ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "omega*r" }')) is None
+
+
+def test_a_given_coordinate_has_axes_at_the_origin_unless_it_is_not_printed() -> None:
+    negative = ('draw = [0, "1/2", 3]', 'draw = [0, "-1/2", 3]')
+    assert axes_for(negative, asked=[]) == "origin"
+    assert mark_givens(crank(negative), {"r", "omega"}, []).axes is None
+
+
+def test_what_may_be_negative_is_marked_with_its_sense() -> None:
+    template = crank(('draw = [0, "1/2", 3]', 'draw = [0, "-1/2", 3]'))
+    lengths = (Length("h", "O", "P"), Length("r", "O", "A"))
+    figure = FigureHints(lengths=lengths, angles=(Angle("h", "O", "up", "A"),))
+    marked = mark_givens(replace(template, figure=figure))
+    assert [mark.signed for mark in (*marked.lengths, *marked.angles)] == [True, False, True]
 
 
 def test_marks_of_what_is_not_printed_are_left_out() -> None:

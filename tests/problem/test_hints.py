@@ -8,6 +8,7 @@ from kinegrade.errors import TemplateError
 from kinegrade.files.fields.document import toml_table
 from kinegrade.problem.template.hints import (
     Angle,
+    BodyFrame,
     FigureHints,
     Length,
     Moving,
@@ -52,6 +53,10 @@ def test_a_full_table_reads_as_written() -> None:
         labels = { A = "A_1", B = false, OA = "1" }
         shapes = { AB = "bent" }
         axes = true
+        frames = [
+            { at = "A", to = "B", x = "x_1", y = "y_1" },
+            { at = "B", from = "O", to = "up", along = "y", x = "x_2", y = "y_2" },
+        ]
     """)
     assert hints.lengths == (Length("r", "O", "A"), Length("h", "A", "B", "vertical"))
     assert hints.angles == (Angle("\\varphi", "O", "right", "A", "ccw"),)
@@ -65,7 +70,11 @@ def test_a_full_table_reads_as_written() -> None:
     )
     assert dict(hints.labels) == {"A": "A_1", "B": None, "OA": "1"}
     assert dict(hints.shapes) == {"AB": "bent"}
-    assert hints.axes
+    assert hints.axes == "aside"
+    assert hints.frames == (
+        BodyFrame("x_1", "y_1", "A", "A", "B"),
+        BodyFrame("x_2", "y_2", "B", "O", "up", "y"),
+    )
 
 
 def test_no_table_no_marks() -> None:
@@ -147,6 +156,14 @@ def test_all_faults_come_at_once() -> None:
             "arrows = [{ symbol = 'v', turns = 'OA', rate = 'speed' }]",
             ['arrows[1].rate: "speed" - expected velocity or acceleration'],
         ),
+        (
+            "frames = [{ at = 'Q', to = 'A', x = 'x', y = 'y', along = 'z' }]",
+            [
+                'frames[1].at: no point "Q" - known here: A, B, O',
+                'frames[1].along: "z" - expected x or y',
+            ],
+        ),
+        ("frames = [{ at = 'O', x = 'x', y = 'y' }]", ["frames[1].to: missing"]),
         (
             "lengths = [{ symbol = '#read', from = 'O', to = 'A' }]",
             [

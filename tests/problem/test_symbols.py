@@ -21,6 +21,7 @@ from kinegrade.problem.template.symbols import find_symbol_fault
         r"\mathrm{II}",
         r"\sqrt{3} r",
         r"\frac{l}{2}",
+        r"\left|x_B\right|",
     ],
 )
 def test_what_statements_use_is_a_symbol(symbol: str) -> None:

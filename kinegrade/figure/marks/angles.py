@@ -155,7 +155,7 @@ class _AngleArc:
         bow = self.bow
         sides = tuple(line for leg in self.legs if (line := leg.line(bow.centre, bow.radius)))
         parts: tuple[Primitive, ...] = (Strokes(sides, THIN),) if sides else ()
-        if self.hint.sense is not None and abs(bow.sweep) * bow.radius > 2 * HEAD_LENGTH:
+        if (self.hint.sense or self.hint.signed) and abs(bow.sweep) * bow.radius > 2 * HEAD_LENGTH:
             toward = polar(bow.start + bow.sweep)
             tangent = toward.turned() * (1.0 if bow.sweep > 0 else -1.0)
             parts += (draw_arrowhead(bow.centre + toward * bow.radius, tangent),)

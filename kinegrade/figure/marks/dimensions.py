@@ -46,15 +46,17 @@ def mark_lengths(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> li
     """
     start, end = at[hint.start], at[hint.end]
     measured = _measure(hint.along, start, end)
+    backwards = hint.signed and measured.dot(end - start) < 0
+    symbol = rf"\left|{hint.symbol}\right|" if backwards else hint.symbol
     found: list[Mark] = [
-        _draw_dimension((start, end), measured, offset, hint.symbol) for offset in _OFFSETS
+        _draw_dimension((start, end), measured, offset, symbol) for offset in _OFFSETS
     ]
     others = [point for name, point in at.items() if name not in (hint.start, hint.end)]
     whole = hint.along is None and not _between(start, end, others)
     if whole and drawn.joins(start, end, _DRAWN_GAP):
-        found.append(_Lettered(start, end, hint.symbol))
+        found.append(_Lettered(start, end, symbol))
         found += [
-            _Leader((start + end) / 2, angle, reach, hint.symbol)
+            _Leader((start + end) / 2, angle, reach, symbol)
             for reach in _LEADERS
             for angle in _TURNS
         ]

@@ -21,6 +21,7 @@ def crop_to_view(mechanism: Mechanism, hints: FigureHints) -> Mechanism:
         hints.lines,
         hints.right_angles,
         hints.arrows,
+        hints.frames,
         labelled,
     )
     used = set(_list_texts((mechanism.bodies, mechanism.joints, mechanism.drivers, marks)))

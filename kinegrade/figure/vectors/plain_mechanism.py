@@ -22,9 +22,18 @@ _SURROUND = 12.0  # millimetres that symbols take beside the mechanism, as a fir
 
 def _drop_givens(hints: FigureHints) -> FigureHints:
     """The hints about the mechanism itself: without dimensions, angles, radii, given motions and
-    axes.
+    frames.
     """
-    return replace(hints, lengths=(), angles=(), right_angles=(), radii=(), arrows=(), axes=False)
+    return replace(
+        hints,
+        lengths=(),
+        angles=(),
+        right_angles=(),
+        radii=(),
+        arrows=(),
+        frames=(),
+        axes=None,
+    )
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ the author's marks those whose letters are printed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Collection, Iterator, Mapping, Set
 from dataclasses import replace
 from typing import assert_never
 
@@ -14,28 +14,58 @@ from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Number as Digits
 from kinegrade.language.math.tree import Row
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.template.hints import FigureHints, Moving, Turning
+from kinegrade.problem.template.hints import Axes, FigureHints, Moving, Turning
 from kinegrade.problem.template.sentences import DriverSentence
 from kinegrade.problem.template.template import Parameter, Template
+from kinegrade.sign_conventions import ALONG_AXES
 
 
-def mark_givens(template: Template, printed: Set[str] | None = None) -> FigureHints:
-    """What the figure of a template shows when the parameters `printed` (all: None) are given.
+def mark_givens(
+    template: Template, printed: Set[str] | None = None, asked: Collection[str] | None = None
+) -> FigureHints:
+    """What the figure of a template shows when the parameters `printed` (all: None) are given and
+    the quantities `asked` (those with points: None) are asked.
 
     An input whose rate is a parameter, or its negative, has an arrow with the parameter's symbol; a
     hint of the author replaces it. An arrow follows the input, so it has the sense of each
-    instance. A measure whose letters are all of parameters that are not printed is left out.
+    instance. A measure whose letters are all of parameters that are not printed is left out. Axes
+    stand where they are needed.
     """
     hidden = _list_hidden_symbols(template, printed)
     author = template.figure
     arrows = _list_arrows(template)
+    signed = {_read(given.symbol) for given in template.parameters.values() if given.has_sign}
     return replace(
         author,
-        lengths=tuple(mark for mark in author.lengths if _is_printed(mark.symbol, hidden)),
-        angles=tuple(mark for mark in author.angles if _is_printed(mark.symbol, hidden)),
+        lengths=tuple(
+            replace(mark, signed=_read(mark.symbol) in signed)
+            for mark in author.lengths
+            if _is_printed(mark.symbol, hidden)
+        ),
+        angles=tuple(
+            replace(mark, signed=_read(mark.symbol) in signed)
+            for mark in author.angles
+            if _is_printed(mark.symbol, hidden)
+        ),
         radii=tuple(mark for mark in author.radii if _is_printed(mark.symbol, hidden)),
         arrows=tuple(arrow for arrow in arrows if _is_printed(arrow.symbol, hidden)),
+        axes=_place_axes(template, printed, template.asked() if asked is None else asked),
     )
+
+
+def _place_axes(
+    template: Template, printed: Set[str] | None, asked: Collection[str]
+) -> Axes | None:
+    """At the origin for coordinates that are given or asked, aside for components of vectors."""
+    givens = template.parameters.items()
+    along_axes = [ask for name in asked if (ask := template.asks[name]).sign in ALONG_AXES]
+    if any(ask.unit.is_length for ask in along_axes) or any(
+        given.unit.is_length and not given.is_size
+        for name, given in givens
+        if printed is None or name in printed
+    ):
+        return "origin"
+    return "aside" if along_axes else template.figure.axes
 
 
 def _list_hidden_symbols(template: Template, printed: Set[str] | None) -> Set[Row]:

@@ -16,32 +16,37 @@ Sense = Literal["ccw", "cw"]
 _Side = Literal["right", "up", "left", "down"]
 Shape = Literal["gear", "cam", "bent", "bar", "through", "arc", "rope", "load", "jaw"]
 Projection = Literal["horizontal", "vertical"]
+Axis = Literal["x", "y"]
+Axes = Literal["origin", "aside"]
 
 SENSES: tuple[Sense, ...] = ("ccw", "cw")
 TURN: Mapping[Sense, float] = {"ccw": 1.0, "cw": -1.0}  # counter-clockwise is positive
 SIDES: tuple[_Side, ...] = ("right", "up", "left", "down")
 SHAPES: tuple[Shape, ...] = get_args(Shape)
 LEVELS: tuple[Level, ...] = ("velocity", "acceleration")
+AXES: tuple[Axis, ...] = ("x", "y")
 PROJECTIONS: tuple[Projection, ...] = ("horizontal", "vertical")
 
 
 @dataclass(frozen=True)
 class Length:
     """A dimension between two points; along "horizontal" or "vertical" it is the projected
-    distance.
+    distance; one that is `signed` may point the other way, and has bars about its symbol then.
     """
 
     symbol: str
     start: str
     end: str
     along: Projection | None = None
+    signed: bool = False
 
 
 @dataclass(frozen=True)
 class Angle:
     """An angle at a point between two directions, each a side of the paper or another point.
 
-    Drawn the shorter way, or in the given sense from `start` to `end`.
+    Drawn the shorter way, or in the given sense from `start` to `end`; an arrowhead shows the sense
+    of one that is `signed`.
     """
 
     symbol: str
@@ -49,6 +54,7 @@ class Angle:
     start: str
     end: str
     sense: Sense | None = None
+    signed: bool = False
 
 
 @dataclass(frozen=True)
@@ -98,6 +104,20 @@ class Moving:
 
 
 @dataclass(frozen=True)
+class BodyFrame:
+    """Two axes at a point of a body: the axis `along` points from `start` to `end`, a point or a
+    side of the paper, and y is x turned through 90 degrees counter-clockwise.
+    """
+
+    x: str
+    y: str
+    at: str
+    start: str
+    end: str
+    along: Axis = "x"
+
+
+@dataclass(frozen=True)
 class FigureHints:
     """Everything an author may ask of a figure.
 
@@ -120,4 +140,5 @@ class FigureHints:
     arrows: tuple[Turning | Moving, ...] = ()
     labels: Mapping[str, str | None] = field(default_factory=dict)
     shapes: Mapping[str, Shape] = field(default_factory=dict)
-    axes: bool = False
+    frames: tuple[BodyFrame, ...] = ()
+    axes: Axes | None = None

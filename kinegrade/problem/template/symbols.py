@@ -29,9 +29,11 @@ _COMMANDS = frozenset(
         "circ",
         "cdot",
         "infty",
+        "left",
+        "right",
     )
 )
-_CHARACTERS = frozenset((*ascii_letters, *digits, *"_^{}'()+-=.,", "{,}"))
+_CHARACTERS = frozenset((*ascii_letters, *digits, *"_^{}'()|+-=.,", "{,}"))
 
 
 def find_symbol_fault(symbol: str) -> Message | None:

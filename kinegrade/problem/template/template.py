@@ -37,10 +37,14 @@ class Parameter:
     means: Translated
 
     @property
+    def has_sign(self) -> bool:
+        """Whether a drawable value is negative."""
+        return any(choice.startswith("-") for choice in self.choices)
+
+    @property
     def is_size(self) -> bool:
         """Whether this is a length that no drawable value makes negative, unlike a coordinate."""
-        length = self.unit.length == 1 and self.unit.time == 0
-        return length and not any(choice.startswith("-") for choice in self.choices)
+        return self.unit.is_length and not self.has_sign
 
     @property
     def default(self) -> str:

@@ -209,7 +209,7 @@ class Follower:
         is not read off a single moving thing.
         """
         tree = self.quantities[ask.name]
-        if ask.unit.length == 1 and not ask.unit.time:
+        if ask.unit.is_length:
             lengths = OwnLengths(self.equations.right)
             return tuple(lengths.list_ways(tree, number * self.factors[ask.name])) or ((),)
         calls = set(find_calls(tree))

@@ -12,12 +12,14 @@ from kinegrade.files.fields.values import Read, choice, flag, found
 from kinegrade.language.message import Message, Quoted
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.template.hints import (
+    AXES,
     LEVELS,
     PROJECTIONS,
     SENSES,
     SHAPES,
     SIDES,
     Angle,
+    BodyFrame,
     FigureHints,
     Length,
     Moving,
@@ -79,7 +81,8 @@ def read_figure(table: Table, names: Names) -> FigureHints:
         arrows=_read_marks(figure, "arrows", _read_arrow, names),
         labels=_read_labels(figure, names),
         shapes=_read_shapes(figure, names),
-        axes=figure.with_default("axes", flag, False),
+        frames=_read_marks(figure, "frames", _read_frame, names),
+        axes="aside" if figure.optional("axes", flag) else None,
     )
 
 
@@ -156,6 +159,16 @@ def _read_turning(table: Table, names: Names) -> Turning | None:
     if symbol is None or body is None:
         return None
     return Turning(symbol, body, sense, level)
+
+
+def _read_frame(table: Table, names: Names) -> BodyFrame | None:
+    row = table.only(*keys.FRAME)
+    x, y = row.required("x", _read_symbol), row.required("y", _read_symbol)
+    at, end = row.required("at", names.point), row.required("to", names.direction)
+    start, along = row.optional("from", names.point), row.optional("along", choice(AXES))
+    if x is None or y is None or at is None or end is None:
+        return None
+    return BodyFrame(x, y, at, start or at, end, along or "x")
 
 
 def _read_line(value: object, names: Names) -> tuple[str, str]:

@@ -136,7 +136,10 @@ FIGURE = (
     #: Other shapes of bodies: `{ OA = "bent" }`; `gear`, `cam`, `arc`, `rope`, `load`, `bent`,
     #: `bar`, `through`, `jaw`.
     "shapes",
-    #: `true` to draw the axes x and y.
+    #: Frames fixed to bodies, as two arrows with their letters.
+    "frames",
+    #: `true` to draw the axes x and y where nothing that is asked or given calls for them. Where
+    #: coordinates do they stand at the origin, where components do as a small frame aside.
     "axes",
 )
 LENGTH = (
@@ -178,6 +181,21 @@ CIRCLE = (
     "centre",
     #: A point on it.
     "through",
+)
+FRAME = (
+    #: The letter of its x axis in LaTeX math.
+    "x",
+    #: The letter of its y axis.
+    "y",
+    #: The point at its origin.
+    "at",
+    #: The point from which the direction of an axis is taken; that at the origin where it is not
+    #: stated.
+    "from",
+    #: The point to which that axis points, or `right`, `up`, `left`, `down`.
+    "to",
+    #: Which axis that is: `x`, or `y`; x where it is not stated.
+    "along",
 )
 MOVING = (
     #: Its symbol in LaTeX math.

@@ -1,0 +1,112 @@
+"""Frames of reference: the axes x and y at their origin, or aside where only components are asked;
+the axes of a body, as two arrows with their letters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import assert_never
+
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.mark import Mark, direction
+from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.place import Wish, list_spots_around
+from kinegrade.figure.plane import unit
+from kinegrade.figure.scene import THIN, Primitive, Strokes, find_common_box
+from kinegrade.figure.symbols import HEAD_LENGTH, PIN, draw_arrowhead
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import BodyFrame, FigureHints
+
+_ORIGIN, _RIGHT = Vector(0.0, 0.0), Vector(1.0, 0.0)
+# Millimetres, of the axes at the origin, of those of a body, and of those aside
+_LENGTHS, _BODY_LENGTHS, _ASIDE = (12.0, 14.5, 17.0, 20.0, 9.5, 24.0), (9.0, 7.5, 11.0, 13.0), 7.0
+_ASIDES = (0.0, 1.6, -1.6)  # millimetres, of an axis along a bar from the bar's middle
+_TIP = 4.5  # millimetres of an axis that should lie clear of everything
+
+
+def add_frames(layout: Layout, at: Mapping[str, Vector], hints: FigureHints) -> Layout:
+    """The layout with the axes that stand at points: those of bodies, then x and y at the
+    origin.
+    """
+    for frame in hints.frames:
+        layout = _add_frame(layout, *_find_place(at, frame), (frame.x, frame.y), _BODY_LENGTHS)
+    if hints.axes == "origin":
+        layout = _add_frame(layout, _ORIGIN, _RIGHT, ("x", "y"), _LENGTHS)
+    return layout
+
+
+def add_axes_aside(layout: Layout, hints: FigureHints) -> Layout:
+    """The layout with a small frame x, y at the lower left, outside everything else, where the
+    hints want one.
+    """
+    if hints.axes == "aside":
+        box = find_common_box(layout.lines)
+        corner = Vector(box.left - 4.0, box.bottom - 1.0)
+        layout = _add_frame(layout, corner, _RIGHT, ("x", "y"), (_ASIDE,), gap=0.0)
+    return layout
+
+
+def _find_place(at: Mapping[str, Vector], frame: BodyFrame) -> tuple[Vector, Vector]:
+    """Where the origin of a body's frame is, and the direction of its x axis."""
+    along = unit(direction(at, at[frame.start], frame.end))
+    match frame.along:
+        case "x":
+            return at[frame.at], along
+        case "y":
+            return at[frame.at], -along.turned()
+        case _:
+            assert_never(frame.along)
+
+
+def _add_frame(
+    layout: Layout,
+    origin: Vector,
+    along: Vector,
+    symbols: tuple[str, str],
+    lengths: tuple[float, ...],
+    *,
+    gap: float = PIN,
+) -> Layout:
+    for symbol, toward in zip(symbols, (along, along.turned()), strict=True):
+        layout = layout.marked(list(_list_axes(origin + toward * gap, toward, symbol, lengths)))
+    return layout
+
+
+def _list_axes(
+    start: Vector, toward: Vector, symbol: str, lengths: tuple[float, ...]
+) -> Iterator[Mark]:
+    """An axis in each length, the preferred one first; beside a bar that would hide it."""
+    for aside in _ASIDES:
+        for rank, size in enumerate(lengths):
+            yield _Axis(
+                start + toward.turned() * aside, toward, size, symbol, 0.5 * rank + 2 * abs(aside)
+            )
+
+
+@dataclass(frozen=True)
+class _Axis:
+    """A thin arrow with its letter at the tip."""
+
+    start: Vector
+    toward: Vector
+    size: float
+    symbol: str
+    demerit: float
+    shared: bool = True
+
+    def path(self) -> tuple[Segment, ...]:
+        """The part before the tip; the rest may run along a bar."""
+        return ((self._tip() - self.toward * _TIP, self._tip()),)
+
+    def wish(self) -> Wish:
+        """Around the tip, beyond it first."""
+        return Wish(self.symbol, list_spots_around(self.symbol, self._tip(), away=self.toward))
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """The shaft and its arrowhead."""
+        shaft = (self.start, self._tip() - self.toward * HEAD_LENGTH * 0.8)
+        return (Strokes((shaft,), THIN), draw_arrowhead(self._tip(), self.toward))
+
+    def _tip(self) -> Vector:
+        return self.start + self.toward * self.size

@@ -1,0 +1,90 @@
+"""Frames of reference, and measures that may be negative: where they stand and which way they
+point.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import hypot
+
+import pytest
+
+from kinegrade.figure.scene import BOLD, THIN, Bow, Disc, Scene
+from kinegrade.figure.sketch import sketch
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import Angle, Axes, BodyFrame, FigureHints, Length
+from tests.figure.clear import faults, heads, lines
+from tests.figure.mechanisms import slider_crank
+
+
+def draw_crank(phi: float = 60, **marks: object) -> Scene:
+    """The slider-crank with these marks only."""
+    mechanism, _ = slider_crank(0.2, 1.75, phi)
+    return sketch(mechanism, replace(FigureHints(), **marks))  # type: ignore[arg-type]
+
+
+def list_directions(scene: Scene) -> list[Vector]:
+    """The unit vectors of the arrowheads, in the order in which they are drawn."""
+    found = []
+    for head in heads(scene):
+        tip, left, right = head.corners
+        step = tip - (left + right) / 2
+        found.append(step / step.squared() ** 0.5)
+    return found
+
+
+@pytest.mark.parametrize("axes", ["origin", "aside"])
+def test_axes_point_to_the_right_and_upwards(axes: Axes) -> None:
+    scene = draw_crank(axes=axes)
+    right, up = list_directions(scene)
+    assert (right.x, up.y) == (pytest.approx(1.0), pytest.approx(1.0))
+    assert {"x", "y"} <= {label.symbol for label in scene.labels}
+    assert faults(scene, 80, 60) == []
+
+
+def list_pins(scene: Scene) -> list[Vector]:
+    return [part.centre for part in scene.primitives if isinstance(part, Disc)]
+
+
+def test_axes_stand_at_the_origin_or_below_everything() -> None:
+    at_origin, aside = (draw_crank(axes=axes) for axes in ("origin", "aside"))
+    right, up = (head.corners[0] for head in heads(at_origin))
+    assert min(hypot(pin.x - up.x, pin.y - right.y) for pin in list_pins(at_origin)) < 1e-6
+    assert heads(aside)[0].corners[0].y < min(pin.y for pin in list_pins(aside))
+
+
+@pytest.mark.parametrize(("along", "x", "y"), [("x", 1.0, 1.0), ("y", -1.0, 1.0)])
+def test_the_frame_of_a_body_has_y_a_quarter_turn_after_x(along: str, x: float, y: float) -> None:
+    frame = BodyFrame("x_1", "y_1", "A", "O", "A", along)  # type: ignore[arg-type]
+    first, second = list_directions(draw_crank(frames=(frame,)))
+    assert first.turned().dot(second) == pytest.approx(1.0)
+    named = first if along == "x" else second
+    assert (named.x, named.y) == (pytest.approx(0.5), pytest.approx(3**0.5 / 2))
+
+
+def test_an_axis_along_a_bar_stands_beside_it() -> None:
+    scene = draw_crank(frames=(BodyFrame("x_1", "y_1", "O", "O", "A"),))
+    tip, crank = heads(scene)[0].corners[0], lines(scene, BOLD)[0]
+    along = (crank[1] - crank[0]) / hypot(*(crank[1] - crank[0]))
+    assert abs(along.cross(tip - crank[0])) > BOLD.width
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "symbol"), [("O", "A", "x_A"), ("A", "O", r"\left|x_A\right|")]
+)
+def test_a_negative_coordinate_is_dimensioned_by_its_size(
+    start: str, end: str, symbol: str
+) -> None:
+    length = Length("x_A", start, end, "horizontal", signed=True)
+    assert symbol in {label.symbol for label in draw_crank(lengths=(length,)).labels}
+
+
+@pytest.mark.parametrize("phi", [40.0, -40.0])
+def test_the_arc_of_a_signed_angle_has_an_arrowhead_at_its_end(phi: float) -> None:
+    angle = Angle(r"\varphi", "O", "right", "A", signed=True)
+    scene = draw_crank(phi, angles=(angle,))
+    (head,) = heads(scene)
+    (arc,) = (part for part in scene.primitives if isinstance(part, Bow) and part.pen == THIN)
+    assert (arc.sweep > 0) == (phi > 0)
+    assert head.corners[0] == pytest.approx(arc.path()[-1])
+    assert heads(draw_crank(phi, angles=(replace(angle, signed=False),))) == []
