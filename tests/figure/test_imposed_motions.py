@@ -13,9 +13,12 @@ from kinegrade.figure.scene import FIRM, Bow, Disc, Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.drivers import Component, Rotation
 from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.given_marks import mark_givens
 from kinegrade.problem.template.hints import Moving, Turning
+from kinegrade.problem.template.library.library import load_template
 from tests.figure.clear import heads
 from tests.figure.mechanisms import slider_crank
+from tests.problem.draws import draw_filter, drawn
 
 
 def crank_with(velocity: float, acceleration: float, of: str = "ground") -> Scene:
@@ -65,3 +68,13 @@ def test_a_rotation_relative_to_a_body_starts_on_that_body_at_their_pin() -> Non
     assert min(hypot(*(pin - bow.centre)) for pin in pins) < 1e-6
     assert degrees(bow.start) % 360 == pytest.approx(240)  # from A towards O
     assert bow.sweep < 0
+
+
+def test_a_wheel_beside_an_arm_on_one_pivot_has_its_arrow_at_its_rim() -> None:
+    template = load_template("pin-in-disc-slot-and-rod")
+    (draw,) = drawn(draw_filter(template), 1)
+    scene = sketch(draw.solution.assembly.mechanism.map(float), mark_givens(template))
+    disc = max(part.radius for part in scene.primitives if isinstance(part, Disc))
+    of_disc, of_rod = (turned_arrows(scene)[first : first + 2] for first in (0, 2))
+    assert all(abs(bow.radius - disc) < 3.0 for bow in of_disc)
+    assert all(bow.radius < disc / 2 for bow in of_rod)

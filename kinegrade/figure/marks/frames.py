@@ -22,6 +22,7 @@ _ORIGIN, _RIGHT = Vector(0.0, 0.0), Vector(1.0, 0.0)
 # Millimetres, of the axes at the origin, of those of a body, and of those aside
 _LENGTHS, _BODY_LENGTHS, _ASIDE = (12.0, 14.5, 17.0, 20.0, 9.5, 24.0), (9.0, 7.5, 11.0, 13.0), 7.0
 _ASIDES = (0.0, 1.6, -1.6)  # millimetres, of an axis along a bar from the bar's middle
+_ROOM = 11.0  # millimetres, of the square that the axes aside take with their letters
 _TIP = 4.5  # millimetres of an axis that should lie clear of everything
 
 
@@ -37,14 +38,24 @@ def add_frames(layout: Layout, at: Mapping[str, Vector], hints: FigureHints) -> 
 
 
 def add_axes_aside(layout: Layout, hints: FigureHints) -> Layout:
-    """The layout with a small frame x, y at the lower left, outside everything else, where the
-    hints want one.
+    """The layout with a small frame x, y where the hints want one: in a corner that is free, else
+    outside everything at the lower left.
     """
     if hints.axes == "aside":
-        box = find_common_box(layout.lines)
-        corner = Vector(box.left - 4.0, box.bottom - 1.0)
+        corner = _find_free_corner(layout)
         layout = _add_frame(layout, corner, _RIGHT, ("x", "y"), (_ASIDE,), gap=0.0)
     return layout
+
+
+def _find_free_corner(layout: Layout) -> Vector:
+    """Where the origin of a small frame has room for both axes and their letters."""
+    box = find_common_box(layout.primitives)
+    far = box.left + box.width - _ROOM, box.bottom + box.height - _ROOM
+    middle = Vector(_ROOM / 2, _ROOM / 2)
+    for corner in (Vector(x, y) for y in (box.bottom, far[1]) for x in (box.left, far[0])):
+        if not layout.obstacles.under_box(*(corner + middle), _ROOM, _ROOM):
+            return corner
+    return Vector(box.left - _ASIDE, box.bottom)
 
 
 def _find_place(at: Mapping[str, Vector], frame: BodyFrame) -> tuple[Vector, Vector]:

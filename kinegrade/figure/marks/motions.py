@@ -30,10 +30,10 @@ def mark_motions(mechanism: Mechanism, hint: Moving) -> list[Mark]:
     )
     across = toward.turned()
     across = across if across.dot(mean(mechanism.points.values()) - point) <= 1e-6 else -across
-    starts = [point + toward * gap for gap in (PIN + 0.2, 3.4, 6.0)]
+    starts = [point + toward * gap for gap in (PIN + 0.2, 3.4, 6.0, 8.6)]
     starts += [
         point + across * (side * offset) + toward * shift
-        for offset in (3.6, 5.0, 6.5)
+        for offset in (3.6, 5.0, 6.5, 8.0)
         for shift in (0.0, -_ARROW / 2, 3.0)
         for side in (1.0, -1.0)
     ]

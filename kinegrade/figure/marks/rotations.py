@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import pi
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
 from kinegrade.figure.marks.imposed import find_imposed_sense
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.straight_parts import Bar
+from kinegrade.figure.mechanism.straight_parts import Bar, SlottedDisc
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark, chords
 from kinegrade.figure.placing.obstacles import Segment
@@ -29,6 +29,8 @@ _ARCS: Mapping[Level, float] = {"velocity": 6.5, "acceleration": 7.6}
 # Millimetres, of the arrow of a rotation relative to another body
 _RELATIVE_RADII, _RELATIVE_ARC = (7.0, 8.5, 10.0, 11.5, 13.0, 5.5), 9.0
 _TWELFTHS = tuple(index * pi / 6 for index in range(12))
+# Millimetres between the rim of a body and an arrow within it, or beyond it
+_WITHIN, _BEYOND = 2.6, 2.0
 _ASTRAY = 2.5  # demerit of each radian between the arrow and the body
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 _LETTERED = 8.0
@@ -56,8 +58,30 @@ def _list_absolute_arrows(
     """Arrows about the pivot of a body, where the body leaves it first."""
     sense = hint.sense or find_imposed_sense(mechanism, hint)
     crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
-    outside = [rim.radius + 2.0 for rim in drawing.rims if rim.body == hint.body]
-    return list_turning_arrows(hint, sense, centre, (*_RADII, *outside), crank, astray=_ASTRAY)
+    rims = list(_list_radii(drawing, hint.body))
+    if _shares_pivot(mechanism, hint.body, drawing):
+        inside = [radius - _WITHIN for radius in rims if radius > 2 * _RADII[0]]
+        radii = (*inside, *(radius + _BEYOND for radius in rims), *_RADII)
+    else:
+        radii = (*_RADII, *(radius + _BEYOND for radius in rims))
+    return list_turning_arrows(hint, sense, centre, radii, crank, astray=_ASTRAY)
+
+
+def _list_radii(drawing: Drawing, body: str) -> Iterator[float]:
+    """The radii of the circles that a body is drawn as."""
+    yield from (rim.radius for rim in drawing.rims if rim.body == body)
+    for part in drawing.parts:
+        if isinstance(part, SlottedDisc) and part.body == body:
+            yield part.radius
+
+
+def _shares_pivot(mechanism: Mechanism, body: str, drawing: Drawing) -> bool:
+    """Whether other bodies turn about the pivot of a body too, so that its arrow has to stand at
+    its rim to be told from theirs.
+    """
+    pin = find_fixed_pin(drawing.symbols, body)
+    others = (other.name for other in mechanism.bodies if other.name != body)
+    return pin is not None and any(find_fixed_pin(drawing.symbols, name) == pin for name in others)
 
 
 def _list_relative_arrows(
