@@ -49,6 +49,7 @@ class QuestionSheet:
     rows: tuple[AnswerRow, ...]
     source: str = ""  # plain, where the problem was published; "" prints nothing
     template: str = ""  # plain, named where its texts cannot be typeset
+    space: float = 0.0  # millimetres, at least left for working
 
 
 @dataclass(frozen=True)
@@ -64,6 +65,7 @@ class Paper:
     code: str
     rules: tuple[str, ...]  # prose, one sentence or two each
     questions: tuple[QuestionSheet, ...]
+    pages: int = 0  # at least: pages for working follow where there are fewer
 
     @property
     def points(self) -> Fraction:

@@ -1,6 +1,6 @@
 """All proofs: how much of each `make prove` and `make test` run.
 
-In full they take about 5,100 seconds of processor time, 42 minutes on two free cores. "fair marks"
+In full they take about 6,000 seconds of processor time, 50 minutes on two free cores. "fair marks"
 looks at 1,000 papers of each of the fifty-one templates.
 """
 
@@ -14,6 +14,7 @@ from tests.prove import (
     fair_marks,
     independent_positions,
     printed_figures,
+    printed_pages,
     properties,
     round_trips,
     sound_templates,
@@ -31,5 +32,6 @@ PROOFS = (
     Proof("round trips", round_trips.hold, cases=1_000, batch=25, sample=9),
     Proof("by hand", by_hand.hold, cases=len(TAUGHT), batch=1, sample=0),
     Proof("whole papers", whole_papers.hold, cases=10, batch=1, sample=0),
+    Proof("printed pages", printed_pages.hold, cases=32, batch=1, sample=0),
     Proof("fair marks", fair_marks.hold, cases=2_500, batch=50, sample=50),
 )

@@ -16,7 +16,7 @@ from kinegrade.errors import BankError, suggest
 from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
 from kinegrade.exam.bank.keys import BANK
 from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
-from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance
+from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
 from kinegrade.exam.bank.versions import LETTERS
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import REMEDY
@@ -97,8 +97,9 @@ def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False
     text, translations = read_text(path, _BANK_FILE), read_translations(path, _BANK_FILE)
     whole, faults = _open(path, text, translations)
     table = whole.only(*BANK)
-    entries = Entries(table.faults, folder or find_shipped("templates"), path.parent, kept)
     frame = _read_frame(table, text, translations)
+    shipped = folder or find_shipped("templates")
+    entries = Entries(table.faults, shipped, path.parent, kept, frame.space)
     slots = _read_slots(table, entries, frame)
     _require_none((table.faults, *faults))
     return Blueprint(frame, slots)
@@ -148,6 +149,7 @@ def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
         translations=translations,
         honest=stated.honest,
         carry=table.with_default("carry", whole(LEAST_CARRY, MOST_CARRY), USUAL_CARRY),
+        space=table.with_default("space", read_room, 0.0),
         shuffle=table.with_default("shuffle", flag, False),
         versions=table.with_default("versions", whole(1, len(LETTERS)), 0),
         engine=table.with_default("engine", choice(ENGINES), "typst"),

@@ -38,12 +38,15 @@ class BankAsk:
 
 @dataclass(frozen=True)
 class BankQuestion:
-    """One question: its template, what is asked, and domains that replace the template's."""
+    """One question: its template, what is asked, domains that replace the template's, and the
+    millimetres left for working.
+    """
 
     identifier: str
     template: Template
     asks: tuple[BankAsk, ...]
     domains: Mapping[str, tuple[str, ...]]
+    space: float = 0.0
 
     @property
     def points(self) -> Fraction:
@@ -58,6 +61,7 @@ class Bank:
 
     `tolerance`, `honest` as for an ask, is what asks have of which nothing else is stated; `carry`
     is the number of significant figures that students are asked to carry.
+    `space` is what questions have for working that state nothing else, in millimetres;
     `shuffle` gives every paper its own order of the questions; `versions` is the number of
     different papers, 0 for a different one for each student; `engine` is the typesetter unless an
     instructor asks for another; `credit` is for answers that are not right; with `solutions`,
@@ -74,6 +78,7 @@ class Bank:
     translations: Translations = field(default_factory=dict)
     honest: bool = False
     carry: int = USUAL_CARRY
+    space: float = 0.0
     shuffle: bool = False
     versions: int = 0
     engine: Engine = "typst"

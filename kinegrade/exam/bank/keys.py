@@ -20,6 +20,9 @@ BANK = (
     "carry",
     #: `true` gives every paper its own order of the questions.
     "shuffle",
+    #: The room for working that is left between the statement of every question and its answers,
+    #: `"6 cm"`, at least; what is left of a page is shared out among its questions besides.
+    "space",
     #: The number of versions, `3` for A, B and C, in place of a paper for each student.
     "versions",
     #: What typesets the exam.
@@ -47,6 +50,8 @@ NAMED = (
     "points",
     #: How far an answer to this question may be off.
     "tolerance",
+    #: The room for working at this question, in place of the bank's.
+    "space",
 )
 FAMILY = (
     #: Draws from the shipped templates of this family, once for the class.
@@ -67,6 +72,8 @@ DRAWN = (
     "points",
     #: How far an answer to these questions may be off.
     "tolerance",
+    #: The room for working at each of them, in place of the bank's.
+    "space",
 )
 # What a tolerance may state besides what policies may
 TOLERANCE = (

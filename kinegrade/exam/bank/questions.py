@@ -17,7 +17,7 @@ from kinegrade.exam.bank.asks import read_asks, read_kind, weigh_asks
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Slot
 from kinegrade.exam.bank.keys import DRAWN, FAMILY, NAMED, TAG
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
-from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance
+from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
 from kinegrade.expressions.reading import read_expression
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.table import Table
@@ -56,12 +56,14 @@ class Entries:
 
     For a bank that is `kept` with an exam, `folder` holds exactly the templates that were chosen,
     including those that were beside the bank; rules introduced after the exam do not refuse them.
+    `space` is the room for working where an entry states none.
     """
 
     faults: Faults
     folder: Path
     beside: Path
     kept: bool = False
+    space: float = 0.0
 
     def slots(self, entry: Table, first: int, wider: BankTolerance) -> tuple[Slot, ...]:
         """The questions of one entry, numbered from `first`; none if it cannot be read."""
@@ -80,7 +82,9 @@ class Entries:
         if template is None:
             return ()
         asks = read_asks(entry, template, read_bank_tolerance(entry, wider))
-        question = BankQuestion(identifier, template, asks, _read_domains(entry, template))
+        domains = _read_domains(entry, template)
+        space = entry.with_default("space", read_room, self.space)
+        question = BankQuestion(identifier, template, asks, domains, space)
         return (Slot(identifier, (question,), drawn=False),)
 
     def _drawn(
@@ -89,6 +93,7 @@ class Entries:
         """The questions whose templates are drawn by family or tag."""
         number = entry.with_default("number", whole(1, MAX_QUESTIONS), 1)
         entry_tolerance = read_bank_tolerance(entry, wider)
+        space = entry.with_default("space", read_room, self.space)
         kind = read_kind(entry)
         pool = self._pool(entry, by)
         if kind is None:
@@ -100,7 +105,8 @@ class Entries:
             entry.fault("asks", Message(f"bank.none-of-{by}-asked", name=name))
         if not candidates:
             return ()
-        return tuple(_read_slot(f"q{first + index}", candidates, asks) for index in range(number))
+        choice = [(template, asks[template.name]) for template in candidates]
+        return tuple(_make_slot(f"q{first + index}", choice, space) for index in range(number))
 
     def _pool(self, entry: Table, by: Grouping) -> list[Template]:
         """The templates of a family or with a tag, without those that the entry leaves out."""
@@ -158,13 +164,11 @@ def _read_kind(entry: Table) -> Literal["template"] | Grouping | None:
     return None
 
 
-def _read_slot(
-    identifier: str, candidates: Sequence[Template], asks: Mapping[str, tuple[BankAsk, ...]]
+def _make_slot(
+    identifier: str, choice: Sequence[tuple[Template, tuple[BankAsk, ...]]], space: float
 ) -> Slot:
-    """A question that becomes one of the candidates."""
-    questions = (
-        BankQuestion(identifier, template, asks[template.name], {}) for template in candidates
-    )
+    """A question that becomes one of these templates with their asks."""
+    questions = (BankQuestion(identifier, template, asks, {}, space) for template, asks in choice)
     return Slot(identifier, tuple(questions), drawn=True)
 
 

@@ -1,4 +1,4 @@
-"""Points and tolerances of a bank, limited to what an exam can keep and print.
+"""Points, tolerances and room of a bank, limited to what an exam can keep and print.
 
 tolerance = "honest"
 tolerance = { relative = "1 %", honest = true }
@@ -6,18 +6,23 @@ tolerance = { relative = "1 %", honest = true }
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from fractions import Fraction
+from math import inf
 
 from kinegrade.errors import FieldError
 from kinegrade.exam.bank.keys import TOLERANCE
 from kinegrade.files.fields.table import Table
-from kinegrade.files.fields.values import amount, flag, found, whole
+from kinegrade.files.fields.values import amount, flag, found, text, whole
 from kinegrade.language.message import Message
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.stated_marking import HONEST, HONESTLY, read_tolerance
 
 MAX_POINTS = 1000
+_MOST_ROOM = 200.0  # millimetres: what a page holds beside a short question
+_LENGTH = re.compile(r"([0-9]{1,4}(?:\.[0-9]{1,3})?) ?(mm|cm|in)")
+_MILLIMETRES = {"mm": 1.0, "cm": 10.0, "in": 25.4}
 _MOST_DIGITS = 15  # as many as survive as a JSON number
 _FIGURES = whole(2, 6)  # no more than the key prints
 
@@ -38,6 +43,16 @@ def read_points(value: object) -> Fraction:
     if not 0 < number <= MAX_POINTS:
         raise FieldError(found(value), Message("bank.points-from-to", most=MAX_POINTS))
     return number
+
+
+def read_room(value: object) -> float:
+    """The room for working in millimetres. Raises FieldError."""
+    length = _LENGTH.fullmatch(text(value))
+    room = float(length[1]) * _MILLIMETRES[length[2]] if length else inf
+    if room > _MOST_ROOM:
+        most = f"{_MOST_ROOM / 10:g}"
+        raise FieldError(found(value), Message("bank.room-for-working", most=most))
+    return room
 
 
 def read_bank_tolerance(table: Table, default: BankTolerance) -> BankTolerance:

@@ -55,7 +55,8 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     which earlier versions called `seed`; it is not shown with the head. `credit` is the bank's
     table for answers that are not right, `solutions` whether feedback holds the worked solutions,
     `editable` a digest of each file that people edit, as it was generated. `paper_size` and
-    `engine` printed the papers; `method` found the velocities of worked solutions, where one was
+    `engine` printed the papers, which all have so many `pages`, 0 where earlier versions printed
+    them; `method` found the velocities of worked solutions, where one was
     asked for.
     """
 
@@ -68,6 +69,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     language: Language
     paper_size: str = ""
     engine: str = ""
+    pages: int = 0
     method: str | None = None
     secret: str | None = None
     label: str | None = None

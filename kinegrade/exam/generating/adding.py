@@ -7,7 +7,7 @@ The folder is copied, what is new is added to the copy, and the copy takes the f
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -23,6 +23,7 @@ from kinegrade.exam.generating.generate import require_none
 from kinegrade.exam.generating.grown_class import LateClass, late_class, require_same_sources
 from kinegrade.exam.generating.hand_work import digest_editable, find_edited, refuse_edited
 from kinegrade.exam.generating.options import PRIVATE, SHARED_WITH_GROUP, GenerateOptions
+from kinegrade.exam.generating.page_counts import list_longer_papers
 from kinegrade.exam.generating.replaced_exam import read_replaced, required_secret
 from kinegrade.exam.printing.class_printing import CHUNK, print_class
 from kinegrade.exam.printing.handout import KINDS
@@ -96,9 +97,11 @@ def add_students(
             results = options.progress(papers, len(students.late.students))
             earlier = _keys(kept)
             newcomers = students.late.students
-            keys = write_papers(folder, run, press, newcomers, results, earlier=earlier)
-        _write_rest(exam, folder, _grown_head(exam, dealt, run, students, keys))
-    return Added(len(newcomers), len(exam.students), said)
+            written = write_papers(folder, run, press, newcomers, results, earlier=earlier)
+        longer = tuple(list_longer_papers(run, newcomers, written.pages))
+        require_none(longer if options.strict else ())
+        _write_rest(exam, folder, _grown_head(exam, dealt, run, students, written.keys))
+    return Added(len(newcomers), len(exam.students), (*said, *longer))
 
 
 def _run(exam: ExamFolder, kept: KeptExam) -> PrintRun:
@@ -148,7 +151,7 @@ def _keys(kept: KeptExam) -> Iterator[KeyPaper]:
 
 
 def _grown_head(
-    exam: ExamFolder, dealt: ClassDeal, run: PrintRun, students: LateClass, keys: list[KeyPaper]
+    exam: ExamFolder, dealt: ClassDeal, run: PrintRun, students: LateClass, keys: Iterable[KeyPaper]
 ) -> ExamHead:
     newcomers = map(candidate, students.late.students, keys)
     return make_exam_head(dealt, (*exam.head.students, *newcomers), run)

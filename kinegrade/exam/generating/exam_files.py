@@ -5,7 +5,7 @@ folder, and by `adding` into a copy of one.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import chain
 from pathlib import Path
 from typing import BinaryIO
@@ -43,6 +43,14 @@ from kinegrade.problem.template.template import MechanismFile
 from kinegrade.problem.template.translation_names import name_beside
 
 
+@dataclass(frozen=True)
+class WrittenPapers:
+    """The key of each paper without its questions, and how many pages it has."""
+
+    keys: tuple[KeyPaper, ...]
+    pages: tuple[int, ...]
+
+
 def write_papers(
     folder: Path,
     run: PrintRun,
@@ -51,22 +59,23 @@ def write_papers(
     results: Iterator[Printed],
     *,
     earlier: Iterable[KeyPaper] = (),
-) -> list[KeyPaper]:
+) -> WrittenPapers:
     """The papers, and the solutions that are wanted, each alone and all in one file; and both keys.
 
     What stands in the folder already stays, with the keys of these papers as `earlier`. The
-    instructor's book is typeset, and all in one file bound, while papers are printed. Gives the key
-    of each paper of `students` without its questions.
+    instructor's book is typeset, and all in one file bound, while papers are printed. Gives what
+    was written for each of `students`.
     """
-    keys: list[KeyPaper] = []
+    written: list[tuple[KeyPaper, int]] = []
     with (
         (folder / KEY).open("ab") as lines,
         printed_files(folder, solutions=run.extras.solutions) as write,
     ):
-        papers = _noted(_written(results, students, write), lines, keys)
+        papers = _noted(_written(results, students, write), lines, written)
         book = make_key_book(run.bank, chain(earlier, papers), run.language)
         write_key(folder, press.key(book))
-    return keys
+    keys, pages = zip(*written, strict=True) if written else ((), ())
+    return WrittenPapers(keys, pages)
 
 
 def _written(
@@ -78,11 +87,13 @@ def _written(
         yield result
 
 
-def _noted(results: Iterator[Printed], lines: BinaryIO, keys: list[KeyPaper]) -> Iterator[KeyPaper]:
-    """The keys of papers as they come; a line of each goes to `lines`, its head to `keys`."""
+def _noted(
+    results: Iterator[Printed], lines: BinaryIO, written: list[tuple[KeyPaper, int]]
+) -> Iterator[KeyPaper]:
+    """The keys of papers as they come; a line of each goes to `lines`, its head to `written`."""
     for result in results:
         lines.write(result.record)
-        keys.append(replace(result.key, entries=()))
+        written.append((replace(result.key, entries=()), result.pages))
         yield result.key
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from kinegrade.errors import Problem, TableError
@@ -28,6 +29,7 @@ from kinegrade.exam.generating.exam_files import (
 )
 from kinegrade.exam.generating.hand_work import digest_editable
 from kinegrade.exam.generating.options import GenerateOptions
+from kinegrade.exam.generating.page_counts import fill_up_papers
 from kinegrade.exam.generating.replaced_exam import (
     PaperChanges,
     ReplacedExam,
@@ -90,10 +92,10 @@ def generate(
     require_bank_language(bank, language)
     sources = {**source_files(bank), **translation_files(bank, known_languages())}
     jobs = max(min(options.jobs, len(roster.students) // CHUNK), 1)
-    written = output_folder(
+    place = output_folder(
         output, marker=HEAD, contents=CONTENTS, force=force, access=options.access
     )
-    with bulk_work(), written as folder, open_executor(jobs, "generate") as workers:
+    with bulk_work(), place as folder, open_executor(jobs, "generate") as workers:
         order = options.press_order(bank)
         press = order.press()
         kept = {} if wish.new else _find_kept_papers(old, secret)
@@ -103,9 +105,12 @@ def generate(
         run = PrintRun(bank, language, order, extras)
         with closing(print_class(run, dealt, workers, jobs)) as papers:
             results = options.progress(papers, len(roster.students))
-            keys = write_papers(folder, run, press, roster.students, results)
+            written = write_papers(folder, run, press, roster.students, results)
+        again = partial(print_class, workers=workers, jobs=jobs)
+        run = fill_up_papers(folder, run, dealt, written.pages, again)
         write_sources(sources, folder)
-        _write_rest(make_exam_head(dealt, map(candidate, roster.students, keys), run), folder)
+        candidates = map(candidate, roster.students, written.keys)
+        _write_rest(make_exam_head(dealt, candidates, run), folder)
         settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
     return Generated(dealt, _list_drawn_templates(blueprint, bank), said, *settled)
 

@@ -32,7 +32,7 @@ def write_warning() -> str:
 
 
 def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: PrintRun) -> ExamHead:
-    """The head of an exam, printed by that run."""
+    """The head of an exam, printed by that run, whose number of pages is known."""
     bank, language, order = dealt.bank, run.language, run.press_order
     head = ExamHead(
         format=FORMAT,
@@ -44,6 +44,7 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
         language=language,
         paper_size=order.paper_size,
         engine=order.engine,
+        pages=run.pages or 0,
         method=run.extras.method,
         versions=tuple(list_version_letters(bank.versions)),
         credit=bank.credit.record() or None,

@@ -102,7 +102,8 @@ def _lay_out_set_question(
     asks = tuple(entry.ask.name for entry in question.asks)
     shown = ShownInstance(template, solution.parameters, mechanism, asks)
     place = QuestionPlace(number, question.question.identifier)
-    return lay_out_question(place, shown, rows, language, figure)
+    sheet = lay_out_question(place, shown, rows, language, figure)
+    return replace(sheet, space=question.question.space)
 
 
 def lay_out_question(

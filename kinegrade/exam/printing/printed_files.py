@@ -7,7 +7,7 @@ from processes.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
@@ -41,6 +41,18 @@ def printed_files(folder: Path, *, solutions: bool) -> Iterator[Callable[[str, P
                 (folder / PAPERS / f"{file_name}.{kind}").write_bytes(content)
 
         yield write
+
+
+def replace_papers(
+    folder: Path, printed: Iterable[tuple[str, Printed]], file_names: Iterable[str]
+) -> None:
+    """Write papers over those of the same file names, and all in one file anew, in that order."""
+    papers = folder / PAPERS
+    for name, each in printed:
+        _write(papers / f"{name}.pdf", each.paper, folder / SOURCES / PAPERS)
+    with open_volume(folder / f"{PAPERS}.pdf", duplex=True) as append:
+        for name in file_names:
+            append((papers / f"{name}.pdf").read_bytes())
 
 
 def write_key(folder: Path, key: Printout) -> None:

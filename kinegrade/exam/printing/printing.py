@@ -5,7 +5,7 @@ asks for.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import assert_never
@@ -19,6 +19,7 @@ from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.sketchbook import sketch_once
 from kinegrade.language import Language
+from kinegrade.press.join import count_pages
 from kinegrade.press.protocol import Engine, Press, Printout
 from kinegrade.press.sheet import KeyPaper, Paper, PaperSize
 from kinegrade.press.typst.press import TypstPress
@@ -62,6 +63,9 @@ class Extras:
 class PrintRun:
     """All that holds for every paper of an exam; `sketchbook` is a private folder where processes
     share figures.
+
+    `pages` is how many each paper has at least; None for as many as the longest of those that are
+    printed together.
     """
 
     bank: Bank
@@ -69,15 +73,17 @@ class PrintRun:
     press_order: PressOrder
     extras: Extras
     sketchbook: Path | None = None
+    pages: int | None = None
 
 
 @dataclass(frozen=True)
 class Printed:
     """A paper, its worked solutions where they are wanted, and the paper in other kinds of files;
-    its line of key.jsonl, and its part of the instructor's key.
+    its line of key.jsonl, and its part of the instructor's key. `pages` counts those of the paper.
     """
 
     paper: Printout
+    pages: int
     solution: Printout | None
     also: Mapping[str, bytes]
     record: bytes
@@ -104,12 +110,13 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
         paper.student.file_name: lay_out_paper(run.bank, paper, run.language, figure)
         for paper in papers
     }
-    printouts = press.papers(pages)
+    printouts, counts = _print_alike(press, pages, run.pages)
     solutions = _print_solutions(run, press, papers) if run.extras.solutions else {}
     also = _print_also(pages, run) if run.extras.also else {}
     return [
         Printed(
             printouts[name],
+            counts[name],
             solutions.get(name),
             also.get(name, {}),
             encode_line(make_key_line(paper, mistakes, shuffled=run.bank.shuffle)),
@@ -117,6 +124,19 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
         )
         for name, paper, mistakes in zip(pages, papers, find_mistaken_answers(papers), strict=True)
     ]
+
+
+def _print_alike(
+    press: Press, papers: Mapping[str, Paper], pages: int | None
+) -> tuple[Mapping[str, Printout], Mapping[str, int]]:
+    """Every paper, and how many pages it has: those that have fewer than they should are printed
+    once more, which is fast.
+    """
+    printed = press.papers(papers)
+    counts = {name: count_pages(each.pdf) for name, each in printed.items()}
+    wanted = max(counts.values(), default=0) if pages is None else pages
+    short = {name: replace(papers[name], pages=wanted) for name in papers if counts[name] < wanted}
+    return printed | press.papers(short), counts | dict.fromkeys(short, wanted)
 
 
 def _print_solutions(

@@ -8,7 +8,7 @@ paper is printed.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeVar
 
@@ -40,8 +40,9 @@ class Reprint:
 
     def pages(self) -> bytes:
         """The paper as PDF. Raises TypesetError."""
-        pages = lay_out_paper(self.run.bank, self.paper, self.run.language)
-        return self._only(self._press.papers({self._name: pages}))
+        sheet = lay_out_paper(self.run.bank, self.paper, self.run.language)
+        sheet = replace(sheet, pages=self.run.pages or 0)
+        return self._only(self._press.papers({self._name: sheet}))
 
     def solution(self) -> bytes:
         """Its worked solutions as PDF. Raises TypesetError."""
@@ -93,6 +94,7 @@ def kept_run(exam: ExamFolder, kept: KeptExam, **extras: object) -> PrintRun:
         exam.language,
         _converted(exam, order, PressOrder),
         _converted(exam, {**method, **extras}, Extras),
+        pages=head.pages,
     )
 
 

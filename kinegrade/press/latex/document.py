@@ -67,9 +67,12 @@ def write_command(name: str, *arguments: str) -> str:
     return str(Command(name, Arguments(*map(NoEscape, arguments))).dumps())
 
 
-def write_environment(name: str, lines: Iterable[str], *arguments: str) -> str:
-    """An environment of the style around lines that are LaTeX already, as are its arguments."""
-    block = _Block(arguments=Arguments(*map(NoEscape, arguments)))
+def write_environment(name: str, lines: Iterable[str], *arguments: str, least: int = 0) -> str:
+    """An environment of the style around lines that are LaTeX already, as are its arguments; one
+    that has a `least` number of pages takes it as an option.
+    """
+    options = Options(least) if least else None
+    block = _Block(options=options, arguments=Arguments(*map(NoEscape, arguments)))
     block.latex_name = name
     block.extend(map(NoEscape, lines))
     return str(block.dumps())

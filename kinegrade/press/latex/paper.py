@@ -48,7 +48,7 @@ def write_paper_body(paper: Paper) -> str:
         *rules,
         *parts["questions"],
     )
-    return write_environment("sheet", lines) + "\n"
+    return write_environment("sheet", lines, least=paper.pages) + "\n"
 
 
 def _mark(code: str) -> str:
@@ -110,6 +110,7 @@ def _write_question(question: QuestionSheet, words: Catalogue, paper: Location) 
     source = words.text("paper.source", source=question.source) if question.source else ""
     lines = (
         _write_statement(parts["statement"], question.figure, parts["figure"]),
+        write_command("working", f"{question.space:.6g}mm"),
         write_environment("answers", parts["rows"]),
         source and write_command("source", write_plain(source)),
     )

@@ -27,7 +27,7 @@ from kinegrade.press.paper_parts import (
 from kinegrade.press.places import RULES, locate_part
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, QuestionSheet
 from kinegrade.press.typst.layout_call import Sheet, write_formula, write_layout_call
-from kinegrade.press.typst.room import fits_page, is_wide_symbol
+from kinegrade.press.typst.room import fit_space, fits_page, is_wide_symbol
 
 
 def write_paper_source(paper: Paper, size: PaperSize = "a4") -> str:
@@ -51,6 +51,7 @@ def write_paper_source(paper: Paper, size: PaperSize = "a4") -> str:
         | {
             "language": words.raw("language", "page."),
             "size": size,
+            "pages": paper.pages,
             "mark": _write_code_image(paper.code),
             "marks": arrange_marks(paper, words.text("paper.layout.total")),
             "words": words.raw("paper", "layout."),
@@ -89,6 +90,7 @@ def _write_question(question: QuestionSheet, words: Catalogue) -> Sheet:
         "points": write_points_in_words(question.points, words),
         "source": words.text("paper.source", source=question.source) if question.source else None,
         "short": fits_page(question),
+        "space": fit_space(question),
         "figure": f"[{write_typst_picture(figure)}]" if figure else None,
         "figure_width": round(figure.width, 3) if figure else None,
         "beside": figure is not None and fits_beside(figure),

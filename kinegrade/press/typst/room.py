@@ -25,6 +25,13 @@ def fits_page(question: QuestionSheet) -> bool:
     return _bound_height(question) <= _PAGE
 
 
+def fit_space(question: QuestionSheet) -> float:
+    """The room for working that surely fits a page beside the question, in millimetres; a question
+    alone on its page has more.
+    """
+    return min(question.space, max(_PAGE - _bound_height(question), 0.0))
+
+
 def is_wide_symbol(symbol: str, where: Location) -> bool:
     """Whether a symbol (math) may be too wide for its column. Raises TypesetError."""
     return measure_row(read_math(symbol, where)) > _PLAIN_SYMBOL
