@@ -13,6 +13,7 @@ from itertools import pairwise
 from kinegrade.figure.joints.symbol import Feature, Rim, Symbol, find_fixed_pin, find_pins
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction, find_plate
 from kinegrade.figure.mechanism.rods import find_rods
+from kinegrade.figure.mechanism.slotted_discs import find_slotted_disc
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
 from kinegrade.figure.plane import NEAR, collinear, length, mean, on_line, same_line, unit
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -55,8 +56,9 @@ def _find_parts(
     plate = find_plate(body, points, shapes)
     on_axis: list[set[Vector]] = []
     for group in _group_by_line(feature for feature in features if not _is_edge(feature, plate)):
-        if group[0].use == "slot" and len(points) == 1 and not on_line(points[0], group[0].line):
-            yield _find_slotted_disc(body.name, points[0], group)
+        disc = find_slotted_disc(body.name, points, group, shapes)
+        if disc:
+            yield disc
             continue
         on_axis.append({point for point in points if on_line(point, group[0].line)})
         yield _lay_bar(body.name, points, group)
@@ -104,16 +106,6 @@ def _lay_bar(body: str, points: list[Vector], group: list[Feature]) -> Bar:
         ends.append(last + along * (side * _OVERHANG) if acted else last)
     free = tuple(end for end in ends if all(length(end - station) > 1e-6 for station in stations))
     return Bar(body, ends[0], ends[1], group[0].use, free, actions, group[0].back)
-
-
-def _find_slotted_disc(body: str, centre: Vector, group: list[Feature]) -> SlottedDisc:
-    along = unit(group[0].line.direction)
-    action = group[0].action
-    radius = length(action - centre) + _OVERHANG
-    across = (action - centre).dot(along.turned())
-    half = (radius**2 - across**2) ** 0.5 - 2.0
-    middle = centre + along.turned() * across
-    return SlottedDisc(body, centre, radius, (middle - along * half, middle + along * half))
 
 
 def _find_links(body: str, points: list[Vector], shapes: Mapping[str, str]) -> Iterator[Bar]:

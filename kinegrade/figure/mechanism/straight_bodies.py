@@ -6,9 +6,10 @@ from typing import assert_never
 
 from kinegrade.figure import symbols
 from kinegrade.figure.mechanism.plates import Plate
+from kinegrade.figure.mechanism.slotted_discs import draw_slotted_disc
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import length, unit
-from kinegrade.figure.scene import BOLD, FIRM, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.scene import BOLD, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
 _PLATE_EDGE = 1.9  # millimetres of a plate beyond the pins at its corners
@@ -20,8 +21,7 @@ def draw_straight_part(part: Part) -> tuple[Primitive, ...]:
         case Plate():
             return (Outline(_trace_plate(part), FIRM, "grey"),)
         case SlottedDisc():
-            slot = Outline(symbols.trace_round(part.slot, symbols.SLOT_WIDTH / 2), FIRM, "white")
-            return (Disc(part.centre, part.radius, FIRM, "grey"), slot)
+            return draw_slotted_disc(part)
         case Rod():
             along = unit(part.end - part.start)
             return (

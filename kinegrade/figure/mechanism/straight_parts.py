@@ -34,12 +34,15 @@ class Bar:
 
 @dataclass(frozen=True)
 class SlottedDisc:
-    """A body whose slot passes beside its only point, drawn as a disc about that point."""
+    """A body whose slot passes beside its only point, or whose shape is "disc" or "geneva": a disc
+    about its first point.
+    """
 
     body: str
     centre: Vector
     radius: float
     slot: tuple[Vector, Vector]
+    geneva: bool = False
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,19 @@ from kinegrade.mechanics.vector_equation import Level
 
 Sense = Literal["ccw", "cw"]
 _Side = Literal["right", "up", "left", "down"]
-Shape = Literal["gear", "cam", "bent", "bar", "through", "arc", "rope", "load", "jaw"]
+Shape = Literal[
+    "gear",
+    "cam",
+    "bent",
+    "bar",
+    "through",
+    "arc",
+    "rope",
+    "load",
+    "jaw",
+    "disc",
+    "geneva",
+]
 Projection = Literal["horizontal", "vertical"]
 Axis = Literal["x", "y"]
 Axes = Literal["origin", "aside"]
@@ -128,7 +140,8 @@ class FigureHints:
     points in order, not a plate), "bar" (sliders run on it in sleeves, not in a slot), "through" (a
     translating rod that goes on beyond its point), "jaw" (of a crusher, facing a fixed jaw), "arc"
     (a round track of which only the arc around its wheels is drawn), "rope" (what a wheel rolls on,
-    from the wheel to its point), "load" (the same with a load at its point).
+    from the wheel to its point), "load" (the same with a load at its point), "disc" (a disc about
+    the first point, not a slotted bar), "geneva" (the slotted wheel of a Geneva drive).
     """
 
     lengths: tuple[Length, ...] = ()

@@ -133,8 +133,8 @@ FIGURE = (
     "right_angles",
     #: Other text for a point, or text for a body: `{ O = "O_1" }`; `false` for no label.
     "labels",
-    #: Other shapes of bodies: `{ OA = "bent" }`; `gear`, `cam`, `arc`, `rope`, `load`, `bent`,
-    #: `bar`, `through`, `jaw`.
+    #: Other shapes of bodies: `{ OA = "bent" }`; `gear`, `cam`, `arc`, `rope`, `load`, `disc`,
+    #: `geneva`, `bent`, `bar`, `through`, `jaw`.
     "shapes",
     #: Frames fixed to bodies, as two arrows with their letters.
     "frames",
