@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, is_dataclass
 from typing import Any, assert_never
 
-from kinegrade.figure.joints.drivers import reduce_to_sense
+from kinegrade.figure.joints.drivers import find_motor, reduce_to_sense
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.plane import unit
 from kinegrade.mechanics.joints import Line
@@ -38,13 +38,16 @@ def normalise_subject(mechanism: Mechanism, hints: FigureHints) -> tuple[Subject
     """The subject of a mechanism's figure, and the mechanism's size in metres."""
     size = max((abs(number) for number in _list_lengths(mechanism)), default=0.0) or 1.0
     scaled = scale_to_paper(mechanism, 1 / size)
+    arrows_follow = any(map(_follows_driver, hints.arrows))
     shown = Mechanism(
         {name: _drop_last_bits(point) for name, point in scaled.points.items()},
         scaled.bodies,
         tuple(map(_drop_last_bits, scaled.joints)),
-        tuple(_drop_last_bits(reduce_to_sense(driver)) for driver in scaled.drivers)
-        if any(map(_follows_driver, hints.arrows))
-        else (),
+        tuple(
+            _drop_last_bits(reduce_to_sense(driver))
+            for driver in scaled.drivers
+            if arrows_follow or find_motor(driver)
+        ),
     )
     return Subject(repr((shown, hints)), shown, hints), size
 

@@ -10,6 +10,7 @@ from typing import assert_never
 
 from kinegrade.figure.plane import unit
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
+from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.numbers.number import Number
@@ -48,6 +49,17 @@ def find_given_motion(
         case Circulation():
             around_centre = unit((points[driver.point] - points[driver.centre]).turned())
             return MovingPoint(driver.point, around_centre * sign if sign else None)
+        case _:
+            assert_never(driver)
+
+
+def find_motor(driver: Driver) -> tuple[str, str] | None:
+    """The two moving bodies that a driver turns against each other, by a motor at their pin."""
+    match driver:
+        case Rotation(body=body, of=of):
+            return None if of == GROUND else (body, of)
+        case Component() | Circulation():
+            return None
         case _:
             assert_never(driver)
 

@@ -13,7 +13,7 @@ from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.belts import draw_belts, draw_ropes
 from kinegrade.figure.mechanism.gussets import draw_gussets, find_welded_arms
-from kinegrade.figure.mechanism.pins import draw_points
+from kinegrade.figure.mechanism.pins import draw_motors, draw_points
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.round.heads import draw_heads
 from kinegrade.figure.mechanism.round.round_bodies import draw_round_bodies
@@ -67,6 +67,7 @@ def _draw_layers(anatomy: Anatomy) -> Iterator[Primitive]:
             yield from draw_straight_part(part)
     yield from draw_gussets(anatomy.corners)
     yield from draw_heads(anatomy)
+    yield from draw_motors(anatomy)
     yield from draw_points(anatomy)
 
 

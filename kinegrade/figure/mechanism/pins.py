@@ -6,16 +6,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kinegrade.figure.joints.drivers import find_motor
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.stands import choose_side
 from kinegrade.figure.mechanism.straight_parts import is_slender, list_ways
 from kinegrade.figure.plane import NEAR, length, unit
-from kinegrade.figure.scene import Primitive
+from kinegrade.figure.scene import FIRM, Disc, Primitive
 from kinegrade.figure.symbols import draw_centre_mark, draw_dot, draw_half_pin, draw_pin
 from kinegrade.mechanics.vector import Vector
 
 _LOWER = Vector(0.01, -0.1)  # where a pin sits when nothing else decides: below, or to the right
+
+_HOUSING = 2.3  # millimetres, the radius of a motor
 
 
 def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -34,6 +37,15 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
     for name in sorted(pins):
         side = _find_side_of_through_bar(anatomy, name)
         yield from draw_half_pin(at[name], side) if side else draw_pin(at[name])
+
+
+def draw_motors(anatomy: Anatomy) -> Iterator[Primitive]:
+    """A round housing about the pin of two bodies of which one drives the other."""
+    for driver in anatomy.mechanism.drivers:
+        bodies = find_motor(driver)
+        for symbol in anatomy.symbols:
+            if bodies and symbol.point and set(bodies) <= set(symbol.turning):
+                yield Disc(anatomy.mechanism.points[symbol.point], _HOUSING, FIRM, "grey")
 
 
 def _find_pins(anatomy: Anatomy) -> set[str]:

@@ -117,8 +117,5 @@ def _extend(rail: Rail, others: Sequence[Rail], marked: Sequence[Vector]) -> Rai
 def _enclose(rail: Rail, other: Rail) -> bool:
     """Whether either block is on the open side of the other's rail."""
     step = other.at - rail.at
-    return (
-        abs(rail.along.cross(other.along)) > NEAR
-        and step.dot(rail.side) < -_CORNER
-        and step.dot(other.side) > _CORNER
-    )
+    crossed = abs(rail.along.cross(other.along)) > NEAR
+    return crossed and bool(step.dot(rail.side) < -_CORNER and step.dot(other.side) > _CORNER)

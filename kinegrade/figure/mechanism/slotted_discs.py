@@ -11,7 +11,7 @@ from kinegrade.figure.joints.symbol import Feature
 from kinegrade.figure.mechanism.straight_parts import SlottedDisc
 from kinegrade.figure.plane import angle_of, length, on_line, polar, unit
 from kinegrade.figure.scene import FIRM, Bow, Disc, Outline, Primitive
-from kinegrade.figure.symbols import SLOT_WIDTH, trace_stadium
+from kinegrade.figure.symbols import SLOT_WIDTH, trace_round
 from kinegrade.mechanics.vector import Vector
 
 _OVERHANG = 8.0  # millimetres of a disc beyond what slides in its slot
@@ -55,7 +55,7 @@ def draw_slotted_disc(disc: SlottedDisc) -> tuple[Primitive, ...]:
     """The disc with its slot, or a Geneva wheel."""
     if disc.geneva:
         return (Outline(tuple(_trace_geneva(disc)), FIRM, "grey"),)
-    slot = Outline(trace_stadium(*disc.slot, SLOT_WIDTH), FIRM, "white")
+    slot = Outline(trace_round(disc.slot, SLOT_WIDTH / 2), FIRM, "white")
     return (Disc(disc.centre, disc.radius, FIRM, "grey"), slot)
 
 

@@ -64,6 +64,7 @@ def choose_side(at: Vector, anatomy: Anatomy) -> Vector:
 
 def _measure_part(part: Part, at: Vector, side: Vector) -> float:
     """How much a part is in the way of a stand on a side of the pin; 0 for not at all."""
+    ends: tuple[Vector, ...]
     match part:
         case Bar() | Rod():
             middle = at + side * (STAND / 2)

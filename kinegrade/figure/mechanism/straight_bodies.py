@@ -9,7 +9,7 @@ from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.slotted_discs import draw_slotted_disc
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import length, unit
-from kinegrade.figure.scene import BOLD, Outline, Primitive, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
 _PLATE_EDGE = 1.9  # millimetres of a plate beyond the pins at its corners
