@@ -9,7 +9,8 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail, find_rails
 from kinegrade.figure.mechanism.stands import draw_stands
 from kinegrade.figure.plane import length, unit
-from kinegrade.figure.scene import Outline
+from kinegrade.figure.scene import THIN, Outline, Strokes
+from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -121,3 +122,35 @@ def test_guides_that_meet_at_no_marked_point_stay_apart() -> None:
 def test_guides_that_run_on_beyond_their_crossing_have_no_corner() -> None:
     floor, wall = trammel(Vector(0.03, 0.0), Vector(0.0, 0.3), "O")
     assert length(floor.start - wall.start) > 3
+
+
+def test_the_lines_of_a_dimension_begin_outside_the_stands_of_its_points() -> None:
+    points = {"O": ORIGIN, "C": RIGHT * 0.4, "A": Vector(0.1, 0.3), "B": Vector(0.5, 0.3)}
+    names = {"OA": ("O", "A"), "AB": ("A", "B"), "CB": ("C", "B")}
+    joints = (
+        Pin("O", ("OA", GROUND)),
+        Pin("C", ("CB", GROUND)),
+        Pin("A", ("OA", "AB")),
+        Pin("B", ("AB", "CB")),
+    )
+    bodies = tuple(Body(name, own) for name, own in names.items())
+    distance = {"symbol": "d", "from": "O", "to": "C"}
+    mechanism, hints = hinted(Mechanism(points, bodies, joints, ()), lengths=[distance])
+    primitives = sketch(mechanism, hints).primitives
+    stands = [part for part in primitives if isinstance(part, Outline) and part.fill == "white"]
+    base = min(corner.y for stand in stands for corner in stand.corners)
+    (level,) = {
+        part.corners[0].y
+        for part in primitives
+        if isinstance(part, Outline) and part.fill == "black"
+    }
+    upright = [
+        line
+        for part in primitives
+        if isinstance(part, Strokes) and part.pen == THIN
+        for line in part.lines
+        if abs(line[0].x - line[1].x) < 1e-9 and min(line[0].y, line[1].y) < level
+    ]
+    assert len(upright) == 2
+    assert level < base - 1.2
+    assert all(max(start.y, end.y) < base - 1.0 for start, end in upright)

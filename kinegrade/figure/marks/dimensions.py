@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from math import pi
+from math import copysign, pi
 from typing import assert_never
 
 from kinegrade.figure.placing.mark import Mark
@@ -20,7 +20,10 @@ from kinegrade.problem.template.hints import Length, Projection
 
 # Millimetres, of dimension lines
 _OFFSETS = (5.5, -5.5, 8.0, -8.0, 10.5, -10.5, 13.0, -13.0, 16.0, -16.0)
-_LEAVING = 2.2  # millimetres by which an extension line may overlap what is drawn at its point
+_LEAVING = 1.6  # millimetres from a point to its extension line, where nothing is in the way
+# Millimetres around a point in which its support is, in steps, and from there to the line
+_SUPPORT, _PROBES, _OUTSIDE = (7.0, 10, 0.5)
+_SHORT = 4.0  # millimetres of a gap that still leave room for a line of the least offset
 # Millimetres, of the leader from a symbol to a bar with no room next to it
 _LEADERS = (6.0, 9.0)
 _TURNS = tuple(turn * pi / 6 for turn in range(12))
@@ -48,8 +51,16 @@ def mark_lengths(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> li
     measured = _measure(hint.along, start, end)
     backwards = hint.signed and measured.dot(end - start) < 0
     symbol = rf"\left|{hint.symbol}\right|" if backwards else hint.symbol
+    gaps = {
+        side: (
+            _find_gap(start, measured.turned() * side, drawn),
+            _find_gap(end, measured.turned() * side, drawn),
+        )
+        for side in (1.0, -1.0)
+    }
     found: list[Mark] = [
-        _draw_dimension((start, end), measured, offset, symbol) for offset in _OFFSETS
+        _draw_dimension((start, end), measured, offset, symbol, gaps[copysign(1.0, offset)])
+        for offset in _OFFSETS
     ]
     others = [point for name, point in at.items() if name not in (hint.start, hint.end)]
     whole = hint.along is None and not _between(start, end, others)
@@ -63,13 +74,27 @@ def mark_lengths(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> li
     return found
 
 
-def _draw_dimension(points: Segment, measured: Vector, offset: float, symbol: str) -> _Dimension:
-    """The dimension line at an offset from the outer one of the two points."""
+def _find_gap(point: Vector, away: Vector, drawn: Obstacles) -> float:
+    """How far from a point an extension line begins: beyond a support that stands there."""
+    (x, y), last = point, _LEAVING
+    near = drawn.near((x - _SUPPORT, y - _SUPPORT, x + _SUPPORT, y + _SUPPORT))
+    for step in range(1, _PROBES + 1):
+        reach = _SUPPORT * step / _PROBES
+        if near.under_box(x + away.x * reach, y + away.y * reach, 0.2, 0.2) > 0:
+            last = max(last, reach + _OUTSIDE)
+    return last
+
+
+def _draw_dimension(
+    points: Segment, measured: Vector, offset: float, symbol: str, gaps: tuple[float, float]
+) -> _Dimension:
+    """The dimension line at an offset from the outer one of the two points, outside supports."""
     across = measured.turned()
+    offset += copysign(max(0.0, max(gaps) - _SHORT), offset)
     outer = max if offset > 0 else min
     level = outer(across.dot(point) for point in points) + offset
     feet = [point + across * (level - across.dot(point)) for point in points]
-    return _Dimension(points, (feet[0], feet[1]), symbol, 0.3 * abs(offset))
+    return _Dimension(points, (feet[0], feet[1]), symbol, 0.3 * abs(offset), gaps)
 
 
 def _between(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
@@ -91,11 +116,12 @@ class _Dimension:
     feet: Segment
     symbol: str
     demerit: float
+    gaps: tuple[float, float]
     shared: bool = True
 
     def path(self) -> tuple[Segment, ...]:
         """The dimension line, and the extension lines from where they leave their points."""
-        return (self._line(), *self._extensions(_LEAVING))
+        return (self._line(), *self._extensions())
 
     def wish(self) -> Wish:
         """Beside the dimension line."""
@@ -105,7 +131,7 @@ class _Dimension:
         """Thin lines and two arrowheads, from outside where there is no room between the feet."""
         along = unit(self.feet[1] - self.feet[0]) * (1.0 if self._outside() else -1.0)
         heads = (draw_arrowhead(self.feet[0], along), draw_arrowhead(self.feet[1], -along))
-        return (Strokes((*self._extensions(1.6), self._line()), THIN), *heads)
+        return (Strokes((*self._extensions(), self._line()), THIN), *heads)
 
     def _outside(self) -> bool:
         return length(self.feet[1] - self.feet[0]) < 2 * HEAD_LENGTH + 1.5
@@ -114,10 +140,10 @@ class _Dimension:
         tail = unit(self.feet[1] - self.feet[0]) * (3.0 if self._outside() else 0.0)
         return (self.feet[0] - tail, self.feet[1] + tail)
 
-    def _extensions(self, gap: float) -> tuple[Segment, ...]:
+    def _extensions(self) -> tuple[Segment, ...]:
         """From a gap beyond each point to a little beyond its foot."""
         found = []
-        for point, end in zip(self.points, self.feet, strict=True):
+        for point, end, gap in zip(self.points, self.feet, self.gaps, strict=True):
             away = unit(end - point)
             if length(end - point) > gap + 0.9:
                 found.append((point + away * gap, end + away * 1.2))
