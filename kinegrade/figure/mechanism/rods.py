@@ -10,7 +10,7 @@ from kinegrade.figure.plane import length, mean, nearest_of
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
-_ROD = 17.0  # millimetres of a translating rod that are shown at least
+_ROD = 14.0  # millimetres of a translating rod that are shown at least
 # millimetres a translating rod continues beyond its point when it has two free ends
 _THROUGH = 11.0
 _GUIDE_ROOM = 5.5  # millimetres between the middle of a rod's guide and any other bar
