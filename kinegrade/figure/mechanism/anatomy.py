@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from kinegrade.figure.joints.symbol import Rim, Symbol, find_pins
 from kinegrade.figure.joints.table import find_symbols
 from kinegrade.figure.mechanism.bars import find_straight_parts
-from kinegrade.figure.mechanism.gussets import Corner, find_corners
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction
 from kinegrade.figure.mechanism.rims import find_rims, order_rims
+from kinegrade.figure.mechanism.straight.gussets import Corner, find_corners
 from kinegrade.figure.mechanism.straight_parts import Part, Rod
 from kinegrade.figure.plane import unit
 from kinegrade.mechanics.joints import Line

@@ -12,8 +12,8 @@ from itertools import pairwise
 
 from kinegrade.figure.joints.symbol import Feature, Rim, Symbol, find_fixed_pin, find_pins
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction, find_plate
-from kinegrade.figure.mechanism.rods import find_rods
 from kinegrade.figure.mechanism.slotted_discs import find_slotted_disc
+from kinegrade.figure.mechanism.straight.rods import find_rods
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
 from kinegrade.figure.plane import NEAR, collinear, length, mean, on_line, same_line, unit
 from kinegrade.mechanics.mechanism import Body, Mechanism

@@ -12,13 +12,13 @@ from dataclasses import dataclass
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.belts import draw_belts, draw_ropes
-from kinegrade.figure.mechanism.gussets import draw_gussets, find_welded_arms
 from kinegrade.figure.mechanism.pins import draw_motors, draw_points
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.round.heads import draw_heads
 from kinegrade.figure.mechanism.round.round_bodies import draw_round_bodies
 from kinegrade.figure.mechanism.sliders import draw_blocks, draw_ground_sliders, draw_sleeves
 from kinegrade.figure.mechanism.stands import draw_stands
+from kinegrade.figure.mechanism.straight.gussets import draw_gussets, find_welded_arms
 from kinegrade.figure.mechanism.straight_bodies import draw_straight_part
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc, is_slender
 from kinegrade.figure.mechanism.tracks import draw_tracks
