@@ -78,3 +78,14 @@ def test_a_wheel_beside_an_arm_on_one_pivot_has_its_arrow_at_its_rim() -> None:
     of_disc, of_rod = (turned_arrows(scene)[first : first + 2] for first in (0, 2))
     assert all(abs(bow.radius - disc) < 3.0 for bow in of_disc)
     assert all(bow.radius < disc / 2 for bow in of_rod)
+
+
+def test_the_arrows_of_an_eccentric_disc_stand_outside_its_rim() -> None:
+    template = load_template("flat-faced-follower-eccentric-circle")
+    (draw,) = drawn(draw_filter(template), 1)
+    scene = sketch(draw.solution.assembly.mechanism.map(float), mark_givens(template))
+    disc = max(
+        (part for part in scene.primitives if isinstance(part, Disc)), key=lambda part: part.radius
+    )
+    for bow in turned_arrows(scene):
+        assert all(hypot(*(point - disc.centre)) > disc.radius for point in bow.path())

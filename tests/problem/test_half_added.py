@@ -128,7 +128,7 @@ def test_a_joint_without_a_symbol_is_not_drawn(uses: object) -> None:
 @pytest.mark.parametrize(
     "uses",
     [
-        lambda spin: find_given_motion({}, spin),
+        lambda spin: find_given_motion({}, spin, "velocity"),
         reduce_to_sense,
     ],
 )

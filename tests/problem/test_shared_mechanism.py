@@ -138,7 +138,7 @@ def test_own_lists_follow_the_shared_ones_and_the_figure_is_laid_over_key_by_key
         "omega < 10000000",
         "h < r",
     ]
-    assert (len(template.figure.lengths), template.figure.axes) == (1, True)
+    assert (len(template.figure.lengths), template.figure.axes) == (1, "aside")
     assert dict(template.figure.labels) == {"O": "C"}
 
 

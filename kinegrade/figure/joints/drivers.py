@@ -13,8 +13,7 @@ from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.numbers.number import Number
-from kinegrade.problem.template.hints import Sense
+from kinegrade.problem.template.hints import LEVELS, Sense
 
 _SENSES: Mapping[float, Sense | None] = {1.0: "ccw", 0.0: None, -1.0: "cw"}
 
@@ -40,15 +39,14 @@ def find_given_motion(
     points: Mapping[str, Vector], driver: Driver, level: Level
 ) -> TurningBody | MovingPoint:
     """What the arrow of a driver's velocity or acceleration shows."""
-    sign = _find_sign(_find_rate(driver, level))
     match driver:
         case Rotation():
-            return TurningBody(driver.body, driver.of, _SENSES[sign])
+            return TurningBody(driver.body, driver.of, _SENSES[_find_sign(driver, level)])
         case Component():
-            return MovingPoint(driver.point, unit(driver.direction) * sign if sign else None)
+            return MovingPoint(driver.point, _point(driver.direction, _find_sign(driver, level)))
         case Circulation():
-            around_centre = unit((points[driver.point] - points[driver.centre]).turned())
-            return MovingPoint(driver.point, around_centre * sign if sign else None)
+            around_centre = (points[driver.point] - points[driver.centre]).turned()
+            return MovingPoint(driver.point, _point(around_centre, _find_sign(driver, level)))
         case _:
             assert_never(driver)
 
@@ -66,26 +64,30 @@ def find_motor(driver: Driver) -> tuple[str, str] | None:
 
 def reduce_to_sense(driver: Driver) -> Driver:
     """The driver with rates of 1, 0 or -1, its direction of unit length."""
-    velocity, acceleration = _find_sign(driver.velocity), _find_sign(driver.acceleration)
-    reduced = replace(driver, velocity=velocity, acceleration=acceleration)
-    match reduced:
+    match driver:
         case Component():
-            return replace(reduced, direction=unit(reduced.direction))
+            return _reduce_rates(replace(driver, direction=unit(driver.direction)))
         case Rotation() | Circulation():
-            return reduced
+            return _reduce_rates(driver)
         case _:
-            assert_never(reduced)
+            assert_never(driver)
 
 
-def _find_rate(driver: Driver, level: Level) -> Number:
+def _reduce_rates(driver: Driver) -> Driver:
+    velocity, acceleration = (_find_sign(driver, level) for level in LEVELS)
+    return replace(driver, velocity=velocity, acceleration=acceleration)
+
+
+def _point(direction: Vector, sign: float) -> Vector | None:
+    return unit(direction) * sign if sign else None
+
+
+def _find_sign(driver: Driver, level: Level) -> float:
     match level:
         case "velocity":
-            return driver.velocity
+            rate = driver.velocity
         case "acceleration":
-            return driver.acceleration
+            rate = driver.acceleration
         case _:
             assert_never(level)
-
-
-def _find_sign(rate: Number) -> float:
     return float((rate > 0) - (rate < 0))

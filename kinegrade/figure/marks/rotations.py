@@ -14,7 +14,7 @@ from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark, chords
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_along_arc
-from kinegrade.figure.plane import angle_of, length, mean, shorter_way
+from kinegrade.figure.plane import NEAR, angle_of, length, mean, shorter_way
 from kinegrade.figure.scene import THIN, Bow, Primitive
 from kinegrade.figure.symbols import HEADS, draw_curved_arrow
 from kinegrade.mechanics.ground import GROUND
@@ -55,8 +55,18 @@ def add_rotation(
 def _list_absolute_arrows(
     mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing
 ) -> list[Mark]:
-    """Arrows about the pivot of a body, where the body leaves it first."""
+    """Arrows about the pivot of a body, where the body leaves it first; those of an eccentric disc,
+    whose inside is full of givens, at its rim, where that is nearest.
+    """
     sense = hint.sense or find_imposed_sense(mechanism, hint)
+    for rim in drawing.rims:
+        aside = length(centre - rim.at)
+        if rim.body == hint.body and rim.kind == "wheel" and NEAR < aside < rim.radius:
+            nearest = rim.radius - aside + _BEYOND
+            away = angle_of(centre - rim.at)
+            return list_turning_arrows(
+                hint, sense, centre, (nearest, nearest + 1.5, *_RADII), away, astray=_ASTRAY
+            )
     crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
     rims = list(_list_radii(drawing, hint.body))
     if _shares_pivot(mechanism, hint.body, drawing):
