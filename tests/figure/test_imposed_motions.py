@@ -89,3 +89,14 @@ def test_the_arrows_of_an_eccentric_disc_stand_outside_its_rim() -> None:
     )
     for bow in turned_arrows(scene):
         assert all(hypot(*(point - disc.centre)) > disc.radius for point in bow.path())
+
+
+@pytest.mark.parametrize("phi", [40.0, 75.0, 120.0])
+def test_an_arrow_is_not_drawn_into_the_angle_at_its_pivot_or_along_its_arc(phi: float) -> None:
+    mechanism, hints = slider_crank(0.2, 1.75, phi)
+    both = (Turning("w", "OA"), Turning("e", "OA", None, "acceleration"))
+    drivers = (Rotation("OA", 2.0, -1.0),)
+    scene = sketch(replace(mechanism, drivers=drivers), replace(hints, arrows=both))
+    for bow in turned_arrows(scene):
+        middle = degrees(bow.start + bow.sweep / 2) % 360
+        assert not 5.0 < middle < phi - 5.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
@@ -11,7 +11,7 @@ from kinegrade.figure.marks.imposed import find_imposed_sense
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, SlottedDisc
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.mark import Mark, chords
+from kinegrade.figure.placing.mark import chords
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_along_arc
 from kinegrade.figure.plane import NEAR, angle_of, length, mean, shorter_way
@@ -31,7 +31,10 @@ _RELATIVE_RADII, _RELATIVE_ARC = (7.0, 8.5, 10.0, 11.5, 13.0, 5.5), 9.0
 _TWELFTHS = tuple(index * pi / 6 for index in range(12))
 # Millimetres between the rim of a body and an arrow within it, or beyond it
 _WITHIN, _BEYOND = 2.6, 2.0
-_ASTRAY = 2.5  # demerit of each radian between the arrow and the body
+# Demerit of each radian between the arrow and the body, or where the rim of a disc is nearest
+_ASTRAY, _AT_RIM = 1.2, 5.0
+# Millimetres between an arrow and the arc of an angle within it, and the demerit of less
+_APART, _MERGED = 3.0, 4.0
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 _LETTERED = 8.0
 
@@ -49,12 +52,27 @@ def add_rotation(
         centre = _find_common_point(mechanism, hint)
         arrows = _list_relative_arrows(mechanism, hint, centre, drawing)
     close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
-    return layout.marked(arrows, layout.written(close).labels)
+    apart = [replace(arrow, demerit=_rate_arcs(arrow, layout)) for arrow in arrows]
+    return layout.marked(apart, layout.written(close).labels)
+
+
+def _rate_arcs(arrow: TurningArrow, layout: Layout) -> float:
+    """The demerit of an arrow, larger where it would look like a part of the arc of an angle at the
+    same pivot.
+    """
+    bow, worse = arrow.bow, 0.0
+    for arc in layout.lines:
+        if isinstance(arc, Bow) and arc.pen == THIN and length(arc.centre - bow.centre) < NEAR:
+            from_start = bow.start + bow.sweep / 2 - arc.start
+            turned = from_start % (2 * pi) if arc.sweep > 0 else -from_start % (2 * pi)
+            if turned < abs(arc.sweep) and abs(bow.radius - arc.radius) < _APART:
+                worse += _MERGED
+    return arrow.demerit + worse
 
 
 def _list_absolute_arrows(
     mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing
-) -> list[Mark]:
+) -> list[TurningArrow]:
     """Arrows about the pivot of a body, where the body leaves it first; those of an eccentric disc,
     whose inside is full of givens, at its rim, where that is nearest.
     """
@@ -65,7 +83,7 @@ def _list_absolute_arrows(
             nearest = rim.radius - aside + _BEYOND
             away = angle_of(centre - rim.at)
             return list_turning_arrows(
-                hint, sense, centre, (nearest, nearest + 1.5, *_RADII), away, astray=_ASTRAY
+                hint, sense, centre, (nearest, nearest + 1.5, *_RADII), away, astray=_AT_RIM
             )
     crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
     rims = list(_list_radii(drawing, hint.body))
@@ -96,12 +114,12 @@ def _shares_pivot(mechanism: Mechanism, body: str, drawing: Drawing) -> bool:
 
 def _list_relative_arrows(
     mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing
-) -> list[Mark]:
+) -> list[TurningArrow]:
     """Arrows about the pin of two bodies that start on the one that counts as fixed."""
     sense = hint.sense or find_imposed_sense(mechanism, hint)
     start = _find_crank_direction(mechanism, hint.of, centre, drawing)
     return [
-        _TurningArrow(
+        TurningArrow(
             Bow(centre, radius, start, _RELATIVE_ARC / radius * TURN[sense], THIN), hint, rank
         )
         for rank, radius in enumerate(_RELATIVE_RADII)
@@ -116,22 +134,22 @@ def list_turning_arrows(
     toward: float,
     *,
     astray: float,
-) -> list[Mark]:
+) -> list[TurningArrow]:
     """Curved arrows about a centre, of each radius (millimetres, the preferred one first) and in
     twelve directions; `astray` is the demerit of each radian away from the direction `toward`.
     """
-    found: list[Mark] = []
+    found: list[TurningArrow] = []
     for radius in radii:
         span = _ARCS[hint.level] / radius * TURN[sense]
         for angle in _TWELFTHS:
             bow = Bow(centre, radius, angle - span / 2, span, THIN)
             demerit = 1.5 * abs(radius - radii[0]) + astray * abs(shorter_way(angle - toward))
-            found.append(_TurningArrow(bow, hint, demerit))
+            found.append(TurningArrow(bow, hint, demerit))
     return found
 
 
 @dataclass(frozen=True)
-class _TurningArrow:
+class TurningArrow:
     """A curved arrow along an arc."""
 
     bow: Bow

@@ -10,10 +10,9 @@ from itertools import combinations
 from math import pi
 
 from kinegrade.figure.marks.names import label_bodies, label_points
-from kinegrade.figure.marks.rotations import list_turning_arrows
+from kinegrade.figure.marks.rotations import TurningArrow, list_turning_arrows
 from kinegrade.figure.mechanism.fitting import HEIGHT, fit_scene
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.plane import angle_of, length, mean, on_line, unit
@@ -211,7 +210,7 @@ def _draw_right_angle(arrow: VectorArrow, end: Vector) -> Outline:
 
 def _mark_rotation_about(
     centre: Vector, rotation: Turning, placed: Sequence[VectorArrow]
-) -> list[Mark]:
+) -> list[TurningArrow]:
     """Curved arrows about the pole, towards the points whose velocities are drawn first."""
     toward = angle_of(mean(arrow.start for arrow in placed) - centre) if placed else pi / 2
     sense = rotation.sense or "ccw"
