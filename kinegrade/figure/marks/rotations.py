@@ -33,6 +33,7 @@ _TWELFTHS = tuple(index * pi / 6 for index in range(12))
 _WITHIN, _BEYOND = 2.6, 2.0
 # Demerit of each radian between the arrow and the body, or where the rim of a disc is nearest
 _ASTRAY, _AT_RIM = 1.2, 5.0
+_COARSE = 0.7  # radians of an arrow that count as straight when its way is looked at
 # Millimetres between an arrow and the arc of an angle within it, and the demerit of less
 _APART, _MERGED = 3.0, 4.0
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
@@ -52,21 +53,22 @@ def add_rotation(
         centre = _find_common_point(mechanism, hint)
         arrows = _list_relative_arrows(mechanism, hint, centre, drawing)
     close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
-    apart = [replace(arrow, demerit=_rate_arcs(arrow, layout)) for arrow in arrows]
+    arcs = [line for line in layout.lines if isinstance(line, Bow) and line.pen == THIN]
+    near = [arc for arc in arcs if length(arc.centre - centre) < NEAR]
+    apart = [replace(arrow, demerit=_rate_arcs(arrow, near)) for arrow in arrows]
     return layout.marked(apart, layout.written(close).labels)
 
 
-def _rate_arcs(arrow: TurningArrow, layout: Layout) -> float:
+def _rate_arcs(arrow: TurningArrow, arcs: Iterable[Bow]) -> float:
     """The demerit of an arrow, larger where it would look like a part of the arc of an angle at the
     same pivot.
     """
     bow, worse = arrow.bow, 0.0
-    for arc in layout.lines:
-        if isinstance(arc, Bow) and arc.pen == THIN and length(arc.centre - bow.centre) < NEAR:
-            from_start = bow.start + bow.sweep / 2 - arc.start
-            turned = from_start % (2 * pi) if arc.sweep > 0 else -from_start % (2 * pi)
-            if turned < abs(arc.sweep) and abs(bow.radius - arc.radius) < _APART:
-                worse += _MERGED
+    for arc in arcs:
+        from_start = bow.start + bow.sweep / 2 - arc.start
+        turned = from_start % (2 * pi) if arc.sweep > 0 else -from_start % (2 * pi)
+        if turned < abs(arc.sweep) and abs(bow.radius - arc.radius) < _APART:
+            worse += _MERGED
     return arrow.demerit + worse
 
 
@@ -158,8 +160,8 @@ class TurningArrow:
     shared: bool = False
 
     def path(self) -> tuple[Segment, ...]:
-        """The arc."""
-        return chords(self.bow)
+        """The arc, in few pieces: there are many arrows to choose from."""
+        return chords(self.bow, _COARSE)
 
     def wish(self) -> Wish:
         """Along the arc."""

@@ -43,6 +43,6 @@ def direction(at: Mapping[str, Vector], vertex: Vector, name: str) -> Vector:
     return at[name] - vertex if name in at else SIDE_VECTORS[name]
 
 
-def chords(bow: Bow) -> tuple[Segment, ...]:
-    """An arc as straight pieces, accurate enough to find what it crosses."""
-    return tuple(pairwise(bow.path(0.35)))
+def chords(bow: Bow, step: float = 0.35) -> tuple[Segment, ...]:
+    """An arc as straight pieces of so many radians, accurate enough to find what it crosses."""
+    return tuple(pairwise(bow.path(step)))
