@@ -116,6 +116,19 @@ def write_specimens(template: Template, language: Language) -> Iterator[tuple[Pl
             yield where, filling.fill(text, first)
 
 
+def find_unsigned_givens(template: Template) -> frozenset[str]:
+    """The givens that statements print without their sign, which their words say."""
+    driven = find_driven(template.scheme.drivers, template.parameters)
+    return frozenset(
+        given
+        for place, prose in list_prose(template)
+        for _, text in prose.list_written(place)
+        for slot in find_slots(text)
+        if slot.part not in {"", "value"}
+        for given in slot.list_givens(driven)
+    )
+
+
 def list_written_texts(template: Template, language: Language) -> Iterator[tuple[Place, str]]:
     """The statement and the wordings of its texts, as the author wrote them, with their places."""
     for place, text in list_prose(template):

@@ -15,6 +15,7 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.as_stated import restate
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask, Method
 from kinegrade.worked.answers.answers import explain_answer, state_result
@@ -37,11 +38,12 @@ from kinegrade.worked.vectors.stage import Stage
 def write_worked_solution(
     solution: Solution, asks: Iterable[str], language: Language, method: Method | None = None
 ) -> WorkedSolution:
-    """The worked solution for the asks named, by the given method where several apply (by default
-    the template's, else the base point).
+    """The worked solution for the asks named, in the letters of the statement, by the given method
+    where several apply (by default the template's, else the base point).
     """
-    case = Case(solution, language, method or solution.template.about.method)
-    asked = tuple(solution.template.asks[name] for name in asks)
+    stated = restate(solution)
+    case = Case(stated, language, method or stated.template.about.method)
+    asked = tuple(stated.template.asks[name] for name in asks)
     return WorkedSolution(tuple(_write_blocks(case, asked)))
 
 

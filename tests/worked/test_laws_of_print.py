@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import pytest
 
 from kinegrade.language import Language
+from kinegrade.problem.as_stated import restate
 from kinegrade.problem.template.library.library import find_template_names
 from kinegrade.worked.document import Block
 from tests.worked.chains import chains
@@ -31,7 +32,7 @@ def test_symbols_are_worth_what_was_printed_for_them(name: str) -> None:
     """
     count, wrong = 0, []
     for place, solution in enumerate(drawn(name)):
-        for equation, part, value, end in compared(kept(name, place), solution):
+        for equation, part, value, end in compared(kept(name, place), restate(solution)):
             count += 1
             if abs(value.value - end.value) > value.room + end.room + DUST:
                 wrong.append((equation, part, value, end))

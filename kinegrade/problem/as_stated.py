@@ -1,0 +1,70 @@
+"""An instance in the letters of its statement: what is printed without a minus is positive."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Set
+from dataclasses import replace
+
+from kinegrade.expressions.negating import negate_arguments, negate_names
+from kinegrade.expressions.tree import Call, Expression
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.statement import find_unsigned_givens
+from kinegrade.problem.template.sentences import DriverSentence, JointSentence
+from kinegrade.problem.template.template import Scheme, Template
+
+
+def restate(solution: Solution) -> Solution:
+    """The same motion and answers in the givens as the statement prints them: the size of those
+    whose sign its words say, with a minus in the template's expressions.
+    """
+    unsigned = find_unsigned_givens(solution.template)
+    turned = {name for name in unsigned if solution.parameters[name].is_negative}
+    if not turned:
+        return solution
+    values = {name: -solution.assembly.values[name] for name in turned}
+    sizes = {name: solution.parameters[name].size for name in turned}
+    return replace(
+        solution,
+        template=_turn_template(solution.template, turned),
+        parameters={**solution.parameters, **sizes},
+        assembly=replace(solution.assembly, values={**solution.assembly.values, **values}),
+    )
+
+
+def _turn_template(template: Template, names: Set[str]) -> Template:
+    asks = {
+        name: replace(ask, quantity=negate_names(ask.quantity, names))
+        for name, ask in template.asks.items()
+    }
+    return replace(template, scheme=_turn_scheme(template.scheme, names), asks=asks)
+
+
+def _turn_scheme(scheme: Scheme, names: Set[str]) -> Scheme:
+    return replace(
+        scheme,
+        lengths=_turn_all(scheme.lengths, names),
+        points=_turn_all(scheme.points, names),
+        joints=tuple(_turn_joint(joint, names) for joint in scheme.joints),
+        drivers=tuple(_turn_driver(driver, names) for driver in scheme.drivers),
+    )
+
+
+def _turn_all(trees: Mapping[str, Expression], names: Set[str]) -> dict[str, Expression]:
+    return {name: negate_names(tree, names) for name, tree in trees.items()}
+
+
+def _turn_joint(joint: JointSentence, names: Set[str]) -> JointSentence:
+    return replace(joint, circle=_turn_shape(joint.circle, names), on=_turn_shape(joint.on, names))
+
+
+def _turn_shape(shape: Call | None, names: Set[str]) -> Call | None:
+    return shape and negate_arguments(shape, names)
+
+
+def _turn_driver(driver: DriverSentence, names: Set[str]) -> DriverSentence:
+    return replace(
+        driver,
+        velocity=negate_names(driver.velocity, names),
+        acceleration=negate_names(driver.acceleration, names),
+        along=driver.along and negate_names(driver.along, names),
+    )

@@ -1,0 +1,44 @@
+"""A worked solution is written in the letters of the statement: what the statement prints without a
+minus is positive there too, and everything else follows from it as before.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.language import ENGLISH
+from kinegrade.problem.as_stated import restate
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.worked.solution import write_worked_solution
+from tests.problem.crank import crank
+from tests.worked.telling import displayed
+
+NEGATIVE = {
+    "bent-coupler-instant-translation": {"alpha": "-5"},
+    "eccentric-cam-offset-follower": {"phi": "-30", "alpha": "-10"},
+    "five-bar-two-driven-cranks": {"gamma": "-15", "omega_1": "-2", "eps_2": "-4"},
+    "flat-faced-follower-curvature-radius": {"theta": "-15", "omega": "-3"},
+}
+
+
+@pytest.mark.parametrize("name", NEGATIVE)
+def test_the_restated_template_at_positive_values_has_the_same_answers(name: str) -> None:
+    solution = solve_template(load_template(name), NEGATIVE[name])
+    stated = restate(solution)
+    given = {name: quantity.exact or "" for name, quantity in stated.parameters.items()}
+    assert not any(stated.parameters[name].is_negative for name in NEGATIVE[name])
+    assert dict(solve_template(stated.template, given)) == dict(solution)
+
+
+def test_a_driven_rate_is_taken_from_zero_where_its_sense_is_in_words() -> None:
+    said = ("turns with {{ omega }};", "{{ OA.turning }};")
+    for changes, expected in (((said,), r"= -\omega = -2"), ((), r"= \omega = -2")):
+        solution = solve_template(crank(*changes), {"omega": "-2", "h": "1/2"})
+        lines = displayed(write_worked_solution(solution, ("v_x",), ENGLISH).blocks)
+        assert any(expected in line for line in lines), lines
+
+
+def test_nothing_is_restated_where_all_that_is_printed_is_positive() -> None:
+    solution = solve_template(crank(), {"omega": "-2", "h": "1/2"})
+    assert restate(solution) is solution
