@@ -4,6 +4,7 @@ alone.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -17,12 +18,14 @@ from kinegrade.exam.printing.pages import (
     make_key_paper,
     write_interval,
 )
+from kinegrade.exam.printing.sample import make_sample_bank
 from kinegrade.exam.roster.roster import Roster, Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language import ENGLISH
 from kinegrade.press.typst.key import write_key_source
 from kinegrade.press.typst.paper import write_paper_source
+from kinegrade.problem.template.library.library import load_template
 from tests.small_class import write_class
 
 CLASS = Roster((Student("007", "王伟", "", "007"), Student("0012", "Zoë", "", "0012")), ())
@@ -43,11 +46,22 @@ def test_a_paper_holds_its_students_numbers(bank: Bank, papers: list[SetPaper]) 
     for paper in papers:
         sheet = lay_out_paper(bank, paper, "en").questions[0]
         for quantity in paper.questions[0].drawn.solution.parameters.values():
-            assert quantity.given_text in sheet.statement
+            assert quantity.size.given_text in sheet.statement
         rows = [(row.symbol, row.unit, row.points) for row in sheet.rows]
         assert rows == [("v_{B}", "m/s", 3), ("a_{B}", "m/s^2", 2.5)]
         assert sheet.figure is not None
         assert sheet.source == ""  # where a problem was published is for the instructor
+
+
+@pytest.mark.parametrize(("asked", "given"), [("omega_AB", False), ("alpha_AB", True)])
+def test_a_paper_gives_no_acceleration_where_none_is_asked_for(asked: str, given: bool) -> None:
+    bank = make_sample_bank(load_template("bar-through-swivelling-sleeve"))
+    (question,) = bank.questions
+    asks = tuple(ask for ask in question.asks if ask.name == asked)
+    smaller = replace(bank, questions=(replace(question, asks=asks),))
+    (paper, *_) = deal_exam(smaller, CLASS, FromWords("spring")).papers()
+    (sheet,) = lay_out_paper(smaller, paper, "en").questions
+    assert ("acceleration" in sheet.statement) is given
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
