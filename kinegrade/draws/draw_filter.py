@@ -20,9 +20,11 @@ from kinegrade.draws.examining import (
     Refused,
     find_too_fine,
     name_reason,
+    require_legible,
     require_room,
     solve_sensible,
 )
+from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.pad import Doubles
@@ -48,7 +50,8 @@ class DrawFilter:
     """The filter of one question, by the tolerances of the asks it names, the significant figures
     that students `carry`, and the `honest` asks whose tolerance may be widened; see `Accuracy`.
 
-    With `four_decimals` every right answer is still right when given to four decimals.
+    With `four_decimals` every right answer is still right when given to four decimals. Figures are
+    drawn last, by `sketcher`, for what would be dealt otherwise.
     """
 
     template: Template
@@ -58,6 +61,7 @@ class DrawFilter:
     four_decimals: bool = False
     carry: int = USUAL_CARRY
     honest: frozenset[str] = frozenset()
+    sketcher: Sketcher = sketch
 
     def __getstate__(self) -> dict[str, object]:
         """What another process receives; it works out the rest itself."""
@@ -102,6 +106,10 @@ class DrawFilter:
         fine = self.four_decimals and find_too_fine(examined)
         if fine:
             return Refused("decimals", name_reason("decimals"), fine)
+        try:
+            require_legible(solution, self.sketcher)
+        except Refused as refusal:
+            return refusal
         return examined
 
     def solved(self, values: Combination) -> Solution:

@@ -13,6 +13,8 @@ from math import inf, isfinite
 from typing import Literal
 
 from kinegrade.errors import MechanismError, Problem
+from kinegrade.figure.legibility import find_illegible
+from kinegrade.figure.sketch import Sketcher
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
@@ -46,6 +48,8 @@ Reason = Literal[
     "mistake",
     #: The right answer is not right with the decimals that the LMS keeps.
     "decimals",
+    #: The figure would be hard to read: a symbol has no room, or a part is under 4 mm on paper.
+    "figure",
 ]
 
 
@@ -128,6 +132,14 @@ def explain_rounding(ask: str, bound: float, accuracy: Accuracy) -> Message:
     return Message(
         "template.strays-by-rounding", ask=ask, figures=accuracy.carry, error=f"{bound:.2g}"
     )
+
+
+def require_legible(solution: Solution, sketcher: Sketcher) -> None:
+    """Raises Refused for an instance whose figure cannot be read well."""
+    mechanism, hints = solution.assembly.mechanism.map(float), solution.template.figure
+    why = find_illegible(mechanism, hints, sketcher)
+    if why is not None:
+        raise Refused("figure", why)
 
 
 def find_too_fine(examined: Examined) -> str:

@@ -117,12 +117,15 @@ class Box:
 
 @dataclass(frozen=True)
 class Scene:
-    """A finished drawing; `scale` is millimetres on paper per metre."""
+    """A finished drawing; `scale` is millimetres on paper per metre, and `crowded` are the symbols
+    that found no good place.
+    """
 
     width: float
     height: float
     scale: float
     primitives: tuple[Primitive, ...]
+    crowded: tuple[str, ...] = ()
 
     @property
     def labels(self) -> tuple[Label, ...]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from kinegrade.figure.marks.angles import draw_least_legs, mark_angles
 from kinegrade.figure.marks.dimensions import mark_lengths
@@ -23,7 +23,7 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish
-from kinegrade.figure.scene import Primitive, Scene, find_common_box
+from kinegrade.figure.scene import Scene, find_common_box
 from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.template.hints import FigureHints, Moving, Turning
@@ -35,6 +35,9 @@ _ARROWS = 6.6, 2.2  # millimetres that straight arrows usually take beside the s
 _AXES = 0.0, 4.4  # millimetres that a frame of axes usually takes at the side
 # Marks that fit within WRITING, and the millimetres that each further one takes
 _USUAL, _FURTHER = (4, 1.2)
+# Shares of the first scale that are tried in turn while a symbol has no good place
+_SMALLER = (0.95, 0.88)
+Sketcher = Callable[[Mechanism, FigureHints], Scene]
 PLAIN = FigureHints()
 
 
@@ -62,10 +65,18 @@ def draw_unit_figure(shown: Subject) -> Scene:
     mechanism, hints = shown.mechanism, drop_still(shown.mechanism, shown.hints)
     span = measure_span(mechanism, hints)
     scale = _choose_first_scale(mechanism, hints, span)
-    return fit_scene(lambda scale: _compose(mechanism, hints, scale), scale, span)
+    compose = partial(_compose, mechanism, hints)
+    best = fit_scene(compose, scale, span)
+    first = best.scale
+    for share in _SMALLER:
+        if not best.crowded:
+            break
+        other = fit_scene(compose, first * share, span)
+        best = min(best, other, key=lambda scene: len(scene.crowded))
+    return best
 
 
-def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Primitive, ...]:
+def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> Layout:
     """The mechanism, then the marks with the fewest possible places first, each placed around what
     is already there.
 
@@ -81,7 +92,7 @@ def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Pr
     for radius in hints.radii:
         layout = layout.marked(mark_radii(paper.points, drawing.rims, radius))
     layout = add_axes_aside(layout, hints)
-    return layout.written(label_bodies(paper, hints, drawing)).primitives
+    return layout.written(label_bodies(paper, hints, drawing))
 
 
 def _place_bound_marks(

@@ -6,20 +6,40 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import fields, is_dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 from kinegrade.figure.scene import Bow, Disc, Label, Outline, Pen, Scene, Strokes
 from kinegrade.figure.similar_mechanisms import Subject
-from kinegrade.figure.sketch import PLAIN, draw_unit_figure, size_figure
+from kinegrade.figure.sketch import PLAIN, Sketcher, draw_unit_figure, size_figure, sketch
+from kinegrade.files.temporary import temporary_folder
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
 
 _KINDS = {kind.__name__: kind for kind in (Bow, Disc, Label, Outline, Pen, Scene, Strokes, Vector)}
+
+
+@contextmanager
+def open_sketchbook(processes: int) -> Iterator[Path | None]:
+    """A private folder where so many processes share figures, removed after the block; None for
+    one process, which keeps its figures itself. Raises OutputError.
+    """
+    if processes == 1:
+        yield None
+        return
+    with temporary_folder() as book:
+        yield book
+
+
+def choose_sketcher(book: Path | None) -> Sketcher:
+    """What draws figures as `sketch` does, and keeps them in the folder `book` if there is one."""
+    return partial(sketch_once, book) if book else sketch
 
 
 def sketch_once(book: Path, mechanism: Mechanism, hints: FigureHints = PLAIN) -> Scene:

@@ -12,6 +12,7 @@ from typing import assert_never
 from kinegrade.draws.deck import Combination, Deck, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.draws.examining import Examined, Refused
+from kinegrade.errors import TemplateError
 from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY
 from kinegrade.problem.holding import choose_wording, condition_holds
@@ -58,7 +59,11 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
         return report
     for published in template.published:
         prove_published(report, published)
-    _draw(report, draws)
+    try:
+        _draw(report, draws)
+    except TemplateError as error:  # its figure marks what is not there
+        report.faults += error.faults
+        return report
     _weigh(report)
     _search(report, min(sample, _SEARCHED))
     report.following = find_connections(template, _select_asked(report))

@@ -15,6 +15,10 @@ from hypothesis import strategies as st
 from kinegrade.draws.deal import LOOKS, PART, Deal, deal, look_further, look_here
 from kinegrade.draws.draw_filter import DrawFilter, Verdict
 from kinegrade.errors import DrawError
+from kinegrade.figure.scene import Scene
+from kinegrade.figure.sketch import sketch
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.library.library import load_template
 from tests.problem.crank import crank
 from tests.problem.draws import dealt, draw_filter, drawn
@@ -181,3 +185,19 @@ def test_what_four_decimals_do_not_hold_is_refused_where_no_more_are_kept() -> N
         kept.deck.combination(place)["omega"]: kept.verdicts(range(2))[place] for place in (0, 1)
     }
     assert said == {"0.0012345": "decimals", "0.25": None}
+
+
+def test_figures_are_drawn_last_and_refused_where_a_part_cannot_be_seen() -> None:
+    drawn: list[str] = []
+
+    def draw(mechanism: Mechanism, hints: FigureHints) -> Scene:
+        drawn.append(str(mechanism.points["A"].x))
+        return replace(sketch(mechanism, hints), crowded=("r",) if len(drawn) > 1 else ())
+
+    offsets = ("0", "1/2", "1")
+    filtered = draw_filter(
+        crank(VANISHING), fixed={"r": ("2",), "h": offsets, "omega": ("2",)}, asks=("v_x",)
+    )
+    verdicts = replace(filtered, sketcher=draw).verdicts(range(3))
+    assert sorted(map(str, verdicts)) == ["None", "degenerate", "figure"]
+    assert len(drawn) == 2

@@ -70,3 +70,26 @@ def test_a_letter_stands_as_near_as_what_is_drawn_lets_it() -> None:
     )
     assert abs(free.centre.x) < 3.0
     assert crowded.centre.y > 1.0 or abs(crowded.centre.x) > 1.0
+
+
+def test_a_symbol_without_a_free_place_is_named() -> None:
+    walls = [Strokes(((Vector(-30.0, y / 2), Vector(30.0, y / 2)),), THIN) for y in range(-60, 61)]
+    wish = Wish("A", list_spots_around("A", Vector(0.0, 0.0)))
+    assert Layout.of(walls).written([wish]).crowded == ("A",)
+    assert Layout.of((WALL,)).written([wish]).crowded == ()
+
+
+def test_a_symbol_that_could_be_read_as_that_of_another_point_is_named() -> None:
+    wish = Wish("A", np.array([[0.0, 0.0]]), demerits=np.array([20.0]))
+    assert Layout.of(()).written([wish]).crowded == ("A",)
+
+
+def test_a_mark_through_a_letter_is_named_by_its_symbol() -> None:
+    written = Layout.of(()).written([Wish("A", np.array([[0.0, 0.0]]))])
+    assert written.marked([Rule(0.0, 0.0)]).crowded == ("l",)
+    assert written.marked([Rule(6.0, 0.0)]).crowded == ()
+
+
+def test_what_is_only_spared_crowds_nothing() -> None:
+    letter = Label("A", Vector(0.0, 2.0), 2.0, 2.0)
+    assert Layout.of(()).marked([Rule(0.0, 0.0)], [letter]).crowded == ()

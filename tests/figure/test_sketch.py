@@ -5,6 +5,7 @@ anything.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from math import hypot
 from typing import Any
 
@@ -13,8 +14,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinegrade.errors import TemplateError
+from kinegrade.figure import sketch as sketching
+from kinegrade.figure.mechanism.fitting import fit_scene
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.placing.extent import measure_symbol
+from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.scene import (
     BOLD,
     FIRM,
@@ -25,7 +30,7 @@ from kinegrade.figure.scene import (
     Scene,
     Strokes,
 )
-from kinegrade.figure.sketch import HEIGHT, WIDTH, sketch
+from kinegrade.figure.sketch import HEIGHT, WIDTH, draw_unit_figure, sketch
 from kinegrade.mechanics.vector import Vector
 from tests.figure.clear import faults
 from tests.figure.mechanisms import (
@@ -172,3 +177,28 @@ def test_a_hint_about_what_is_not_there_is_refused(table: dict[str, Any], messag
     mechanism, _ = slider_crank(0.2, 1.75, 60)
     with pytest.raises(TemplateError, match=message):
         sketch(*hinted(mechanism, **table))
+
+
+def test_a_crowded_figure_is_tried_smaller_before_it_is_given_up(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    mechanism, hints = slider_crank(0.2, 1.75, 47)
+    scales: list[float] = []
+
+    def crowd(compose: Callable[[float], Layout], scale: float, span: tuple[float, float]) -> Scene:
+        scene = fit_scene(compose, scale, span)
+        scales.append(scene.scale)
+        return replace(scene, crowded=("r", "k r") if len(scales) == 1 else ("r",))
+
+    draw_unit_figure.cache_clear()
+    monkeypatch.setattr(sketching, "fit_scene", crowd)
+    tried = sketch(mechanism, hints)
+    draw_unit_figure.cache_clear()
+    assert tried.crowded == ("r",)
+    assert scales == sorted(scales, reverse=True)
+    assert scales[1] < 0.97 * scales[0]
+
+
+def test_the_room_of_a_letter_holds_what_rises_above_and_falls_below_it() -> None:
+    assert measure_symbol(r"\beta")[1] > measure_symbol("A")[1]
+    assert measure_symbol(r"\beta_{1}")[1] > measure_symbol("A_{1}")[1]

@@ -7,18 +7,4 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-KNOWN: Mapping[str, str] = {
-    "bent-rod-tangent-disc": "psi in a narrow angle",
-    "crank-rocker-towed-wheel": "a wheel under 4 mm",
-    "crossed-belt-drive": "the radius r1 reaches over the rim",
-    "eccentric-cam-offset-follower": "letters crowd about the eccentricity",
-    "flat-faced-follower-eccentric-circle": "an eccentricity under 4 mm",
-    "pose-cam-tappet": "an eccentricity under 4 mm",
-    "ring-gear-planet-relative-spin": "a planet under 4 mm",
-    "rolling-wheel-rim-points": "a step of the rim under 4 mm",
-    "stone-crusher": "a crank under 4 mm",
-    "two-rods-driven-ends": "B comes near O",
-    "two-wheels-on-cylinder": "wheels under 4 mm",
-    "wheel-inside-circular-track": "a wheel under 4 mm",
-    "wheel-on-circular-track": "a wheel under 4 mm",
-}
+KNOWN: Mapping[str, str] = {}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping
 from itertools import combinations
 
@@ -12,6 +11,7 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.template.hints import FigureHints
 from tests.figures.svg_shapes import Picture
 
+FIT = 0.05  # millimetres within which a point is at a pin
 SAME = 1e-6  # millimetres within which two points are one
 
 
@@ -20,9 +20,9 @@ def measure_parts(mechanism: Mechanism, hints: FigureHints, scale: float) -> dic
     circles, by their names; nothing of a length that is zero here.
     """
     at = {name: Point(*point) for name, point in mechanism.points.items()}
-    named = {frozenset((each.start, each.end)) for each in hints.lengths}
-    pairs = {frozenset(pair) for body in mechanism.bodies for pair in combinations(body.points, 2)}
-    found = {"".join(sorted(pair)): _measure(at, pair) * scale for pair in named | pairs}
+    pairs = [(each.start, each.end) for each in hints.lengths]
+    pairs += [pair for body in mechanism.bodies for pair in combinations(body.points, 2)]
+    found = {"".join(sorted(pair)): at[pair[0]].distance(at[pair[1]]) * scale for pair in pairs}
     for joint in mechanism.joints:
         for circle in joint.list_circles():
             found[f"the circle about {circle.centre}"] = circle.radius * scale
@@ -38,19 +38,20 @@ def find_points_on_paper(
     its pins: the shift at which most of them fit. Nothing where the figure has no pin.
     """
     at = {name: (x * scale, -y * scale) for name, (x, y) in mechanism.points.items()}
-    shifts = Counter(
-        (round(pin.x - x, 1), round(pin.y - y, 1)) for pin in picture.pins for x, y in at.values()
-    )
-    if not shifts:
+    if not picture.pins:
         return {}
-    (across, down), _ = shifts.most_common(1)[0]
+    shifts = [(pin.x - x, pin.y - y) for pin in picture.pins for x, y in at.values()]
+    across, down = max(shifts, key=lambda shift: _count_fitting(shift, at, picture))
     moved = {name: Point(x + across, y + down) for name, (x, y) in at.items()}
     return {name: point for name, point in moved.items() if _is_marked(point, picture)}
 
 
-def _measure(at: Mapping[str, Point], pair: frozenset[str]) -> float:
-    one, other = (at[name] for name in pair)
-    return one.distance(other)
+def _count_fitting(
+    shift: tuple[float, float], at: Mapping[str, tuple[float, float]], picture: Picture
+) -> int:
+    """How many pins have a point of the shifted mechanism at their centre."""
+    moved = [(x + shift[0], y + shift[1]) for x, y in at.values()]
+    return sum(any(abs(pin.x - x) + abs(pin.y - y) < FIT for x, y in moved) for pin in picture.pins)
 
 
 def _is_marked(point: Point, picture: Picture) -> bool:

@@ -54,6 +54,12 @@ def test_a_wrong_published_result_is_found(ask: str, right: str, wrong: str) -> 
     assert report.proved == 15  # of 20, at five instances each
 
 
+def test_a_figure_that_marks_what_is_not_there_is_a_fault() -> None:
+    radius = '[figure]\nradii = [{ symbol = "R", centre = "O" }]'
+    [fault] = all_said(checked("[figure]", radius).faults)
+    assert fault.startswith('figure.radii: no circle about "O"')
+
+
 def test_the_fault_tells_the_instance() -> None:
     fault = all_said(checked('"2*sqrt(3)/3*omega*r"', '"2*sqrt(3)/5*omega*r"').faults)[0]
     assert fault.startswith("published (example 3, crank at 60 degrees) at r = ")

@@ -35,6 +35,7 @@ from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.figure.sketchbook import open_sketchbook
 from kinegrade.files.output import Access, output_folder
 from kinegrade.language.message import Fault, Message
 from kinegrade.press.sheet import KeyPaper
@@ -84,10 +85,12 @@ def add_students(
     require_tools(run.extras)
     old = read_replaced(exam)
     jobs = max(min(options.jobs, len(students.together) // CHUNK), 1)
-    with bulk_work(), _folder(exam) as folder, open_executor(jobs, "generate") as workers:
+    processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
+    with bulk_work(), _folder(exam) as folder, processes as workers, book as sketchbook:
         press = run.press_order.press()
         whole = Roster(students.together, (), late.file)
-        dealt = deal_exam(run.bank, whole, required_secret(exam), workers, old.kept)
+        secret = required_secret(exam)
+        dealt = deal_exam(run.bank, whole, secret, workers, old.kept, sketchbook=sketchbook)
         said: tuple[Problem, ...] = (*roster_complaints(students.late, press), *dealt.shortages())
         require_none(said if options.strict else ())
         _copy(exam, folder)

@@ -42,6 +42,7 @@ from kinegrade.exam.printing.printing import PrintRun, require_tools
 from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
+from kinegrade.figure.sketchbook import open_sketchbook
 from kinegrade.files.output import output_folder
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages
@@ -95,11 +96,12 @@ def generate(
     place = output_folder(
         output, marker=HEAD, contents=CONTENTS, force=force, access=options.access
     )
-    with bulk_work(), place as folder, open_executor(jobs, "generate") as workers:
+    processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
+    with bulk_work(), place as folder, processes as workers, book as sketchbook:
         order = options.press_order(bank)
         press = order.press()
         kept = {} if wish.new else _find_kept_papers(old, secret)
-        dealt = deal_exam(bank, roster, secret, workers, kept)
+        dealt = deal_exam(bank, roster, secret, workers, kept, sketchbook=sketchbook)
         said: tuple[Problem, ...] = (*roster_complaints(roster, press), *dealt.shortages())
         require_none(said if options.strict else ())
         run = PrintRun(bank, language, order, extras)

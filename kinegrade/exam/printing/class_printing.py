@@ -6,13 +6,12 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterator
 from concurrent.futures import Executor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 from kinegrade.exam.printing.printing import PressOrder, Printed, PrintRun, print_papers
 from kinegrade.exam.setting.dealing import ClassDeal
 from kinegrade.exam.setting.setting import DealtPaper, Exam, set_paper
-from kinegrade.files.temporary import temporary_folder
 from kinegrade.press.protocol import Press
 from kinegrade.processes.executor import Shared, map_in_order
 
@@ -39,17 +38,14 @@ def print_class(
 
     Raises TypesetError with the faults of the first part of the class that has any.
     """
-    with temporary_folder() as figures:
-        shared = Shared(replace(run, sketchbook=figures) if jobs > 1 else run)
-        students = dealt.roster.students
-        tasks = (
-            _PrintTask(
-                dealt.shared, shared, tuple(map(dealt.dealt, students[part.start : part.stop]))
-            )
-            for part in split_class(len(students), jobs)
-        )
-        for part in map_in_order(workers, _print, tasks, _AHEAD * jobs):
-            yield from part
+    shared = Shared(run)
+    students = dealt.roster.students
+    tasks = (
+        _PrintTask(dealt.shared, shared, tuple(map(dealt.dealt, students[part.start : part.stop])))
+        for part in split_class(len(students), jobs)
+    )
+    for part in map_in_order(workers, _print, tasks, _AHEAD * jobs):
+        yield from part
 
 
 def split_class(count: int, jobs: int) -> Iterator[range]:
@@ -63,9 +59,9 @@ def split_class(count: int, jobs: int) -> Iterator[range]:
 
 def _print(task: _PrintTask) -> list[Printed]:
     """A part of the class set and printed."""
-    run = task.run.value
-    papers = [set_paper(task.exam.value, each) for each in task.papers]
-    return print_papers(run, _open_press(run.press_order), papers)
+    run, exam = task.run.value, task.exam.value
+    papers = [set_paper(exam, each) for each in task.papers]
+    return print_papers(run, _open_press(run.press_order), papers, exam.sketcher)
 
 
 @lru_cache(maxsize=1)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -10,8 +10,7 @@ from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.printing.row_tolerance import write_row_tolerance
 from kinegrade.exam.printing.rules import write_rules
 from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
-from kinegrade.figure.scene import Scene
-from kinegrade.figure.sketch import sketch
+from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
@@ -31,11 +30,8 @@ from kinegrade.press.sheet import (
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.given_marks import mark_givens
-from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask, Template
-
-Sketcher = Callable[[Mechanism, FigureHints], Scene]
 
 
 @dataclass(frozen=True)

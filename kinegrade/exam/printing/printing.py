@@ -6,8 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
-from pathlib import Path
 from typing import assert_never
 
 from kinegrade.exam.bank.blueprint import Bank
@@ -16,8 +14,7 @@ from kinegrade.exam.printing.pages import lay_out_paper, make_key_paper
 from kinegrade.exam.setting.key_mistakes import find_mistaken_answers
 from kinegrade.exam.setting.key_record import make_key_line
 from kinegrade.exam.setting.setting import SetPaper
-from kinegrade.figure.sketch import sketch
-from kinegrade.figure.sketchbook import sketch_once
+from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language import Language
 from kinegrade.press.join import count_pages
 from kinegrade.press.protocol import Engine, Press, Printout
@@ -61,8 +58,7 @@ class Extras:
 
 @dataclass(frozen=True)
 class PrintRun:
-    """All that holds for every paper of an exam; `sketchbook` is a private folder where processes
-    share figures.
+    """All that holds for every paper of an exam.
 
     `pages` is how many each paper has at least; None for as many as the longest of those that are
     printed together.
@@ -72,7 +68,6 @@ class PrintRun:
     language: Language
     press_order: PressOrder
     extras: Extras
-    sketchbook: Path | None = None
     pages: int | None = None
 
 
@@ -100,14 +95,16 @@ def require_tools(extras: Extras) -> None:
         require_pandoc(extras.also)
 
 
-def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> list[Printed]:
-    """Each of the papers, with its worked solutions where they are wanted.
+def print_papers(
+    run: PrintRun, press: Press, papers: Sequence[SetPaper], sketcher: Sketcher = sketch
+) -> list[Printed]:
+    """Each of the papers, with its worked solutions where they are wanted; `sketcher` draws their
+    figures.
 
     Raises TypesetError with all faults of their texts.
     """
-    figure = partial(sketch_once, run.sketchbook) if run.sketchbook else sketch
     pages = {
-        paper.student.file_name: lay_out_paper(run.bank, paper, run.language, figure)
+        paper.student.file_name: lay_out_paper(run.bank, paper, run.language, sketcher)
         for paper in papers
     }
     printouts, counts = _print_alike(press, pages, run.pages)

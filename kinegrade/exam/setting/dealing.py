@@ -11,6 +11,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
 from itertools import count
+from pathlib import Path
 from types import MappingProxyType
 
 from kinegrade.draws.deal import Deal, DeckPart, Look, Verdicts, Whose, look_here
@@ -113,13 +114,15 @@ def deal_exam(
     secret: ExamSecret,
     workers: Executor | None = None,
     kept: Mapping[str, KeyLine] = _NOTHING,
+    *,
+    sketchbook: Path | None = None,
 ) -> ClassDeal:
     """A bank dealt to a class; `kept` are the papers of an exam that this one replaces, by student:
-    they stay as they are.
+    they stay as they are. The figures drawn on the way are kept in the folder `sketchbook`.
 
     Raises DrawError for questions of which no combination is good.
     """
-    shared = Shared(Exam(bank, secret.drawing))
+    shared = Shared(Exam(bank, secret.drawing, sketchbook))
     exam = shared.value
     places = _assign_places(roster, exam.secret, kept)
     letters = list_version_letters(bank.versions)

@@ -9,11 +9,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from pathlib import Path
 
 from kinegrade.draws.deck import Combination, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.roster.roster import Student
+from kinegrade.figure.sketch import Sketcher
+from kinegrade.figure.sketchbook import choose_sketcher
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
@@ -21,10 +24,19 @@ from kinegrade.problem.solution import Solution
 
 @dataclass(frozen=True)
 class Exam:
-    """What all papers of an exam are made from: a bank, and the secret that orders its decks."""
+    """What all papers of an exam are made from: a bank, and the secret that orders its decks.
+
+    `sketchbook` is a private folder where processes share figures.
+    """
 
     bank: Bank
     secret: str
+    sketchbook: Path | None = None
+
+    @property
+    def sketcher(self) -> Sketcher:
+        """What draws the figures of its papers."""
+        return choose_sketcher(self.sketchbook)
 
     @cached_property
     def filters(self) -> Mapping[str, DrawFilter]:
@@ -38,6 +50,7 @@ class Exam:
                 four_decimals=self.bank.four_decimals,
                 carry=self.bank.carry,
                 honest=frozenset(ask.name for ask in question.asks if ask.honest),
+                sketcher=self.sketcher,
             )
             for question in self.bank.questions
         }

@@ -5,11 +5,13 @@ frame.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import assert_never
 
 from kinegrade.figure.joints.table import find_symbols
 from kinegrade.figure.mechanism.rims import find_rims
 from kinegrade.figure.mechanism.round.round_bodies import trace_cam_outline
+from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.scene import FIRM, Bow, Box, Primitive, Scene, find_common_box, move
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -22,7 +24,7 @@ _MARGIN = 1.2
 
 
 def fit_scene(
-    compose: Callable[[float], tuple[Primitive, ...]],
+    compose: Callable[[float], Layout],
     scale: float,
     span: tuple[float, float],
     height: float = HEIGHT,
@@ -34,15 +36,16 @@ def fit_scene(
     unit) refers to.
     """
     for _ in range(_ATTEMPTS):
-        primitives = compose(scale)
-        box = find_common_box(primitives)
+        layout = compose(scale)
+        box = find_common_box(layout.primitives)
         if box.width <= WIDTH and box.height <= height:
             break
         scale *= min(
             _find_shrinkage(box.width, WIDTH, span[0] * scale),
             _find_shrinkage(box.height, height, span[1] * scale),
         )
-    return _move_to_corner(primitives, box, scale)
+    scene = _move_to_corner(layout.primitives, box, scale)
+    return replace(scene, crowded=layout.crowded)
 
 
 def make_scene(primitives: Iterable[Primitive], scale: float) -> Scene:

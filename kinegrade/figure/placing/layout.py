@@ -5,14 +5,20 @@ place.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from heapq import heappop, heappush
 from itertools import chain, repeat
 from math import inf
 
 from kinegrade.figure.placing.mark import Mark
-from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.placing.place import Wish, measure_crowding, place_label
+from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles
+from kinegrade.figure.placing.place import (
+    Placed,
+    Wish,
+    is_covered,
+    measure_crowding,
+    place_label,
+)
 from kinegrade.figure.scene import Label, Primitive
 
 # Alternatives of a mark that are judged together: usually one of the first is accepted
@@ -21,11 +27,15 @@ _BATCHES = (4, 12, 36)
 
 @dataclass(frozen=True)
 class Layout:
-    """Lines, labels, and both as obstacles; each step gives a new layout."""
+    """Lines, labels, and both as obstacles; each step gives a new layout.
+
+    `crowded` are the symbols that found no good place.
+    """
 
     lines: tuple[Primitive, ...]
     labels: tuple[Label, ...]
     obstacles: Obstacles
+    crowded: tuple[str, ...] = ()
 
     @staticmethod
     def of(primitives: Iterable[Primitive]) -> Layout:
@@ -40,9 +50,8 @@ class Layout:
 
     def drawn(self, primitives: Sequence[Primitive]) -> Layout:
         """The layout with more lines."""
-        return Layout(
-            (*self.lines, *primitives), self.labels, self.obstacles.with_drawn(primitives)
-        )
+        obstacles = self.obstacles.with_drawn(primitives)
+        return replace(self, lines=(*self.lines, *primitives), obstacles=obstacles)
 
     def written(self, wishes: Iterable[Wish]) -> Layout:
         """The layout with a label for each wish, in order."""
@@ -56,13 +65,25 @@ class Layout:
         later items may be kept clear.
         """
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
-        mark, wish = _choose_least_covering(alternatives, crowded)
+        mark, wish, cost = _choose_least_covering(alternatives, crowded)
+        struck = cost >= COST_LABEL and self._strikes_label(mark)
         layout = self.drawn(mark.primitives())
         crowded = layout.obstacles.with_drawn(sparing) if sparing else layout.obstacles
-        return layout._labelled(place_label(wish, crowded))
+        placed = place_label(wish, crowded)
+        faulty = struck or (placed.faulty and is_covered(placed.label, layout.obstacles))
+        return layout._labelled(replace(placed, faulty=faulty))
 
-    def _labelled(self, placed: Label) -> Layout:
-        return Layout(self.lines, (*self.labels, placed), self.obstacles.with_drawn((placed,)))
+    def _strikes_label(self, mark: Mark) -> bool:
+        return self.obstacles.along(mark.path(), mark.shared) >= COST_LABEL
+
+    def _labelled(self, placed: Placed) -> Layout:
+        label = placed.label
+        return replace(
+            self,
+            labels=(*self.labels, label),
+            obstacles=self.obstacles.with_drawn((label,)),
+            crowded=(*self.crowded, label.symbol) if placed.faulty else self.crowded,
+        )
 
 
 def _batch(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
@@ -75,16 +96,17 @@ def _batch(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
         first += size
 
 
-def _choose_least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> tuple[Mark, Wish]:
-    """The cheapest alternative, and its wish: the cost is what its line covers, what its label
+def _choose_least_covering(
+    alternatives: Sequence[Mark], obstacles: Obstacles
+) -> tuple[Mark, Wish, float]:
+    """The cheapest alternative, its wish and its cost: what its line covers, what its label
     covers, and its demerit; among equals the preferred one.
 
     Alternatives are judged in order of preference, several at once, and coverage is computed only
     while it can still decide: first of the line, then of the label.
     """
     ranked = sorted(alternatives, key=lambda mark: round(mark.demerit, 6))
-    best: tuple[Mark, Wish] | None = None
-    least = inf
+    best, least = (ranked[0], ranked[0].wish()), inf
     for marks in _batch(ranked):
         if marks[0].demerit >= least:
             break
@@ -100,4 +122,4 @@ def _choose_least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -
             total = round(cost + measure_crowding(wish, obstacles), 6)
             if total < least:
                 best, least = (mark, wish), total
-    return best or (ranked[0], ranked[0].wish())
+    return *best, least

@@ -108,22 +108,22 @@ class Obstacles:
         Whatever the path meets counts once; where lines may be shared, a thin line on the axis of a
         piece does not count.
         """
+        half = _SHARED_ROOM if shared else _ROOM
         if not path:
             return 0.0
-        half = _SHARED_ROOM if shared else _ROOM
-        across, upward = zip(*(point for piece in path for point in piece), strict=True)
-        box = (min(across) - half, min(upward) - half, max(across) + half, max(upward) + half)
-        strips = [make_strip(start, end, half) for start, end in path]
-        lines, rings = (
-            [thing[-1] for thing in _find_near(things, box)] for things in (self.lines, self.rings)
+        strips = [_make_boxed_strip(start, end, half) for start, end in path]
+        lefts, bottoms, rights, tops, _ = zip(*strips, strict=True)
+        near = self.near((min(lefts), min(bottoms), max(rights), max(tops)))
+        lines = _list_meetings(near.lines, strips)
+        rings = _list_meetings(near.rings, strips)
+        met = {
+            number: line[-1]
+            for number, strip, line in lines
+            if meets_line(strip, line, shared and line[-1] <= COST_THIN)
+        }
+        return sum(met.values()) + sum(
+            {number: ring[-1] for number, strip, ring in rings if meets_ring(strip, ring)}.values()
         )
-        met = [
-            line[-1]
-            for line in lines
-            if any(meets_line(strip, line, shared and line[-1] <= COST_THIN) for strip in strips)
-        ]
-        met += [ring[-1] for ring in rings if any(meets_ring(strip, ring) for strip in strips)]
-        return sum(met)
 
     def joins(self, start: Vector, end: Vector, gap: float) -> bool:
         """Whether a straight line is drawn between two points, to within a gap at either end."""
@@ -147,6 +147,26 @@ def _find_near(things: Sequence[Boxed], box: Bounds) -> list[Boxed]:
         thing
         for thing in things
         if thing[0] <= right and thing[2] >= left and thing[1] <= top and thing[3] >= bottom
+    ]
+
+
+def _make_boxed_strip(start: Vector, end: Vector, half: float) -> Boxed:
+    (x, y), (to_x, to_y) = start, end
+    left, right = (x, to_x) if x < to_x else (to_x, x)
+    bottom, top = (y, to_y) if y < to_y else (to_y, y)
+    strip = make_strip(start, end, half)
+    return (left - half, bottom - half, right + half, top + half, strip)
+
+
+def _list_meetings(
+    things: Sequence[Boxed], strips: Sequence[Boxed]
+) -> list[tuple[int, Numbers, Numbers]]:
+    """The strips and the lines or rings whose boxes meet, with the numbers of the latter."""
+    return [
+        (number, strip, thing)
+        for left, bottom, right, top, strip in strips
+        for number, (start, low, end, high, thing) in enumerate(things)
+        if start <= right and end >= left and low <= top and high >= bottom
     ]
 
 

@@ -22,6 +22,7 @@ CLEARANCE = 0.25  # millimetres kept free around a label
 _FARTHER = 0.04
 _LABEL_WEIGHT = 3.0  # a symbol on a line is worse than a line across a line
 _AMBIGUOUS = 0.4  # millimetres by which a letter has to be nearer to its point than to any other
+_FAULT = 0.5  # cost of a spot from which on there is a fault: less than covering a thin line
 _AT_ONCE = 16  # spots checked together; nearly always one of the first is free
 _TURNS = np.array((2, 6, -2, -6, 4, -4, 0, 8, 1, 3, 5, 7, -1, -3, -5, -7)) * (pi / 8)
 _TOWARD = np.stack((np.cos(_TURNS), np.sin(_TURNS)), axis=1).round(9)
@@ -46,14 +47,32 @@ class Wish:
     demerits: Floats | None = None
 
 
-def place_label(wish: Wish, obstacles: Obstacles) -> Label:
+@dataclass(frozen=True)
+class Placed:
+    """A label at its spot, and whether that has a fault: something is under it, or the spot has a
+    demerit.
+    """
+
+    label: Label
+    faulty: bool
+
+
+def place_label(wish: Wish, obstacles: Obstacles) -> Placed:
     """The label at the first free spot of its wish, or where it covers least."""
     spots = wish.spots
     spot, cost = _choose_best(wish.symbol, spots, obstacles, wish.demerits)
     if cost >= _FARTHER * len(spots) and wish.at is not None:
         spots = np.concatenate((spots, list_spots_around(wish.symbol, wish.at)))
-        spot, _ = _choose_best(wish.symbol, spots, obstacles)
-    return Label(wish.symbol, Vector(*spots[spot].tolist()), *measure_symbol(wish.symbol))
+        spot, cost = _choose_best(wish.symbol, spots, obstacles)
+    centre = Vector(*spots[spot].tolist())
+    label = Label(wish.symbol, centre, *measure_symbol(wish.symbol))
+    return Placed(label, cost - _FARTHER * spot >= _FAULT)
+
+
+def is_covered(label: Label, obstacles: Obstacles) -> bool:
+    """Whether something is under a label, or too close to it."""
+    width, height = (size + 2 * CLEARANCE for size in (label.width, label.height))
+    return obstacles.under_box(*label.centre, width, height) > 0
 
 
 def measure_crowding(wish: Wish, obstacles: Obstacles) -> float:

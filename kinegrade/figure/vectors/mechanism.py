@@ -14,7 +14,7 @@ from kinegrade.figure.mechanism.fitting import fit_scene
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import length
-from kinegrade.figure.scene import Primitive, Scene
+from kinegrade.figure.scene import Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
 from kinegrade.figure.vectors.plain_mechanism import BareMechanism, find_bold_lines, find_pins
 from kinegrade.mechanics.mechanism import Mechanism
@@ -105,7 +105,7 @@ def add_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
 
 def _compose(
     plain: BareMechanism, arrows: Sequence[PointArrow], turnings: Sequence[Turning], scale: float
-) -> tuple[Primitive, ...]:
+) -> Layout:
     """The mechanism and its arrows, then the labels with the fewest possible places first: letters,
     symbols, names of bodies.
     """
@@ -116,4 +116,4 @@ def _compose(
     layout = add_symbols(layout.written(named), placed)
     for turning in turnings:
         layout = add_rotation(layout, paper, turning, drawing, named)
-    return layout.written(label_bodies(paper, plain.hints, drawing)).primitives
+    return layout.written(label_bodies(paper, plain.hints, drawing))

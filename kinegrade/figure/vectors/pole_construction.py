@@ -82,7 +82,7 @@ class _Construction:
     rotation: Turning | None
     near: bool
 
-    def compose(self, plain: BareMechanism, scale: float) -> tuple[Primitive, ...]:
+    def compose(self, plain: BareMechanism, scale: float) -> Layout:
         """The normals under the velocities, then the letters, the symbols, the rotation, the names
         of bodies.
         """
@@ -97,7 +97,7 @@ class _Construction:
         layout = add_symbols(layout, placed)
         if self.rotation:
             layout = layout.marked(_mark_rotation_about(self.place(scale), self.rotation, placed))
-        return layout.written(label_bodies(paper, plain.hints, drawing)).primitives
+        return layout.written(label_bodies(paper, plain.hints, drawing))
 
     def place(self, scale: float) -> Vector:
         """The pole on paper; only for a pole that is not at infinity."""

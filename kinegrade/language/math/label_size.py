@@ -57,8 +57,10 @@ _NARROW = {
     ")": 0.42,
     "I": 0.55,
 }
+_RISING_AND_FALLING = frozenset(("beta", "psi", "phi", "zeta", "xi", "f", "j", "Q"))
 _SCRIPT = 0.72
 _PRIME = 0.3
+_TALL = 1.15  # times the height of a capital
 _SIDES = 0.12
 _BOLDER = 0.1
 
@@ -67,6 +69,8 @@ def measure_label(row: Row) -> tuple[float, float]:
     """Width and height of a label, in em."""
     nodes = tuple(list_nodes(row))
     tall = 1.9 if any(isinstance(node, Quotient) for node in nodes) else 1.0
+    if any(isinstance(node, Letter) and _rises_and_falls(node) for node in nodes):
+        tall = max(tall, _TALL)
     scripts = sum(
         (node.lower is not None) + (node.upper is not None)
         for node in nodes
@@ -120,6 +124,11 @@ def _measure_alone(node: Node) -> float:
             return 0.0
         case _:
             assert_never(node)
+
+
+def _rises_and_falls(node: Letter) -> bool:
+    """Whether a letter reaches from above the small letters to below the line."""
+    return node.name.removeprefix("\\") in _RISING_AND_FALLING
 
 
 def _find_width(name: str) -> float:

@@ -1,0 +1,53 @@
+"""A figure that cannot be read well is told from one that can, and why."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from kinegrade.figure.legibility import find_illegible
+from kinegrade.figure.scene import Scene
+from kinegrade.figure.sketch import sketch
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.problem.template.hints import FigureHints
+from tests.figure.mechanisms import slider_crank
+
+
+def explain(ratio: float, **changes: object) -> str:
+    """Why the figure of a crank of 0.1 m and a rod so many times as long is refused, with changes
+    to its scene; "" where it is not.
+    """
+    mechanism, hints = slider_crank(0.1, ratio, 60)
+
+    def draw(shown: Mechanism, marked: FigureHints) -> Scene:
+        return replace(sketch(shown, marked), **changes)
+
+    why = find_illegible(mechanism, hints, draw)
+    return "" if why is None else open_catalogue(ENGLISH).write(why)
+
+
+def test_an_ordinary_figure_is_legible() -> None:
+    assert explain(2.0) == ""
+
+
+@pytest.mark.parametrize(
+    ("changes", "reason"),
+    [
+        ({"width": 75.1}, "the figure is larger than 75 mm by 55 mm"),
+        ({"height": 55.1}, "the figure is larger than 75 mm by 55 mm"),
+        ({"scale": 39.0}, "a part is smaller than 4 mm in the figure"),
+        ({"crowded": ("r", "k r")}, "r has no good place in the figure"),
+    ],
+)
+def test_a_figure_is_refused_for_a_reason(changes: dict[str, object], reason: str) -> None:
+    assert explain(2.0, **changes) == reason
+
+
+def test_what_is_too_small_on_any_paper_is_not_drawn() -> None:
+    def draw(shown: Mechanism, marked: FigureHints) -> Scene:
+        raise AssertionError(shown, marked)
+
+    assert find_illegible(*slider_crank(0.1, 30.0, 60), draw) is not None
