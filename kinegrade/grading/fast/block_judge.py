@@ -191,7 +191,8 @@ class BlockJudge:
         self, block: JudgedBlock, row: int, led_on: Sequence[range], follows: Follows
     ) -> None:
         """Records what follows from own answers of a row, to these questions."""
-        first, better = row * len(self.asks), {}
+        first = row * len(self.asks)
+        better: dict[int, Decision] = {}
         for question in led_on:
             better |= self._followed(block, row, question, follows)
         shared = self._find_shared(block, row) if better else ()
