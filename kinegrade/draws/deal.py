@@ -15,6 +15,7 @@ from typing import Literal
 
 from kinegrade.draws.draw_filter import DrawFilter, Verdict
 from kinegrade.draws.examining import Reason, name_reason
+from kinegrade.draws.rounding_advice import advise_on_rounding
 from kinegrade.errors import DrawError
 from kinegrade.language.message import Fault, Message, Part, list_plainly
 
@@ -82,13 +83,23 @@ class Deal:
         """Whether there is a combination for each place."""
         return len(self.positions) >= self.places
 
-    def shortage(self, name: str, whose: Whose) -> Fault:
-        """The complaint that there are too few; `whose` says what the places are."""
+    def shortage(self, name: str, whose: Whose, question: DrawFilter) -> Fault:
+        """The complaint that there are too few; `whose` says what the places are, `question` was
+        dealt.
+        """
         places = Message(f"template.for-{whose}", count=self.places)
         what = Message(
             "template.too-few-fit", good=self.good, among=self.looked_at(), places=places
         )
-        return Fault(name, what, Message("template.one-for-each"), Message("template.widen"))
+        return Fault(name, what, Message("template.one-for-each"), self.advise(question))
+
+    def advise(self, question: DrawFilter) -> Message:
+        """What to do for more good combinations: by what most of the others were refused for."""
+        refused = [position for position, verdict in enumerate(self.verdicts) if verdict]
+        rounding = [position for position in refused if self.verdicts[position] == "rounding"]
+        if 2 * len(rounding) <= len(refused):
+            return Message("template.widen")
+        return advise_on_rounding(question, [*map(question.deck.combination, rounding)])
 
     def looked_at(self) -> Message:
         """The combinations that were looked at, in words."""
@@ -159,7 +170,7 @@ def _split(question: str, positions: range) -> Iterator[DeckPart]:
 def _require_hope(filters: Mapping[str, DrawFilter], deals: Mapping[str, Deal]) -> None:
     """Raises DrawError for questions of which nothing can be dealt."""
     faults = [
-        _explain_hopeless(f"{name} ({filters[name].template.name})", each)
+        _explain_hopeless(f"{name} ({filters[name].template.name})", each, filters[name])
         for name, each in deals.items()
         if each.hopeless
     ]
@@ -167,10 +178,11 @@ def _require_hope(filters: Mapping[str, DrawFilter], deals: Mapping[str, Deal]) 
         raise DrawError(*faults)
 
 
-def _explain_hopeless(where: str, hopeless: Deal) -> Fault:
+def _explain_hopeless(where: str, hopeless: Deal, question: DrawFilter) -> Fault:
     reasons = count_reasons(hopeless.refused)
     what = Message("template.none-fit", among=hopeless.looked_at(), reasons=reasons)
-    return Fault(where, what, Message("template.one-for-each-student"), Message("template.widen"))
+    expected = Message("template.one-for-each-student")
+    return Fault(where, what, expected, hopeless.advise(question))
 
 
 def count_reasons(refused: Mapping[Reason, int]) -> Part:

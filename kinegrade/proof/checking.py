@@ -5,7 +5,6 @@ for students.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import ceil
 from time import perf_counter
 from typing import assert_never
 
@@ -28,14 +27,13 @@ from kinegrade.proof.searching import find_breaking_values
 from kinegrade.proof.spread import Copied, Spread
 from kinegrade.students.following.connections import find_connections
 from kinegrade.students.near_mistakes import find_near_mistakes
-from kinegrade.students.rounding.accuracy import WIDEST
+from kinegrade.students.rounding.accuracy import USUALLY, WIDEST, find_usual_share
 
 _FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
 _TEXTS_TRIED = 1000  # draws at which the texts that depend on values are tried
 _SEARCHED = 300  # instances that the search for breaking values tries
 _RIGHT_ANGLE = 90
 _FEW = 0.02  # a share of draws, or of all others, that chance may leave unlike the rest
-_ENOUGH = 0.9  # of the draws: where a tolerance holds in fewer, the author hears of it
 _BEYOND = 2 * WIDEST  # stands for more than any tolerance may give
 
 
@@ -167,9 +165,9 @@ def _find_rounding_remarks(report: Report) -> Iterator[Message]:
     """The asks for which 1 % is often not enough, with the tolerance that is."""
     for ask, shares in report.shares.items():
         kept = sum(share <= ONE_PER_CENT.relative for share in shares)
-        if kept > _ENOUGH * len(shares):
+        if kept > USUALLY * len(shares):
             continue
-        enough = sorted(shares)[ceil(_ENOUGH * len(shares)) - 1]
+        enough = find_usual_share(shares)
         advice = (
             Message("template.tolerance-enough", share=enough * 100)
             if enough <= WIDEST

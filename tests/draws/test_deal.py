@@ -98,10 +98,11 @@ def test_what_a_place_gets_is_good_and_solved() -> None:
 
 
 def test_a_shortage_is_said() -> None:
-    found = dealt(cranks(**FEW), 30)
+    few = cranks(**FEW)
+    found = dealt(few, 30)
     assert (found.size, found.good, found.lasting, found.refused) == (12, 12, False, {})
     assert found.positions == [*range(12)]
-    assert said(found.shortage("q1 (crank)", "students")) == (
+    assert said(found.shortage("q1 (crank)", "students", few)) == (
         "q1 (crank): 12 of the 12 combinations of values are fit for 30 students, so some have the "
         "same numbers - expected one for each - widen the domains"
     )

@@ -127,7 +127,9 @@ def _draw_figures(
         return tuple(figures), _write_faults(error, language)
     if dealt.lasting:
         return tuple(figures), ()
-    shortage = open_catalogue(language).write(dealt.shortage(template.name, "draws"))
+    shortage = open_catalogue(language).write(
+        dealt.shortage(template.name, "draws", filters["gallery"])
+    )
     return tuple(figures), (shortage,)
 
 

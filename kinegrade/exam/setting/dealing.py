@@ -91,11 +91,11 @@ class ClassDeal:
         because there are too few.
         """
         whose: Whose = "versions" if self.bank.versions else "students"
-        dealt = (
-            (f"{question.identifier} ({question.template.name})", self.deals[question.identifier])
-            for question in self.bank.questions
+        return tuple(
+            self.deals[name].shortage(f"{name} ({each.template.name})", whose, each)
+            for name, each in self.exam.filters.items()
+            if not self.deals[name].lasting
         )
-        return tuple(each.shortage(name, whose) for name, each in dealt if not each.lasting)
 
     def _order(self, whose: str) -> tuple[int, ...]:
         """The order in which the questions of a student, or of a version, are printed."""

@@ -4,10 +4,10 @@ where honest rounding needs more room.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from math import floor, inf, log10
+from math import ceil, floor, inf, log10
 
 from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY, Tolerance
 from kinegrade.problem.solution import Solution
@@ -17,6 +17,7 @@ from kinegrade.problem.tolerance import find_effective_tolerance
 _PLAIN = tuple(Fraction(number) for number in ("1", "1.5", "2", "3", "4", "5", "6", "8", "10"))
 _SAME = 1e-9  # relative: closer than this is the same figure in doubles
 WIDEST = Fraction(1, 10)  # of an answer
+USUALLY = 0.9  # of the draws: a tolerance that holds in fewer is not enough
 
 
 @dataclass(frozen=True)
@@ -71,6 +72,11 @@ def _widen(tolerance: Tolerance, value: float, bound: float) -> Tolerance | None
     if bound > WIDEST * abs(value):
         return None
     return replace(tolerance, relative=find_plain_figure(bound / abs(value)))
+
+
+def find_usual_share(shares: Sequence[Fraction]) -> Fraction:
+    """The least of some relative tolerances that is not below nine of ten."""
+    return sorted(shares)[ceil(USUALLY * len(shares)) - 1]
 
 
 def find_plain_figure(number: float) -> Fraction:
