@@ -140,11 +140,9 @@ class VersionLine:
 
 
 @dataclass(frozen=True)
-class TrendLine:
-    """How points vary with a number drawn; a third has its share, its range and its students."""
+class Trend:
+    """How points vary with a number; a third has its share, its range and its students."""
 
-    question: str
-    symbol: Symbol
     thirds: tuple[tuple[str, str, int], ...]
     correlation: str
     p: str
@@ -152,17 +150,23 @@ class TrendLine:
 
 
 @dataclass(frozen=True)
+class TrendLine:
+    """How points vary with a number drawn."""
+
+    question: str
+    symbol: Symbol
+    trend: Trend
+
+
+@dataclass(frozen=True)
 class PredictionLine:
     """How points lost of a question, or of whole papers, vary with what was predicted, in points;
-    thirds are those of papers as predicted, as in `TrendLine`.
+    thirds are those of papers as predicted.
     """
 
     papers: str
     predicted: str
-    thirds: tuple[tuple[str, str, int], ...]
-    correlation: str
-    p: str
-    adjusted: str
+    trend: Trend
 
 
 @dataclass(frozen=True)

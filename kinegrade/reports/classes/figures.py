@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from decimal import Decimal
 
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message
-from kinegrade.reports.classes.equal_hardness import Third
+from kinegrade.press.class_sheet import Trend
+from kinegrade.reports.classes.equal_hardness import ParameterTrend, Third
 
 _NONE = "–"  # in place of a figure that cannot be given
 _LEAST = 0.001  # p-values below are not told apart
@@ -42,7 +44,17 @@ def write_plain(value: float, catalogue: Catalogue) -> str:
     return catalogue.write_number(Decimal(f"{value:g}")).replace("-", "−")
 
 
-def write_third(third: Third, catalogue: Catalogue) -> tuple[str, str, int]:
+def write_trend(trend: ParameterTrend, thirds: Sequence[Third], catalogue: Catalogue) -> Trend:
+    """What a trend comes to, with its thirds as they are shown."""
+    return Trend(
+        tuple(_write_third(third, catalogue) for third in thirds),
+        write_decimal(trend.correlation, catalogue),
+        write_p(trend.test.p, catalogue),
+        write_p(trend.adjusted, catalogue),
+    )
+
+
+def _write_third(third: Third, catalogue: Catalogue) -> tuple[str, str, int]:
     """The share of the points in a third, its lowest and highest number, and its size."""
     bounds = [write_plain(bound, catalogue) for bound in (third.lowest, third.highest)]
     return write_share(third.share, catalogue), " … ".join(dict.fromkeys(bounds)), third.count

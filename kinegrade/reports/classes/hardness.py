@@ -28,7 +28,7 @@ from kinegrade.reports.classes.figures import (
     write_p,
     write_percent,
     write_share,
-    write_third,
+    write_trend,
 )
 from kinegrade.reports.classes.item_statistics import summarise
 from kinegrade.reports.classes.predicted_hardness import judge_predictions
@@ -70,10 +70,7 @@ def _describe_trend(trend: ParameterTrend, wording: Wording, catalogue: Catalogu
     return TrendLine(
         name_question(trend.question, catalogue),
         Symbol(known or None, trend.parameter),
-        tuple(write_third(third, catalogue) for third in trend.thirds),
-        write_decimal(trend.correlation, catalogue),
-        write_p(trend.test.p, catalogue),
-        write_p(trend.adjusted, catalogue),
+        write_trend(trend, trend.thirds, catalogue),
     )
 
 

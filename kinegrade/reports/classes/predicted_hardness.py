@@ -19,7 +19,7 @@ from kinegrade.reports.classes.equal_hardness import (
     Third,
     find_parameter_trends,
 )
-from kinegrade.reports.classes.figures import write_decimal, write_p, write_third
+from kinegrade.reports.classes.figures import write_decimal, write_trend
 from kinegrade.reports.classes.item_statistics import Points
 from kinegrade.reports.classes.tally import ClassTally
 from kinegrade.reports.classes.words import name_question
@@ -70,10 +70,7 @@ def _describe(trend: ParameterTrend, predicted: Points, catalogue: Catalogue) ->
     return PredictionLine(
         catalogue.text("report.whole-paper") if whole else name_question(trend.question, catalogue),
         f"{mean} ± {spread}",
-        tuple(write_third(_show_third(third), catalogue) for third in trend.thirds),
-        write_decimal(trend.correlation, catalogue),
-        write_p(trend.test.p, catalogue),
-        write_p(trend.adjusted, catalogue),
+        write_trend(trend, [*map(_show_third, trend.thirds)], catalogue),
     )
 
 
