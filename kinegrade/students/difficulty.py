@@ -3,7 +3,8 @@
 The prediction is the number of points that a student loses on the average who makes one mistake,
 each of those that the question gives occasion for with the same chance: a known mistake, a slip in
 reading what is given, a sense that is not thought of. A mistake costs an ask its points unless it
-leads to an answer within tolerance. So a draw is easier where a term vanishes, where an angle is
+leads to an answer within tolerance; where it leads to no configuration at all, nobody goes on from
+there to the asks that depend on it. So a draw is easier where a term vanishes, where an angle is
 special (sine and cosine equal, or one of them zero), where two givens are equal, and where an
 answer is positive in the sense that counts as positive.
 """
@@ -42,7 +43,8 @@ class Difficulty:
         lost = np.zeros(len(draws))
         for name, ask in self._wide.asks.items():
             trapped = (seen.right[name] < 0) & (ask.sign not in UNSIGNED)
-            costly = np.vstack([seen.changed[name] & ~seen.near[name], trapped])
+            wrong = seen.changed[name] & ~seen.near[name] | seen.stuck[name]
+            costly = np.vstack([wrong, trapped])
             lost += float(self.points[name]) * costly.mean(axis=0)
         return lost
 

@@ -51,8 +51,9 @@ class Comparison:
     `identifiers`.
 
     `right` has every ask's right answers, in its unit; `near` marks where a mistaken value might be
-    taken for right, `changed` where it is another value at all; `fit` marks the instances that may
-    be drawn, as far as doubles can decide. `bounds` are those of honest rounding, in the asks'
+    taken for right, `changed` where it is another value at all, `stuck` where there is none because
+    no mechanism has such measures; `fit` marks the instances that may be drawn, as far as doubles
+    can decide. `bounds` are those of honest rounding, in the asks'
     units.
     """
 
@@ -60,6 +61,7 @@ class Comparison:
     right: Mapping[str, Any]
     near: Mapping[str, Any]
     changed: Mapping[str, Any]
+    stuck: Mapping[str, Any]
     fit: Any
     bounds: Mapping[str, Any]
 
@@ -97,7 +99,7 @@ class Separation:
         carry = self.accuracy.carry
         bounds = find_error_bounds(self.template, self.asks, arrays, self.plan, carry)
         written_share = 0.5 * 10.0 ** (1 - carry)
-        identifiers, near, changed = {}, {}, {}
+        identifiers, near, changed, stuck = {}, {}, {}, {}
         for name, ask in self.asks.items():
             written = list_answer_factors(ask)
             truth, *wrong = found.answers[name]
@@ -112,10 +114,11 @@ class Separation:
                     ]
                 )
                 changed[name] = np.array([_is_different(one, truth) for one in wrong])
+            stuck[name] = np.isnan(wrong)
             near[name][len(self.mistakes) :] &= truth != 0  # zero has no sense and no decimal point
         right = {name: rows[0] for name, rows in found.answers.items()}
         fit = self.fit(found, arrays)
-        return Comparison(identifiers, right, near, changed, fit, bounds)
+        return Comparison(identifiers, right, near, changed, stuck, fit, bounds)
 
     def inseparable(self) -> dict[str, tuple[str, ...]]:
         """For each ask the mistakes that the sample cannot distinguish from the truth.

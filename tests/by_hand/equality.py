@@ -1,7 +1,7 @@
 """How unlike papers are for a mixed class of students written by hand, and by chance would be.
 
 Each of the mistakes and misreadings of a question is made independently, two of them on the average.
-Who comes upon a figure that cannot be, notices the slip, and loses nothing.
+Who comes upon a figure that cannot be is stuck, and loses all of the question.
 """
 
 from __future__ import annotations
@@ -57,16 +57,20 @@ def list_misreadings(question: Question) -> Iterator[Mistake]:
 
 
 def _list_wrong(question: Question, mistake: Mistake) -> Iterator[str]:
-    """The asks of which a mistake leaves the tolerance."""
-    for ask, value in _work(question, mistake).items():
+    """The asks of which a mistake leaves the tolerance, or all where it leads to no figure."""
+    answers = _work(question, mistake)
+    if answers is None:
+        yield from question.points
+        return
+    for ask, value in answers.items():
         if ask in question.right:
             right = question.right[ask]
             if abs(value - right) > question.rooms[ask] + ALMOST * (1 + abs(right)):
                 yield ask
 
 
-def _work(question: Question, mistake: Mistake) -> Answers:
+def _work(question: Question, mistake: Mistake) -> Answers | None:
     try:
         return mistake(question.givens)
     except (ValueError, ZeroDivisionError):  # no such triangle
-        return {}
+        return None
