@@ -29,8 +29,10 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.pad import Doubles
 from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
+from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.template import Template
 from kinegrade.students.mistaking.mistakes import convert_parameters
 from kinegrade.students.rounding.accuracy import Accuracy
@@ -107,10 +109,15 @@ class DrawFilter:
         if fine:
             return Refused("decimals", name_reason("decimals"), fine)
         try:
-            require_legible(solution, self.sketcher)
+            require_legible(solution, self._marks, self.sketcher)
         except Refused as refusal:
             return refusal
         return examined
+
+    @cached_property
+    def _marks(self) -> FigureHints:
+        """What the figure of the question marks."""
+        return mark_question(self.template, self.asks)
 
     def solved(self, values: Combination) -> Solution:
         """The solution of a combination that was dealt. Raises MechanismError for one that has

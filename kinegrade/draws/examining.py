@@ -24,6 +24,7 @@ from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.problem.tolerance import find_scale_of_mechanism
 from kinegrade.students.rounding.accuracy import Accuracy
@@ -134,10 +135,9 @@ def explain_rounding(ask: str, bound: float, accuracy: Accuracy) -> Message:
     )
 
 
-def require_legible(solution: Solution, sketcher: Sketcher) -> None:
-    """Raises Refused for an instance whose figure cannot be read well."""
-    mechanism, hints = solution.assembly.mechanism.map(float), solution.template.figure
-    why = find_illegible(mechanism, hints, sketcher)
+def require_legible(solution: Solution, hints: FigureHints, sketcher: Sketcher) -> None:
+    """Raises Refused for an instance whose figure with these marks cannot be read well."""
+    why = find_illegible(solution.assembly.mechanism.map(float), hints, sketcher)
     if why is not None:
         raise Refused("figure", why)
 

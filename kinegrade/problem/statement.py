@@ -13,7 +13,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from flint import fmpq
 
 from kinegrade.errors import TemplateError
-from kinegrade.expressions.tree import find_names
 from kinegrade.files.fields.place import Place
 from kinegrade.language import Language
 from kinegrade.language.decimal_mark import write_decimals_of_prose
@@ -21,11 +20,12 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.problem.filling import Filling
 from kinegrade.problem.given import list_givens
 from kinegrade.problem.holding import choose_wording
-from kinegrade.problem.needs import Needs, find_needs
+from kinegrade.problem.needs import find_needs
+from kinegrade.problem.printed_givens import is_needed
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.template.driven import find_driven
 from kinegrade.problem.template.slots import find_slots, find_slots_in_formulas
-from kinegrade.problem.template.template import Template, Wording
+from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import list_prose
 from kinegrade.problem.template.translated import Translated, find_common_languages
 
@@ -47,7 +47,7 @@ def write_statement(
     filling = _make_filling(template, parameters, language, changes=needs.changes)
     texts = {
         name: filling.fill(text.in_language(language), {})
-        if _is_needed(template.words.texts[name], needs, filling)
+        if is_needed(template, name, needs, filling.driven)
         else ""
         for name, text in _choose_wordings(template, parameters)
     }
@@ -79,22 +79,6 @@ def _choose_wordings(
             what = Message("template.no-wording-applies", values=values)
             raise TemplateError(Fault(f"{template.name}.toml: text.{name}", what))
         yield name, found.text
-
-
-def _is_needed(wordings: Iterable[Wording], needs: Needs, filling: Filling) -> bool:
-    """Whether a text is printed: not where all givens in it, or else those that choose between its
-    wordings, are needed by nothing that is asked.
-    """
-    printed: set[str] = set()
-    choosing: set[str] = set()
-    for wording in wordings:
-        for slot in find_slots(wording.text.in_language(filling.language)):
-            printed |= slot.list_givens(filling.driven)
-        if wording.condition is not None:
-            for side in (wording.condition.left, wording.condition.right):
-                choosing |= set(find_names(side)) & set(filling.givens)
-    named = printed or choosing
-    return not named or bool(named & needs.givens)
 
 
 def write_specimens(template: Template, language: Language) -> Iterator[tuple[Place, str]]:

@@ -12,6 +12,7 @@ import typst
 
 from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.figure.sketch import sketch
+from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.template.library.library import load_template
 from tests.problem.draws import draw_filter, drawn
 
@@ -36,7 +37,8 @@ def print_figure(template: str, seed: str) -> str:
     """The SVG of the first figure that is dealt at a seed."""
     [instance] = drawn(draw_filter(load_template(template), seed), 1)
     mechanism = instance.solution.motion.frames.mechanism.map(float)
-    return to_svg(sketch(mechanism, instance.solution.template.figure))
+    template = instance.solution.template
+    return to_svg(sketch(mechanism, mark_question(template, template.asked())))
 
 
 def digest(svg: str) -> str:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import HEIGHT, WIDTH, sketch
+from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.solution import Solution
 from kinegrade.worked.document import Pictures
 from kinegrade.worked.solution import write_worked_solution
@@ -22,7 +23,7 @@ def hold(seed: int, _: Path) -> None:
     solution = seeded_solution(seed)
     template = solution.template
     mechanism = solution.motion.frames.mechanism.map(float)
-    figure = sketch(mechanism, template.figure)
+    figure = sketch(mechanism, mark_question(template, template.asked()))
     assert figure.width <= WIDTH, template.name
     assert figure.height <= HEIGHT, template.name
     for name, scene in [("the figure", figure), *_pictures(solution)]:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.figure.sketch import sketch
+from kinegrade.problem.printed_givens import mark_question
 from tests.figures.flaws import find_flaws, find_part_flaws
 from tests.figures.known import KNOWN
 from tests.figures.svg_shapes import read_picture
@@ -18,7 +19,8 @@ def hold(seed: int, _: Path) -> None:
     if name in KNOWN:
         return
     solution = seeded_solution(seed)
-    mechanism, hints = solution.motion.frames.mechanism.map(float), solution.template.figure
+    mechanism = solution.motion.frames.mechanism.map(float)
+    hints = mark_question(solution.template, solution.template.asked())
     scene = sketch(mechanism, hints)
     picture = read_picture(to_svg(scene))
     found = find_flaws(picture) + find_part_flaws(picture, mechanism, hints, scene.scale)

@@ -27,9 +27,9 @@ from kinegrade.press.sheet import (
     Paper,
     QuestionSheet,
 )
+from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.statement import write_statement
-from kinegrade.problem.template.given_marks import mark_givens
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask, Template
 
@@ -117,7 +117,7 @@ def lay_out_question(
         template.about.title.in_language(language),
         sum((row.points for row in rows), Fraction(0)),
         write_statement(template, shown.parameters, language, shown.asks),
-        figure(shown.mechanism, mark_givens(template)),
+        figure(shown.mechanism, mark_question(template, shown.asks)),
         rows,
         template=template.name,
     )

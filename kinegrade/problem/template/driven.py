@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from flint import fmpq
@@ -46,6 +46,14 @@ class Driven:
 
 
 Drives = Mapping[DrivenPart, Mapping[str, Driven]]
+
+
+def drop_accelerations(drives: Drives) -> Drives:
+    """What is driven, where nothing is said of accelerations."""
+    return {
+        part: {name: replace(driven, acceleration=None) for name, driven in named.items()}
+        for part, named in drives.items()
+    }
 
 
 def find_driven(drivers: Iterable[DriverSentence], givens: Collection[str]) -> Drives:
