@@ -19,6 +19,7 @@ from typing import Literal
 
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
+from kinegrade.press.paper_head import PLAIN_HEAD, PaperHead
 from kinegrade.worked.document import Block
 
 PaperSize = Literal["a4", "letter"]
@@ -65,6 +66,7 @@ class Paper:
     code: str
     rules: tuple[str, ...]  # prose, one sentence or two each
     questions: tuple[QuestionSheet, ...]
+    head: PaperHead = PLAIN_HEAD
     pages: int = 0  # at least: pages for working follow where there are fewer
 
     @property

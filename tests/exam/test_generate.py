@@ -146,6 +146,7 @@ def test_exam_json_says_who_got_what(exam: Path) -> None:
         "language",
         "paper_size",
         "engine",
+        "pages",
         "reproducible",
         "questions",
         "students",

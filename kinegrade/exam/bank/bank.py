@@ -14,6 +14,7 @@ from typing import get_args
 
 from kinegrade.errors import BankError, suggest
 from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
+from kinegrade.exam.bank.header import HEADER_TEXTS, read_header
 from kinegrade.exam.bank.keys import BANK
 from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
@@ -97,7 +98,8 @@ def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False
     text, translations = read_text(path, _BANK_FILE), read_translations(path, _BANK_FILE)
     whole, faults = _open(path, text, translations)
     table = whole.only(*BANK)
-    frame = _read_frame(table, text, translations)
+    header = read_header(table, path.parent, kept=kept)
+    frame = replace(_read_frame(table, text, translations), header=header)
     shipped = folder or find_shipped("templates")
     entries = Entries(table.faults, shipped, path.parent, kept, frame.space)
     slots = _read_slots(table, entries, frame)
@@ -124,6 +126,9 @@ def _open(path: Path, text: str, translations: Translations) -> tuple[Table, tup
     plain = toml_table(str(path), text, _BANK_FILE)
     document = Document(str(path), text, lines_of_toml)
     places: dict[Place, Place] = {(key,): (key,) for key in _TEXTS if key in plain}
+    header = plain.value("header")
+    if isinstance(header, dict):
+        places |= {("header", key): ("header", key) for key in HEADER_TEXTS if key in header}
     laid = lay_in(plain.content, document, Beside(str(path), _BANK_FILE, translations), places)
     return Table(Faults(laid.source, BankError), (), laid.content), laid.faults
 

@@ -14,6 +14,7 @@ from functools import partial
 from typing import Literal, assert_never
 
 from kinegrade.draws.keyed_order import address
+from kinegrade.exam.bank.header import NO_HEADER, Header
 from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.press.protocol import Engine
 from kinegrade.problem.template.beside import Translations
@@ -66,7 +67,7 @@ class Bank:
     different papers, 0 for a different one for each student; `engine` is the typesetter unless an
     instructor asks for another; `credit` is for answers that are not right; with `solutions`,
     feedback includes the worked solutions unless requested otherwise; `lms` is the system that the
-    exam will be imported into, if its draws have to suit one.
+    exam will be imported into, if its draws have to suit one; `header` is the head of the papers.
     """
 
     title: Translated
@@ -85,6 +86,13 @@ class Bank:
     credit: StatedCredit = field(default_factory=StatedCredit)
     solutions: bool = False
     lms: LMS | None = None
+    header: Header = NO_HEADER
+
+    @property
+    def texts(self) -> Mapping[str, Translated]:
+        """What is printed on papers of the bank's own, by the keys at which it stands."""
+        head = {f"header.{name}": text for name, text in self.header.texts.items()}
+        return {"title": self.title, "course": self.course, **head}
 
     @property
     def four_decimals(self) -> bool:

@@ -12,6 +12,8 @@ BANK = (
     "course",
     #: The date, as it is printed: `2026-06-24`, or any text.
     "date",
+    #: What else stands at the head of the papers: a table `[header]`.
+    "header",
     #: How far an answer may be off; `"honest"` where nothing is stated.
     "tolerance",
     #: How many significant figures students are asked to carry in every value that they write down:
@@ -36,6 +38,26 @@ BANK = (
     "lms",
     #: The questions, each a table `[[questions]]`.
     "questions",
+)
+# The table [header]; its texts are texts, or one for each language
+HEADER = (
+    #: Who sets the exam: `"Department of Mechanics"`.
+    "institution",
+    #: A PNG, SVG or PDF file beside the bank, at most 500 kB: `"crest.svg"`. The exam folder keeps
+    #: it.
+    "logo",
+    #: How long students have: `"120 minutes"`.
+    "duration",
+    #: What students may use: `"one sheet of notes, pocket calculator"`.
+    "aids",
+    #: What students are told before they begin.
+    "instructions",
+    #: `true` for a line on which students write the room; or a text that is printed there.
+    "room",
+    #: `true` for a line on which students write their seat; or a text.
+    "seat",
+    #: `true` for a line on which students sign.
+    "signature",
 )
 # An entry [[questions]] names a template, or a family or tag to draw from
 NAMED = (

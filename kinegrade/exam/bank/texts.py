@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from kinegrade.errors import BankError
 from kinegrade.exam.bank.blueprint import Bank
@@ -17,7 +17,7 @@ def require_bank_language(bank: Bank, language: Language) -> None:
     language.
     """
     templates = [question.template for question in bank.questions]
-    own = _find_bank_faults(bank.title, bank.course, language)
+    own = _find_bank_faults(bank.texts, language)
     faults = (*own, *find_language_faults(templates, language))
     if faults:
         raise BankError(*faults)
@@ -25,13 +25,12 @@ def require_bank_language(bank: Bank, language: Language) -> None:
 
 def require_bank_texts(title: Translated, course: Translated, language: Language) -> None:
     """Raises BankError where a bank lacks its title or course in a language."""
-    faults = tuple(_find_bank_faults(title, course, language))
+    faults = tuple(_find_bank_faults({"title": title, "course": course}, language))
     if faults:
         raise BankError(*faults)
 
 
-def _find_bank_faults(title: Translated, course: Translated, language: Language) -> Iterator[Fault]:
-    texts = {"title": title, "course": course}
+def _find_bank_faults(texts: Mapping[str, Translated], language: Language) -> Iterator[Fault]:
     missing = [name for name, text in texts.items() if not text.has(language)]
     if missing:
         yield Fault(

@@ -18,6 +18,8 @@ KEY_BOOK = "key.pdf"
 POOL = "variants.jsonl"
 #: The bank as it was.
 BANK = "bank.toml"
+#: The logo of the papers, where the bank has one.
+LOGO = "logo.svg"
 #: The templates as they were.
 TEMPLATES = "templates"
 #: Says who may see what.
@@ -40,6 +42,7 @@ CONTENTS = (
     KEY_BOOK,
     BANK,
     *(name_beside(BANK, language) for language in known_languages()),
+    LOGO,
     TEMPLATES,
     *FOR_STUDENTS,
     ANSWERS,

@@ -20,6 +20,7 @@ from kinegrade.exam.folder.contents import (
     BANK,
     HEAD,
     KEY,
+    LOGO,
     NOTICE,
     TEMPLATES,
 )
@@ -98,8 +99,8 @@ def _noted(
 
 
 def source_files(bank: Bank) -> dict[str, str]:
-    """The bank, every template and every mechanism as they were, so that a newer kinegrade can mark
-    the exam again.
+    """The bank, its logo, every template and every mechanism as they were, so that a newer
+    kinegrade can mark the exam again.
 
     Raises BankError where two templates share different mechanisms of one name, as the folder keeps
     one file of a name.
@@ -116,8 +117,10 @@ def source_files(bank: Bank) -> dict[str, str]:
     }
     if faults:
         raise BankError(*faults.values())
+    logo = {LOGO: bank.header.logo} if bank.header.logo else {}
     return {
         BANK: bank.text,
+        **logo,
         **{f"{TEMPLATES}/{template.name}.toml": template.file.text for template in templates},
         **{f"{TEMPLATES}/{FOLDER}/{name}.toml": each.text for name, each in mechanisms.items()},
     }

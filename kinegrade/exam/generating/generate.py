@@ -98,27 +98,28 @@ def generate(
     )
     processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
     with bulk_work(), place as folder, processes as workers, book as sketchbook:
-        order = options.press_order(bank)
-        press = order.press()
-        kept = {} if wish.new else _find_kept_papers(old, secret)
+        run = PrintRun(bank, language, options.press_order(bank), extras)
+        press = run.press_order.press()
+        kept = _find_kept_papers(None if wish.new else old, secret)
         dealt = deal_exam(bank, roster, secret, workers, kept, sketchbook=sketchbook)
         said: tuple[Problem, ...] = (*roster_complaints(roster, press), *dealt.shortages())
         require_none(said if options.strict else ())
-        run = PrintRun(bank, language, order, extras)
-        with closing(print_class(run, dealt, workers, jobs)) as papers:
-            results = options.progress(papers, len(roster.students))
-            written = write_papers(folder, run, press, roster.students, results)
-        again = partial(print_class, workers=workers, jobs=jobs)
-        run = fill_up_papers(folder, run, dealt, written.pages, again)
-        write_sources(sources, folder)
+        printer = partial(print_class, workers=workers, jobs=jobs)
+        with closing(printer(run, dealt)) as papers:
+            shown = options.progress(papers, len(roster.students))
+            written = write_papers(folder, run, press, roster.students, shown)
+        run = fill_up_papers(folder, run, dealt, written.pages, printer)
         candidates = map(candidate, roster.students, written.keys)
-        _write_rest(make_exam_head(dealt, candidates, run), folder)
+        _write_rest(make_exam_head(dealt, candidates, run), sources, folder)
         settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
     return Generated(dealt, _list_drawn_templates(blueprint, bank), said, *settled)
 
 
-def _write_rest(head: ExamHead, folder: Path) -> None:
-    """The answer sheets and the head, which says what all other files were when they were made."""
+def _write_rest(head: ExamHead, sources: Mapping[str, str], folder: Path) -> None:
+    """The sources, the answer sheets and the head, which says what all other files were when they
+    were made.
+    """
+    write_sources(sources, folder)
     write_blank_answers(head, folder)
     write_blank_workbook(head, folder)
     write_head(head, digest_editable(folder), folder)

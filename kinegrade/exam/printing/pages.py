@@ -72,6 +72,7 @@ def lay_out_paper(
         paper.code,
         write_rules(bank, language),
         sheets,
+        head=bank.header.in_language(language),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from hashlib import sha256
 from itertools import groupby
 
 from kinegrade.figure.back_ends.tikz import write_tikz
@@ -15,6 +16,7 @@ from kinegrade.language.message import Location
 from kinegrade.language.prose.latex import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark
 from kinegrade.press.latex.document import write_command, write_environment
+from kinegrade.press.paper_head import PaperHead
 from kinegrade.press.paper_parts import (
     arrange_marks,
     fits_beside,
@@ -37,18 +39,44 @@ def write_paper_body(paper: Paper) -> str:
         questions=lambda: convert_each(
             lambda question: _write_question(question, words, where), paper.questions
         ),
+        conditions=lambda: _write_conditions(paper.head, words),
     )
     texts = (paper.title, paper.course, paper.date, paper.student, paper.name, paper.code)
-    masthead = write_command("masthead", *map(write_plain, texts), _mark(paper.code))
+    head = (write_plain(paper.head.institution), name_logo(paper.head))
+    masthead = write_command("masthead", *map(write_plain, texts), _mark(paper.code), *head)
     rules = [write_command("rules", *_write_rule_columns(parts["rules"]))] if paper.rules else []
     lines = (
         write_comment(words.write(where)),
         masthead,
         _write_marks(paper),
+        *parts["conditions"],
         *rules,
         *parts["questions"],
     )
     return write_environment("sheet", lines, least=paper.pages) + "\n"
+
+
+def name_logo(head: PaperHead) -> str:
+    """The file of a paper's logo, by what it shows; "" for none."""
+    return f"logo-{sha256(head.logo.encode()).hexdigest()[:8]}.pdf" if head.logo else ""
+
+
+def _write_conditions(head: PaperHead, words: Catalogue) -> list[str]:
+    """Duration, aids and instructions, and lines to write on, as far as there are any."""
+    parts = gather(
+        aids=lambda: write_line(head.aids, "header.aids"),
+        instructions=lambda: write_prose(head.instructions, "header.instructions"),
+    )
+    stated = ((r"\wordduration", write_plain(head.duration)), (r"\wordaids", parts["aids"]))
+    blanks = [
+        write_command("blank", write_plain(label), write_plain(text))
+        for label, text in head.list_blanks(words)
+    ]
+    return [
+        *(write_command("condition", label, text) for label, text in stated if text),
+        *([write_command("instructions", parts["instructions"])] if head.instructions else []),
+        *([write_command("blanks", str(len(blanks)), "".join(blanks))] if blanks else []),
+    ]
 
 
 def _mark(code: str) -> str:

@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Generic, TypeVar
 
 from kinegrade.errors import TypesetError
@@ -22,7 +24,7 @@ from kinegrade.language.message import Location
 from kinegrade.press.latex.document import write_document
 from kinegrade.press.latex.faults import find_faults
 from kinegrade.press.latex.key import write_key_body
-from kinegrade.press.latex.paper import write_paper_body
+from kinegrade.press.latex.paper import name_logo, write_paper_body
 from kinegrade.press.latex.solution import write_solution_body
 from kinegrade.press.latex.xetex import (
     FONTS,
@@ -34,9 +36,11 @@ from kinegrade.press.latex.xetex import (
     write_style,
 )
 from kinegrade.press.legible import make_owner_legible, make_owners_legible
+from kinegrade.press.paper_head import PaperHead
 from kinegrade.press.places import ALL_PAPERS, ALL_SOLUTIONS, KEY
 from kinegrade.press.protocol import Press, Printout
 from kinegrade.press.sheet import KeyBook, Paper, PaperSize, SolutionSheet
+from kinegrade.press.typst.logo import print_logo
 
 # TeX writes some things only on the first page of a run (its initial colour): this page, which is
 # left out
@@ -54,6 +58,7 @@ class _Kind(Generic[_Sheet]):
     name: Location
     body: Callable[[_Sheet], str]
     words: Callable[[Language], Mapping[str, str]]
+    pictures: Callable[[_Sheet], Mapping[str, bytes]] = lambda _: {}
 
 
 def _read_paper_words(language: Language) -> Mapping[str, str]:
@@ -64,7 +69,15 @@ def _read_solution_words(language: Language) -> Mapping[str, str]:
     return open_catalogue(language).raw("solution", "layout.")
 
 
-_PAPERS: _Kind[Paper] = _Kind(ALL_PAPERS, write_paper_body, _read_paper_words)
+@lru_cache(maxsize=1)
+def _print_pictures(head: PaperHead) -> Mapping[str, bytes]:
+    """The logo of a class."""
+    return {name_logo(head): print_logo(head.logo, "pdf")} if head.logo else {}
+
+
+_PAPERS: _Kind[Paper] = _Kind(
+    ALL_PAPERS, write_paper_body, _read_paper_words, lambda paper: _print_pictures(paper.head)
+)
 _SOLUTIONS: _Kind[SolutionSheet] = _Kind(ALL_SOLUTIONS, write_solution_body, _read_solution_words)
 
 
@@ -136,7 +149,13 @@ class LatexPress(Press):
         """All sheets of one language."""
         words, fonts = kind.words(language), str(find_font_folder())
         bodies: list[str] = convert_each(kind.body, sheets.values())
-        with self._typeset([_FIRST_PAGE, *bodies], language, words, kind.name) as (folder, outcome):
+        pictures = {
+            name: content
+            for sheet in sheets.values()
+            for name, content in kind.pictures(sheet).items()
+        }
+        typeset = self._typeset([_FIRST_PAGE, *bodies], language, words, kind.name, pictures)
+        with typeset as (folder, outcome):
             # One page further than the sheets count, as the first page belongs to none of them
             pages = [(first + 1, first + count) for first, count in outcome.ranges]
             pdfs = [make_pdf(folder, part) for part in pages]
@@ -146,30 +165,44 @@ class LatexPress(Press):
                 pdf,
                 write_document([body], language, self._size, words, fonts),
                 language,
+                pictures,
             )
             for name, body, pdf in zip(sheets, bodies, pdfs, strict=True)
         }
 
     @contextmanager
     def _typeset(
-        self, bodies: list[str], language: Language, words: Mapping[str, str], where: Location
+        self,
+        bodies: list[str],
+        language: Language,
+        words: Mapping[str, str],
+        where: Location,
+        pictures: Mapping[str, bytes] = MappingProxyType({}),
     ) -> Iterator[tuple[Path, Outcome]]:
         """The folder where the pages of the bodies lie, as long as the context lasts. Raises
         TypesetError.
         """
         source = write_document(bodies, language, self._size, words, FONTS)
         with temporary_folder() as folder:
-            outcome = run(source, folder, _START_SECONDS + _SHEET_SECONDS * len(bodies))
+            seconds = _START_SECONDS + _SHEET_SECONDS * len(bodies)
+            outcome = run(source, folder, seconds, pictures)
             problems = find_faults(outcome, source, where)
             if problems:
                 raise TypesetError(*problems)
             yield folder, outcome
 
 
-def _make_printout(name: str, pdf: bytes, source: str, language: Language) -> Printout:
-    """The pages, and their source with the style that it asks for."""
+def _make_printout(
+    name: str,
+    pdf: bytes,
+    source: str,
+    language: Language,
+    pictures: Mapping[str, bytes] = MappingProxyType({}),
+) -> Printout:
+    """The pages, and their source with the style and the pictures that it asks for."""
     text = _write_introduction(name, language) + source
-    return Printout(pdf, {f"{name}.tex": text.encode(), STYLE: write_style().encode()})
+    files = {f"{name}.tex": text.encode(), STYLE: write_style().encode()}
+    return Printout(pdf, files | dict(pictures))
 
 
 def _find_missing(characters: Iterable[str]) -> frozenset[str]:

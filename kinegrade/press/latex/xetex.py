@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -72,12 +72,17 @@ class Outcome:
     missing: frozenset[str]
 
 
-def run(source: str, folder: Path, seconds: float) -> Outcome:
-    """Typeset `source` in `folder`, where its pages then lie for `make_pdf`.
+def run(
+    source: str, folder: Path, seconds: float, pictures: Mapping[str, bytes] | None = None
+) -> Outcome:
+    """Typeset `source`, which may show these pictures, in `folder`, where its pages then lie for
+    `make_pdf`.
 
     Raises TypesetError where XeTeX is not installed or does not end in that time.
     """
     _furnish(folder, source)
+    for name, content in (pictures or {}).items():
+        (folder / name).write_bytes(content)
     output = _execute("xelatex", (*_SWITCHES, f"{_JOB}.tex"), folder, seconds)
     log = folder / f"{_JOB}.log"
     text = log.read_text(encoding="utf-8", errors="replace") if log.exists() else output

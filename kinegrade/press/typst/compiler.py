@@ -17,10 +17,10 @@ import typst
 def make_compiler() -> typst.Compiler:
     """A compiler that reads the layouts and no other folder."""
     layouts = str(files("kinegrade.press.typst") / "layouts")
-    return typst.Compiler(root=layouts, font_paths=_find_fonts(), ignore_system_fonts=True)
+    return typst.Compiler(root=layouts, font_paths=find_fonts(), ignore_system_fonts=True)
 
 
-def _find_fonts() -> typst.Fonts:
+def find_fonts() -> typst.Fonts:
     """The fonts a press may use, none of them the system's."""
     folder = pylopdf_fonts_zh_cn.serif_path().parent
     return typst.Fonts(

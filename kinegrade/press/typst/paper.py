@@ -17,6 +17,7 @@ from kinegrade.language.math.units import write_unit
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark
+from kinegrade.press.paper_head import PaperHead
 from kinegrade.press.paper_parts import (
     arrange_marks,
     fits_beside,
@@ -40,6 +41,7 @@ def write_paper_source(paper: Paper, size: PaperSize = "a4") -> str:
         questions=lambda: convert_each(
             lambda question: _write_question(question, words), paper.questions
         ),
+        head=lambda: _write_head(paper.head, words),
     )
     sheet |= {
         name: getattr(paper, name)
@@ -57,6 +59,21 @@ def write_paper_source(paper: Paper, size: PaperSize = "a4") -> str:
             "words": words.raw("paper", "layout."),
         },
     )
+
+
+def _write_head(head: PaperHead, words: Catalogue) -> Sheet:
+    sheet = gather(
+        aids=lambda: write_line(head.aids, "header.aids") if head.aids else None,
+        instructions=lambda: (
+            write_prose(head.instructions, "header.instructions") if head.instructions else None
+        ),
+    )
+    return sheet | {
+        "institution": head.institution,
+        "logo": head.logo or None,
+        "duration": head.duration or None,
+        "blanks": head.list_blanks(words),
+    }
 
 
 def _write_code_image(code: str) -> str:

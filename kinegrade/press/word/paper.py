@@ -31,6 +31,7 @@ from kinegrade.press.paper_parts import (
 )
 from kinegrade.press.places import RULES, locate_part
 from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
+from kinegrade.press.word.head import write_conditions, write_origin
 from kinegrade.press.word.tree import (
     Alignment,
     make_document,
@@ -51,9 +52,9 @@ _NO_BREAK = "\u00a0"
 _GAP = 2 * _NO_BREAK
 
 
-def write_paper_tree(paper: Paper, figures: Mapping[int, str]) -> bytes:
+def write_paper_tree(paper: Paper, figures: Mapping[int, str], logo: str = "") -> bytes:
     """The document, to be handed to pandoc as `json`; `figures` holds a data URI for each question
-    that has a figure.
+    that has a figure, `logo` is one where the paper has a logo.
 
     Raises TypesetError with all faults of the paper's texts.
     """
@@ -63,8 +64,15 @@ def write_paper_tree(paper: Paper, figures: Mapping[int, str]) -> bytes:
         questions=lambda: convert_each(
             lambda question: _write_question(question, figures, words), paper.questions
         ),
+        conditions=lambda: write_conditions(paper.head, words),
     )
-    head = [*_write_title(paper), _write_fields(paper, words), *_write_marks(paper, words)]
+    head = [
+        *write_origin(paper.head, logo),
+        *_write_title(paper),
+        _write_fields(paper, words),
+        *_write_marks(paper, words),
+        *parts["conditions"],
+    ]
     rules = (
         [
             make_styled(

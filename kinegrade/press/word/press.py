@@ -20,6 +20,7 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.press.html.page import write_page
 from kinegrade.press.sheet import Paper, PaperSize
 from kinegrade.press.typst.compiler import make_compiler
+from kinegrade.press.typst.logo import print_logo
 from kinegrade.press.word.pandoc import Kind, run_bare_pandoc, run_pandoc
 from kinegrade.press.word.paper import write_paper_tree
 from kinegrade.press.word.reference import make_word_reference
@@ -58,7 +59,8 @@ class PandocPress:
         no pandoc.
         """
         reference = make_word_reference(self._default_reference, paper, self._size)
-        tree = write_paper_tree(paper, self._figures(paper, "png"))
+        logo = _write_address("png", print_logo(paper.head.logo, "png")) if paper.head.logo else ""
+        tree = write_paper_tree(paper, self._figures(paper, "png"), logo)
         with temporary_folder() as folder:
             file = folder / "reference.docx"
             file.write_bytes(reference)
@@ -66,7 +68,8 @@ class PandocPress:
 
     def html(self, paper: Paper) -> bytes:
         """The paper as one HTML file, in UTF-8. Raises TypesetError as `docx` does."""
-        tree = write_paper_tree(paper, self._figures(paper, "svg"))
+        logo = _write_address("svg", paper.head.logo.encode()) if paper.head.logo else ""
+        tree = write_paper_tree(paper, self._figures(paper, "svg"), logo)
         body = run_pandoc("html", ["--mathml"], tree).decode()
         return write_page(paper, body, self._size)
 
@@ -85,5 +88,8 @@ class PandocPress:
     def _picture(self, scene: Scene, kind: _Picture) -> str:
         source = f'#import "/figure.typ": figure-alone\n#show: figure-alone\n{write_typst(scene)}\n'
         image = self._compiler.compile(source.encode(), format=kind, ppi=_PIXELS)
-        data = b64encode(image if isinstance(image, bytes) else b"").decode()
-        return f"data:{_MEDIA_TYPES[kind]};base64,{data}"
+        return _write_address(kind, image if isinstance(image, bytes) else b"")
+
+
+def _write_address(kind: _Picture, image: bytes) -> str:
+    return f"data:{_MEDIA_TYPES[kind]};base64,{b64encode(image).decode()}"

@@ -21,11 +21,13 @@ def make_document(blocks: Iterable[Node]) -> bytes:
     return json.dumps({"pandoc-api-version": _VERSION, "meta": {}, "blocks": list(blocks)}).encode()
 
 
-def make_image(data_uri: str, width: float, description: str) -> Node:
-    """A picture `width` millimetres wide, with its bytes in the address."""
+def make_image(
+    data_uri: str, length: float, description: str, side: Literal["width", "height"] = "width"
+) -> Node:
+    """A picture with its bytes in the address; one of its sides is so many millimetres long."""
     return {
         "t": "Image",
-        "c": [["", [], [["width", f"{width:.2f}mm"]]], [make_text(description)], [data_uri, ""]],
+        "c": [["", [], [[side, f"{length:.2f}mm"]]], [make_text(description)], [data_uri, ""]],
     }
 
 

@@ -38,6 +38,7 @@ HEAD = ExamHead(
     language="zh",
     paper_size="letter",
     engine="latex",
+    pages=4,
     method="pole",
     secret="00" * 32,
     label="spring",

@@ -1,0 +1,39 @@
+"""What stands at the head of a paper beside course, title, date and student: who sets the exam, and
+what holds in the room.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinegrade.language.catalogue import Catalogue
+
+
+@dataclass(frozen=True)
+class PaperHead:
+    """Texts in the paper's language; "" prints nothing.
+
+    `room` and `seat` are None where they are not asked for, and "" where a line is left to write
+    them on.
+    """
+
+    institution: str = ""  # plain, as are duration, room and seat
+    logo: str = ""  # an SVG that refers to nothing
+    duration: str = ""
+    aids: str = ""  # prose, one line
+    instructions: str = ""  # prose
+    room: str | None = None
+    seat: str | None = None
+    signature: bool = False
+
+    def list_blanks(self, words: Catalogue) -> list[tuple[str, str]]:
+        """What is written by hand, by its label, with the text that stands there already."""
+        blanks = {"room": self.room, "seat": self.seat, "signature": "" if self.signature else None}
+        return [
+            (words.text(f"paper.blank-{name}"), text)
+            for name, text in blanks.items()
+            if text is not None
+        ]
+
+
+PLAIN_HEAD = PaperHead()
