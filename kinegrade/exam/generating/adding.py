@@ -19,7 +19,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.generating.added_answers import write_grown_answers
 from kinegrade.exam.generating.exam_files import write_blank_workbook, write_head, write_papers
-from kinegrade.exam.generating.generate import require_none
+from kinegrade.exam.generating.generate import list_complaints, require_none
 from kinegrade.exam.generating.grown_class import LateClass, late_class, require_same_sources
 from kinegrade.exam.generating.hand_work import digest_editable, find_edited, refuse_edited
 from kinegrade.exam.generating.options import PRIVATE, SHARED_WITH_GROUP, GenerateOptions
@@ -31,7 +31,6 @@ from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.pages import make_key_paper
 from kinegrade.exam.printing.printing import PrintRun, require_tools
 from kinegrade.exam.printing.reprint import kept_run
-from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.kept_exam import KeptExam
@@ -88,11 +87,9 @@ def add_students(
     processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
     with bulk_work(), _folder(exam) as folder, processes as workers, book as sketchbook:
         press = run.press_order.press()
-        whole = Roster(students.together, (), late.file)
-        secret = required_secret(exam)
+        whole, secret = Roster(students.together, (), late.file), required_secret(exam)
         dealt = deal_exam(run.bank, whole, secret, workers, old.kept, sketchbook=sketchbook)
-        said: tuple[Problem, ...] = (*roster_complaints(students.late, press), *dealt.shortages())
-        require_none(said if options.strict else ())
+        said = list_complaints(students.late, press, dealt, strict=options.strict)
         _copy(exam, folder)
         with closing(
             print_class(run, replace(dealt, roster=students.late), workers, jobs)

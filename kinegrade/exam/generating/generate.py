@@ -47,6 +47,7 @@ from kinegrade.files.output import output_folder
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message
+from kinegrade.press.protocol import Press
 from kinegrade.processes.executor import open_executor
 from kinegrade.processes.garbage_collection import bulk_work
 
@@ -102,8 +103,7 @@ def generate(
         press = run.press_order.press()
         kept = _find_kept_papers(None if wish.new else old, secret)
         dealt = deal_exam(bank, roster, secret, workers, kept, sketchbook=sketchbook)
-        said: tuple[Problem, ...] = (*roster_complaints(roster, press), *dealt.shortages())
-        require_none(said if options.strict else ())
+        said = list_complaints(roster, press, dealt, strict=options.strict)
         printer = partial(print_class, workers=workers, jobs=jobs)
         with closing(printer(run, dealt)) as papers:
             shown = options.progress(papers, len(roster.students))
@@ -137,6 +137,17 @@ def _list_drawn_templates(blueprint: Blueprint, bank: Bank) -> dict[str, str]:
 def _find_kept_papers(old: ReplacedExam | None, secret: ExamSecret) -> Mapping[str, KeyLine]:
     """The papers that stay: those of the folder that is replaced, where the secret stays too."""
     return old.kept if old is not None and old.secret == secret else {}
+
+
+def list_complaints(
+    roster: Roster, press: Press, dealt: ClassDeal, *, strict: bool
+) -> tuple[Problem, ...]:
+    """What a person should look at before papers of a class are handed out. Raises TableError
+    where that is refused.
+    """
+    found = (*roster_complaints(roster, press), *dealt.shortages())
+    require_none(found if strict else ())
+    return found
 
 
 def require_none(complaints: tuple[Problem, ...]) -> None:
