@@ -38,7 +38,8 @@ _TOOTH, _MOUTH, _MOUTH_SLOPE = 0.9, 2.2, 0.3
 # Height of a fixed pin's stand; taller where a sleeve turns about the pin
 STAND, TALL_STAND = (3.6, 5.2)
 _STEPS = 60  # corners of a round band, whose edges are drawn over them
-HEAD_LENGTH, _HEAD_WIDTH = 2.0, 1.1
+HEAD_LENGTH, _HEAD_SHARE = 2.0, 0.55  # the share that a head is wide
+_HEAD_OF_ARC = 0.45  # largest share of an arc that its head takes
 _HEAD_STEP = 1.6  # from one head of an arrow to the next
 # Heads of the arrow of a velocity, and of an acceleration
 HEADS: Mapping[Level, int] = {"velocity": 1, "acceleration": 2}
@@ -204,9 +205,9 @@ def draw_dot(at: Vector) -> tuple[Primitive, ...]:
     return (Disc(at, 0.75, None, "black"),)
 
 
-def draw_arrowhead(tip: Vector, toward: Vector) -> Outline:
-    """A slender filled arrowhead."""
-    back, across = tip - toward * HEAD_LENGTH, toward.turned() * (_HEAD_WIDTH / 2)
+def draw_arrowhead(tip: Vector, toward: Vector, size: float = HEAD_LENGTH) -> Outline:
+    """A slender filled arrowhead of a length."""
+    back, across = tip - toward * size, toward.turned() * (_HEAD_SHARE * size / 2)
     return Outline((tip, back + across, back - across), None, "black")
 
 
@@ -224,10 +225,19 @@ def draw_curved_arrow(bow: Bow, heads: int = 1) -> tuple[Primitive, ...]:
     end = bow.start + bow.sweep
     shaft = replace(bow, sweep=bow.sweep - turn * HEAD_LENGTH * 0.7, pen=FIRM)
     tips = [end - turn * index * _HEAD_STEP for index in range(heads)]
-    return (shaft, *(_draw_curved_head(bow, tip, turn) for tip in tips))
+    return (shaft, *(_draw_curved_head(bow, tip, turn * HEAD_LENGTH) for tip in tips))
+
+
+def draw_arc_head(bow: Bow) -> Outline:
+    """The head at the end of an arc, smaller on a short one."""
+    size = min(HEAD_LENGTH, _HEAD_OF_ARC * abs(bow.sweep) * bow.radius)
+    turn = (size if bow.sweep > 0 else -size) / bow.radius
+    return _draw_curved_head(bow, bow.start + bow.sweep, turn)
 
 
 def _draw_curved_head(bow: Bow, at: float, turn: float) -> Outline:
-    """The head of a curved arrow whose tip is at an angle: along the chord beneath it."""
-    tip, base = (bow.centre + polar(angle, bow.radius) for angle in (at, at - turn * HEAD_LENGTH))
-    return draw_arrowhead(tip, unit(tip - base))
+    """The head of a curved arrow whose tip is at an angle: along the chord beneath it, which spans
+    the angle `turn`.
+    """
+    tip, base = (bow.centre + polar(angle, bow.radius) for angle in (at, at - turn))
+    return draw_arrowhead(tip, unit(tip - base), abs(turn) * bow.radius)

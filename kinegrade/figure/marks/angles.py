@@ -12,10 +12,11 @@ from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.mark import Mark, chords, direction
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Wish, list_spots_along_arc
+from kinegrade.figure.placing.place import Wish
+from kinegrade.figure.placing.wedge import list_spots_in_wedge, measure_narrow
 from kinegrade.figure.plane import NEAR, angle_of, length, on_line, polar, shorter_way, unit
 from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
-from kinegrade.figure.symbols import HEAD_LENGTH, PIN, draw_arrowhead
+from kinegrade.figure.symbols import PIN, draw_arc_head
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import TURN, Angle
@@ -24,9 +25,13 @@ _SMALLEST_ANGLE = pi / 180  # an angle below one degree shows no arc
 # Millimetres, the preferred radius first
 _RADII = (7.0, 6.2, 5.5, 4.5, 8.5, 10.0, 12.0, 14.0, 3.2)
 _SHARE = 0.45  # largest radius of an arc over the distance to the next point on a side
+_LETTER = 1.8  # millimetres from an arc to the middle of its letter
 _BEYOND = 2.5  # millimetres that a thin line along a side continues beyond the arc
 
 _EXTENDED = 2.5  # demerit of an arc beyond the end of a bar, which needs a thin line to reach it
+# Demerits of an arc that ends within so many millimetres of a point on a side
+_ON_PIN, _ON_BLOCK = 12.0, 4.0
+_PIN_ROOM, _BLOCK_ROOM = 1.6, 3.2
 _TRIM = 1.5  # millimetres at either end of an arc where it meets its sides, as it should
 
 
@@ -39,16 +44,17 @@ def mark_angles(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> Iter
     if hint.sense is not None and abs(sweep) > _SMALLEST_ANGLE:
         turn = TURN[hint.sense]
         sweep = turn * ((turn * sweep) % (2 * pi))
-    nicest = min(
-        _RADII[0], max(_RADII[3], _SHARE * _measure_room(vertex, (start, end), at.values()))
-    )
+    reaches = _measure_reaches(vertex, (start, end), at.values())
+    nicest = min(_RADII[0], max(_RADII[3], _SHARE * min(reaches, default=inf)))
+    narrow = measure_narrow(hint.symbol, Bow(vertex, nicest, start, sweep, THIN)) - _LETTER
+    nicest = max(nicest, min(narrow, _RADII[6]))
     if abs(sweep) > _SMALLEST_ANGLE:
         yield [
             _AngleArc(
                 Bow(vertex, radius, start, sweep, THIN),
                 legs,
                 hint,
-                _rate_demerit(radius, nicest, legs),
+                _rate_demerit(radius, nicest, legs) + _rate_ends(radius, reaches),
             )
             for radius in _RADII
         ]
@@ -108,11 +114,19 @@ def _rate_demerit(radius: float, nicest: float, legs: Iterable[_Leg]) -> float:
     return 0.6 * abs(radius - nicest) + _EXTENDED * prolonged
 
 
-def _measure_room(vertex: Vector, sides: tuple[float, float], points: Iterable[Vector]) -> float:
-    """The distance along the sides of an angle to the next point, which may have marks too."""
+def _rate_ends(radius: float, reaches: Iterable[float]) -> float:
+    """The demerit of an arc whose end lies on a pin, or on the block that may be there."""
+    gap = min((abs(reach - radius) for reach in reaches), default=inf)
+    return _ON_PIN if gap < _PIN_ROOM else _ON_BLOCK if gap < _BLOCK_ROOM else 0.0
+
+
+def _measure_reaches(
+    vertex: Vector, sides: tuple[float, float], points: Iterable[Vector]
+) -> list[float]:
+    """The distances along the sides of an angle to other points, which may have marks too."""
     steps = [(point - vertex, polar(side)) for point in points for side in sides]
     reaches = [step.dot(toward) for step, toward in steps if abs(step.cross(toward)) < NEAR]
-    return min((reach for reach in reaches if reach > NEAR), default=inf)
+    return [reach for reach in reaches if reach > NEAR]
 
 
 def _measure_drawn(vertex: Vector, toward: Vector, drawing: Drawing) -> float:
@@ -147,16 +161,14 @@ class _AngleArc:
         return chords(replace(bow, start=bow.start + inset, sweep=bow.sweep - 2 * inset))
 
     def wish(self) -> Wish:
-        """Along the arc."""
-        return list_spots_along_arc(self.hint.symbol, self.bow)
+        """Between the sides."""
+        return list_spots_in_wedge(self.hint.symbol, self.bow)
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The sides, the arrowhead, the arc."""
         bow = self.bow
         sides = tuple(line for leg in self.legs if (line := leg.line(bow.centre, bow.radius)))
         parts: tuple[Primitive, ...] = (Strokes(sides, THIN),) if sides else ()
-        if (self.hint.sense or self.hint.signed) and abs(bow.sweep) * bow.radius > 2 * HEAD_LENGTH:
-            toward = polar(bow.start + bow.sweep)
-            tangent = toward.turned() * (1.0 if bow.sweep > 0 else -1.0)
-            parts += (draw_arrowhead(bow.centre + toward * bow.radius, tangent),)
+        if self.hint.sense or self.hint.signed:
+            parts += (draw_arc_head(bow),)
         return (*parts, bow)

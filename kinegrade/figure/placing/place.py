@@ -77,7 +77,8 @@ def is_covered(label: Label, obstacles: Obstacles) -> bool:
 
 def measure_crowding(wish: Wish, obstacles: Obstacles) -> float:
     """The cost of the best of the first spots: how little room there is for the label."""
-    return _choose_best(wish.symbol, wish.spots[:_AT_ONCE], obstacles)[1]
+    demerits = None if wish.demerits is None else wish.demerits[:_AT_ONCE]
+    return _choose_best(wish.symbol, wish.spots[:_AT_ONCE], obstacles, demerits)[1]
 
 
 def _choose_best(

@@ -1,0 +1,78 @@
+"""Where the letter of an angle may stand: between the sides of the angle, or of their
+prolongations.
+"""
+
+from __future__ import annotations
+
+from math import pi, sin
+
+import numpy as np
+
+from kinegrade.figure.placing.extent import measure_symbol
+from kinegrade.figure.placing.place import Floats, Wish, list_spots_along_arc, list_spots_around
+from kinegrade.figure.plane import polar
+from kinegrade.figure.scene import Bow
+
+_APART = 0.4  # millimetres kept between the letter and a side
+_FARTHEST = 24.0  # millimetres from the vertex: beyond, a letter belongs to no angle
+_OUTSIDE = 8.0  # demerit of a spot outside the angle: less than covering a thin line
+_AWAY = 0.8  # demerit of a millimetre between the arc and a letter that has no room at it
+# Millimetres from its arc at which a letter is lost, and the demerit of that
+_LATEST, _LOST = 3.0, 20.0
+_STEPS = np.array((0.0, 1.0, 2.0, 3.5, 5.0))  # millimetres beyond the narrowest place with room
+
+
+def list_spots_in_wedge(symbol: str, bow: Bow) -> Wish:
+    """Spots for the symbol of an angle: at its arc, where the angle is wide enough for it, and
+    last, with a demerit, around the arc.
+    """
+    along = list_spots_along_arc(symbol, bow)
+    middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
+    spots = np.concatenate(
+        (along.spots, _list_wide_spots(symbol, bow), list_spots_around(symbol, middle))
+    )
+    away = np.hypot(*(spots - np.array(bow.centre)).T) - bow.radius
+    late = np.maximum(np.abs(away) - max(measure_symbol(symbol)), 0.0)
+    demerits = _AWAY * late + _OUTSIDE * ~_find_inside(symbol, spots, bow)
+    demerits = demerits + _LOST * (late > _LATEST)
+    order = np.argsort(demerits.round(6), kind="stable")
+    return Wish(symbol, spots[order], demerits=demerits[order])
+
+
+def measure_narrow(symbol: str, bow: Bow) -> float:
+    """How far from the vertex the middle of a symbol has to stand on the bisector, in
+    millimetres.
+    """
+    widening = max(sin(min(abs(bow.sweep), pi) / 2), 1e-3)
+    return float(_measure_reaches(symbol, bow).max()) / widening
+
+
+def _list_wide_spots(symbol: str, bow: Bow) -> Floats:
+    """Spots on the bisector from where the angle is wide enough for the symbol."""
+    distances = measure_narrow(symbol, bow) + _STEPS
+    distances = distances[distances < _FARTHEST]
+    toward = np.array(polar(bow.start + bow.sweep / 2))
+    spots: Floats = np.array(bow.centre) + np.outer(distances, toward)
+    return spots
+
+
+def _find_inside(symbol: str, spots: Floats, bow: Bow) -> Floats:
+    """Whether a symbol at each spot stands wholly between the sides; beyond half a turn, at least
+    beside one of them.
+    """
+    steps = (spots - np.array(bow.centre)) @ np.array(_find_inward(bow)).T
+    clear = steps - _measure_reaches(symbol, bow) > -1e-6
+    return np.asarray(clear.all(axis=1) if abs(bow.sweep) <= pi else clear.any(axis=1))
+
+
+def _measure_reaches(symbol: str, bow: Bow) -> Floats:
+    """How far the middle of a symbol has to stay from either side, in millimetres."""
+    half = np.array(measure_symbol(symbol)) / 2
+    return np.asarray(np.abs(np.array(_find_inward(bow))) @ half + _APART)
+
+
+def _find_inward(bow: Bow) -> tuple[tuple[float, float], ...]:
+    """The normals of the first and the last side that point into the angle."""
+    turn = pi / 2 if bow.sweep > 0 else -pi / 2
+    first, last = polar(bow.start + turn), polar(bow.start + bow.sweep - turn)
+    return (first.x, first.y), (last.x, last.y)
