@@ -18,11 +18,11 @@ def restate(solution: Solution) -> Solution:
     whose sign its words say, with a minus in the template's expressions.
     """
     unsigned = find_unsigned_givens(solution.template)
-    turned = {name for name in unsigned if solution.parameters[name].is_negative}
+    turned = {name for name in unsigned if solution.parameters[name].is_reversed}
     if not turned:
         return solution
-    values = {name: -solution.assembly.values[name] for name in turned}
     sizes = {name: solution.parameters[name].size for name in turned}
+    values = {name: size.number for name, size in sizes.items()}
     return replace(
         solution,
         template=_turn_template(solution.template, turned),

@@ -139,9 +139,19 @@ class Quantity:
         return not self.is_zero and self.value < 0
 
     @property
+    def is_reversed(self) -> bool:
+        """Whether its size counts the other way: it is negative, or an angle beyond half a turn."""
+        return self.is_negative or self._is_reflex
+
+    @property
     def size(self) -> Quantity:
-        """The quantity without its sign."""
-        return replace(self, number=-self.number) if self.is_negative else self
+        """The quantity without its sign; of an angle beyond half a turn what is left of a turn."""
+        whole = Angle(fmpq(2)) if self._is_reflex else 0
+        return replace(self, number=whole - self.number) if self.is_reversed else self
+
+    @property
+    def _is_reflex(self) -> bool:
+        return self.measure.degrees and isinstance(self.number, Angle) and self.value > 180
 
     @cached_property
     def certified(self) -> str:

@@ -13,6 +13,7 @@ from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.statement_faults import check_statements
+from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
 from tests.problem.crank import crank
 
@@ -134,6 +135,19 @@ def test_the_size_of_a_given_is_its_value_without_the_sign() -> None:
     template = crank(("turns with {{ omega }};", "goes at {{ omega.size }};"))
     assert r"goes at $\omega = 2\,\unit{rad/s}$;" in printed(template, omega="-2")
     check_statements(template)
+
+
+def test_the_size_of_an_angle_beyond_half_a_turn_is_what_is_left_of_a_turn() -> None:
+    template = load_template("crossed-belt-drive")
+    for phi, size, sense in (
+        ("165", "165", "counter-clockwise"),
+        ("180", "180", "counter-clockwise"),
+        ("345", "15", "clockwise"),
+    ):
+        parameters = solve_template(template, {"phi": phi}).parameters
+        assert (
+            rf"$\varphi = {size}^\circ$ with the $x$ axis (to the right), {sense},"
+        ) in write_statement(template, parameters, "en")
 
 
 def test_what_is_said_of_a_driven_body_gives_its_rates_to_the_student() -> None:

@@ -20,15 +20,18 @@ DRAWS = 12
 
 
 @pytest.mark.parametrize("name", find_template_names())
-def test_no_number_but_a_coordinate_has_a_sign(name: str) -> None:
+def test_only_coordinates_have_a_sign_and_no_angle_is_beyond_half_a_turn(name: str) -> None:
     template = load_template(name)
     for given in make_deck(template, "statements", name).first(DRAWS):
         if not all(condition_holds(template, each, given) for each in template.scheme.conditions):
             continue
         shown = show_instance(template, given, template.asks).parameters
         for language in list_statement_languages(template):
-            signed = re.findall(r"\$([^$ ]+) = -", write_statement(template, shown, language))
+            statement = write_statement(template, shown, language)
+            signed = re.findall(r"\$([^$ ]+) = -", statement)
             assert [symbol for symbol in signed if not symbol.startswith("x_{")] == []
+            angles = re.findall(r"= ([\d.]+)\^\\circ", statement)
+            assert [angle for angle in angles if float(angle) > 180] == []
 
 
 @pytest.mark.parametrize("name", find_template_names())

@@ -33,7 +33,7 @@ def list_spots_in_wedge(symbol: str, bow: Bow) -> Wish:
     )
     away = np.hypot(*(spots - np.array(bow.centre)).T) - bow.radius
     late = np.maximum(np.abs(away) - max(measure_symbol(symbol)), 0.0)
-    demerits = _AWAY * late + _OUTSIDE * ~_find_inside(symbol, spots, bow)
+    demerits = _AWAY * late + _OUTSIDE * _find_outside(symbol, spots, bow)
     demerits = demerits + _LOST * (late > _LATEST)
     order = np.argsort(demerits.round(6), kind="stable")
     return Wish(symbol, spots[order], demerits=demerits[order])
@@ -56,13 +56,14 @@ def _list_wide_spots(symbol: str, bow: Bow) -> Floats:
     return spots
 
 
-def _find_inside(symbol: str, spots: Floats, bow: Bow) -> Floats:
-    """Whether a symbol at each spot stands wholly between the sides; beyond half a turn, at least
-    beside one of them.
+def _find_outside(symbol: str, spots: Floats, bow: Bow) -> Floats:
+    """For each spot 0 where a symbol stands wholly between the sides (beyond half a turn: beside
+    one of them), else 1.
     """
     steps = (spots - np.array(bow.centre)) @ np.array(_find_inward(bow)).T
-    clear = steps - _measure_reaches(symbol, bow) > -1e-6
-    return np.asarray(clear.all(axis=1) if abs(bow.sweep) <= pi else clear.any(axis=1))
+    beyond = steps - _measure_reaches(symbol, bow) < -1e-6
+    out = beyond.any(axis=1) if abs(bow.sweep) <= pi else beyond.all(axis=1)
+    return np.asarray(out, dtype=float)
 
 
 def _measure_reaches(symbol: str, bow: Bow) -> Floats:
