@@ -23,7 +23,8 @@ from kinegrade.problem.template.hints import TURN, Angle
 
 _SMALLEST_ANGLE = pi / 180  # an angle below one degree shows no arc
 # Millimetres, the preferred radius first
-_RADII = (7.0, 6.2, 5.5, 4.5, 8.5, 10.0, 12.0, 14.0, 3.2)
+_RADII = (7.0, 6.2, 5.5, 4.5, 8.5, 10.0, 12.0, 14.0, 17.0, 20.0, 3.2)
+_WIDEST = 17.0  # millimetres that are still preferred for a narrow angle
 _SHARE = 0.45  # largest radius of an arc over the distance to the next point on a side
 _LETTER = 1.8  # millimetres from an arc to the middle of its letter
 _BEYOND = 2.5  # millimetres that a thin line along a side continues beyond the arc
@@ -47,7 +48,7 @@ def mark_angles(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> Iter
     reaches = _measure_reaches(vertex, (start, end), at.values())
     nicest = min(_RADII[0], max(_RADII[3], _SHARE * min(reaches, default=inf)))
     narrow = measure_narrow(hint.symbol, Bow(vertex, nicest, start, sweep, THIN)) - _LETTER
-    nicest = max(nicest, min(narrow, _RADII[6]))
+    nicest = max(nicest, min(narrow, _WIDEST))
     if abs(sweep) > _SMALLEST_ANGLE:
         yield [
             _AngleArc(

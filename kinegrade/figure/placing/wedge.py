@@ -14,12 +14,14 @@ from kinegrade.figure.plane import polar
 from kinegrade.figure.scene import Bow
 
 _APART = 0.4  # millimetres kept between the letter and a side
-_FARTHEST = 24.0  # millimetres from the vertex: beyond, a letter belongs to no angle
+_FARTHEST = 27.0  # millimetres from the vertex: beyond, a letter belongs to no angle
 _OUTSIDE = 8.0  # demerit of a spot outside the angle: less than covering a thin line
 _AWAY = 0.8  # demerit of a millimetre between the arc and a letter that has no room at it
+_SHARES = np.array((0.5, 0.42, 0.58, 0.36, 0.64))  # of the angle
 # Millimetres from its arc at which a letter is lost, and the demerit of that
 _LATEST, _LOST = 3.0, 20.0
-_STEPS = np.array((0.0, 1.0, 2.0, 3.5, 5.0))  # millimetres beyond the narrowest place with room
+# Millimetres beyond the narrowest place with room
+_STEPS = np.array((0.0, 1.0, 2.0, 3.5, 5.0, 7.0, 9.0))
 
 
 def list_spots_in_wedge(symbol: str, bow: Bow) -> Wish:
@@ -48,12 +50,12 @@ def measure_narrow(symbol: str, bow: Bow) -> float:
 
 
 def _list_wide_spots(symbol: str, bow: Bow) -> Floats:
-    """Spots on the bisector from where the angle is wide enough for the symbol."""
+    """Spots at the bisector and beside it from where the angle is wide enough for the symbol."""
     distances = measure_narrow(symbol, bow) + _STEPS
-    distances = distances[distances < _FARTHEST]
-    toward = np.array(polar(bow.start + bow.sweep / 2))
-    spots: Floats = np.array(bow.centre) + np.outer(distances, toward)
-    return spots
+    angles = bow.start + bow.sweep * _SHARES
+    toward = np.stack((np.cos(angles), np.sin(angles)), axis=1)
+    steps = distances[distances < _FARTHEST, None, None] * toward
+    return np.asarray(np.array(bow.centre) + steps.reshape(-1, 2))
 
 
 def _find_outside(symbol: str, spots: Floats, bow: Bow) -> Floats:
