@@ -187,7 +187,7 @@ def test_exam_json_says_who_got_what(exam: Path) -> None:
         {
             "ask": "a_B",
             "unit": "m/s^2",
-            "sign": "positive in the direction of $+x$",
+            "sign": "positive to the right ($+x$)",
             "convention": "+x",
             "points": 2.5,
         },
