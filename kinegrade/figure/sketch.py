@@ -22,6 +22,7 @@ from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.scene import Scene, find_common_box
 from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
@@ -35,8 +36,9 @@ _ARROWS = 6.6, 2.2  # millimetres that straight arrows usually take beside the s
 _AXES = 0.0, 4.4  # millimetres that a frame of axes usually takes at the side
 # Marks that fit within WRITING, and the millimetres that each further one takes
 _USUAL, _FURTHER = (4, 1.2)
-# Shares of the first scale that are tried in turn while a symbol has no good place
-_SMALLER = (0.95, 0.88)
+# Shares of the first scale that are tried in turn while a symbol has no good place, and whether
+# the letters of points then come before dimension lines and straight arrows
+_FURTHER_TRIES = ((1.0, True), (0.95, False), (0.88, False), (0.88, True))
 Sketcher = Callable[[Mechanism, FigureHints], Scene]
 PLAIN = FigureHints()
 
@@ -65,43 +67,46 @@ def draw_unit_figure(shown: Subject) -> Scene:
     mechanism, hints = shown.mechanism, drop_still(shown.mechanism, shown.hints)
     span = measure_span(mechanism, hints)
     scale = _choose_first_scale(mechanism, hints, span)
-    compose = partial(_compose, mechanism, hints)
-    best = fit_scene(compose, scale, span)
+    best = fit_scene(partial(_compose, mechanism, hints, False), scale, span)
     first = best.scale
-    for share in _SMALLER:
+    for share, letters_first in _FURTHER_TRIES:
         if not best.crowded:
             break
+        compose = partial(_compose, mechanism, hints, letters_first)
         other = fit_scene(compose, first * share, span)
         best = min(best, other, key=lambda scene: len(scene.crowded))
     return best
 
 
-def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> Layout:
+def _compose(mechanism: Mechanism, hints: FigureHints, letters_first: bool, scale: float) -> Layout:
     """The mechanism, then the marks with the fewest possible places first, each placed around what
     is already there.
 
-    Letters must stand near their points, after the marks that are bound to points but before the
-    radii, which may go anywhere; the name of a body may stand anywhere in it.
+    Letters must stand near their points, after the marks that are bound to points (or before those
+    that are bound to two) but before the radii, which may go anywhere; the name of a body may stand
+    anywhere in it.
     """
     paper = scale_to_paper(mechanism, scale)
     drawing = draw(paper, hints)
     named = tuple(label_points(paper, hints, drawing))
-    layout = _place_bound_marks(
-        Layout.of(drawing.primitives), paper, hints, drawing, named
-    ).written(named)
+    start = Layout.of(drawing.primitives)
+    layout = _place_marks_at_points(start, paper, hints, drawing, named)
+    if letters_first:
+        layout = _place_straight_marks(layout.written(named), paper, hints, start.obstacles)
+    else:
+        layout = _place_straight_marks(layout, paper, hints, start.obstacles).written(named)
     for radius in hints.radii:
         layout = layout.marked(mark_radii(paper.points, drawing.rims, radius))
     layout = add_axes_aside(layout, hints)
     return layout.written(label_bodies(paper, hints, drawing))
 
 
-def _place_bound_marks(
+def _place_marks_at_points(
     layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing, named: tuple[Wish, ...]
 ) -> Layout:
-    """Marks bound to points: frames, angles, rotations (which keep clear of the letters at their
-    pivots), distances, motions.
+    """Marks bound to one point: frames, angles, rotations (which keep clear of the letters at their
+    pivots).
     """
-    mechanism_alone = layout.obstacles
     for points in hints.right_angles:
         layout = add_right_angle(layout, paper.points, points, drawing)
     layout = add_frames(layout, paper.points, hints)
@@ -113,6 +118,13 @@ def _place_bound_marks(
     for given in hints.arrows:
         if isinstance(given, Turning):
             layout = add_rotation(layout, paper, given, drawing, named)
+    return layout
+
+
+def _place_straight_marks(
+    layout: Layout, paper: Mechanism, hints: FigureHints, mechanism_alone: Obstacles
+) -> Layout:
+    """Distances, then motions along straight lines."""
     for distance in hints.lengths:
         layout = layout.marked(mark_lengths(paper.points, distance, mechanism_alone))
     for straight in hints.arrows:

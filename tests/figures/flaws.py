@@ -18,6 +18,7 @@ CLEAR = 0.15  # millimetres of paper between a letter and everything else
 APART = 0.3  # millimetres of paper between two labels
 EDGE = 0.25  # millimetres by which the estimated ink of a letter may reach over the edge
 LEAST = 4.0  # millimetres, the smallest part
+FAR = 6.5  # millimetres from a letter to its point at most
 OWN = 0.1  # millimetres by which a letter is nearer to its own point than to any other
 
 
@@ -37,7 +38,8 @@ def find_part_flaws(
         for name, size in measure_parts(mechanism, hints, scale).items()
         if size < LEAST
     ]
-    return small + list(_find_disowned(picture, find_points_on_paper(picture, mechanism, scale)))
+    points = find_points_on_paper(picture, mechanism, scale)
+    return [*small, *_find_disowned(picture, points), *_find_far(picture, points)]
 
 
 def _find_touched(picture: Picture) -> Iterator[str]:
@@ -71,6 +73,13 @@ def _find_disowned(picture: Picture, points: Mapping[str, Point]) -> Iterator[st
         away = each.box.distance(own) + OWN
         if point.distance(own) > OWN and each.box.distance(point) < away:
             yield f"{each.text} stands nearer to {other.text} {_write_place(each.box)}"
+
+
+def _find_far(picture: Picture, points: Mapping[str, Point]) -> Iterator[str]:
+    """Letters that stand too far from their points to be read as theirs."""
+    for each in picture.letters:
+        if each.text in points and each.box.distance(points[each.text]) > FAR:
+            yield f"{each.text} far from its point {_write_place(each.box)}"
 
 
 def _write_place(shape: Polygon) -> str:

@@ -26,7 +26,9 @@ _FAULT = 0.5  # cost of a spot from which on there is a fault: less than coverin
 _AT_ONCE = 16  # spots checked together; nearly always one of the first is free
 _TURNS = np.array((2, 6, -2, -6, 4, -4, 0, 8, 1, 3, 5, 7, -1, -3, -5, -7)) * (pi / 8)
 _TOWARD = np.stack((np.cos(_TURNS), np.sin(_TURNS)), axis=1).round(9)
-_RINGS = np.array((1.2, 2.0, 3.2, 4.8, 6.8, 9.0))
+_RINGS = np.array(
+    (1.2, 1.8, 2.6, 3.4, 4.2, 5.0, 6.2)
+)  # millimetres: farther a letter means nothing
 _BOW_STATIONS = np.array((0.5, 0.38, 0.62, 0.25, 0.75))
 _BOW_SIDES, _BOW_GAPS = np.array((1, -1, 1, -1, 1)), np.array((0.4, 0.5, 1.4, 1.4, 2.4))
 _STATIONS = (0.5, 0.38, 0.62, 0.26, 0.74, 0.12, 0.88)
