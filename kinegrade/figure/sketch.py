@@ -96,7 +96,7 @@ def _compose(mechanism: Mechanism, hints: FigureHints, letters_first: bool, scal
     else:
         layout = _place_straight_marks(layout, paper, hints, start.obstacles).written(named)
     for radius in hints.radii:
-        layout = layout.marked(mark_radii(paper.points, drawing.rims, radius))
+        layout = layout.marked(mark_radii(paper.points, drawing.rims, radius, layout.obstacles))
     layout = add_axes_aside(layout, hints)
     return layout.written(label_bodies(paper, hints, drawing))
 

@@ -19,7 +19,11 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length, Projection
 
 # Millimetres, of dimension lines
-_OFFSETS = (5.5, -5.5, 8.0, -8.0, 10.5, -10.5, 13.0, -13.0, 16.0, -16.0)
+_OFFSETS = tuple(
+    side * offset
+    for offset in (5.5, 8.0, 10.5, 13.0, 16.0, 19.5, 23.0, 26.5)
+    for side in (1.0, -1.0)
+)
 _LEAVING = 1.6  # millimetres from a point to its extension line, where nothing is in the way
 # Millimetres around a point in which its support is, in steps, and from there to the line
 _SUPPORT, _PROBES, _OUTSIDE = (7.0, 10, 0.5)
@@ -170,7 +174,7 @@ class _Lettered:
         """Close beside the line."""
         return Wish(
             self.symbol,
-            list_spots_beside(self.symbol, self.start, self.end, gaps=(0.8, 1.3), stations=3),
+            list_spots_beside(self.symbol, self.start, self.end, gaps=(0.8, 1.3), stations=5),
         )
 
     def primitives(self) -> tuple[Primitive, ...]:

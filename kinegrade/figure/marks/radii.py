@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from math import pi
+from dataclasses import dataclass, replace
+from math import cos, pi
+
+import numpy as np
 
 from kinegrade.errors import TemplateError, suggest
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.placing.mark import Mark
-from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside
-from kinegrade.figure.plane import NEAR, angle_of, length, polar
+from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
 from kinegrade.language.message import Fault, Message, Quoted
@@ -20,12 +22,32 @@ from kinegrade.problem.template.hints import Radius
 
 _SMALL_RADIUS = 8.0  # millimetres: a smaller circle has its radius marked from outside
 _PREFERRED = tuple(turn * pi for turn in (0.75, 0.25, -0.75, -0.25, 0.5, 1.0, 0.0, -0.5))
-_ALONG_ARC = (0.12, 0.88, 0.2, 0.8, 0.28, 0.72, 0.36, 0.64)  # parts of an arc from its start
+_PAST, _SEEN = 1.0, 4.0  # millimetres from a centre to a line past it, and to its farther end
+_LEANING, _LEAST_ANGLE = 6.0, cos(pi / 13)  # cost of an arrow nearer than that to another line
+# Cost of an arrow across another wheel, and of one towards a centre that is in its own circle
+_ACROSS, _TOWARD_CENTRE = 15.0, 1.5
+_AT_POINT = 3.0  # cost of a tip that hides a point on the rim
+_ALONG_ARC = (
+    0.06,
+    0.94,
+    0.12,
+    0.88,
+    0.2,
+    0.8,
+    0.28,
+    0.72,
+    0.36,
+    0.64,
+)  # parts of an arc from its start
+_TOUCHING = 0.99  # share of a radius: nearer is within the circle
 _SHIFTS = tuple(shift * pi / 24 for shift in (0, 2, -2))
 
 
-def mark_radii(at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius) -> list[Mark]:
-    """The radius of a circle: for a cam to the contact, for other circles wherever there is room.
+def mark_radii(
+    at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius, drawn: Obstacles
+) -> list[Mark]:
+    """The radius of a circle: for a cam to the contact, for other circles wherever there is room,
+    beside other wheels and at an angle to the lines that are drawn from the centre.
 
     Raises TemplateError when no circle of the mechanism has that centre.
     """
@@ -36,8 +58,31 @@ def mark_radii(at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius) -
         angles = [arc[0] + share * arc[1] for share in _ALONG_ARC]
     if rim.kind == "cam":
         angles = [angle_of(rim.touch - rim.at)]
-    way = _FromOutside if rim.radius < _SMALL_RADIUS else _FromCentre
-    return [way(rim.at, rim.radius, polar(angle), hint.symbol) for angle in angles]
+    others = [other for other in found if length(other.at - rim.at) > NEAR]
+    lines = _list_lines_from(rim.at, drawn)
+    marks: list[Mark] = []
+    for toward in map(polar, angles):
+        demerit = _LEANING * any(toward.dot(line) > _LEAST_ANGLE for line in lines)
+        if rim.radius < _SMALL_RADIUS:
+            marks.append(_FromOutside(rim.at, rim.radius, toward, hint.symbol, demerit))
+            continue
+        tip = rim.at + toward * rim.radius
+        demerit += _AT_POINT * any(length(point - tip) < 2 * HEAD_LENGTH for point in at.values())
+        arrow = _FromCentre(rim.at, rim.radius, toward, hint.symbol, demerit, tuple(others))
+        marks.append(replace(arrow, demerit=demerit + arrow.rate_meetings()))
+    return marks
+
+
+def _list_lines_from(centre: Vector, drawn: Obstacles) -> list[Vector]:
+    """The directions in which lines lead from a centre, or from within a millimetre of it, far
+    enough to be seen beside an arrow.
+    """
+    (x, y), found = centre, []
+    for _, _, _, _, (start_x, start_y, dx, dy, *_) in drawn.near((x, y, x, y)).lines:
+        start, end = Vector(start_x, start_y), Vector(start_x + dx, start_y + dy)
+        if length(nearest_of(centre, start, end) - centre) < _PAST:
+            found += [other - centre for other in (start, end)]
+    return [unit(line) for line in found if length(line) > _SEEN]
 
 
 def _find_rim(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> Rim:
@@ -76,19 +121,37 @@ class _FromCentre:
     radius: float
     toward: Vector
     symbol: str
-    demerit: float = 0.0
+    demerit: float
+    others: tuple[Rim, ...]
     shared: bool = False
+
+    def rate_meetings(self) -> float:
+        """How much worse the arrow is for running across other circles or towards their centres."""
+        worse = 0.0
+        for other in self.others:
+            aside = other.at - self.centre
+            missed = length(nearest_of(other.at, self.centre, self._end()) - other.at)
+            if missed < _TOUCHING * other.radius < _TOUCHING * length(aside):
+                worse += _ACROSS
+            if length(aside) < self.radius:
+                worse += _TOWARD_CENTRE * max(0.0, self.toward.dot(unit(aside)))
+        return worse
 
     def path(self) -> tuple[Segment, ...]:
         """The middle of the arrow, which touches centre and rim in any case."""
-        clear = min(3.0, self.radius / 2)
+        clear = min(1.5, self.radius / 2)
         return (
             (self.centre + self.toward * 2.0, self.centre + self.toward * (self.radius - clear)),
         )
 
     def wish(self) -> Wish:
-        """Beside the arrow."""
-        return Wish(self.symbol, list_spots_beside(self.symbol, self.centre, self._end()))
+        """Beside the arrow, where it is not within another circle first."""
+        spots = list_spots_beside(self.symbol, self.centre, self._end())
+        within = [
+            any(length(Vector(*spot) - other.at) < other.radius for other in self.others)
+            for spot in spots.tolist()
+        ]
+        return Wish(self.symbol, spots[np.argsort(within, kind="stable")])
 
     def primitives(self) -> tuple[Primitive, ...]:
         """A thin line and its arrowhead."""
@@ -107,12 +170,12 @@ class _FromOutside:
     radius: float
     toward: Vector
     symbol: str
-    demerit: float = 0.0
+    demerit: float
     shared: bool = False
 
     def path(self) -> tuple[Segment, ...]:
-        """The arrow without its tip."""
-        return ((self._out(1.2), self._out(7.0)),)
+        """The arrow without the tip, which touches the rim in any case."""
+        return ((self._out(0.4), self._out(7.0)),)
 
     def wish(self) -> Wish:
         """Around the tail."""

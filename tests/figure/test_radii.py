@@ -1,0 +1,78 @@
+"""The arrow of a radius keeps away from other lines, other wheels and points on the rim."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import acos, degrees
+
+from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.marks.radii import mark_radii
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.plane import angle_of, length, nearest_of, unit
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Disc, Primitive, Strokes
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import Radius
+from tests.figure.clear import heads
+from tests.figure.mechanisms import polar
+
+ORIGIN = Vector(0.0, 0.0)
+FAR = Vector(99.0, 0.0)
+BESIDE = 15.0 - 1e-6  # degrees between two lines that are told apart at once
+
+
+def make_rim(at: Vector, radius: float, centre: str = "O") -> Rim:
+    return Rim("W", centre, at, radius, "wheel", False, at, at)
+
+
+def mark(rims: Sequence[Rim], drawn: Sequence[Primitive] = (), *, at: Vector = FAR) -> Layout:
+    """The radius R of the first rim; a point P is marked as well."""
+    circles = [Disc(rim.at, rim.radius, FIRM) for rim in rims]
+    layout = Layout.of((*circles, *drawn))
+    hint = Radius("R", rims[0].centre)
+    return layout.marked(mark_radii({"O": ORIGIN, "P": at}, tuple(rims), hint, layout.obstacles))
+
+
+def find_tip(layout: Layout) -> Vector:
+    [head] = heads(layout)
+    return head.corners[0]
+
+
+def turned(layout: Layout, toward: Vector) -> float:
+    """Degrees between the arrow and a direction."""
+    return degrees(acos(unit(find_tip(layout)).dot(unit(toward))))
+
+
+def test_an_arrow_stands_at_an_angle_to_the_lines_from_its_centre() -> None:
+    preferred = find_tip(mark([make_rim(ORIGIN, 20.0)]))
+    for offset in (-8.0, 0.0, 8.0):
+        leg = polar(12.0, degrees(angle_of(preferred)) + offset)
+        layout = mark([make_rim(ORIGIN, 20.0)], [Strokes(((ORIGIN, leg),), THIN)])
+        assert turned(layout, leg) >= BESIDE
+
+
+def test_an_arrow_and_its_letter_keep_out_of_other_wheels() -> None:
+    preferred = find_tip(mark([make_rim(ORIGIN, 30.0)]))
+    other = make_rim(preferred * 0.6, 9.0, "P")
+    layout = mark([make_rim(ORIGIN, 30.0), other])
+    [label] = layout.labels
+    assert length(nearest_of(other.at, ORIGIN, find_tip(layout)) - other.at) > 9.0
+    assert length(label.centre - other.at) > 9.0
+
+
+def test_an_arrow_does_not_end_at_a_point_of_the_rim() -> None:
+    preferred = find_tip(mark([make_rim(ORIGIN, 20.0)]))
+    layout = mark([make_rim(ORIGIN, 20.0)], at=preferred)
+    assert length(find_tip(layout) - preferred) > 4.0
+
+
+def test_radii_of_circles_that_overlap_point_away_from_each_other() -> None:
+    for way in (Vector(6.0, 0.0), Vector(-6.0, 0.0), Vector(0.0, 6.0)):
+        layout = mark([make_rim(ORIGIN, 20.0), make_rim(way, 20.0, "P")])
+        assert find_tip(layout).dot(way) <= 1e-6
+
+
+def test_an_arrow_from_outside_does_not_end_on_a_bar() -> None:
+    preferred = find_tip(mark([make_rim(ORIGIN, 5.0)]))
+    across = unit(preferred).turned() * 3.0
+    bar = Strokes(((preferred * 1.1 - across, preferred * 1.1 + across),), BOLD)
+    assert turned(mark([make_rim(ORIGIN, 5.0)], [bar]), preferred) > BESIDE
