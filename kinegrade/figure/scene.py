@@ -29,7 +29,7 @@ class Pen:
 
 BOLD = Pen(0.8)
 FIRM = Pen(0.4)
-TOOTHED = Pen(0.25)  # lighter than an outline, as its teeth are close
+TOOTHED = Pen(0.2)  # lighter than an outline, as its teeth are close
 THIN = Pen(0.18)
 PITCH = Pen(0.18, "dash-dotted")
 

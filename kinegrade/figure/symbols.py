@@ -19,6 +19,7 @@ from kinegrade.figure.scene import (
     Disc,
     Fill,
     Outline,
+    Pen,
     Primitive,
     Strokes,
 )
@@ -32,7 +33,7 @@ _HATCH = 1.5  # depth of ground hatching
 BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, BAR_WIDTH, SLEEVE_WIDTH = 1.9, 3.5, 3.2
 _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
-RACK_DEPTH = 2.4  # from the pitch line of a rack to its back
+RACK_DEPTH = 2.6  # from the pitch line of a rack to its back
 # Millimetres: a tooth of a jaw, and the gap at the mouth; the slope between the two jaws
 _TOOTH, _MOUTH, _MOUTH_SLOPE = 0.9, 2.2, 0.3
 # Height of a fixed pin's stand; taller where a sleeve turns about the pin
@@ -171,14 +172,23 @@ def trace_round(corners: tuple[Vector, ...], radius: float) -> tuple[Vector, ...
     return tuple(outline)
 
 
-def draw_round_slot(centre: Vector, radius: float, fill: Fill) -> tuple[Primitive, ...]:
-    """A ring-shaped slot; what is drawn before shows through its middle, not through its band."""
-    outer, inner = radius + SLOT_WIDTH / 2, radius - SLOT_WIDTH / 2
+def draw_round_slot(centre: Vector, radius: float) -> tuple[Primitive, ...]:
+    """A ring with a slot along it; what is drawn before shows through its middle, not through its
+    band.
+    """
+    body = _draw_band(centre, radius, BAR_WIDTH, FIRM, "grey")
+    return (*body, *_draw_band(centre, radius, SLOT_WIDTH, THIN, "white"))
+
+
+def _draw_band(
+    centre: Vector, radius: float, width: float, pen: Pen, fill: Fill
+) -> tuple[Primitive, ...]:
+    outer, inner = radius + width / 2, radius - width / 2
     turns = [2 * pi * step / _STEPS for step in range(_STEPS + 1)]
     there = [centre + polar(turn, outer) for turn in turns]
     back = [centre + polar(turn, inner) for turn in reversed(turns)]
     band = Outline((*there, *back), None, fill)
-    return (band, Disc(centre, outer, FIRM), Disc(centre, inner, FIRM))
+    return (band, Disc(centre, outer, pen), Disc(centre, inner, pen))
 
 
 def draw_slotted_bar(

@@ -9,11 +9,12 @@ from math import ceil, cos, floor, pi, sin
 from kinegrade.figure.plane import angle_of, length, unit
 from kinegrade.mechanics.vector import Vector
 
-_PITCH = 3.0  # from tooth to tooth
+_PITCH = 3.4  # from tooth to tooth
 _LEAST = 8  # teeth of a gear
-TOOTH_TIP, TOOTH_ROOT = 0.7, 0.85  # from the pitch line, into the partner and into the material
-# Corners of a tooth: along the pitch line in parts of the pitch, and outward from it
-_CORNERS = ((-0.34, -TOOTH_ROOT), (-0.15, TOOTH_TIP), (0.15, TOOTH_TIP), (0.34, -TOOTH_ROOT))
+TOOTH_TIP, TOOTH_ROOT = 0.7, 1.05  # from the pitch line, into the partner and into the material
+# Corners of a tooth: along the pitch line in parts of the pitch, and outward from it; narrow, so
+# that paper is seen between the flanks of two gears
+_CORNERS = ((-0.29, -TOOTH_ROOT), (-0.11, TOOTH_TIP), (0.11, TOOTH_TIP), (0.29, -TOOTH_ROOT))
 
 
 def find_tooth_angle(radius: float) -> float:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import assert_never
 
 from kinegrade.figure.joints.ropes import find_rope, is_rope
-from kinegrade.figure.joints.symbol import Feature, Foot, Kind, Rim, Symbol
+from kinegrade.figure.joints.symbol import Feature, Foot, Kind, Rim, Symbol, is_particle
 from kinegrade.figure.plane import foot, unit
 from kinegrade.mechanics.joints import GROUND, Arc, Circle, Contact, Line, Mesh, Roll
 from kinegrade.mechanics.mechanism import Mechanism
@@ -48,7 +48,7 @@ def find_mesh_symbol(mechanism: Mechanism, joint: Mesh) -> Symbol:
 
 def find_arc_symbol(mechanism: Mechanism, joint: Arc) -> Symbol:
     """A particle runs in a ring-shaped slot; the point of any other body runs on a disc."""
-    particle = any(body.name == joint.body and body.particle for body in mechanism.bodies)
+    particle = is_particle(mechanism, joint.body)
     rim = Rim(
         joint.of,
         joint.circle.centre,
@@ -59,7 +59,8 @@ def find_arc_symbol(mechanism: Mechanism, joint: Arc) -> Symbol:
         mechanism.points[joint.point],
         mechanism.points[joint.point],
     )
-    return Symbol(point=joint.point, edge=None if particle else joint.body, rims=(rim,))
+    edge = None if particle else joint.body
+    return Symbol(point=joint.point, pinned=particle, edge=edge, rims=(rim,))
 
 
 def _limit(rim: Rim, shapes: Mapping[str, str]) -> Rim:

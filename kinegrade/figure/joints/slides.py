@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from kinegrade.figure.joints.ropes import is_rope
-from kinegrade.figure.joints.symbol import Feature, Guide, Symbol
+from kinegrade.figure.joints.symbol import Feature, Guide, Symbol, is_particle
 from kinegrade.figure.plane import on_line, unit
 from kinegrade.mechanics.joints import GROUND, Line, Sleeve, Slide
 from kinegrade.mechanics.mechanism import Mechanism
@@ -17,8 +17,8 @@ from kinegrade.mechanics.vector import Vector
 def find_slide_symbol(mechanism: Mechanism, joint: Slide, shapes: Mapping[str, str]) -> Symbol:
     """A pin on a ground guide, in a sleeve about a bar, or in the slot of a bar.
 
-    The bar runs in a sleeve where the ground holds its point, or where its shape is "bar". What
-    hangs on a rope has no guide.
+    The bar runs in a sleeve where the ground holds its point, or where its shape is "bar". A
+    particle is a pin without a block. What hangs on a rope has no guide.
     """
     at, along = mechanism.points[joint.point], unit(joint.line.direction)
     if joint.of == GROUND and is_rope(shapes, joint.body):
@@ -28,13 +28,14 @@ def find_slide_symbol(mechanism: Mechanism, joint: Slide, shapes: Mapping[str, s
     held = joint.body == GROUND
     in_sleeve = held or shapes.get(joint.of) == "bar"
     path = Line(at, along)
+    bare = in_sleeve or is_particle(mechanism, joint.body)
     return Symbol(
         point=joint.point,
         pinned=True,
         fixed=held,
         features=(Feature(joint.of, joint.line, at, "bar" if in_sleeve else "slot"),),
         sleeve=path if in_sleeve else None,
-        block=None if in_sleeve else path,
+        block=None if bare else path,
     )
 
 

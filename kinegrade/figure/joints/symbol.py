@@ -125,6 +125,11 @@ class Symbol:
     carrier: str | None = None
 
 
+def is_particle(mechanism: Mechanism, name: str) -> bool:
+    """Whether a body is a particle: a bare pin wherever it slides."""
+    return any(body.name == name and body.particle for body in mechanism.bodies)
+
+
 def find_fixed_pins(symbols: Sequence[Symbol]) -> list[str]:
     """The points fixed to the ground: its pins, and those about which it guides a moving line."""
     return list(dict.fromkeys(joint.point for joint in symbols if joint.fixed and joint.point))

@@ -1,7 +1,7 @@
-"""The mechanism itself as primitives, from the lowest layer up: circles, plates, stands, blocks,
-bars, pins.
+"""The mechanism itself as primitives, from the lowest layer up: circles, blocks on the ground,
+plates, stands, bars, pins.
 
-Slender bars lie above the blocks and slotted bars to whose pins they lead.
+Bars and plates lie above the blocks to whose pins they lead, slender bars also above slotted ones.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.belts import draw_belts, draw_ropes
-from kinegrade.figure.mechanism.pins import draw_motors, draw_points
+from kinegrade.figure.mechanism.pins import draw_gaps_at_meshes, draw_motors, draw_points
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.round.heads import draw_heads
 from kinegrade.figure.mechanism.round.round_bodies import draw_round_bodies
@@ -48,6 +48,7 @@ def _draw_layers(anatomy: Anatomy) -> Iterator[Primitive]:
     yield from draw_belts(anatomy)
     yield from draw_ropes(anatomy)
     yield from draw_tracks(anatomy)
+    yield from draw_ground_sliders(anatomy)
     for part in anatomy.parts:
         if isinstance(part, Plate | SlottedDisc):
             yield from draw_straight_part(part)
@@ -56,7 +57,7 @@ def _draw_layers(anatomy: Anatomy) -> Iterator[Primitive]:
     for part in anatomy.parts:
         if isinstance(part, Bar) and not is_slender(part):
             yield from draw_straight_part(part)
-    yield from draw_ground_sliders(anatomy)
+    yield from draw_gaps_at_meshes(anatomy)
     yield from draw_blocks(anatomy)
     arms = [arm for arm, _ in find_welded_arms(anatomy.parts, anatomy.symbols)]
     for arm in arms:

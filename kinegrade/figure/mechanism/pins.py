@@ -18,6 +18,7 @@ from kinegrade.mechanics.vector import Vector
 
 _LOWER = Vector(0.01, -0.1)  # where a pin sits when nothing else decides: below, or to the right
 
+_GAP = 1.3  # millimetres of radius around a dot
 _HOUSING = 2.3  # millimetres, the radius of a motor
 
 
@@ -37,6 +38,14 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
     for name in sorted(pins):
         side = _find_side_of_through_bar(anatomy, name)
         yield from draw_half_pin(at[name], side) if side else draw_pin(at[name])
+
+
+def draw_gaps_at_meshes(anatomy: Anatomy) -> Iterator[Primitive]:
+    """A white place among the teeth of gears for each point at which they touch."""
+    touches = [rim.touch for rim in anatomy.rims if rim.kind == "gear"]
+    for at in anatomy.mechanism.points.values():
+        if any(length(at - touch) < NEAR for touch in touches):
+            yield Disc(at, _GAP, None, "white")
 
 
 def draw_motors(anatomy: Anatomy) -> Iterator[Primitive]:

@@ -17,7 +17,8 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
 _REACH = 7.5  # millimetres of a rail on either side of its block
-_LEAST = BLOCK_LENGTH / 2 + 0.2  # at least: the block is on it
+_FREE = BLOCK_LENGTH / 2 + 0.2  # at least without a bar in front of it: the block is on it
+_LEAST = BLOCK_LENGTH / 2 + 2.0  # at least: it is seen to run on, even behind a bar
 _LEVEL = BLOCK_WIDTH / 2 + FIRM.width / 2  # from the axis of a guide to its rail
 _CLEAR = 0.3  # millimetres between a rail and a bar
 _CORNER = 4.5  # millimetres from a block to a corner at least
@@ -68,7 +69,7 @@ def _lay_rail(mechanism: Mechanism, name: str, along: Vector) -> Rail:
     else:
         away = (at - mean(mechanism.points.values())).dot(across)
         sides = (-across, across) if away < 0 else (across, -across)
-    side = max(sides, key=lambda side: min(_find_reaches(along, side, leaving)) >= _LEAST)
+    side = max(sides, key=lambda side: min(_find_reaches(along, side, leaving)) >= _FREE)
     back, ahead = (max(reach, _LEAST) for reach in _find_reaches(along, side, leaving))
     base = at + side * _LEVEL
     return Rail(at, along, side, base - along * back, base + along * ahead)

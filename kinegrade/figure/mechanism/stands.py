@@ -86,8 +86,8 @@ def _measure_part(part: Part, at: Vector, side: Vector) -> float:
 
 
 def _find_half_width(part: Bar | Rod) -> float:
-    slotted = isinstance(part, Bar) and part.use in ("slot", "rack")
-    return (BAR_WIDTH if slotted else BOLD.width) / 2
+    broad = isinstance(part, Bar) and part.use in ("slot", "rack", "jaw")
+    return (BAR_WIDTH if broad else BOLD.width) / 2
 
 
 def _measure_rim(rim: Rim, at: Vector, side: Vector) -> float:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from kinegrade.figure.joints.symbol import Foot, find_fixed_pins
+from collections.abc import Sequence
+from math import sqrt
+
+from kinegrade.figure.joints.symbol import Foot, Rim, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
-from kinegrade.figure.plane import on_line, same_line
+from kinegrade.figure.plane import NEAR, length, on_line, same_line
 from kinegrade.figure.scene import Primitive
 from kinegrade.figure.symbols import RACK_DEPTH, draw_ground, draw_rack
 from kinegrade.mechanics.vector import Vector
 
 _LEAST = 8.0  # millimetres of a track on either side of a contact
+_BEYOND = 4.0  # millimetres beyond a larger circle, which would otherwise have it as a chord
 _SHARE = 1.2  # of the wheel's radius that a track has at least on either side
 
 
@@ -25,7 +29,7 @@ def draw_tracks(anatomy: Anatomy) -> tuple[Primitive, ...]:
         else:
             home.append(standing)
     pins = [anatomy.mechanism.points[name] for name in find_fixed_pins(anatomy.symbols)]
-    return tuple(piece for group in groups for piece in _draw_surface(group, pins))
+    return tuple(piece for group in groups for piece in _draw_surface(group, pins, anatomy.rims))
 
 
 def _share_surface(one: Foot, other: Foot) -> bool:
@@ -36,10 +40,12 @@ def _share_surface(one: Foot, other: Foot) -> bool:
     )
 
 
-def _draw_surface(group: list[Foot], pins: list[Vector]) -> tuple[Primitive, ...]:
+def _draw_surface(
+    group: list[Foot], pins: list[Vector], rims: Sequence[Rim]
+) -> tuple[Primitive, ...]:
     first = group[0]
     along = first.away.turned()
-    stations = [step for foot in group for step in _measure_span(foot, along)]
+    stations = [step for foot in group for step in _measure_span(foot, along, rims)]
     stations += [pin for pin in pins if on_line(pin, first.line)]
     start, end = min(stations, key=along.dot), max(stations, key=along.dot)
     if not first.toothed:
@@ -49,6 +55,11 @@ def _draw_surface(group: list[Foot], pins: list[Vector]) -> tuple[Primitive, ...
     return (*rack, *draw_ground(start + depth, end + depth, first.away))
 
 
-def _measure_span(foot: Foot, along: Vector) -> tuple[Vector, Vector]:
+def _measure_span(foot: Foot, along: Vector, rims: Sequence[Rim]) -> tuple[Vector, Vector]:
+    """Beyond every circle about the wheel's centre that reaches below the track."""
+    centre = foot.contact - foot.away * foot.radius
+    larger = [rim.radius for rim in rims if length(rim.at - centre) < NEAR]
     reach = max(_LEAST, _SHARE * foot.radius)
+    for radius in larger:
+        reach = max(reach, sqrt(max(0.0, radius**2 - foot.radius**2)) + _BEYOND)
     return foot.contact - along * reach, foot.contact + along * reach

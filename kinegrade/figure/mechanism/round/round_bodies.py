@@ -26,6 +26,7 @@ from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
+_BAND = 1.2  # millimetres of material behind the teeth of a fixed gear
 _RING = 2.4  # millimetres of material around a circle that encloses others
 
 
@@ -56,24 +57,33 @@ def _draw_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
         case "cam":
             return _draw_cam(anatomy, rim)
         case "wheel" | "gear" | "slot":
-            return _draw_ring(rim) if rim.ring else _draw_round(anatomy, rim)
+            return _draw_ring(rim) if rim.ring else _draw_round(rim)
         case _:
             assert_never(rim.kind)
 
 
 def _draw_fixed_rim(rim: Rim) -> tuple[Primitive, ...]:
-    """A rim of the ground: hatched, the pitch circle of a gear dash-dotted."""
+    """A rim of the ground: hatched behind its edge or behind the teeth."""
     match rim.kind:
         case "edge":
             return (Disc(rim.at, rim.radius, FIRM),)
         case "gear":
-            root = rim.radius + (TOOTH_ROOT if rim.ring else -TOOTH_ROOT)
-            hatching, _ = symbols.draw_round_ground(rim.at, root, rim.ring)
-            return (hatching, *_draw_gear(rim, "none"))
+            return _draw_fixed_gear(rim)
         case "wheel" | "slot" | "cam":
             return symbols.draw_round_ground(rim.at, rim.radius, rim.ring, rim.find_arc())
         case _:
             assert_never(rim.kind)
+
+
+def _draw_fixed_gear(rim: Rim) -> tuple[Primitive, ...]:
+    """The teeth on a band of material, whose other side is hatched."""
+    if rim.ring:
+        back = rim.radius + TOOTH_ROOT + _BAND
+        ground = symbols.draw_round_ground(rim.at, back, outward=True)
+        return (*ground, Disc(rim.at, back, FIRM, "grey"), *_draw_gear(rim, "white"))
+    back = rim.radius - TOOTH_ROOT - min(_BAND, rim.radius / 3)
+    ground = symbols.draw_round_ground(rim.at, back, outward=False)
+    return (*_draw_gear(rim, "grey"), Disc(rim.at, back, FIRM, "white"), *ground)
 
 
 def _draw_ring(rim: Rim) -> tuple[Primitive, ...]:
@@ -94,13 +104,11 @@ def _draw_gear(rim: Rim, fill: Fill) -> tuple[Primitive, ...]:
     return (teeth, Disc(rim.at, rim.radius, PITCH))
 
 
-def _draw_round(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
-    """A wheel, a gear, or a ring-shaped slot; of slots that cross, every other one is grey."""
+def _draw_round(rim: Rim) -> tuple[Primitive, ...]:
+    """A wheel, a gear, or a ring-shaped slot."""
     match rim.kind:
         case "slot":
-            slots = [other for other in anatomy.rims if other.kind == "slot"]
-            fills: tuple[Fill, Fill] = ("grey", "white")
-            return symbols.draw_round_slot(rim.at, rim.radius, fills[slots.index(rim) % 2])
+            return symbols.draw_round_slot(rim.at, rim.radius)
         case "gear":
             return _draw_gear(rim, "grey")
         case "wheel" | "cam" | "edge":
