@@ -42,7 +42,7 @@ def discs_at(drawing: Drawing, at: Vector) -> list[Disc]:
     return [disc for disc in discs if hypot(*(disc.centre - at)) < 0.01]
 
 
-def slotted_link() -> Case:
+def slotted_link(**shapes: str) -> Case:
     """A link with a slot, pinned to a block on the floor; a crank's pin slides in the slot."""
     points = {"B": ORIGIN, "A": UP * 0.2, "O": Vector(0.2, 0.2)}
     joints = (
@@ -51,7 +51,7 @@ def slotted_link() -> Case:
         Slide("A", "OA", Line(ORIGIN, UP), "link"),
     )
     bodies = (Body("link", ("B",)), Body("OA", ("O", "A")))
-    return hinted(Mechanism(points, bodies, joints, ()))
+    return hinted(Mechanism(points, bodies, joints, ()), shapes=shapes)
 
 
 @pytest.mark.parametrize(
@@ -75,6 +75,13 @@ def test_a_rack_has_an_eye_about_its_pin_and_none_at_its_free_end() -> None:
     drawing = drawing_of(case)
     eyes = [part for part in drawing.primitives if isinstance(part, Disc) and part.radius == 1.75]
     assert [eye.centre for eye in eyes] == [case[0].points["A"] * 100.0]
+
+
+@pytest.mark.parametrize(("shapes", "blocks"), [({}, 1), ({"link": "pin"}, 0)])
+def test_a_pin_in_a_slot_has_no_block_where_the_author_says_so(
+    shapes: dict[str, str], blocks: int
+) -> None:
+    assert len(blocks_at(drawing_of(slotted_link(**shapes)), UP * 20.0)) == blocks
 
 
 def test_a_particle_in_two_slots_is_a_pin_without_blocks() -> None:

@@ -5,16 +5,18 @@ point.
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from math import hypot
 
 import pytest
 
-from kinegrade.figure.scene import BOLD, THIN, Bow, Disc, Scene
+from kinegrade.figure.scene import BOLD, THIN, Bow, Disc, Outline, Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, Axes, BodyFrame, FigureHints, Length
 from tests.figure.clear import faults, heads, lines
 from tests.figure.mechanisms import slider_crank
+from tests.figure.more_mechanisms import sliding_plate
 
 
 def draw_crank(phi: float = 60, **marks: object) -> Scene:
@@ -89,3 +91,18 @@ def test_the_arc_of_a_signed_angle_has_an_arrowhead_at_its_end(phi: float) -> No
     assert (arc.sweep > 0) == (phi > 0)
     assert head.corners[0] == pytest.approx(arc.path()[-1])
     assert heads(draw_crank(phi, angles=(replace(angle, signed=False),))) == []
+
+
+def test_an_axis_along_the_edge_of_a_plate_begins_at_its_origin() -> None:
+    scene = sketch(
+        sliding_plate()[0], FigureHints(frames=(BodyFrame("x_2", "y_2", "B", "B", "C"),))
+    )
+    plate = next(
+        part for part in scene.primitives if isinstance(part, Outline) and part.fill == "grey"
+    )
+    tip = heads(scene)[0].corners[0]
+    gaps = [
+        abs(((end - start) / hypot(*(end - start))).cross(tip - start))
+        for start, end in pairwise((*plate.corners, plate.corners[0]))
+    ]
+    assert min(gaps) < 0.01

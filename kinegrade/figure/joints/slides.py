@@ -28,7 +28,7 @@ def find_slide_symbol(mechanism: Mechanism, joint: Slide, shapes: Mapping[str, s
     held = joint.body == GROUND
     in_sleeve = held or shapes.get(joint.of) == "bar"
     path = Line(at, along)
-    bare = in_sleeve or is_particle(mechanism, joint.body)
+    bare = in_sleeve or shapes.get(joint.of) == "pin" or is_particle(mechanism, joint.body)
     return Symbol(
         point=joint.point,
         pinned=True,

@@ -22,10 +22,13 @@ _ORIGIN, _RIGHT = Vector(0.0, 0.0), Vector(1.0, 0.0)
 # Millimetres, of the axes at the origin, of those of a body, and of those aside
 _LENGTHS, _BODY_LENGTHS, _ASIDE = (
     (12.0, 14.5, 17.0, 20.0, 9.5, 24.0),
-    (9.0, 7.5, 11.0, 13.0, 20.0),
+    (12.0, 9.0, 14.0, 7.5),
     7.0,
 )
 _ASIDES = (0.0, 1.6, -1.6)  # millimetres, of an axis along a bar from the bar's middle
+# For a millimetre aside: rather on the edge of a plate, from the origin, than beside it; a bar
+# would hide the arrowhead
+_BESIDE = 10.0
 _ROOM = 11.0  # millimetres, of the square that the axes aside take with their letters
 _TIP = 4.5  # millimetres of an axis that should lie clear of everything
 
@@ -95,7 +98,11 @@ def _list_axes(
     for aside in _ASIDES:
         for rank, size in enumerate(lengths):
             yield _Axis(
-                start + toward.turned() * aside, toward, size, symbol, 0.5 * rank + 2 * abs(aside)
+                start + toward.turned() * aside,
+                toward,
+                size,
+                symbol,
+                0.5 * rank + _BESIDE * abs(aside),
             )
 
 
