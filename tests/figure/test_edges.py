@@ -77,7 +77,7 @@ def test_a_rack_has_an_eye_about_its_pin_and_none_at_its_free_end() -> None:
     assert [eye.centre for eye in eyes] == [case[0].points["A"] * 100.0]
 
 
-@pytest.mark.parametrize(("shapes", "blocks"), [({}, 1), ({"link": "pin"}, 0)])
+@pytest.mark.parametrize(("shapes", "blocks"), [({}, 1), ({"link": "bare"}, 0)])
 def test_a_pin_in_a_slot_has_no_block_where_the_author_says_so(
     shapes: dict[str, str], blocks: int
 ) -> None:

@@ -7,6 +7,7 @@ import pytest
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail, find_rails
+from kinegrade.figure.mechanism.sliders import draw_ground_sliders
 from kinegrade.figure.mechanism.stands import draw_stands
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import THIN, Outline, Strokes
@@ -114,6 +115,24 @@ def test_a_floor_and_a_wall_meet_in_a_corner_at_a_marked_point() -> None:
     floor, wall = trammel(Vector(0.4, 0.0), Vector(0.0, 0.3), "O")
     assert length(floor.start - wall.start) < 1e-9
     assert floor.start.x < 0 > floor.start.y
+
+
+@pytest.mark.parametrize(("shapes", "blocks", "reach"), [({}, 2, 1.7), ({"AB": "bare"}, 0, 0.6)])
+def test_a_bare_end_slides_on_the_ground_itself(
+    shapes: dict[str, str], blocks: int, reach: float
+) -> None:
+    points = {"A": Vector(0.4, 0.0), "B": Vector(0.0, 0.3)}
+    joints = (
+        Slide("A", "AB", Line(ORIGIN, RIGHT), GROUND),
+        Slide("B", "AB", Line(ORIGIN, UP), GROUND),
+    )
+    trammel = Mechanism(points, (Body("AB", ("A", "B")),), joints, ())
+    drawn, hints = hinted(trammel, shapes=shapes)
+    anatomy = Anatomy.of(scale_to_paper(drawn, 100.0), hints)
+    floor, _ = find_rails(anatomy)
+    assert -floor.start.y == pytest.approx(reach)
+    drawings = draw_ground_sliders(anatomy)
+    assert sum(isinstance(part, Outline) for part in drawings) == blocks
 
 
 def test_guides_that_meet_at_no_marked_point_stay_apart() -> None:

@@ -24,11 +24,12 @@ def find_slide_symbol(mechanism: Mechanism, joint: Slide, shapes: Mapping[str, s
     if joint.of == GROUND and is_rope(shapes, joint.body):
         return Symbol(point=joint.point)
     if joint.of == GROUND:
-        return Symbol(point=joint.point, pinned=True, guide=Guide(joint.body, at, along))
+        bare = shapes.get(joint.body) == "bare"
+        return Symbol(point=joint.point, pinned=not bare, guide=Guide(joint.body, at, along))
     held = joint.body == GROUND
     in_sleeve = held or shapes.get(joint.of) == "bar"
     path = Line(at, along)
-    bare = in_sleeve or shapes.get(joint.of) == "pin" or is_particle(mechanism, joint.body)
+    bare = in_sleeve or shapes.get(joint.of) == "bare" or is_particle(mechanism, joint.body)
     return Symbol(
         point=joint.point,
         pinned=True,

@@ -20,14 +20,15 @@ _REACH = 7.5  # millimetres of a rail on either side of its block
 _FREE = BLOCK_LENGTH / 2 + 0.2  # at least without a bar in front of it: the block is on it
 _LEAST = BLOCK_LENGTH / 2 + 2.0  # at least: it is seen to run on, even behind a bar
 _LEVEL = BLOCK_WIDTH / 2 + FIRM.width / 2  # from the axis of a guide to its rail
+_BARE = BOLD.width / 2 + FIRM.width / 2  # the same where the end of a bar slides without a block
 _CLEAR = 0.3  # millimetres between a rail and a bar
 _CORNER = 4.5  # millimetres from a block to a corner at least
 
 
 @dataclass(frozen=True)
 class Rail:
-    """The ground along a guide: a block at `at` on it, its ends, and the side of the guide on which
-    it is.
+    """The ground along a guide: a block or a bare end at `at` on it, its ends, the side of the
+    guide on which it is, and how far from the guide.
     """
 
     at: Vector
@@ -35,18 +36,26 @@ class Rail:
     side: Vector
     start: Vector
     end: Vector
+    level: float
+
+    @property
+    def bare(self) -> bool:
+        """Whether there is no block."""
+        return self.level < _LEVEL
 
     @property
     def surface(self) -> Line:
         """The line of the ground."""
-        return Line(self.at + self.side * _LEVEL, self.along)
+        return Line(self.at + self.side * self.level, self.along)
 
 
 def find_rails(anatomy: Anatomy) -> tuple[Rail, ...]:
-    """The rail of each block on a ground guide; two on outer sides meet where their guides do."""
+    """The rail of each block or bare end on a ground guide; two on outer sides meet where their
+    guides do.
+    """
     mechanism = anatomy.mechanism
     rails = [
-        _lay_rail(mechanism, symbol.point, symbol.guide.along)
+        _lay_rail(mechanism, symbol.point, symbol.guide.along, _LEVEL if symbol.pinned else _BARE)
         for symbol in anatomy.symbols
         if symbol.guide and symbol.point and not anatomy.is_rod(symbol)
     ]
@@ -57,7 +66,7 @@ def find_rails(anatomy: Anatomy) -> tuple[Rail, ...]:
     )
 
 
-def _lay_rail(mechanism: Mechanism, name: str, along: Vector) -> Rail:
+def _lay_rail(mechanism: Mechanism, name: str, along: Vector, level: float) -> Rail:
     """Below its block, so that a guide looks alike in all postures; on the other side where a bar
     leaves downward. A wall is on the side away from the mechanism.
     """
@@ -71,8 +80,8 @@ def _lay_rail(mechanism: Mechanism, name: str, along: Vector) -> Rail:
         sides = (-across, across) if away < 0 else (across, -across)
     side = max(sides, key=lambda side: min(_find_reaches(along, side, leaving)) >= _FREE)
     back, ahead = (max(reach, _LEAST) for reach in _find_reaches(along, side, leaving))
-    base = at + side * _LEVEL
-    return Rail(at, along, side, base - along * back, base + along * ahead)
+    base = at + side * level
+    return Rail(at, along, side, base - along * back, base + along * ahead, level)
 
 
 def _list_leaving(mechanism: Mechanism, name: str) -> Iterator[Vector]:

@@ -31,7 +31,8 @@ def draw_blocks(anatomy: Anatomy) -> Iterator[Primitive]:
 
 
 def draw_ground_sliders(anatomy: Anatomy) -> Iterator[Primitive]:
-    """The blocks on ground guides; a rod needs none in its guide."""
+    """The blocks on ground guides; a rod needs none in its guide, nor an end that is bare."""
     for rail in find_rails(anatomy):
         yield from draw_ground(rail.start, rail.end, rail.side)
-        yield draw_block(rail.at, rail.along)
+        if not rail.bare:
+            yield draw_block(rail.at, rail.along)

@@ -134,7 +134,7 @@ FIGURE = (
     #: Other text for a point, or text for a body: `{ O = "O_1" }`; `false` for no label.
     "labels",
     #: Other shapes of bodies: `{ OA = "bent" }`; `gear`, `cam`, `arc`, `rope`, `load`, `disc`,
-    #: `geneva`, `bent`, `bar`, `pin`, `through`, `jaw`.
+    #: `geneva`, `bent`, `bar`, `bare`, `through`, `jaw`.
     "shapes",
     #: Frames fixed to bodies, as two arrows with their letters.
     "frames",
