@@ -4,7 +4,7 @@ output.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import lru_cache, partial
 
@@ -12,7 +12,7 @@ from kinegrade.figure.marks.angles import draw_least_legs, mark_angles
 from kinegrade.figure.marks.dimensions import mark_lengths
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
-from kinegrade.figure.marks.motions import mark_motions
+from kinegrade.figure.marks.motions import add_motion
 from kinegrade.figure.marks.names import label_bodies, label_points
 from kinegrade.figure.marks.radii import mark_radii
 from kinegrade.figure.marks.right_angles import add_right_angle
@@ -40,6 +40,7 @@ _USUAL, _FURTHER = (4, 1.2)
 # the letters of points then come before dimension lines and straight arrows
 _FURTHER_TRIES = ((1.0, True), (0.95, False), (0.88, False), (0.88, True))
 Sketcher = Callable[[Mechanism, FigureHints], Scene]
+_Step = Callable[[Layout], Layout]
 PLAIN = FigureHints()
 
 
@@ -90,11 +91,9 @@ def _compose(mechanism: Mechanism, hints: FigureHints, letters_first: bool, scal
     drawing = draw(paper, hints)
     named = tuple(label_points(paper, hints, drawing))
     start = Layout.of(drawing.primitives)
-    layout = _place_marks_at_points(start, paper, hints, drawing, named)
-    if letters_first:
-        layout = _place_straight_marks(layout.written(named), paper, hints, start.obstacles)
-    else:
-        layout = _place_straight_marks(layout, paper, hints, start.obstacles).written(named)
+    bound = _place_marks_at_points(start, paper, hints, drawing, named)
+    early, late = (named, ()) if letters_first else ((), named)
+    layout = _place_straight_marks(bound.written(early), paper, hints, start.obstacles, late)
     for radius in hints.radii:
         layout = layout.marked(mark_radii(paper.points, drawing.rims, radius, layout.obstacles))
     layout = add_axes_aside(layout, hints)
@@ -122,14 +121,35 @@ def _place_marks_at_points(
 
 
 def _place_straight_marks(
-    layout: Layout, paper: Mechanism, hints: FigureHints, mechanism_alone: Obstacles
+    layout: Layout,
+    paper: Mechanism,
+    hints: FigureHints,
+    mechanism_alone: Obstacles,
+    named: tuple[Wish, ...],
 ) -> Layout:
-    """Distances, then motions along straight lines."""
-    for distance in hints.lengths:
-        layout = layout.marked(mark_lengths(paper.points, distance, mechanism_alone))
-    for straight in hints.arrows:
-        if isinstance(straight, Moving):
-            layout = layout.marked(mark_motions(paper, straight))
+    """Motions, distances, then the letters; distances before motions where a symbol is crowded
+    otherwise.
+    """
+    at = paper.points
+    arrows: list[_Step] = [
+        partial(add_motion, mechanism=paper, hint=given)
+        for given in hints.arrows
+        if isinstance(given, Moving)
+    ]
+    lengths: list[_Step] = [
+        partial(Layout.marked, alternatives=mark_lengths(at, given, mechanism_alone))
+        for given in hints.lengths
+    ]
+    first = _follow((*arrows, *lengths), layout).written(named)
+    if len(first.crowded) == len(layout.crowded) or not (arrows and lengths):
+        return first
+    other = _follow((*lengths, *arrows), layout).written(named)
+    return min(first, other, key=lambda placed: len(placed.crowded))
+
+
+def _follow(steps: Iterable[_Step], layout: Layout) -> Layout:
+    for step in steps:
+        layout = step(layout)
     return layout
 
 

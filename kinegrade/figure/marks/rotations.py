@@ -27,15 +27,20 @@ _RADII = (5.0, 6.5, 8.0, 10.0)  # millimetres, of the arrow of a rotation about 
 # Millimetres, length of that arrow; an acceleration has one head more
 _ARCS: Mapping[Level, float] = {"velocity": 6.5, "acceleration": 7.6}
 # Millimetres, of the arrow of a rotation relative to another body
-_RELATIVE_RADII, _RELATIVE_ARC = (7.0, 8.5, 10.0, 11.5, 13.0, 5.5), 9.0
+_RELATIVE_RADII, _RELATIVE_ARC = (7.0, 8.5, 10.0, 11.5, 13.0, 14.5, 5.5), 9.0
 _TWELFTHS = tuple(index * pi / 6 for index in range(12))
 # Millimetres between the rim of a body and an arrow within it, or beyond it
 _WITHIN, _BEYOND = 2.6, 2.0
+_FOREIGN = 4.5  # millimetres between an arrow and the rim of another body, 1 demerit for each less
 # Demerit of each radian between the arrow and the body, or where the rim of a disc is nearest
 _ASTRAY, _AT_RIM = 1.2, 5.0
+_ROOMY = 11.0  # millimetres from a pivot to the nearest rim that leave room for an arrow within
 _COARSE = 0.7  # radians of an arrow that count as straight when its way is looked at
 # Millimetres between an arrow and the arc of an angle within it, and the demerit of less
 _APART, _MERGED = 3.0, 4.0
+# Millimetres between two arrows at one pivot along their arcs, and the demerit of each that lacks;
+# half as much where their radii differ by so many millimetres, else they cannot be told apart
+_BETWEEN, _FOLLOWING, _NESTED, _COVERED = 6.0, 0.6, 2.5, 100.0
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 _LETTERED = 8.0
 
@@ -55,7 +60,17 @@ def add_rotation(
     close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
     arcs = [line for line in layout.lines if isinstance(line, Bow) and line.pen == THIN]
     near = [arc for arc in arcs if length(arc.centre - centre) < NEAR]
-    apart = [replace(arrow, demerit=_rate_arcs(arrow, near)) for arrow in arrows]
+    earlier = [mark for mark in layout.marks if isinstance(mark, TurningArrow)]
+    twins = [twin for twin in earlier if length(twin.bow.centre - centre) < NEAR]
+    foreign = [rim for rim in drawing.rims if rim.body != hint.body]
+    rims = [rim.radius for rim in foreign if length(rim.at - centre) < NEAR]
+    apart = [
+        replace(
+            arrow,
+            demerit=_rate_arcs(arrow, near) + _rate_twins(arrow, twins) + _rate_rims(arrow, rims),
+        )
+        for arrow in arrows
+    ]
     return layout.marked(apart, layout.written(close).labels)
 
 
@@ -72,20 +87,49 @@ def _rate_arcs(arrow: TurningArrow, arcs: Iterable[Bow]) -> float:
     return arrow.demerit + worse
 
 
+def _rate_twins(arrow: TurningArrow, twins: Iterable[TurningArrow]) -> float:
+    """The demerit of an arrow that follows or covers another one at the same pivot, so that the two
+    read as one: they stand opposite one another, else one well outside the other.
+    """
+    worse = 0.0
+    for twin in twins:
+        one, other = arrow.bow, twin.bow
+        radius = (one.radius + other.radius) / 2
+        turned = one.start + one.sweep / 2 - other.start - other.sweep / 2
+        shafts = (abs(one.sweep) + abs(other.sweep)) / 2
+        gap = radius * (abs(shorter_way(turned)) - shafts)
+        apart = abs(one.radius - other.radius) / _NESTED
+        worse += _FOLLOWING * max(0.0, 1 - apart / 2) * max(0.0, _BETWEEN - max(gap, 0.0))
+        worse += _COVERED * (gap < 0 and apart < 1)
+    return worse
+
+
+def _rate_rims(arrow: TurningArrow, foreign: Iterable[float]) -> float:
+    """The demerit of an arrow near the rims of another body about the same pivot, which would seem
+    to turn.
+    """
+    return sum(max(0.0, _FOREIGN - abs(arrow.bow.radius - radius)) for radius in foreign)
+
+
 def _list_absolute_arrows(
     mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing
 ) -> list[TurningArrow]:
     """Arrows about the pivot of a body, where the body leaves it first; those of an eccentric disc,
-    whose inside is full of givens, at its rim, where that is nearest.
+    where there is no room inside, beyond its rim, where that is nearest.
     """
     sense = hint.sense or find_imposed_sense(mechanism, hint)
     for rim in drawing.rims:
         aside = length(centre - rim.at)
-        if rim.body == hint.body and rim.kind == "wheel" and NEAR < aside < rim.radius:
-            nearest = rim.radius - aside + _BEYOND
-            away = angle_of(centre - rim.at)
+        room = rim.radius - aside
+        if rim.body == hint.body and rim.kind == "wheel" and aside > NEAR and 0 < room < _ROOMY:
+            away, beyond = angle_of(centre - rim.at), room + _BEYOND
             return list_turning_arrows(
-                hint, sense, centre, (nearest, nearest + 1.5, *_RADII), away, astray=_AT_RIM
+                hint,
+                sense,
+                centre,
+                (beyond, beyond + 1.5, beyond + 3.0, *_RADII),
+                away,
+                astray=_AT_RIM,
             )
     crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
     rims = list(_list_radii(drawing, hint.body))

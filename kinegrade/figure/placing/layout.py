@@ -29,13 +29,14 @@ _BATCHES = (4, 12, 36)
 class Layout:
     """Lines, labels, and both as obstacles; each step gives a new layout.
 
-    `crowded` are the symbols that found no good place.
+    `marks` are those chosen so far; `crowded` are the symbols that found no good place.
     """
 
     lines: tuple[Primitive, ...]
     labels: tuple[Label, ...]
     obstacles: Obstacles
     crowded: tuple[str, ...] = ()
+    marks: tuple[Mark, ...] = ()
 
     @staticmethod
     def of(primitives: Iterable[Primitive]) -> Layout:
@@ -67,7 +68,7 @@ class Layout:
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
         mark, wish, cost = _choose_least_covering(alternatives, crowded)
         struck = cost >= COST_LABEL and self._strikes_label(mark)
-        layout = self.drawn(mark.primitives())
+        layout = replace(self.drawn(mark.primitives()), marks=(*self.marks, mark))
         crowded = layout.obstacles.with_drawn(sparing) if sparing else layout.obstacles
         placed = place_label(wish, crowded)
         faulty = struck or (placed.faulty and is_covered(placed.label, layout.obstacles))

@@ -1,0 +1,119 @@
+"""Where the arrows of given motions stand: on their own side of a wall, told from one another."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import degrees, hypot
+
+import pytest
+
+from kinegrade.figure.marks.motions import add_motion
+from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.plane import shorter_way
+from kinegrade.figure.scene import BOLD, FIRM, Bow, Scene, Strokes
+from kinegrade.figure.sketch import sketch
+from kinegrade.mechanics.drivers import Component, Rotation
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.given_marks import mark_givens
+from kinegrade.problem.template.hints import Moving, Turning
+from kinegrade.problem.template.library.library import load_template
+from tests.figure.mechanisms import slider_crank
+from tests.problem.draws import draw_filter, drawn
+
+RIGHT = Vector(1.0, 0.0)
+SHAFT = 7.4  # millimetres, without the tip of its head
+
+
+def slider(velocity: float, acceleration: float) -> Mechanism:
+    """A slider-crank in millimetres, its slider moved to the right."""
+    mechanism, _ = slider_crank(0.2, 1.75, 60)
+    drivers = (Component("B", "B", RIGHT, velocity, acceleration),)
+    return scale_to_paper(replace(mechanism, drivers=drivers), 100.0)
+
+
+def shut_in(at: Vector) -> Layout:
+    """Walls in front of a point and behind it, far ahead as well."""
+    sides = [at + RIGHT * aside for each in (5.0, 9.0, 13.0, 17.0) for aside in (each, -each)]
+    up = Vector(0.0, 2.0)
+    return Layout.of([Strokes(tuple((side - up, side + up) for side in sides), BOLD)])
+
+
+def place(layout: Layout, mechanism: Mechanism, *hints: Moving) -> list[tuple[Vector, Vector]]:
+    """The arrows, each from its start to its end."""
+    for hint in hints:
+        layout = add_motion(layout, mechanism, hint)
+    return [mark.path()[0] for mark in layout.marks]
+
+
+def draw_floor(layout: Layout, mechanism: Mechanism) -> tuple[Layout, Vector]:
+    """The layout with a floor where the arrow of a velocity would stand, and the way to it."""
+    at = mechanism.points["B"]
+    ((start, _),) = place(layout, mechanism, Moving("v", "B"))
+    toward = Vector(0.0, 1.0 if start.y > at.y else -1.0)
+    foot = at + toward * 2.2
+    return layout.drawn([Strokes(((foot - RIGHT * 20, foot + RIGHT * 20),), FIRM)]), toward
+
+
+def test_an_arrow_beside_its_point_is_on_its_own_side_of_a_wall() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    layout, toward = draw_floor(shut_in(at), mechanism)
+    ((start, _),) = place(layout, mechanism, Moving("v", "B"))
+    assert (start - at).dot(toward) < 0
+
+
+def list_straight_arrows(scene: Scene) -> list[tuple[Vector, Vector]]:
+    """The shafts of the arrows of straight motions."""
+    shafts = [part.lines[0] for part in scene.primitives if isinstance(part, Strokes)]
+    return [
+        (start, end)
+        for start, end in shafts
+        if hypot(*(end - start)) == pytest.approx(SHAFT) and start.x == pytest.approx(end.x)
+    ]
+
+
+def test_a_velocity_and_an_acceleration_that_oppose_do_not_read_as_a_dimension() -> None:
+    template = load_template("slotted-bar-between-two-rods")
+    opposed = 0
+    for draw in drawn(draw_filter(template), 8):
+        mechanism = draw.solution.assembly.mechanism.map(float)
+        (start, end), (tail, tip) = list_straight_arrows(sketch(mechanism, mark_givens(template)))
+        if (end - start).dot(tip - tail) < 0:
+            opposed += 1
+            assert abs(start.x - tail.x) > 1.0
+    assert opposed
+
+
+def test_two_arrows_of_one_sense_do_not_lie_on_one_another() -> None:
+    mechanism = slider(1, 1)
+    both = Moving("v", "B"), Moving("a", "B", None, "acceleration")
+    (_, tip), (tail, _) = place(Layout.of(()), mechanism, *both)
+    assert abs(tip.y - tail.y) > 3.0 or tail.x > tip.x
+
+
+def turn_both(of: str, phi: float) -> list[Bow]:
+    """The arrows of an angular velocity and acceleration of one body."""
+    mechanism, hints = slider_crank(0.2, 1.75, phi)
+    body = "OA" if of == "ground" else "AB"
+    arrows = (
+        Turning(r"\omega", body, None, "velocity", of),
+        Turning(r"\alpha", body, None, "acceleration", of),
+    )
+    drivers = (Rotation(body, 2.0, -1.0, of),)
+    scene = sketch(replace(mechanism, drivers=drivers), replace(hints, arrows=arrows))
+    return [part for part in scene.primitives if isinstance(part, Bow) and part.pen == FIRM]
+
+
+@pytest.mark.parametrize("phi", [20.0, 60.0, 120.0])
+def test_the_two_arrows_of_a_body_do_not_follow_one_another_on_one_arc(phi: float) -> None:
+    one, other = turn_both("ground", phi)
+    turned = shorter_way(one.start + one.sweep / 2 - other.start - other.sweep / 2)
+    assert abs(degrees(turned)) > 85.0 or abs(one.radius - other.radius) >= 2.5
+
+
+@pytest.mark.parametrize("phi", [30.0, 60.0, 120.0])
+def test_two_arrows_of_a_relative_rotation_have_radii_that_differ(phi: float) -> None:
+    one, other = turn_both("OA", phi)
+    assert abs(one.radius - other.radius) >= 2.5
