@@ -80,13 +80,28 @@ def test_a_wheel_beside_an_arm_on_one_pivot_has_its_arrow_at_its_rim() -> None:
     assert all(bow.radius < disc / 2 for bow in of_rod)
 
 
-def test_the_arrows_of_an_eccentric_disc_stand_outside_its_rim() -> None:
+def test_the_arrows_of_an_eccentric_disc_stand_within_it_where_there_is_room() -> None:
     template = load_template("flat-faced-follower-eccentric-circle")
+    roomy = []
+    for draw in drawn(draw_filter(template), 12):
+        scene = sketch(draw.solution.assembly.mechanism.map(float), mark_givens(template))
+        discs = (part for part in scene.primitives if isinstance(part, Disc))
+        disc = max(discs, key=lambda part: part.radius)
+        for bow in turned_arrows(scene):
+            room = disc.radius - hypot(*(bow.centre - disc.centre))
+            reach = max(hypot(*(point - disc.centre)) for point in bow.path())
+            if room > 11.0:
+                roomy.append(reach < disc.radius)
+    assert roomy
+    assert all(roomy)
+
+
+def test_the_arrow_of_an_eccentric_disc_without_room_stands_beyond_its_rim() -> None:
+    template = load_template("eccentric-cam-offset-follower")
     (draw,) = drawn(draw_filter(template), 1)
     scene = sketch(draw.solution.assembly.mechanism.map(float), mark_givens(template))
-    disc = max(
-        (part for part in scene.primitives if isinstance(part, Disc)), key=lambda part: part.radius
-    )
+    discs = (part for part in scene.primitives if isinstance(part, Disc))
+    disc = max(discs, key=lambda part: part.radius)
     for bow in turned_arrows(scene):
         assert all(hypot(*(point - disc.centre)) > disc.radius for point in bow.path())
 

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import pi
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
 from kinegrade.figure.marks.imposed import find_imposed_sense
+from kinegrade.figure.marks.turning_arrow import TurningArrow, rate_room
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, SlottedDisc
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.mark import chords
-from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Wish, list_spots_along_arc
+from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import NEAR, angle_of, length, mean, shorter_way
-from kinegrade.figure.scene import THIN, Bow, Primitive
-from kinegrade.figure.symbols import HEADS, draw_curved_arrow
+from kinegrade.figure.scene import THIN, Bow
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -31,16 +29,9 @@ _RELATIVE_RADII, _RELATIVE_ARC = (7.0, 8.5, 10.0, 11.5, 13.0, 14.5, 5.5), 9.0
 _TWELFTHS = tuple(index * pi / 6 for index in range(12))
 # Millimetres between the rim of a body and an arrow within it, or beyond it
 _WITHIN, _BEYOND = 2.6, 2.0
-_FOREIGN = 4.5  # millimetres between an arrow and the rim of another body, 1 demerit for each less
 # Demerit of each radian between the arrow and the body, or where the rim of a disc is nearest
 _ASTRAY, _AT_RIM = 1.2, 5.0
 _ROOMY = 11.0  # millimetres from a pivot to the nearest rim that leave room for an arrow within
-_COARSE = 0.7  # radians of an arrow that count as straight when its way is looked at
-# Millimetres between an arrow and the arc of an angle within it, and the demerit of less
-_APART, _MERGED = 3.0, 4.0
-# Millimetres between two arrows at one pivot along their arcs, and the demerit of each that lacks;
-# half as much where their radii differ by so many millimetres, else they cannot be told apart
-_BETWEEN, _FOLLOWING, _NESTED, _COVERED = 6.0, 0.6, 2.5, 100.0
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 _LETTERED = 8.0
 
@@ -61,54 +52,17 @@ def add_rotation(
     arcs = [line for line in layout.lines if isinstance(line, Bow) and line.pen == THIN]
     near = [arc for arc in arcs if length(arc.centre - centre) < NEAR]
     earlier = [mark for mark in layout.marks if isinstance(mark, TurningArrow)]
-    twins = [twin for twin in earlier if length(twin.bow.centre - centre) < NEAR]
+    twins = [twin.bow for twin in earlier if length(twin.bow.centre - centre) < NEAR]
     foreign = [rim for rim in drawing.rims if rim.body != hint.body]
     rims = [rim.radius for rim in foreign if length(rim.at - centre) < NEAR]
     apart = [
         replace(
             arrow,
-            demerit=_rate_arcs(arrow, near) + _rate_twins(arrow, twins) + _rate_rims(arrow, rims),
+            demerit=arrow.demerit + rate_room(arrow.bow, near, twins, rims),
         )
         for arrow in arrows
     ]
     return layout.marked(apart, layout.written(close).labels)
-
-
-def _rate_arcs(arrow: TurningArrow, arcs: Iterable[Bow]) -> float:
-    """The demerit of an arrow, larger where it would look like a part of the arc of an angle at the
-    same pivot.
-    """
-    bow, worse = arrow.bow, 0.0
-    for arc in arcs:
-        from_start = bow.start + bow.sweep / 2 - arc.start
-        turned = from_start % (2 * pi) if arc.sweep > 0 else -from_start % (2 * pi)
-        if turned < abs(arc.sweep) and abs(bow.radius - arc.radius) < _APART:
-            worse += _MERGED
-    return arrow.demerit + worse
-
-
-def _rate_twins(arrow: TurningArrow, twins: Iterable[TurningArrow]) -> float:
-    """The demerit of an arrow that follows or covers another one at the same pivot, so that the two
-    read as one: they stand opposite one another, else one well outside the other.
-    """
-    worse = 0.0
-    for twin in twins:
-        one, other = arrow.bow, twin.bow
-        radius = (one.radius + other.radius) / 2
-        turned = one.start + one.sweep / 2 - other.start - other.sweep / 2
-        shafts = (abs(one.sweep) + abs(other.sweep)) / 2
-        gap = radius * (abs(shorter_way(turned)) - shafts)
-        apart = abs(one.radius - other.radius) / _NESTED
-        worse += _FOLLOWING * max(0.0, 1 - apart / 2) * max(0.0, _BETWEEN - max(gap, 0.0))
-        worse += _COVERED * (gap < 0 and apart < 1)
-    return worse
-
-
-def _rate_rims(arrow: TurningArrow, foreign: Iterable[float]) -> float:
-    """The demerit of an arrow near the rims of another body about the same pivot, which would seem
-    to turn.
-    """
-    return sum(max(0.0, _FOREIGN - abs(arrow.bow.radius - radius)) for radius in foreign)
 
 
 def _list_absolute_arrows(
@@ -192,28 +146,6 @@ def list_turning_arrows(
             demerit = 1.5 * abs(radius - radii[0]) + astray * abs(shorter_way(angle - toward))
             found.append(TurningArrow(bow, hint, demerit))
     return found
-
-
-@dataclass(frozen=True)
-class TurningArrow:
-    """A curved arrow along an arc."""
-
-    bow: Bow
-    hint: Turning
-    demerit: float
-    shared: bool = False
-
-    def path(self) -> tuple[Segment, ...]:
-        """The arc, in few pieces: there are many arrows to choose from."""
-        return chords(self.bow, _COARSE)
-
-    def wish(self) -> Wish:
-        """Along the arc."""
-        return list_spots_along_arc(self.hint.symbol, self.bow)
-
-    def primitives(self) -> tuple[Primitive, ...]:
-        """The arc and its arrowhead."""
-        return draw_curved_arrow(self.bow, HEADS[self.hint.level])
 
 
 def _find_crank_direction(

@@ -10,7 +10,8 @@ from itertools import combinations
 from math import pi
 
 from kinegrade.figure.marks.names import label_bodies, label_points
-from kinegrade.figure.marks.rotations import TurningArrow, list_turning_arrows
+from kinegrade.figure.marks.rotations import list_turning_arrows
+from kinegrade.figure.marks.turning_arrow import TurningArrow
 from kinegrade.figure.mechanism.fitting import HEIGHT, fit_scene
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Segment
