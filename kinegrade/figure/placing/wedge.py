@@ -9,7 +9,7 @@ from math import pi, sin
 import numpy as np
 
 from kinegrade.figure.placing.extent import measure_symbol
-from kinegrade.figure.placing.place import Floats, Wish, list_spots_along_arc, list_spots_around
+from kinegrade.figure.placing.place import Floats, Wish, list_spots_along_arc
 from kinegrade.figure.plane import polar
 from kinegrade.figure.scene import Bow
 
@@ -17,28 +17,28 @@ _APART = 0.4  # millimetres kept between the letter and a side
 _FARTHEST = 27.0  # millimetres from the vertex: beyond, a letter belongs to no angle
 _OUTSIDE = 8.0  # demerit of a spot outside the angle: less than covering a thin line
 _AWAY = 0.8  # demerit of a millimetre between the arc and a letter that has no room at it
-_SHARES = np.array((0.5, 0.42, 0.58, 0.36, 0.64))  # of the angle
+_SHARES = np.array((0.5, 0.4, 0.6, 0.3, 0.7))  # of the angle
 # Millimetres from its arc at which a letter is lost, and the demerit of that
 _LATEST, _LOST = 3.0, 20.0
 # Millimetres beyond the narrowest place with room
-_STEPS = np.array((0.0, 1.0, 2.0, 3.5, 5.0, 7.0, 9.0))
+_STEPS = np.array((0.0, 1.0, 2.0, 3.5, 5.0, 7.0, 9.0, 11.0))
 
 
 def list_spots_in_wedge(symbol: str, bow: Bow) -> Wish:
     """Spots for the symbol of an angle: at its arc, where the angle is wide enough for it, and
-    last, with a demerit, around the arc.
+    last, with a demerit, outside the angle.
     """
     along = list_spots_along_arc(symbol, bow)
-    middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
-    spots = np.concatenate(
-        (along.spots, _list_wide_spots(symbol, bow), list_spots_around(symbol, middle))
-    )
-    away = np.hypot(*(spots - np.array(bow.centre)).T) - bow.radius
+    spots, narrow = along.spots, measure_narrow(symbol, bow)
+    if narrow > bow.radius / 2:
+        spots = np.concatenate((spots, _list_wide_spots(bow, narrow)))
+    steps = spots - np.array(bow.centre)
+    away = np.hypot(steps[:, 0], steps[:, 1]) - bow.radius
     late = np.maximum(np.abs(away) - max(measure_symbol(symbol)), 0.0)
-    demerits = _AWAY * late + _OUTSIDE * _find_outside(symbol, spots, bow)
+    demerits = _AWAY * late + _OUTSIDE * _find_outside(symbol, steps, bow)
     demerits = demerits + _LOST * (late > _LATEST)
     order = np.argsort(demerits.round(6), kind="stable")
-    return Wish(symbol, spots[order], demerits=demerits[order])
+    return Wish(symbol, spots[order], along.at, demerits[order])
 
 
 def measure_narrow(symbol: str, bow: Bow) -> float:
@@ -46,32 +46,33 @@ def measure_narrow(symbol: str, bow: Bow) -> float:
     millimetres.
     """
     widening = max(sin(min(abs(bow.sweep), pi) / 2), 1e-3)
-    return float(_measure_reaches(symbol, bow).max()) / widening
+    return max(_measure_reaches(symbol, bow)) / widening
 
 
-def _list_wide_spots(symbol: str, bow: Bow) -> Floats:
-    """Spots at the bisector and beside it from where the angle is wide enough for the symbol."""
-    distances = measure_narrow(symbol, bow) + _STEPS
+def _list_wide_spots(bow: Bow, narrow: float) -> Floats:
+    """Spots at the bisector and beside it from where the angle is wide enough."""
+    distances = narrow + _STEPS
     angles = bow.start + bow.sweep * _SHARES
     toward = np.stack((np.cos(angles), np.sin(angles)), axis=1)
     steps = distances[distances < _FARTHEST, None, None] * toward
     return np.asarray(np.array(bow.centre) + steps.reshape(-1, 2))
 
 
-def _find_outside(symbol: str, spots: Floats, bow: Bow) -> Floats:
-    """For each spot 0 where a symbol stands wholly between the sides (beyond half a turn: beside
-    one of them), else 1.
+def _find_outside(symbol: str, steps: Floats, bow: Bow) -> Floats:
+    """For each step from the vertex 0 where a symbol stands wholly between the sides (beyond half
+    a turn: beside one of them), else 1.
     """
-    steps = (spots - np.array(bow.centre)) @ np.array(_find_inward(bow)).T
-    beyond = steps - _measure_reaches(symbol, bow) < -1e-6
+    depths = steps @ np.array(_find_inward(bow)).T
+    beyond = depths - _measure_reaches(symbol, bow) < -1e-6
     out = beyond.any(axis=1) if abs(bow.sweep) <= pi else beyond.all(axis=1)
     return np.asarray(out, dtype=float)
 
 
-def _measure_reaches(symbol: str, bow: Bow) -> Floats:
+def _measure_reaches(symbol: str, bow: Bow) -> tuple[float, float]:
     """How far the middle of a symbol has to stay from either side, in millimetres."""
-    half = np.array(measure_symbol(symbol)) / 2
-    return np.asarray(np.abs(np.array(_find_inward(bow))) @ half + _APART)
+    wide, high = measure_symbol(symbol)
+    first, last = [(abs(x) * wide + abs(y) * high) / 2 + _APART for x, y in _find_inward(bow)]
+    return first, last
 
 
 def _find_inward(bow: Bow) -> tuple[tuple[float, float], ...]:
