@@ -26,7 +26,7 @@ from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
-_BAND = 1.2  # millimetres of material behind the teeth of a fixed gear
+_BAND = 0.6  # millimetres of material behind the teeth of a fixed gear
 _RING = 2.4  # millimetres of material around a circle that encloses others
 
 
