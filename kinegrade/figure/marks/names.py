@@ -22,6 +22,7 @@ from kinegrade.problem.template.hints import FigureHints
 
 # Cost of a letter that may be read as that of another point: between a thin and a firm line
 _MISTAKEN = 20.0
+_INSIDE = 0.95  # share of a radius: nearer to the rim a letter may stand on either side
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
 
 
@@ -51,10 +52,16 @@ def label_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> 
 
 
 def _label_point(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]) -> Wish:
-    """A letter at its point; covering a thin line is preferred to standing nearer to another
-    point.
+    """A letter at its point, in the same circles as this first; covering a thin line is preferred
+    to standing nearer to another point.
     """
     spots = list_spots_around(symbol, at, away=_find_free_direction(at, drawing))
+    around = [rim for rim in drawing.rims if length(at - rim.at) < _INSIDE * rim.radius]
+    beyond = [
+        any(length(Vector(*spot) - rim.at) > rim.radius for rim in around)
+        for spot in spots.tolist()
+    ]
+    spots = spots[np.argsort(beyond, kind="stable")]
     others = [place for place in places if length(place - at) > NEAR]
     return Wish(symbol, spots, demerits=_MISTAKEN * rate_nearness(symbol, spots, at, others))
 
