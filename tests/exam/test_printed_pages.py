@@ -37,12 +37,12 @@ def pages_of(exam: Path) -> dict[str, int]:
 
 
 def write_uneven_class(folder: Path) -> Path:
-    """A class whose papers, each with its own order, take two pages or three."""
+    """A class whose papers, each with its own order, differ in length."""
     write_class(folder)
     frame, *questions = BANK.split("[[questions]]")
     declared = (
         f'[[questions]]\nspace = "{room} mm"{question}'
-        for room, question in zip((20, 90, 20), questions, strict=True)
+        for room, question in zip((20, 60, 60), questions, strict=True)
     )
     text = "".join(("shuffle = true\n", frame, *declared))
     (folder / "bank.toml").write_text(text, encoding="utf-8")
