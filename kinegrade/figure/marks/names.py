@@ -56,12 +56,10 @@ def _label_point(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]
     to standing nearer to another point.
     """
     spots = list_spots_around(symbol, at, away=_find_free_direction(at, drawing))
-    around = [rim for rim in drawing.rims if length(at - rim.at) < _INSIDE * rim.radius]
-    beyond = [
-        any(length(Vector(*spot) - rim.at) > rim.radius for rim in around)
-        for spot in spots.tolist()
-    ]
-    spots = spots[np.argsort(beyond, kind="stable")]
+    for rim in drawing.rims:
+        if length(at - rim.at) < _INSIDE * rim.radius:
+            beyond = np.hypot(*(spots - np.array(rim.at)).T) > rim.radius
+            spots = spots[np.argsort(beyond, kind="stable")]
     others = [place for place in places if length(place - at) > NEAR]
     return Wish(symbol, spots, demerits=_MISTAKEN * rate_nearness(symbol, spots, at, others))
 
