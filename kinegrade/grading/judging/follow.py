@@ -95,10 +95,12 @@ def follow_answers(
     """The decisions that follow-through improves, by ask; `answers` are those to one question.
 
     An answer that earned follow-through counts as a student's answer for later asks, so an error is
-    charged once however far it carries. Where one answer is absurd, and follows from no other,
-    nothing follows from any: the others may have been found from it.
+    charged once however far it carries. Where one answer is absurd, nothing follows from any: the
+    others may have been found from it.
     """
     found: dict[str, Decision] = {}
+    if any(answer.is_absurd for answer in answers):
+        return found
     earlier = _Earlier({}, {}, {answer.ask.ask: answer.key.value for answer in answers}, {})
     for stage in follows.sorted(answers):
         for answer in stage:
@@ -112,8 +114,7 @@ def follow_answers(
                 if credit:
                     verdict, earlier.basis[answer.ask.ask] = credit
                     found[answer.ask.ask] = verdict, answer.ruling.follow_through
-    absurd = {answer.ask.ask for answer in answers if answer.is_absurd}
-    return found if absurd <= found.keys() else {}
+    return found
 
 
 def withhold(decision: Decision) -> Decision:
