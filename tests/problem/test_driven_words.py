@@ -146,7 +146,7 @@ def test_the_size_of_an_angle_beyond_half_a_turn_is_what_is_left_of_a_turn() -> 
     ):
         parameters = solve_template(template, {"phi": phi}).parameters
         assert (
-            rf"$\varphi = {size}^\circ$ with the $x$ axis (to the right), {sense},"
+            rf"$\varphi = {size}^\circ$ with the $x$ axis (to the right), measured {sense}"
         ) in write_statement(template, parameters, "en")
 
 

@@ -12,7 +12,7 @@ from tests.spellings import SPELLINGS, type_answers
 ROSTER = "student,name\n007,王伟\nS9,Bo\n"
 BANK = """title = "Round trip"
 course = "Mechanics"
-tolerance = { relative = "1 %" }
+tolerance = "honest"
 questions = [{ template = "{{first}}" }, { template = "{{second}}" }]
 shuffle = true
 """
