@@ -42,6 +42,9 @@ from kinegrade.language.math.units import raise_exponents, write_unit
 from kinegrade.language.message import Location
 
 _SCRIPT = 0.72  # relative to the size of the script's base
+# Of the measured width of a lower script, over which the upper one begins: letters are narrower,
+# and it may not stand on the base
+_STACKED = 0.75
 _RAISED, _LOWERED = 0.38, -0.2  # the baseline of a script, in em of its base
 _ACCENTS: dict[AccentName, str] = {
     "vec": "\u20d7",
@@ -142,7 +145,7 @@ def _write_scripts(node: Scripts, style: Run) -> list[Run]:
         return [*runs, *below, *primes, replace(style, text="°")]
     above = _write_script(node.upper or (), style, _RAISED)
     if below and above and not primes:
-        back = measure_advance(node.lower or ()) * _SCRIPT * style.size
+        back = _STACKED * measure_advance(node.lower or ()) * _SCRIPT * style.size
         above[0] = replace(above[0], back=back)
     return [*runs, *below, *primes, *above]
 
