@@ -19,6 +19,7 @@ from tests.by_hand.school import Exam, Mark, Paper, Question
 NEAR = 1e-6  # of the right answer: what a machine's rounding leaves between two ways of working
 ZERO = 1e-12  # in any unit: what a machine's rounding leaves of zero
 STRIDE = 37  # a prime: whatever there is to choose from, every student comes to all of it
+VANISHING = 1 / 20  # of the right answer: from less nothing follows
 
 Choice = TypeVar("Choice")
 Dealt = dict[tuple[str, str], Choice]  # by student and question
@@ -110,6 +111,9 @@ def mistaken(exam: Exam, turns: int) -> Count:
 def following(exam: Exam, turns: int) -> Count:
     """Who goes on rightly from a wrong value of one ask to another one is charged for one of them:
     which of the two led to the other does not stand on the paper.
+
+    Not where what follows vanishes beside the right answer: the program says that nothing follows
+    in a question with such an answer.
     """
     found = Count()
     for turn in range(turns):
@@ -129,11 +133,15 @@ def following(exam: Exam, turns: int) -> Count:
         for mark in marks:
             student, number = mark.paper.student, mark.question.number
             edge, _ = chosen[student, number]
-            if mark.ask == edge.later:
+            if mark.ask == edge.later and not _vanishes(mark):
                 where = f"{mark.question.template} {edge}"
                 kept = not mark.lost or (student, number, edge.earlier) in full
                 found.add(where, kept, mark)
     return found
+
+
+def _vanishes(mark: Mark) -> bool:
+    return abs(float(mark.typed)) < VANISHING * abs(mark.question.right[mark.ask])
 
 
 def _dealt(exam: Exam, turn: int, choices: Callable[[Question], Sequence[Choice]]) -> Dealt[Choice]:
