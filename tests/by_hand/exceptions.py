@@ -36,8 +36,3 @@ UNNAMED = {
 def unnamed(found: Count) -> set[str]:
     """The mistakes that went unnamed without being listed here."""
     return found.beyond(MISSED) - UNNAMED
-
-
-def lost(found: Count) -> set[str]:
-    """The edges that were not followed."""
-    return found.beyond(0)

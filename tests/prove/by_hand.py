@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tests.by_hand.claims import following, honest, mistaken
 from tests.by_hand.class_list import TAUGHT
-from tests.by_hand.exceptions import NEEDS_FOUR_FIGURES, ROUNDED_AWAY, lost, unnamed
+from tests.by_hand.exceptions import NEEDS_FOUR_FIGURES, ROUNDED_AWAY, unnamed
 from tests.by_hand.pad import EXACT
 from tests.by_hand.school import FOUR_FIGURES, THREE_FIGURES, Exam, make_exam
 
@@ -45,4 +45,4 @@ def _try(exam: Exam) -> None:
     found = mistaken(exam, TURNS)
     assert unnamed(found) == set(), str(found)
     found = following(exam, TURNS)
-    assert lost(found) == set(), str(found)
+    assert found.beyond(0) == set(), str(found)
