@@ -24,6 +24,7 @@ from kinegrade.draws.examining import (
     require_room,
     solve_sensible,
 )
+from kinegrade.draws.screening import screen
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
@@ -87,12 +88,11 @@ class DrawFilter:
         if self.separation is None or not combinations:
             return [self._examine_one(values, {}) for values in combinations]
         seen = self.separation.compare(collect_columns(combinations))
-        confused = self.separation.find_confused(seen)
+        screened = screen(self.separation, self.accuracy, seen)
         return [
-            Refused("mistake", name_reason("mistake"))
-            if confused[place]
-            else self._examine_one(values, {name: row[place] for name, row in seen.bounds.items()})
-            for place, values in enumerate(combinations)
+            refusal
+            or self._examine_one(values, {name: row[place] for name, row in seen.bounds.items()})
+            for place, (values, refusal) in enumerate(zip(combinations, screened, strict=True))
         ]
 
     def _examine_one(self, values: Combination, bounds: Mapping[str, float]) -> Examined | Refused:

@@ -9,7 +9,7 @@ cannot distinguish (a term that is identically zero there) is required of none o
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import tau
 from typing import Any
@@ -26,7 +26,7 @@ from kinegrade.students.mistaking.mistake_kinds import Mistake, find_candidates
 from kinegrade.students.mistaking.mistake_outcomes import SAME, Outcomes, find_outcomes
 from kinegrade.students.mistaking.mistakes import Values, convert_parameters
 from kinegrade.students.mistaking.written_mistakes import list_answer_factors
-from kinegrade.students.rounding.accuracy import Accuracy
+from kinegrade.students.rounding.accuracy import WIDEST, Accuracy
 from kinegrade.students.rounding.bounds import find_error_bounds
 
 _HALF = 0.5  # share of instances above which a mistake is inseparable from the truth
@@ -37,6 +37,8 @@ _SCARCE = (
 )
 _ROOM = 1.05  # the scale is rounded to two figures where it gives room
 _PLAIN = 1.5  # times the bound of rounding: no widened tolerance gives more room
+_SURELY = 1 + 1e-6  # times a limit: doubles do not decide on what is nearer
+_MET = -1  # the place of no condition
 _NORMAL_OR_CORIOLIS = {
     "coriolis",
     "relative_normal",
@@ -53,8 +55,9 @@ class Comparison:
     `right` has every ask's right answers, in its unit; `near` marks where a mistaken value might be
     taken for right, `changed` where it is another value at all, `stuck` where there is none because
     no mechanism has such measures; `fit` marks the instances that may be drawn, as far as doubles
-    can decide. `bounds` are those of honest rounding, in the asks'
-    units.
+    can decide. `bounds` are those of honest rounding, in the asks' units, and `strayed` marks where
+    rounding leaves what is allowed. `unmet` is the place of the first condition that an instance
+    does not meet, -1 where there is none.
     """
 
     identifiers: Mapping[str, tuple[str, ...]]
@@ -64,6 +67,8 @@ class Comparison:
     stuck: Mapping[str, Any]
     fit: Any
     bounds: Mapping[str, Any]
+    strayed: Mapping[str, Any]
+    unmet: Any
 
 
 @dataclass(frozen=True)
@@ -99,7 +104,7 @@ class Separation:
         carry = self.accuracy.carry
         bounds = find_error_bounds(self.template, self.asks, arrays, self.plan, carry)
         written_share = 0.5 * 10.0 ** (1 - carry)
-        identifiers, near, changed, stuck = {}, {}, {}, {}
+        identifiers, near, changed, stuck, strayed = {}, {}, {}, {}, {}
         for name, ask in self.asks.items():
             written = list_answer_factors(ask)
             truth, *wrong = found.answers[name]
@@ -115,10 +120,12 @@ class Separation:
                 )
                 changed[name] = np.array([_is_different(one, truth) for one in wrong])
             stuck[name] = np.isnan(wrong)
+            strayed[name] = self.find_strayed(name, truth, found, bounds[name])
             near[name][len(self.mistakes) :] &= truth != 0  # zero has no sense and no decimal point
         right = {name: rows[0] for name, rows in found.answers.items()}
-        fit = self.fit(found, arrays)
-        return Comparison(identifiers, right, near, changed, stuck, fit, bounds)
+        unmet = _find_unmet(self.template, arrays)
+        fit = self.fit(found, unmet)
+        return Comparison(identifiers, right, near, changed, stuck, fit, bounds, strayed, unmet)
 
     def inseparable(self) -> dict[str, tuple[str, ...]]:
         """For each ask the mistakes that the sample cannot distinguish from the truth.
@@ -153,15 +160,26 @@ class Separation:
         """How far from the right answers one may be, in the ask's unit: a bound, for the draw
         alone; `bounds` are those of honest rounding.
         """
+        stated = self._stated_room(name, right, found)
+        widened = np.where(np.isfinite(bounds) & (bounds > stated), _PLAIN * bounds, 0.0)
+        return np.maximum(stated, widened) if self.accuracy.may_widen(name) else stated
+
+    def find_strayed(self, name: str, right: Any, found: Outcomes, bounds: Any) -> Any:
+        """Where honest rounding surely leaves the tolerance of an answer, widened if it may be."""
+        strayed = bounds > _SURELY * self._stated_room(name, right, found)
+        if self.accuracy.may_widen(name):
+            strayed &= bounds > _SURELY * float(WIDEST) * np.abs(right)
+        return strayed
+
+    def _stated_room(self, name: str, right: Any, found: Outcomes) -> Any:
+        """How far from the right answers one may be at most by the tolerance as it is stated."""
         tolerance = self.accuracy.find_stated(name)
         share, absolute = float(tolerance.share), float(tolerance.absolute)
         room = np.maximum(share * np.abs(right), absolute)
         next_to_zero = share * _ROOM * found.scales[name]
-        stated = np.where(np.abs(right) < next_to_zero, np.maximum(room, next_to_zero), room)
-        widened = np.where(np.isfinite(bounds) & (bounds > stated), _PLAIN * bounds, 0.0)
-        return np.maximum(stated, widened) if self.accuracy.may_widen(name) else stated
+        return np.where(np.abs(right) < next_to_zero, np.maximum(room, next_to_zero), room)
 
-    def fit(self, found: Outcomes, arrays: Mapping[str, Any]) -> Any:
+    def fit(self, found: Outcomes, unmet: Any) -> Any:
         """Which instances meet the conditions and have answers that do not vanish where they must
         not.
         """
@@ -172,7 +190,7 @@ class Separation:
             np.isfinite(right) & (self.asks[name].vanishes | (right != 0))
             for name, right in known.items()
         ]
-        return np.all([*fits, *_check_conditions(self.template, arrays)], axis=0)
+        return np.all([*fits, unmet < 0], axis=0)
 
 
 def find_separation(
@@ -215,11 +233,14 @@ def _list_bounds(mistakes: Sequence[Mistake], rows: int) -> Any:
     return bounds
 
 
-def _check_conditions(template: Template, arrays: Mapping[str, Any]) -> Iterator[Any]:
-    """For each condition the instances that meet it, those on the bound among them."""
+def _find_unmet(template: Template, arrays: Mapping[str, Any]) -> Any:
+    """For each instance the place of the first condition that it surely does not meet, or -1; one
+    on the bound counts as met.
+    """
     floats = Floats()
     values = {**arrays, "pi": np.pi}
-    for condition in template.scheme.conditions:
+    unmet = np.full(np.shape(next(iter(arrays.values()))), _MET)
+    for place, condition in reversed([*enumerate(template.scheme.conditions)]):
         try:
             with floats.context():
                 room = evaluate(
@@ -230,7 +251,8 @@ def _check_conditions(template: Template, arrays: Mapping[str, Any]) -> Iterator
                 )
         except KinegradeError:
             continue
-        yield ~(np.broadcast_to(room, np.shape(next(iter(arrays.values())))) < -SAME)
+        unmet[np.broadcast_to(room, unmet.shape) < -SAME] = place
+    return unmet
 
 
 def measure_distance(one: Any, other: Any, ask: Ask) -> Any:

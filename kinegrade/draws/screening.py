@@ -1,0 +1,35 @@
+"""What need not be solved exactly to be refused: instances that doubles, many at once, show to be
+unfit for students.
+
+Only what is clear is refused here; whatever lies next to a limit is left to the exact solution.
+"""
+
+from __future__ import annotations
+
+from kinegrade.draws.examining import Refused, explain_rounding, name_reason
+from kinegrade.students.rounding.accuracy import Accuracy
+from kinegrade.students.separation import Comparison, Separation
+
+
+def screen(separation: Separation, accuracy: Accuracy, seen: Comparison) -> list[Refused | None]:
+    """For each instance that was compared why it is refused, None where doubles see no reason."""
+    confused = separation.find_confused(seen)
+    conditions = separation.template.scheme.conditions
+    found: list[Refused | None] = []
+    for place, unmet in enumerate(seen.unmet.tolist()):
+        if confused[place]:
+            found.append(Refused("mistake", name_reason("mistake")))
+        elif unmet >= 0:
+            found.append(Refused("condition", conditions[unmet].text))
+        else:
+            found.append(_find_strayed(accuracy, seen, place))
+    return found
+
+
+def _find_strayed(accuracy: Accuracy, seen: Comparison, place: int) -> Refused | None:
+    """The refusal for the first ask whose tolerance honest rounding leaves."""
+    for name, strayed in seen.strayed.items():
+        if strayed[place]:
+            why = explain_rounding(name, float(seen.bounds[name][place]), accuracy)
+            return Refused("rounding", why, name)
+    return None
