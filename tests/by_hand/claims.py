@@ -7,6 +7,7 @@ to another method, mistake or wrong value of those that are written.
 
 from __future__ import annotations
 
+import math
 from collections import Counter, defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -18,6 +19,7 @@ from tests.by_hand.school import Exam, Mark, Paper, Question
 
 NEAR = 1e-6  # of the right answer: what a machine's rounding leaves between two ways of working
 ZERO = 1e-12  # in any unit: what a machine's rounding leaves of zero
+OPPOSITE = -1.0  # the factor of a wrong sign
 STRIDE = 37  # a prime: whatever there is to choose from, every student comes to all of it
 VANISHING = 1 / 20  # of the right answer: from less nothing follows
 
@@ -112,8 +114,9 @@ def following(exam: Exam, turns: int) -> Count:
     """Who goes on rightly from a wrong value of one ask to another one is charged for one of them:
     which of the two led to the other does not stand on the paper.
 
-    Not where what follows vanishes beside the right answer: the program says that nothing follows
-    in a question with such an answer.
+    Not where what follows vanishes beside the right answer, nor where it happens to be the same
+    number as the wrong one: the program says that nothing follows there. A wrong sign is followed
+    all the same.
     """
     found = Count()
     for turn in range(turns):
@@ -132,8 +135,10 @@ def following(exam: Exam, turns: int) -> Count:
         }
         for mark in marks:
             student, number = mark.paper.student, mark.question.number
-            edge, _ = chosen[student, number]
-            if mark.ask == edge.later and not _vanishes(mark):
+            edge, factor = chosen[student, number]
+            own = factor * mark.question.right[edge.earlier]
+            repeated = factor != OPPOSITE and math.isclose(abs(float(mark.typed)), abs(own))
+            if mark.ask == edge.later and not repeated and not _vanishes(mark):
                 where = f"{mark.question.template} {edge}"
                 kept = not mark.lost or (student, number, edge.earlier) in full
                 found.add(where, kept, mark)

@@ -298,3 +298,14 @@ def test_no_credit_for_the_same_number_twice() -> None:
     answers = decided({"omega_AB": "7", "a_B": "7"})
     equal = [replace(answer, key=answers[0].key) for answer in answers]
     assert list(follow_answers("007", equal, Follows(the_same))) == ["a_B"]
+
+
+def test_a_slip_of_sign_alone_is_no_copy_where_the_same_number_follows_from_it() -> None:
+    def opposite(
+        student: str, question: str, own: Mapping[str, Fraction], later: str
+    ) -> tuple[Fraction, ...]:
+        return (-own["omega_AB"],) if "omega_AB" in own else ()
+
+    found = follow_answers("007", decided({"omega_AB": "-2", "a_B": "2"}), Follows(opposite))
+    assert list(found) == ["a_B"]
+    assert follow_answers("007", decided({"omega_AB": "-3", "a_B": "3"}), Follows(opposite)) == {}

@@ -26,6 +26,7 @@ from kinegrade.language.message import Message, Text, list_all
 # Of the right answer: outside of these a value is no honest slip, and nothing follows from it.
 # A misplaced decimal point, revolutions per minute (9.5) and degrees for radians (57.3) are inside.
 _LEAST, _MOST = Fraction(1, 20), 60
+_SIGN_ALONE = Fraction(1, 100)  # of the right answer: a wrong one no farther off but for its sign
 _SAME = Fraction(1, 10**9)  # relative: closer values differ only by rounding
 
 
@@ -181,10 +182,13 @@ def _find_credits(
 
 
 def _is_copied(answer: Decided, own: Fraction, right: Fraction) -> bool:
-    """Whether the number is that of another answer, although the right numbers differ."""
+    """Whether the number is that of another answer, although the right numbers differ. One that is
+    wrong by its sign alone was worked out.
+    """
     same = answer.reading.value is not None and abs(answer.reading.value) == abs(own)
     return (
         same
+        and abs(abs(own) - abs(right)) > _SIGN_ALONE * abs(right)
         and judge(
             replace(answer.reading, value=abs(right)),
             replace(answer.key, value=abs(answer.key.value)),
