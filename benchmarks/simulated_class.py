@@ -17,7 +17,7 @@ from tempfile import TemporaryDirectory
 from kinegrade.exam.folder.contents import HEAD, KEY
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.exam_secret import FromWords
-from kinegrade.exam.folder.keys import Exam
+from kinegrade.exam.folder.keys import KeyedExam
 from kinegrade.exam.folder.writing import encode_head, encode_line
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
@@ -63,7 +63,7 @@ class SimulatedClass:
     template: Template
     number: int
     papers: tuple[SetPaper, ...]
-    exam: Exam
+    exam: KeyedExam
     inseparable: Mapping[str, frozenset[str]]
 
     @cached_property
@@ -148,7 +148,7 @@ def inseparable(separation: Separation | None) -> dict[str, frozenset[str]]:
     }
 
 
-def as_read(dealt: ClassDeal, papers: Sequence[SetPaper]) -> Exam:
+def as_read(dealt: ClassDeal, papers: Sequence[SetPaper]) -> KeyedExam:
     """The exam, written into a folder as generate writes it and read again as grade reads it."""
     candidates = [
         candidate(

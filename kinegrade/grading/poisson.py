@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from math import exp, lgamma, log
 
+#: Questions, at least, that must fit another paper: a number misread gives all answers of one
+#: question as they are right on each paper that has that number
+QUESTIONS_THAT_TELL = 2
+
 
 def find_tail(count: int, mean: float) -> float:
     """The probability that a Poisson variable with that mean is at least `count`; a mean of zero

@@ -30,7 +30,7 @@ def find_near_mistakes(separation: Separation) -> NearMistakes:
     """What the sample of a separation shows."""
     seen = separation.compare(separation.sample)
     dealt = seen.fit & ~separation.find_confused(seen)
-    inseparable = separation.inseparable()
+    inseparable = separation.inseparable(seen)
     refused, passing = {}, {}
     for name, labels in seen.identifiers.items():
         near, kept = seen.near[name], separation.kept[name]

@@ -127,13 +127,13 @@ class Separation:
         fit = self.fit(found, unmet)
         return Comparison(identifiers, right, near, changed, stuck, fit, bounds, strayed, unmet)
 
-    def inseparable(self) -> dict[str, tuple[str, ...]]:
-        """For each ask the mistakes that the sample cannot distinguish from the truth.
+    def inseparable(self, seen: Comparison) -> dict[str, tuple[str, ...]]:
+        """For each ask the mistakes that the sample, as it was compared, cannot distinguish from
+        the truth.
 
         They change nothing although their term is of consequence (it is zero at this instant), or
         almost nothing in most instances; draws do not keep them apart.
         """
-        seen = self.compare(self.sample)
         perturbed = find_outcomes(
             self.template,
             self.asks,

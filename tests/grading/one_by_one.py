@@ -11,7 +11,7 @@ from math import nan
 
 import numpy as np
 
-from kinegrade.exam.folder.keys import Exam, Examinee, Paper
+from kinegrade.exam.folder.keys import Examinee, KeyedExam, Paper
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.judging.decision import Decision, decide, void
 from kinegrade.grading.judging.follow import Decided, Follows, follow_answers, withhold
@@ -24,7 +24,7 @@ from kinegrade.grading.typed.decimal_style import FileStyle, find_file_style
 
 
 def marks_one_by_one(
-    exam: Exam,
+    exam: KeyedExam,
     sheet: Sheet,
     policy: Policy,
     accepted: Alternatives = {},  # noqa: B006 - never changed
@@ -46,7 +46,7 @@ def marks_one_by_one(
 
 
 def _row(
-    exam: Exam,
+    exam: KeyedExam,
     examinee: Examinee,
     entry: Entry,
     policy: Policy,
@@ -79,7 +79,7 @@ def _row(
 
 
 def _withhold(
-    exam: Exam, examinee: Examinee, decided: Sequence[Decided], better: dict[str, Decision]
+    exam: KeyedExam, examinee: Examinee, decided: Sequence[Decided], better: dict[str, Decision]
 ) -> None:
     """Takes back what follows where the answers are those to another paper."""
     own = Paper(examinee.student, "", [examinee.keys[ask.column] for ask in exam.asks])

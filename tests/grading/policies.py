@@ -10,7 +10,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Key, Paper
+from kinegrade.exam.folder.keys import Ask, Examinee, Key, KeyedExam, Paper
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.files.tables import parse_table
 from kinegrade.grading.grade import MarkingWishes, grade
@@ -36,21 +36,21 @@ KEYS = {
     "q1.omega_AB": Key(Fraction(0), ZERO, None, {"sense-reversed": Fraction(5)}),
     "q2.phi": Key(Fraction(30), ONE_PER_CENT, Fraction(360)),
 }  # fmt: skip
-CLASS = Exam(ASKS, tuple(Examinee(student, student, KEYS) for student in ("007", "S9", "12")))
+CLASS = KeyedExam(ASKS, tuple(Examinee(student, student, KEYS) for student in ("007", "S9", "12")))
 
 
 @dataclass(frozen=True)
 class _InMemory(ExamFolder):
     """An exam folder whose papers are not read from its key."""
 
-    exam: Exam
+    exam: KeyedExam
 
     def papers(self) -> Iterator[Paper]:
         return self.exam.papers()
 
 
 def folder_of(
-    path: Path, exam: Exam = CLASS, credit: dict[str, object] | None = None
+    path: Path, exam: KeyedExam = CLASS, credit: dict[str, object] | None = None
 ) -> ExamFolder:
     """The folder of an exam in memory, of which `path` holds the key; `credit` is the bank's."""
     questions = tuple(
@@ -62,7 +62,7 @@ def folder_of(
     return _InMemory(path, head, exam)
 
 
-def policy_of(text: str, folder: Path, exam: Exam = CLASS) -> Policy:
+def policy_of(text: str, folder: Path, exam: KeyedExam = CLASS) -> Policy:
     """The policy in a text; `folder` is where it is written, and the exam's folder."""
     file = folder / "policy.toml"
     file.write_text(text, encoding="utf-8")
@@ -70,7 +70,7 @@ def policy_of(text: str, folder: Path, exam: Exam = CLASS) -> Policy:
 
 
 def marked(
-    rows: str, policy: Policy = AS_PRINTED, exam: Exam = CLASS, givens: Path = Path()
+    rows: str, policy: Policy = AS_PRINTED, exam: KeyedExam = CLASS, givens: Path = Path()
 ) -> Marks:
     """The marks of CLASS for rows of: student, q1.v_B, q1.omega_AB, q2.phi."""
     header = ",".join(("student", *(ask.column for ask in exam.asks)))

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
 
-from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Key
+from kinegrade.exam.folder.keys import Ask, Examinee, Key, KeyedExam
 from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.numbers.tolerance import ONE_PER_CENT
 
@@ -35,7 +35,7 @@ Typing = Callable[[int], Mapping[str, Fraction]]  # what a student answers wrong
 class SittingClass:
     """Papers with numbers as templates draw them: `drawn` has those of each student."""
 
-    exam: Exam
+    exam: KeyedExam
     drawn: tuple[Numbers, ...]
 
     def answers(self, wrong: Typing) -> Iterator[MarkedAnswer]:
@@ -83,7 +83,7 @@ def sitting_class(
     examinees = tuple(
         Examinee(f"s{place}", name(place), keys(asks, drawn[place])) for place in range(students)
     )
-    return SittingClass(Exam(asks, examinees), drawn)
+    return SittingClass(KeyedExam(asks, examinees), drawn)
 
 
 def numbers(seed: str) -> dict[tuple[str, str], Fraction]:

@@ -287,7 +287,9 @@ DECKS = [
 def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None:
     template = load_template(name)
     draws = draw_filter(template)
-    inseparable = draws.separation.inseparable() if draws.separation else {}
+    separation = draws.separation
+    assert separation is not None
+    inseparable = separation.inseparable(separation.compare(separation.sample))
     for solution in (attach_mistakes(one.solution) for one in drawn(draws, 8)):
         for ask in template.asked():
             answer = solution[ask]
@@ -342,7 +344,7 @@ def test_terms_that_vanish_identically_are_told() -> None:
     template = load_template("parallelogram-with-sliding-rod")
     separation = draw_filter(template).separation
     assert separation is not None
-    told = separation.inseparable()
+    told = separation.inseparable(separation.compare(separation.sample))
     assert "coriolis-dropped" in told["alpha_AB"]
     assert told["omega_AB"] == told["v_rel"] == ()
 

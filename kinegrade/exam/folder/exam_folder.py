@@ -21,7 +21,7 @@ from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.key_index import KeyIndex, make_index
 from kinegrade.exam.folder.key_stream import stream_papers
-from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, list_questions
+from kinegrade.exam.folder.keys import Ask, Examinee, KeyedExam, Paper, list_questions
 from kinegrade.exam.folder.printed_orders import read_printed_orders
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedNumber
 from kinegrade.exam.folder.stated_keys import Place
@@ -98,7 +98,7 @@ class ExamFolder:
         """
         return tuple(self._variant(*line) for line in self.pool_texts())
 
-    def in_memory(self) -> Exam:
+    def in_memory(self) -> KeyedExam:
         """The whole exam. Raises ExamError."""
         columns = [ask.column for ask in self.asks]
 
@@ -106,7 +106,7 @@ class ExamFolder:
             keys = map(paper.key, range(len(columns)))
             return Examinee(paper.student, paper.name, dict(zip(columns, keys, strict=True)))
 
-        return Exam(self.asks, tuple(map(examinee, self.papers())))
+        return KeyedExam(self.asks, tuple(map(examinee, self.papers())))
 
     def printed_orders(self) -> Mapping[str, tuple[str, ...]]:
         """The order of the questions on each paper, by student, where it is not the bank's.

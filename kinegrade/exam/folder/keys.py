@@ -159,7 +159,7 @@ class Sitting(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Exam:
+class KeyedExam:
     """The asks in the order of the paper, the examinees in the order of the roster."""
 
     asks: tuple[Ask, ...]

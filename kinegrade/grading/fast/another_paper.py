@@ -24,10 +24,9 @@ from kinegrade.exam.folder.keys import Paper, Sitting, group_places
 from kinegrade.exam.folder.stated_keys import read_values
 from kinegrade.grading.fast.bounds import Flags, Numbers
 from kinegrade.grading.fast.intervals import Intervals, list_intervals
-from kinegrade.grading.poisson import find_tail
+from kinegrade.grading.poisson import QUESTIONS_THAT_TELL, find_tail
 
 _LEVEL = 0.02
-_QUESTIONS = 2
 _WIDENED = 20  # times a tolerance: how densely right answers lie in a small class
 
 
@@ -64,13 +63,13 @@ class PapersAnswered:
         """
         own = np.array(read_values(paper.keys), dtype=np.float64)
         tried = [question for question in self.questions if wrong[list(question)].any()]
-        if len(tried) < _QUESTIONS:
+        if len(tried) < QUESTIONS_THAT_TELL:
             return ()
         found = [self._fitting(question, own, numbers, wrong) for question in tried]
         counts = np.sum([each.papers for each in found], axis=0)
         other = int(counts.argmax())
         count, mean = int(counts[other]), sum(each.share for each in found)
-        if count < _QUESTIONS or len(counts) * find_tail(count, mean) > _LEVEL:
+        if count < QUESTIONS_THAT_TELL or len(counts) * find_tail(count, mean) > _LEVEL:
             return ()
         return [each.question for each in found if each.papers[other]]
 

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, Sitting
+from kinegrade.exam.folder.keys import Ask, Examinee, KeyedExam, Paper, Sitting
 from kinegrade.grading.sheets.sheet import Entry, Sheet
 from kinegrade.marks_folder.rows import Put
 
@@ -62,7 +62,7 @@ def list_put_rows(asks: Iterable[Ask], paper: Paper) -> Iterator[tuple[str, str,
             yield paper.student, ask.question, ask.ask, paper.source(number)
 
 
-def make_exam_as_put(folder: ExamFolder, exam: Exam, put: Put) -> Exam:
+def make_exam_as_put(folder: ExamFolder, exam: KeyedExam, put: Put) -> KeyedExam:
     """The exam with every student's keys as the questions were put. Raises ExamError."""
     if not put:
         return exam
@@ -77,4 +77,4 @@ def make_exam_as_put(folder: ExamFolder, exam: Exam, put: Put) -> Exam:
         }
         return Examinee(before.student, before.name, {**before.keys, **keys})
 
-    return Exam(exam.asks, tuple(map(examinee, exam.examinees)))
+    return KeyedExam(exam.asks, tuple(map(examinee, exam.examinees)))

@@ -8,10 +8,11 @@ from collections.abc import Iterator
 from decimal import Decimal
 
 from kinegrade.files.csv_writing import encode_for_people, neutralise, write_csv_text
+from kinegrade.grading.poisson import QUESTIONS_THAT_TELL
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.message import Message, list_statements
-from kinegrade.reports.sharing.search import QUESTIONS, Pair, SharedAnswer
+from kinegrade.reports.sharing.search import Pair, SharedAnswer
 from kinegrade.reports.sharing.sharing import MOST, Sharing
 
 HEADER = (
@@ -67,7 +68,7 @@ def describe_sharing(sharing: Sharing) -> Iterator[Message]:
 
 def _describe_limits(sharing: Sharing) -> Iterator[Message]:
     """What this exam cannot show."""
-    if sharing.questions < QUESTIONS:
+    if sharing.questions < QUESTIONS_THAT_TELL:
         yield Message("sharing.one-question")
     if sharing.papers < sharing.students:
         students, papers = sharing.students, sharing.papers

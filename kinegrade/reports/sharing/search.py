@@ -12,13 +12,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.keys import Exam, Examinee
+from kinegrade.exam.folder.keys import Examinee, KeyedExam
 from kinegrade.grading.fast.bounds import Numbers
-from kinegrade.grading.poisson import find_tail
+from kinegrade.grading.poisson import QUESTIONS_THAT_TELL, find_tail
 from kinegrade.reports.sharing.fits import Windows, find_windows
 from kinegrade.reports.sharing.wrong_answers import WrongAnswers
 
-QUESTIONS = 2
 _CELLS = 4_000_000  # pairs of students examined together, to bound memory
 _COUNTS = 2  # right answers, and right answers or mistakes
 
@@ -67,7 +66,7 @@ class Search:
     different paper.
     """
 
-    exam: Exam
+    exam: KeyedExam
     wrong: WrongAnswers
     unlike: Numbers
     level: float
@@ -105,7 +104,7 @@ class Search:
         }
         for ask, numbers in zip(self.exam.asks, self.wrong.numbers, strict=True):
             wrong[ask.question] |= ~np.isnan(numbers)
-        return np.flatnonzero(np.sum(list(wrong.values()), axis=0) >= QUESTIONS)
+        return np.flatnonzero(np.sum(list(wrong.values()), axis=0) >= QUESTIONS_THAT_TELL)
 
     def among(self, students: NDArray[np.intp]) -> Iterator[_Found]:
         """The pairs of these students with any other."""
@@ -147,7 +146,7 @@ class Search:
             ]
         )
         chance: Numbers = np.take_along_axis(table, count.fits.astype(np.intp), axis=1)
-        return np.where(count.questions >= QUESTIONS, chance, 1.0)
+        return np.where(count.questions >= QUESTIONS_THAT_TELL, chance, 1.0)
 
     def pair(self, found: _Found) -> Pair:
         """A pair with everything reported about it."""

@@ -25,7 +25,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Exam
+from kinegrade.exam.folder.keys import KeyedExam
 from kinegrade.grading.sheets.pool import make_exam_as_put
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import MarkedAnswer
@@ -64,7 +64,7 @@ def find_sharing(exam: ExamFolder, marks: MarksFolder, level: float = _LEVEL) ->
     return find_pairs(known, marks.answers(), level)
 
 
-def find_pairs(exam: Exam, answers: Iterable[MarkedAnswer], level: float = _LEVEL) -> Sharing:
+def find_pairs(exam: KeyedExam, answers: Iterable[MarkedAnswer], level: float = _LEVEL) -> Sharing:
     """The pairs of a class whose chance is below `level`. Raises ExamError where an answer does not
     belong to the exam.
     """

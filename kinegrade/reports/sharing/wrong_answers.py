@@ -9,7 +9,7 @@ from math import isfinite
 import numpy as np
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.keys import Exam
+from kinegrade.exam.folder.keys import KeyedExam
 from kinegrade.grading.fast.bounds import Numbers
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.cells import explain_edited
@@ -31,7 +31,7 @@ class WrongAnswers:
     typed: dict[tuple[int, int], str]
 
 
-def find_wrong_answers(exam: Exam, answers: Iterable[MarkedAnswer]) -> WrongAnswers:
+def find_wrong_answers(exam: KeyedExam, answers: Iterable[MarkedAnswer]) -> WrongAnswers:
     """The unexplained ones. Raises ExamError where an answer does not belong to the exam."""
     students = {examinee.student: place for place, examinee in enumerate(exam.examinees)}
     columns = {ask.column: place for place, ask in enumerate(exam.asks)}

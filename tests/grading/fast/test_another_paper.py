@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from kinegrade.exam.folder.keys import Exam, Paper
+from kinegrade.exam.folder.keys import KeyedExam, Paper
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from tests.grading.sitting_class import SittingClass, honest_slips, sitting_class
 
@@ -79,7 +79,7 @@ def test_who_errs_or_misreads_numbers_is_never_found(students: int, classes: int
 
 
 def test_the_papers_of_a_pool_are_others_too() -> None:
-    class WithPool(Exam):
+    class WithPool(KeyedExam):
         def variants(self) -> tuple[Paper, ...]:
             return tuple(whole.exam.papers())[30:]
 
@@ -87,4 +87,6 @@ def test_the_papers_of_a_pool_are_others_too() -> None:
     few = SittingClass(WithPool(whole.exam.asks, whole.exam.examinees[:30]), whole.drawn[:30])
     given = answers_of(whole, 40, ["q1", "q3", "q4"])
     assert found(few, 0, given) == ["q1", "q3", "q4"]
-    assert found(SittingClass(Exam(few.exam.asks, few.exam.examinees), few.drawn), 0, given) == []
+    assert (
+        found(SittingClass(KeyedExam(few.exam.asks, few.exam.examinees), few.drawn), 0, given) == []
+    )
