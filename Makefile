@@ -26,7 +26,7 @@ $(READY): pyproject.toml
 
 demo: $(READY)
 	mkdir -p demo
-	$(BIN)/kinegrade generate banks/demo.toml banks/demo-roster.csv -o demo/EXAM --reproducible demo --force --new-numbers
+	$(BIN)/kinegrade generate banks/demo.toml banks/demo-roster.csv -o demo/EXAM --reproducible demo --solutions --force --new-numbers
 	$(BIN)/kinegrade grade demo/EXAM banks/demo-answers.csv -o demo/MARKS --force || test $$? -eq 1
 	@echo "papers: demo/EXAM/papers.pdf   key: demo/EXAM/key.pdf   marks: demo/MARKS/grades.csv   Moodle: demo/MARKS/moodle.csv"
 
@@ -69,7 +69,7 @@ picture: $(READY)
 	rm -rf build/picture
 	mkdir -p build/picture
 	printf 'student,name\n0012,Ada Byron\n' > build/picture/roster.csv
-	$(BIN)/kinegrade generate demo build/picture/roster.csv -o build/picture/EXAM --reproducible picture --no-solutions
+	$(BIN)/kinegrade generate demo build/picture/roster.csv -o build/picture/EXAM --reproducible picture
 	pdftoppm -singlefile -r 80 -gray -png build/picture/EXAM/papers.pdf docs/pictures/paper
 
 catalogue: $(READY)

@@ -89,7 +89,6 @@ def generate(folder: Path, students: int, *options: str) -> tuple[float, float]:
             "--reproducible",
             SEED,
             "--force",
-            "--no-solutions",
             *options,
         ],
         stderr=subprocess.PIPE,

@@ -64,15 +64,12 @@ def kinegrade(*arguments: str | Path) -> Result:
 
 
 def generate(folder: Path, name: str = "EXAM", *options: str) -> Result:
-    """`kinegrade generate` for the class in a folder, from the words spring and without worked
-    solutions unless said otherwise.
+    """`kinegrade generate` for the class in a folder, from the words spring unless said
+    otherwise.
     """
     seed = () if {"--seed", "--reproducible"} & set(options) else ("--reproducible", "spring")
-    plain = () if "--solutions" in options else ("--no-solutions",)
     files = folder / "bank.toml", folder / "roster.csv"
-    return kinegrade(
-        "generate", *files, "-o", folder / name, "--allow-odd-ids", *seed, *plain, *options
-    )
+    return kinegrade("generate", *files, "-o", folder / name, "--allow-odd-ids", *seed, *options)
 
 
 def contents(folder: Path) -> dict[str, bytes]:

@@ -107,19 +107,19 @@ MOMENTS = [
     pytest.param(("--jobs", "2"), ".EXAM.partial-*", id="workers-begin"),
     pytest.param(("--jobs", "2"), ".EXAM.partial-*/papers/*.pdf", id="workers-print"),
     pytest.param(
-        ("--jobs", "1", "--engine", "latex", "--no-solutions"),
+        ("--jobs", "1", "--engine", "latex"),
         "temporary/*/pages.tex",
         id="latex",
         marks=pytest.mark.needs_tex,
     ),
     pytest.param(
-        ("--jobs", "2", "--engine", "latex", "--no-solutions"),
+        ("--jobs", "2", "--engine", "latex"),
         "temporary/*/pages.tex",
         id="latex-of-workers",
         marks=pytest.mark.needs_tex,
     ),
     pytest.param(
-        ("--jobs", "1", "--also", "docx", "--no-solutions"),
+        ("--jobs", "1", "--also", "docx"),
         "temporary/*/reference.docx",
         id="pandoc",
     ),

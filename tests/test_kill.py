@@ -87,7 +87,6 @@ def test_a_killed_generate_leaves_the_old_exam_or_the_new(
         "--allow-odd-ids",
         "--force",
         "--new-numbers",
-        "--no-solutions",
     ]
     moment = replaced(tmp_path / "EXAM") if name == REPLACED else being_made(name)
     assert killed(arguments, tmp_path, moment, delay) or delay or name == REPLACED

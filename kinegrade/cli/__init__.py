@@ -13,7 +13,7 @@ import os
 import click
 
 from kinegrade import __version__
-from kinegrade.cli.exams import generate, paper, papers
+from kinegrade.cli.exams import generate, paper, papers, solutions
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
 from kinegrade.cli.program import Program
@@ -42,6 +42,7 @@ for command in (
     generate,
     papers,
     paper,
+    solutions,
     grade,
     diff,
     class_report,

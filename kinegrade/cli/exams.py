@@ -1,10 +1,12 @@
-"""The commands that set an exam and give out its papers: generate, papers, paper."""
+"""The commands that set an exam and give out its papers: generate, papers, paper,
+solutions.
+"""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 from click.core import ParameterSource
@@ -25,6 +27,9 @@ from kinegrade.cli.options import (
 )
 from kinegrade.cli.terminal import refuse_usage, say
 from kinegrade.language.message import Message, list_plainly
+
+if TYPE_CHECKING:
+    from kinegrade.problem.template.template import Method
 
 _WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "strict", "force")
 
@@ -70,9 +75,8 @@ _WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "stric
     type=click.Choice(["typst", "latex"]),
 )
 @click.option(
-    "--solutions/--no-solutions",
-    default=True,
-    show_default=True,
+    "--solutions",
+    is_flag=True,
 )
 @METHOD
 @click.option(
@@ -191,3 +195,24 @@ def paper(exam: Path, student: str, output: Path | None, *, solution: bool, forc
     else:
         write_file(output, pages, force=force)
     finish_with_complaints(again.complaints())
+
+
+@command()
+@click.argument("exam", type=FILE)
+@click.argument("students", nargs=-1, metavar="[STUDENT]...")
+@METHOD
+@JOBS
+@FORCE
+@refusing
+def solutions(
+    exam: Path, students: tuple[str, ...], *, method: Method | None, jobs: int, force: bool
+) -> None:
+    """Write the worked solutions of an EXAM that has none, or those of each STUDENT named, by id:
+    byte for byte those of generate --solutions.
+    """
+    from kinegrade.exam.generating.later_solutions import SolutionWishes, add_solutions
+
+    folder = kinegrade.open_exam(exam)
+    wishes = SolutionWishes(students, method, jobs, force, show_progress)
+    count = add_solutions(folder, wishes)
+    say(Message("terminal.solutions-written", exam=str(exam), count=count))

@@ -52,7 +52,7 @@ def generate(
     one. Raises KinegradeError.
 
     >>> bank, roster = Bank.read("bank.toml"), Roster.read("roster.csv")
-    >>> generate(bank, roster, "SPRING", options=GenerateOptions(solutions=False)).exam.students
+    >>> generate(bank, roster, "SPRING").exam.students
     ('007', '0012')
     >>> generate(bank, roster, "SPRING")
     Traceback (most recent call last):

@@ -73,9 +73,7 @@ def lines_of(path: Path) -> Lines:
 def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
     folder = tmp_path_factory.mktemp("demo")
     exam, marks = folder / "EXAM", folder / "MARKS"
-    generated = kinegrade(
-        "generate", BANK, ROSTER, "-o", exam, "--reproducible", "demo", "--force", "--no-solutions"
-    )
+    generated = kinegrade("generate", BANK, ROSTER, "-o", exam, "--reproducible", "demo", "--force")
     return Demo(exam, marks, generated, kinegrade("grade", exam, ANSWERS, "-o", marks, "--force"))
 
 
@@ -308,7 +306,7 @@ def bytes_of(folder: Path) -> dict[str, bytes]:
 def test_the_chinese_papers_put_the_same_questions(demo: Demo, tmp_path: Path) -> None:
     run = kinegrade(
         *("generate", BANK, ROSTER, "-o", tmp_path / "EXAM", "--reproducible", "demo"),
-        *("--lang", "zh", "--no-solutions"),
+        *("--lang", "zh"),
     )
     assert run.returncode == 0, run.stderr
     assert (

@@ -90,7 +90,7 @@ def drawn(folder: Path, question: int) -> list[str]:
 @pytest.fixture(scope="module")
 def grown(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A class whose exam has grown; EXAM-BEFORE is what it was."""
-    folder = generated(write(tmp_path_factory.mktemp("grown")), *WORDS)
+    folder = generated(write(tmp_path_factory.mktemp("grown")), *WORDS, "--solutions")
     shutil.copytree(folder / "EXAM", folder / "EXAM-BEFORE")
     result = added(folder)
     assert result.stderr == f"{folder / 'EXAM'}: 2 papers added, 3 stay as they are\n"
@@ -105,7 +105,7 @@ def folder(tmp_path: Path, unchanged: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def unchanged(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return generated(write(tmp_path_factory.mktemp("unchanged")), *WORDS)
+    return generated(write(tmp_path_factory.mktemp("unchanged")), *WORDS, "--solutions")
 
 
 REWRITTEN = {
@@ -164,7 +164,7 @@ def test_an_added_paper_is_printed_again_byte_for_byte(grown: Path) -> None:
 def test_it_is_the_exam_that_force_writes_for_a_grown_roster(grown: Path, tmp_path: Path) -> None:
     write(tmp_path, students={**CLASS, **LATE})
     shutil.copytree(grown / "EXAM-BEFORE", tmp_path / "EXAM")
-    generated(tmp_path, "--force")
+    generated(tmp_path, "--force", "--solutions")
     books = {"papers.pdf", "solutions.pdf"}  # the same pages
     forced, grew = contents(tmp_path / "EXAM"), contents(grown / "EXAM")
     assert forced.keys() == grew.keys()
@@ -190,12 +190,12 @@ def test_sorted_rosters_give_the_same_papers(grown: Path, tmp_path: Path) -> Non
 @pytest.mark.parametrize(
     ("bank", "options"),
     [
-        ("", ("--no-solutions",)),
-        ("shuffle = true", ("--seed", "x", "--lang", "zh", "--method", "pole")),
-        ("versions = 2", ("--paper-size", "letter", "--share-with-group")),
-        ("versions = 5", ("--no-solutions",)),
-        ('engine = "latex"', ()),
-        ("", ("--no-solutions", "--also", "html")),
+        ("", ()),
+        ("shuffle = true", ("--seed", "x", "--lang", "zh", "--method", "pole", "--solutions")),
+        ("versions = 2", ("--paper-size", "letter", "--share-with-group", "--solutions")),
+        ("versions = 5", ()),
+        ('engine = "latex"', ("--solutions",)),
+        ("", ("--also", "html")),
     ],
 )
 def test_papers_are_like_those_of_the_others(
@@ -215,7 +215,7 @@ def test_papers_are_like_those_of_the_others(
     )
     paper = kinegrade("paper", tmp_path / "EXAM", "late1").stdout_bytes
     assert paper == after["papers/late1.pdf"]
-    assert generate(tmp_path, "--force", "--no-solutions").exit_code == 2  # the others' roster
+    assert generate(tmp_path, "--force").exit_code == 2  # the others' roster
     (tmp_path / "roster.csv").write_text(roster({**CLASS, **LATE}), encoding="utf-8")
     again = generate(
         tmp_path, "--force", *(each for each in options if each not in ("--seed", "x"))
@@ -255,7 +255,7 @@ def test_several_processes_print_the_same(tmp_path: Path) -> None:
         bank.write_text(text, encoding="utf-8")
         late = {f"x{number}": "N" for number in range(40)}
         (folder / "late.csv").write_text(roster(late), encoding="utf-8")
-        added(generated(folder, *WORDS, "--no-solutions"), "--jobs", jobs)
+        added(generated(folder, *WORDS), "--jobs", jobs)
     assert contents(tmp_path / "1") == contents(tmp_path / "2")
 
 
@@ -395,7 +395,7 @@ def test_a_folder_that_is_no_exam_is_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "option", ["--new-numbers", "--lang=en", "--no-solutions", "--seed=x", "--engine=typst"]
+    "option", ["--new-numbers", "--lang=en", "--solutions", "--seed=x", "--engine=typst"]
 )
 def test_what_the_exam_says_is_not_said_again(folder: Path, option: str) -> None:
     before = contents(folder)

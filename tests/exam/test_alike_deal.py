@@ -92,7 +92,7 @@ def write_roster(file: Path, students: range) -> Path:
 
 def test_late_students_get_papers_like_those_of_the_others(tmp_path: Path) -> None:
     exam, early = tmp_path / "EXAM", write_roster(tmp_path / "roster.csv", range(12))
-    words = ("--reproducible", "late", "--no-solutions")
+    words = ("--reproducible", "late")
     first = kinegrade("generate", "demo", early, "-o", exam, *words)
     assert first.exit_code == 0, first.stderr
     before = predict_kept(KeptExam(open_exam(exam)))
@@ -110,7 +110,7 @@ def test_late_students_get_papers_like_those_of_the_others(tmp_path: Path) -> No
 
 def test_what_is_predicted_of_a_folder_is_what_was_dealt(tmp_path: Path) -> None:
     exam, students = tmp_path / "EXAM", write_roster(tmp_path / "roster.csv", range(5))
-    options = ("--reproducible", "alike", "--no-solutions")
+    options = ("--reproducible", "alike")
     assert kinegrade("generate", "demo", students, "-o", exam, *options).exit_code == 0
     found = predict_kept(KeptExam(open_exam(exam)))
     whole = deal_exam(bank("demo"), roster(5), SECRET)

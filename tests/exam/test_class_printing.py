@@ -83,7 +83,6 @@ def test_copies_of_a_process_without_threads_write_the_same_bytes(
         "--reproducible",
         "spring",
         "--allow-odd-ids",
-        "--no-solutions",
         "--jobs",
         "2",
     ]

@@ -55,7 +55,7 @@ def write(folder: Path, students: list[str], options: str = "") -> None:
 
 def generate(folder: Path, name: str, *options: str) -> Result:
     files = folder / "bank.toml", folder / "roster.csv"
-    return kinegrade("generate", *files, "-o", folder / name, "--no-solutions", *options)
+    return kinegrade("generate", *files, "-o", folder / name, *options)
 
 
 def papers(folder: Path) -> dict[str, bytes]:

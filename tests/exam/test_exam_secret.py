@@ -43,7 +43,7 @@ def folder(tmp_path: Path) -> Path:
 def written(folder: Path, name: str, *options: str) -> str:
     """Standard error of `kinegrade generate` without any words, which has to succeed."""
     files = folder / "bank.toml", folder / "roster.csv"
-    result = kinegrade("generate", *files, "-o", folder / name, "--no-solutions", *options)
+    result = kinegrade("generate", *files, "-o", folder / name, *options)
     assert (result.exit_code, result.stdout) == (0, "")
     return result.stderr
 
@@ -256,9 +256,7 @@ def test_an_earlier_folder_is_written_again_with_the_same_papers(
     # What templates no longer draw, such as a = 0, the bank has to draw
     with (earlier / "bank.toml").open("a", encoding="utf-8") as bank:
         bank.write("draw = { a = [0, 1, 2, 3] }\n")
-    result = kinegrade(
-        "generate", earlier / "bank.toml", roster, "-o", earlier, "--force", "--no-solutions"
-    )
+    result = kinegrade("generate", earlier / "bank.toml", roster, "-o", earlier, "--force")
     assert result.exit_code == 0, result.stderr
     assert "2 papers keep their numbers, 0 changed, 0 gone, 1 new" in result.stderr
     after = key_lines(earlier)

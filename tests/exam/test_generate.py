@@ -516,6 +516,6 @@ def test_a_folder_whose_name_is_no_utf8_gets_its_exam(tmp_path: Path) -> None:
     write_class(tmp_path)
     target = tmp_path / os.fsdecode(b"EXAM-\xff")
     result = kinegrade("generate", *(tmp_path / "bank.toml", tmp_path / "roster.csv"), *(
-        "-o", target, "--no-solutions", "--allow-odd-ids"))  # fmt: skip
+        "-o", target, "--allow-odd-ids"))  # fmt: skip
     assert result.exit_code == 0, result.stderr
     assert (target / "papers.pdf").read_bytes().startswith(b"%PDF")

@@ -63,7 +63,7 @@ def generated(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "roster.csv").write_text("student,name\n007,Ann\n0012,Zoë\n", encoding="utf-8")
     (folder / "late.csv").write_text("student,name\n99,Bob\n", encoding="utf-8")
     files = folder / "bank.toml", folder / "roster.csv"
-    words = ("--reproducible", "spring", "--no-solutions")
+    words = ("--reproducible", "spring")
     result = kinegrade("generate", *files, "-o", folder / "EXAM", *words)
     assert result.exit_code == 0, result.stderr
     return folder
@@ -277,7 +277,7 @@ def coupler(tmp_path_factory: pytest.TempPathFactory) -> Path:
     rows = "".join(f"s{number},Student\n" for number in range(4))
     (folder / "roster.csv").write_text(f"student,name\n{rows}", encoding="utf-8")
     files = folder / "bank.toml", folder / "roster.csv"
-    words = ("--reproducible", "spring", "--no-solutions")
+    words = ("--reproducible", "spring")
     result = kinegrade("generate", *files, "-o", folder / "EXAM", *words)
     assert result.exit_code == 0, result.stderr
     return folder

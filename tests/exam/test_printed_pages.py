@@ -55,7 +55,7 @@ def test_papers_of_a_shipped_bank_are_alike_long_and_filled(
     tmp_path: Path, bank: str, language: str
 ) -> None:
     (tmp_path / "roster.csv").write_text("student,name\n1,Ann\n2,Bob\n3,张喆\n", encoding="utf-8")
-    words = ("--reproducible", "spring", "--no-solutions", "--lang", language)
+    words = ("--reproducible", "spring", "--lang", language)
     result = kinegrade("generate", bank, tmp_path / "roster.csv", "-o", tmp_path / "EXAM", *words)
     assert result.exit_code == 0, result.stderr
     assert list_faults(tmp_path / "EXAM") == []

@@ -114,7 +114,7 @@ def test_a_student_reads_the_numbers_of_the_own_paper_in_the_grade_file(tmp_path
     """With "q1: 0/5" beside the grade, students of shuffled papers complained about another
     question.
     """
-    exam = shuffled_class(tmp_path, "--no-solutions")
+    exam = shuffled_class(tmp_path)
     list(marked(exam, "en"))
     marks = tmp_path / "MARKS"
     again = tmp_path / "again.csv"
@@ -132,7 +132,7 @@ def test_a_student_reads_the_numbers_of_the_own_paper_in_the_grade_file(tmp_path
 
 
 def test_a_damaged_order_of_questions_is_one_line(tmp_path: Path) -> None:
-    exam = shuffled_class(tmp_path, "--no-solutions")
+    exam = shuffled_class(tmp_path)
     list(marked(exam, "en"))
     marks = tmp_path / "MARKS"
     (marks / "printed.csv").write_text("student,questions\n007,q1 q2 q9\n", encoding="utf-8")

@@ -28,9 +28,8 @@ def write_inputs(folder: Path, students: str, points: int = 3, more: str = "") -
 
 
 def generate(folder: Path, *options: str) -> Result:
-    plain = () if "--solutions" in options else ("--no-solutions",)
     files = folder / "bank.toml", folder / "roster.csv"
-    return kinegrade("generate", *files, "-o", folder / "EXAM", *plain, *options)
+    return kinegrade("generate", *files, "-o", folder / "EXAM", *options)
 
 
 @pytest.fixture
@@ -193,7 +192,6 @@ def test_a_bank_edited_in_the_folder_is_not_overwritten(folder: Path) -> None:
         "-o",
         folder / "EXAM",
         "--force",
-        "--no-solutions",
     )
     assert again.exit_code == 0  # the edited bank is the one that was asked for
     assert kept.read_text(encoding="utf-8").endswith("# mine\n")

@@ -42,7 +42,7 @@ def write(folder: Path, count: int = 3, options: str = "") -> Path:
 def generate(folder: Path, *options: str) -> Path:
     files = folder / "bank.toml", folder / "roster.csv"
     words = () if "--seed" in options else ("--reproducible", "spring")
-    result = kinegrade("generate", *files, "-o", folder / "EXAM", *words, *options)
+    result = kinegrade("generate", *files, "-o", folder / "EXAM", "--solutions", *words, *options)
     assert result.exit_code == 0, result.stderr
     return folder / "EXAM"
 

@@ -65,7 +65,6 @@ GENERATE = (
     "roster.csv",
     "-o",
     "OUT",
-    "--no-solutions",
     "--reproducible",
     "x",
 )
@@ -124,7 +123,7 @@ def write_material(folder: Path) -> None:
     exam, marks = folder / "EXAM", folder / "MARKS"
     made = kinegrade(
         *("generate", folder / "bank.toml", folder / "roster.csv", "-o", exam),
-        *("--no-solutions", "--reproducible", "x"),
+        *("--reproducible", "x"),
     )
     marked = kinegrade("grade", exam, folder / "answers.csv", "-o", marks)
     if made.exit_code != 0 or marked.exit_code != 1:

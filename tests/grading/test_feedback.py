@@ -341,7 +341,7 @@ def test_worked_solutions_lie_beside_the_sheet(tmp_path: Path, form: Text) -> No
     exam, marks = mark_class(tmp_path, {"a/b": RIGHT})
     with pytest.raises(
         ExamError,
-        match=r"solutions/a%2Fb.pdf: cannot be read .* - generate the exam with --solutions",
+        match=r"solutions/a%2Fb.pdf: cannot be read .* - write them with kinegrade solutions EXAM",
     ):
         write_feedback(
             open_exam(exam),

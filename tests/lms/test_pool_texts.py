@@ -71,7 +71,7 @@ def set_exam(folder: Path, bank: str) -> Path:
     rows = "".join(f"{student},Name\n" for student in STUDENTS)
     (folder / "roster.csv").write_text(f"student,name\n{rows}", encoding="utf-8")
     files = folder / "bank.toml", folder / "roster.csv"
-    words = "--reproducible", "spring", "--no-solutions"
+    words = "--reproducible", "spring"
     done = kinegrade("generate", *files, "-o", folder / "EXAM", *words)
     assert done.exit_code in (0, 1), done.output
     return folder / "EXAM"

@@ -32,7 +32,7 @@ def _print(seed: int, place: Path) -> list[str]:
     engine, bank, language, size = CHOICES[seed % len(CHOICES)]
     rows = "".join(f"{number:04},张喆 Zoë\n" for number in range(STUDENTS))
     (place / "roster.csv").write_text(f"student,name\n{rows}", encoding="utf-8")
-    words = ("--reproducible", f"prove {seed}", "--no-solutions", "--lang", language)
+    words = ("--reproducible", f"prove {seed}", "--lang", language)
     result = kinegrade(
         *("generate", bank, place / "roster.csv", "-o", place / "EXAM", *words),
         *("--engine", engine, "--paper-size", size),

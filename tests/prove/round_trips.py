@@ -36,7 +36,7 @@ def _make_and_mark(seed: int, place: Path) -> None:
     exam, answers, marks = place / "EXAM", place / "answers.csv", place / "MARKS"
     made = kinegrade(
         *("generate", place / "bank.toml", place / "roster.csv", "-o", exam),
-        *("--no-solutions", "--reproducible", f"prove {seed}"),
+        *("--reproducible", f"prove {seed}"),
     )
     assert made.exit_code == 0, made.stderr
     keys = asks_of(exam)

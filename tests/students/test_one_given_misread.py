@@ -173,7 +173,7 @@ def test_marks_name_what_was_misread_and_give_no_points(tmp_path: Path) -> None:
     (tmp_path / "roster.csv").write_text("student,name\n1,A\n2,B\n3,C\n4,D\n", encoding="utf-8")
     exam, answers = tmp_path / "EXAM", tmp_path / "answers.csv"
     files = tmp_path / "bank.toml", tmp_path / "roster.csv"
-    options = "--no-solutions", "--reproducible", "misread"
+    options = "--reproducible", "misread"
     assert run("generate", *files, "-o", exam, *options).exit_code == 0
     drawn = {
         (line["student"], question["question"]): {

@@ -1,28 +1,26 @@
 """`kinegrade generate --add`: late students get papers of an exam that exists, and no other
 paper changes.
-
-The folder is copied, what is new is added to the copy, and the copy takes the folder's place whole.
 """
 
 from __future__ import annotations
 
-import shutil
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import AbstractContextManager, closing
+from collections.abc import Iterable, Iterator
+from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinegrade.errors import OutputError, Problem
 from kinegrade.exam.bank.blueprint import Blueprint
-from kinegrade.exam.folder.contents import CONTENTS, HEAD, KEY, PAPERS, SOLUTIONS
+from kinegrade.exam.folder.contents import KEY, PAPERS, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.generating.added_answers import write_grown_answers
 from kinegrade.exam.generating.exam_files import write_blank_workbook, write_head, write_papers
 from kinegrade.exam.generating.generate import list_complaints, require_none
 from kinegrade.exam.generating.grown_class import LateClass, late_class, require_same_sources
-from kinegrade.exam.generating.hand_work import digest_editable, find_edited, refuse_edited
-from kinegrade.exam.generating.options import PRIVATE, SHARED_WITH_GROUP, GenerateOptions
+from kinegrade.exam.generating.grown_folder import copy_exam, digest_grown, open_grown_folder
+from kinegrade.exam.generating.hand_work import find_edited, refuse_edited
+from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.page_counts import list_longer_papers
 from kinegrade.exam.generating.replaced_exam import read_replaced, required_secret
 from kinegrade.exam.printing.class_printing import CHUNK, print_class
@@ -35,13 +33,11 @@ from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.figure.sketchbook import open_sketchbook
-from kinegrade.files.output import Access, output_folder
 from kinegrade.language.message import Fault, Message
 from kinegrade.press.sheet import KeyPaper
 from kinegrade.processes.executor import open_executor
 from kinegrade.processes.garbage_collection import bulk_work
 
-_GROUP_READS = 0o040
 _MISSING = {
     PAPERS: Message("exam.papers-missing"),
     SOLUTIONS: Message("exam.solutions-missing"),
@@ -85,7 +81,7 @@ def add_students(
     old = read_replaced(exam)
     jobs = max(min(options.jobs, len(students.together) // CHUNK), 1)
     processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
-    with bulk_work(), _folder(exam) as folder, processes as workers, book as sketchbook:
+    with bulk_work(), open_grown_folder(exam) as folder, processes as workers, book as sketchbook:
         press = run.press_order.press()
         whole, secret = Roster(students.together, (), late.file), required_secret(exam)
         dealt = deal_exam(run.bank, whole, secret, workers, old.kept, sketchbook=sketchbook)
@@ -125,19 +121,9 @@ def _run(exam: ExamFolder, kept: KeptExam) -> PrintRun:
     return kept_run(exam, kept, solutions=solutions, also=also)
 
 
-def _folder(exam: ExamFolder) -> AbstractContextManager[Path]:
-    """A hidden folder that takes the place of the exam at the end; the same people may read it.
-
-    Raises OutputError.
-    """
-    shared = exam.path.stat().st_mode & _GROUP_READS
-    access: Access = SHARED_WITH_GROUP if shared else PRIVATE
-    return output_folder(exam.path, marker=HEAD, contents=CONTENTS, force=True, access=access)
-
-
 def _copy(exam: ExamFolder, folder: Path) -> None:
     """All that stands in the exam folder; the last line of the key is ended, where it was not."""
-    shutil.copytree(exam.path, folder, symlinks=True, dirs_exist_ok=True)
+    copy_exam(exam, folder)
     key = folder / KEY
     lines = key.read_bytes()
     if not lines.endswith(b"\n"):
@@ -167,17 +153,4 @@ def _write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> None:
     lost = list(find_edited(exam.path, exam.head, folder))
     if lost:
         raise refuse_edited(exam.path, lost)
-    write_head(head, _as_generated(exam, folder), folder)
-
-
-def _as_generated(exam: ExamFolder, folder: Path) -> Mapping[str, str] | None:
-    """The digests of files as they were generated: of those that stay the old ones, so that it is
-    still known which were edited; None where the folder does not know it.
-    """
-    stated = exam.head.editable
-    if stated is None:
-        return None
-    before = digest_editable(exam.path)
-    fresh = digest_editable(folder)
-    written = {name: digest for name, digest in fresh.items() if before.get(name) != digest}
-    return dict(sorted({**stated, **written}.items()))
+    write_head(head, digest_grown(exam, folder), folder)

@@ -42,7 +42,7 @@ class GenerateOptions:
     share_with_group: bool = False
     paper_size: PaperSize = "a4"
     engine: Engine | None = None
-    solutions: bool = True
+    solutions: bool = False
     method: Method | None = None
     also: tuple[str, ...] = ()
     strict: bool = False

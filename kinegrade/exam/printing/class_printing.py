@@ -19,7 +19,7 @@ from kinegrade.processes.executor import Shared, map_in_order
 CHUNK = 20
 # Papers in one task at most: enough for the work they share to cost little per paper
 MOST = 60
-_AHEAD = 2  # tasks for each process that are under way or wait for it
+AHEAD = 2  # tasks for each process that are under way or wait for it
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ def print_class(
         _PrintTask(dealt.shared, shared, tuple(map(dealt.dealt, students[part.start : part.stop])))
         for part in split_class(len(students), jobs)
     )
-    for part in map_in_order(workers, _print, tasks, _AHEAD * jobs):
+    for part in map_in_order(workers, _print, tasks, AHEAD * jobs):
         yield from part
 
 
@@ -61,10 +61,10 @@ def _print(task: _PrintTask) -> list[Printed]:
     """A part of the class set and printed."""
     run, exam = task.run.value, task.exam.value
     papers = [set_paper(exam, each) for each in task.papers]
-    return print_papers(run, _open_press(run.press_order), papers, exam.sketcher)
+    return print_papers(run, open_press(run.press_order), papers, exam.sketcher)
 
 
 @lru_cache(maxsize=1)
-def _open_press(order: PressOrder) -> Press:
+def open_press(order: PressOrder) -> Press:
     """The press of this process, kept because a press is only fast after its first papers."""
     return order.press()

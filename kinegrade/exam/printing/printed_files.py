@@ -55,6 +55,22 @@ def replace_papers(
             append((papers / f"{name}.pdf").read_bytes())
 
 
+def write_solutions(
+    folder: Path, printed: Iterable[tuple[str, Printout]], file_names: Iterable[str]
+) -> None:
+    """Write worked solutions under their file names; all that the folder has then stand in one file
+    too, in the order of `file_names`.
+    """
+    solutions = folder / SOLUTIONS
+    solutions.mkdir(exist_ok=True)
+    for name, each in printed:
+        _write(solutions / f"{name}.pdf", each, folder / SOURCES / SOLUTIONS)
+    files = (solutions / f"{name}.pdf" for name in file_names)
+    with open_volume(folder / f"{SOLUTIONS}.pdf", duplex=True) as append:
+        for file in filter(Path.is_file, files):
+            append(file.read_bytes())
+
+
 def write_key(folder: Path, key: Printout) -> None:
     """The instructor's key."""
     _write(folder / KEY_BOOK, key, folder / SOURCES)

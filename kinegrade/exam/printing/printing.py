@@ -108,7 +108,7 @@ def print_papers(
         for paper in papers
     }
     printouts, counts = _print_alike(press, pages, run.pages)
-    solutions = _print_solutions(run, press, papers) if run.extras.solutions else {}
+    solutions = print_solutions(run, press, papers) if run.extras.solutions else {}
     also = _print_also(pages, run) if run.extras.also else {}
     return [
         Printed(
@@ -136,9 +136,7 @@ def _print_alike(
     return printed | press.papers(short), counts | dict.fromkeys(short, wanted)
 
 
-def _print_solutions(
-    run: PrintRun, press: Press, papers: Sequence[SetPaper]
-) -> dict[str, Printout]:
+def print_solutions(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> dict[str, Printout]:
     """The worked solutions of each paper, by its file name."""
     # It loads everything for worked solutions
     from kinegrade.exam.printing.solution_pages import write_solution_sheet

@@ -7,7 +7,7 @@ paper is printed.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeVar
@@ -75,7 +75,7 @@ def reprint(exam: ExamFolder, student: str) -> Reprint:
     Raises ExamError where there is no such student, or where something else follows from the
     folder than its key says, BankError.
     """
-    candidate = _candidate(exam, student)
+    (candidate,) = find_candidates(exam, (student,))
     kept = KeptExam(exam)
     paper = kept.paper(candidate)
     return Reprint(kept_run(exam, kept), paper, str(exam.head_file))
@@ -98,19 +98,25 @@ def kept_run(exam: ExamFolder, kept: KeptExam, **extras: object) -> PrintRun:
     )
 
 
-def _candidate(exam: ExamFolder, student: str) -> Candidate:
+def find_candidates(exam: ExamFolder, students: Sequence[str]) -> tuple[Candidate, ...]:
+    """The students of these ids, each once, in the order of the roster. Raises ExamError with every
+    id that nobody has.
+    """
     known = {make_student_key(each.student): each for each in exam.head.students}
-    found = known.get(make_student_key(student))
-    if found is None:
-        raise ExamError(
-            Fault(
-                str(exam.head_file),
-                Message("exam.no-student", student=Quoted(student)),
-                Message("exam.id-with-paper"),
-                suggest(student, exam.students),
-            )
-        )
-    return found
+    asked = {make_student_key(each): each for each in students}
+    faults = [_explain_stranger(exam, asked[key]) for key in asked if key not in known]
+    if faults:
+        raise ExamError(*faults)
+    return tuple(candidate for key, candidate in known.items() if key in asked)
+
+
+def _explain_stranger(exam: ExamFolder, student: str) -> Fault:
+    return Fault(
+        str(exam.head_file),
+        Message("exam.no-student", student=Quoted(student)),
+        Message("exam.id-with-paper"),
+        suggest(student, exam.students),
+    )
 
 
 def _converted(exam: ExamFolder, stated: Mapping[str, object], kind: type[_Kind]) -> _Kind:

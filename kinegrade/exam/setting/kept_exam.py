@@ -13,11 +13,12 @@ from kinegrade.exam.bank.blueprint import Bank, BankQuestion
 from kinegrade.exam.folder.contents import BANK, HEAD, TEMPLATES
 from kinegrade.exam.folder.contradictions import explain_contradiction, list_names, name_place
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.faults import explain_broken
 from kinegrade.exam.folder.records import Candidate, KeyLine, KeyQuestion
 from kinegrade.exam.roster.roster import Student
 from kinegrade.exam.setting.derivation import derive_question
 from kinegrade.exam.setting.setting import Exam, SetPaper, SetQuestion
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Quoted
 from kinegrade.mechanics.plan import Plan
 from kinegrade.students.following.connections import find_generic_plan
 
@@ -59,7 +60,7 @@ class KeptExam:
 
         Raises ExamError where something else follows than the key says, BankError.
         """
-        line = self.exam.line_of(candidate.student)
+        line = self._line(candidate.student)
         names = tuple(self._questions)
         self._require_same_paper(candidate, line, names)
         stated = {each.question: each for each in line.questions}
@@ -71,6 +72,13 @@ class KeptExam:
             line.version,
             line.place,
         )
+
+    def _line(self, student: str) -> KeyLine:
+        """The key of a paper. Raises ExamError where the folder has lost it."""
+        line = self.exam.find_line(student)
+        if line is None:
+            raise explain_broken(self.exam.key, [Message("exam.no-line", student=Quoted(student))])
+        return line
 
     def _require_same_paper(
         self, candidate: Candidate, line: KeyLine, names: Sequence[str]

@@ -182,7 +182,9 @@ def test_files_that_are_missing_are_named(tmp_path: Path) -> None:
         for read in each:
             with pytest.raises(ExamError, match=rf"{name}: cannot be read \(No such file"):
                 read()
-    with pytest.raises(ExamError, match=r"solutions/7.pdf: cannot be read .* with --solutions, or"):
+    with pytest.raises(
+        ExamError, match=r"solutions/7.pdf: cannot be read .* kinegrade solutions EXAM, or"
+    ):
         opened.solution("7")
 
 

@@ -49,7 +49,7 @@ def place(marked: Path, tmp_path: Path) -> Path:
 
 def generate(place: Path) -> tuple[str | Path, ...]:
     files = place / "bank.toml", place / "roster.csv"
-    return ("generate", *files, "-o", place / "EXAM", "--no-solutions")
+    return ("generate", *files, "-o", place / "EXAM")
 
 
 def commands(place: Path) -> dict[str, tuple[str | Path, ...]]:

@@ -47,7 +47,7 @@ def set_exam(folder: Path, bank: str, roster: str) -> Path:
     (folder / "crank.toml").write_text(crank_text(TURNING), encoding="utf-8")
     (folder / "roster.csv").write_text(roster, encoding="utf-8")
     files = folder / "bank.toml", folder / "roster.csv"
-    made = kinegrade("generate", *files, "-o", folder / "EXAM", "--seed", "s", "--no-solutions")
+    made = kinegrade("generate", *files, "-o", folder / "EXAM", "--seed", "s")
     assert made.exit_code == 0, made.output
     return folder / "EXAM"
 

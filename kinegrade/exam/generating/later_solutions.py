@@ -1,0 +1,126 @@
+"""`kinegrade solutions`: worked solutions of an exam that exists, byte for byte those that
+`generate --solutions` would have written.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+
+from msgspec import structs
+
+from kinegrade.errors import OptionError, OutputError
+from kinegrade.exam.folder.contents import SOLUTIONS
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import Candidate
+from kinegrade.exam.generating.exam_files import write_head
+from kinegrade.exam.generating.grown_folder import copy_exam, digest_grown, open_grown_folder
+from kinegrade.exam.generating.hand_work import find_edited, refuse_edited
+from kinegrade.exam.printing.class_printing import CHUNK
+from kinegrade.exam.printing.class_solutions import print_class_solutions
+from kinegrade.exam.printing.printed_files import write_solutions
+from kinegrade.exam.printing.printing import PrintRun
+from kinegrade.exam.printing.reprint import find_candidates, kept_run
+from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.language.message import Fault, Message, list_plainly
+from kinegrade.press.protocol import Printout
+from kinegrade.problem.template.template import Method
+from kinegrade.processes.executor import open_executor
+from kinegrade.processes.garbage_collection import bulk_work
+
+_NAMED = 5  # students that a message names
+Progress = Callable[[Iterator[tuple[str, Printout]], int], Iterator[tuple[str, Printout]]]
+
+
+@dataclass(frozen=True)
+class SolutionWishes:
+    """Whose worked solutions are wanted, by id; none for everybody's.
+
+    `method` finds velocities where several serve, by default that of the exam; with `force` those
+    that exist are replaced. They are printed by up to `jobs` processes; `progress` is given them
+    one after another, and their number.
+    """
+
+    students: tuple[str, ...]
+    method: Method | None
+    jobs: int
+    force: bool
+    progress: Progress
+
+
+def add_solutions(exam: ExamFolder, wishes: SolutionWishes) -> int:
+    """Write worked solutions into the exam folder, as the papers were printed; gives their number.
+    All that the folder has then stand in one file too.
+
+    Raises ExamError where there is no such student, or where something else follows from the
+    folder than its key says, OutputError, OptionError; then nothing is written.
+    """
+    students = find_candidates(exam, wishes.students) if wishes.students else exam.head.students
+    run = _make_run(exam, wishes, students)
+    if not wishes.force:
+        _require_new(exam, students)
+    jobs = max(min(wishes.jobs, len(students) // CHUNK), 1)
+    processes = open_executor(jobs, "solutions")
+    with bulk_work(), open_grown_folder(exam) as folder, processes as workers:
+        copy_exam(exam, folder)
+        with closing(print_class_solutions(exam, run, students, workers, jobs)) as printed:
+            everybody = [_find_stem(each) for each in exam.head.students]
+            write_solutions(folder, wishes.progress(printed, len(students)), everybody)
+        _write_head(exam, run, folder)
+    return len(students)
+
+
+def _make_run(exam: ExamFolder, wishes: SolutionWishes, students: Sequence[Candidate]) -> PrintRun:
+    """How the worked solutions are printed. Raises OptionError where some of the class would have
+    theirs by another method than the others.
+    """
+    kept = KeptExam(exam)
+    if wishes.method in (None, exam.head.method):
+        return kept_run(exam, kept, solutions=True)
+    if len(students) < len(exam.head.students):
+        raise OptionError(
+            Fault(
+                "--method",
+                Message("exam.one-method"),
+                Message("exam.method-of-all"),
+                Message("exam.name-nobody"),
+            )
+        )
+    return kept_run(exam, kept, solutions=True, method=wishes.method)
+
+
+def _require_new(exam: ExamFolder, students: Sequence[Candidate]) -> None:
+    """Raises OutputError where some of these students have worked solutions."""
+    folder = exam.path / SOLUTIONS
+    solved = [each.student for each in students if (folder / f"{_find_stem(each)}.pdf").exists()]
+    if solved:
+        names = [*solved[:_NAMED], *(["..."] if len(solved) > _NAMED else [])]
+        what = Message("exam.solved-already", count=len(solved), names=list_plainly(names))
+        raise OutputError(
+            Fault(
+                str(folder),
+                what,
+                Message("exam.students-without-solutions"),
+                Message("exam.replace-solutions"),
+            )
+        )
+
+
+def _find_stem(student: Candidate) -> str:
+    return Path(student.file).stem
+
+
+def _write_head(exam: ExamFolder, run: PrintRun, folder: Path) -> None:
+    """What the folder says of its worked solutions, where that is new.
+
+    Raises OutputError where a source would be lost that was edited by hand.
+    """
+    lost = list(find_edited(exam.path, exam.head, folder))
+    if lost:
+        raise refuse_edited(exam.path, lost)
+    editable = digest_grown(exam, folder)
+    method = run.extras.method
+    if (editable, method) != (exam.head.editable, exam.head.method):
+        write_head(structs.replace(exam.head, method=method), editable, folder)

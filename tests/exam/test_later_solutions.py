@@ -1,0 +1,237 @@
+"""`kinegrade solutions`: worked solutions of an exam that exists, as `generate --solutions` would
+have written them.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import stat
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from tests.small_class import contents, generate, kinegrade, write_class
+
+Damage = Callable[[Path], None]
+STEMS = ["007", "0012", "a%2Fb", "%3D2"]
+
+
+@pytest.fixture(scope="module")
+def solved(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+    """The files of the small exam when it is generated with worked solutions."""
+    folder = write_class(tmp_path_factory.mktemp("solved"))
+    assert generate(folder, "EXAM", "--solutions").exit_code == 0
+    return contents(folder / "EXAM")
+
+
+@pytest.fixture
+def exam(small_class: Path, tmp_path: Path) -> Path:
+    """The same exam without them."""
+    return Path(shutil.copytree(small_class / "EXAM", tmp_path / "EXAM"))
+
+
+def refusal(exam: Path, *options: str) -> str:
+    """The one line of a refusal, after which the folder is as it was."""
+    before = contents(exam)
+    result = kinegrade("solutions", exam, *options)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert contents(exam) == before
+    assert [entry.name for entry in exam.parent.iterdir()] == ["EXAM"]
+    (line,) = result.stderr.splitlines()
+    return line
+
+
+@pytest.mark.parametrize("jobs", ["1", "2"])
+def test_all_are_those_of_generate_byte_for_byte(
+    solved: dict[str, bytes], exam: Path, jobs: str
+) -> None:
+    result = kinegrade("solutions", exam, "--jobs", jobs)
+    assert (result.exit_code, result.stdout) == (0, "")
+    assert "EXAM: the worked solutions of 4 students; kinegrade feedback " in result.stderr
+    assert contents(exam) == solved
+
+
+@pytest.mark.parametrize("jobs", ["1", "2"])
+def test_several_processes_write_the_same(tmp_path: Path, jobs: str) -> None:
+    folder = write_class(tmp_path)
+    rows = [f"s{number},Student {number}\n" for number in range(41)]
+    (folder / "roster.csv").write_text(f"student,name\n{''.join(rows)}", encoding="utf-8")
+    bank = (folder / "bank.toml").read_text(encoding="utf-8")
+    bank = bank.replace('"bar-through-swivelling-sleeve"', '"slider-crank"')
+    bank = bank.replace("omega_AB = 3, alpha_AB = 4", "omega_AB = 3")
+    (folder / "bank.toml").write_text(bank, encoding="utf-8")
+    for name in ("WITH", "LATER"):
+        options = ("--solutions",) if name == "WITH" else ()
+        assert generate(folder, name, *options).exit_code in (0, 1)
+    assert kinegrade("solutions", folder / "LATER", "--jobs", jobs).exit_code == 0
+    assert contents(folder / "LATER") == contents(folder / "WITH")
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("--lang", "zh", "--paper-size", "letter"),
+        ("--method", "pole"),
+        pytest.param(("--engine", "latex"), marks=pytest.mark.needs_tex),
+    ],
+)
+def test_they_are_printed_as_the_papers_were(tmp_path: Path, options: tuple[str, ...]) -> None:
+    folder = write_class(tmp_path)
+    (folder / "roster.csv").write_text("student,name\n007,Ann\n", encoding="utf-8")
+    assert generate(folder, "WITH", "--solutions", *options).exit_code == 0
+    assert generate(folder, "LATER", *options).exit_code == 0
+    assert kinegrade("solutions", folder / "LATER").exit_code == 0
+    assert contents(folder / "LATER") == contents(folder / "WITH")
+
+
+def test_a_method_of_its_own_is_kept_for_what_is_printed_again(exam: Path, tmp_path: Path) -> None:
+    (tmp_path / "other").mkdir()
+    folder = write_class(tmp_path / "other")
+    assert generate(folder, "EXAM", "--solutions", "--method", "pole").exit_code == 0
+    assert kinegrade("solutions", exam, "--method", "pole").exit_code == 0
+    assert contents(exam) == contents(folder / "EXAM")
+
+
+def test_those_of_one_student_are_the_same_and_the_rest_may_follow(
+    solved: dict[str, bytes], exam: Path
+) -> None:
+    before = contents(exam)
+    assert kinegrade("solutions", exam, "a/b", " ００７ ", "007").exit_code == 0
+    after = contents(exam)
+    names = {"solutions/007.pdf", "solutions/a%2Fb.pdf"}
+    assert after.keys() - before.keys() == {*names, "solutions.pdf"}
+    assert {name: after[name] for name in before} == before
+    assert {name: after[name] for name in names} == {name: solved[name] for name in names}
+    single = [len(PdfReader(exam / name).pages) for name in sorted(names)]
+    pages = len(PdfReader(exam / "solutions.pdf").pages)
+    assert pages == sum(count + count % 2 for count in single)
+    assert kinegrade("solutions", exam, "0012", "=2").exit_code == 0
+    assert contents(exam) == solved
+
+
+def test_students_who_have_no_paper_are_refused_with_the_nearest(exam: Path) -> None:
+    assert refusal(exam, "0013").endswith(
+        'exam.json: no student "0013" - expected the id of a student who has a paper - '
+        'did you mean "0012"? (known here: 0012, 007, =2, a/b)'
+    )
+    result = kinegrade("solutions", exam, "0013", "007", "nobody")
+    assert [line.split(": ")[2] for line in result.stderr.splitlines()] == [
+        'no student "0013" - expected the id of a student who has a paper - did you mean "0012"? '
+        "(known here",
+        'no student "nobody" - expected the id of a student who has a paper - known here',
+    ]
+
+
+def test_nothing_is_overwritten_in_silence(solved: dict[str, bytes], exam: Path) -> None:
+    assert kinegrade("solutions", exam, "007").exit_code == 0
+    (exam / "solutions" / "007.pdf").write_bytes(
+        (exam / "solutions" / "007.pdf").read_bytes() + b"% mine"
+    )
+    assert refusal(exam).endswith(
+        "EXAM/solutions: has the worked solutions of 1 student already (007) - expected students "
+        "who have none - name the students who have none, or add --force to replace them"
+    )
+    assert "has the worked solutions of 1 student already (007)" in refusal(exam, "007", "0012")
+    assert kinegrade("solutions", exam, "0012").exit_code == 0
+    assert kinegrade("solutions", exam, "--force").exit_code == 0
+    assert contents(exam) == solved
+
+
+def test_one_student_gets_no_other_method_than_the_rest(exam: Path) -> None:
+    assert refusal(exam, "007", "--method", "pole").endswith(
+        "--method: is not the one of the exam's other worked solutions - expected one method for "
+        "the whole class - name no students, or leave it out"
+    )
+
+
+@pytest.mark.needs_tex
+def test_an_edited_source_is_not_overwritten(tmp_path: Path) -> None:
+    folder = write_class(tmp_path)
+    (folder / "roster.csv").write_text("student,name\n007,Ann\n", encoding="utf-8")
+    assert generate(folder, "EXAM", "--solutions", "--engine", "latex").exit_code == 0
+    source = folder / "EXAM" / "tex" / "solutions" / "007.tex"
+    source.write_text(source.read_text(encoding="utf-8") + "% mine\n", encoding="utf-8")
+    before = contents(folder / "EXAM")
+    result = kinegrade("solutions", folder / "EXAM", "--force")
+    assert result.exit_code == 2
+    assert "EXAM: holds tex/solutions/007.tex, edited or added since" in result.stderr
+    assert contents(folder / "EXAM") == before
+
+
+def test_answers_typed_into_the_exam_stay(exam: Path) -> None:
+    sheet = exam / "answers.csv"
+    sheet.write_text(sheet.read_text(encoding="utf-8-sig") + "x,y,1\n", encoding="utf-8")
+    typed = sheet.read_bytes()
+    assert kinegrade("solutions", exam, "007").exit_code == 0
+    assert sheet.read_bytes() == typed
+
+
+@pytest.mark.skipif(os.name != "posix", reason="modes of POSIX")
+def test_they_are_as_closed_to_others_as_the_exam(exam: Path) -> None:
+    exam.chmod(0o750)
+    assert kinegrade("solutions", exam, "007").exit_code == 0
+    found = (exam, exam / "solutions", exam / "solutions" / "007.pdf", exam / "solutions.pdf")
+    assert [stat.S_IMODE(each.stat().st_mode) for each in found] == [0o750, 0o750, 0o640, 0o640]
+
+
+def _lose_templates(exam: Path) -> None:
+    shutil.rmtree(exam / "templates")
+
+
+def _lose_bank(exam: Path) -> None:
+    (exam / "bank.toml").unlink()
+
+
+def _change_template(exam: Path) -> None:
+    template = exam / "templates" / "crank.toml"
+    text = template.read_text(encoding="utf-8")
+    template.write_text(text.replace('quantity = "y(', 'quantity = "2*y('), encoding="utf-8")
+
+
+def _lose_line(exam: Path) -> None:
+    lines = (exam / "key.jsonl").read_bytes().splitlines(keepends=True)
+    (exam / "key.jsonl").write_bytes(b"".join(lines[1:]))
+
+
+@pytest.mark.parametrize(
+    ("damage", "said"),
+    [
+        (_lose_templates, 'no template "slider-crank"'),
+        (_lose_bank, "bank.toml: cannot be read"),
+        (_lose_line, 'key.jsonl: no line for student "007" - expected one - restore'),
+        (_change_template, 'key.jsonl: student "007", q2: v_y is '),
+    ],
+)
+def test_a_damaged_exam_is_refused(exam: Path, damage: Damage, said: str, tmp_path: Path) -> None:
+    damage(exam)
+    before = contents(tmp_path)
+    result = kinegrade("solutions", exam)
+    assert (result.exit_code, result.stdout) == (2, "")
+    lines = result.stderr.splitlines()
+    assert all(line.startswith("error: ") for line in lines)
+    assert said in lines[0]
+    assert contents(tmp_path) == before
+
+
+def test_late_students_get_theirs_where_the_others_have_them(exam: Path) -> None:
+    folder = write_class(exam.parent)
+    (folder / "late.csv").write_text("student,name\nlate,Li\n", encoding="utf-8")
+    assert kinegrade("solutions", exam).exit_code == 0
+    files = folder / "bank.toml", folder / "roster.csv", "-o", exam, "--add", folder / "late.csv"
+    assert kinegrade("generate", *files, "--allow-odd-ids").exit_code == 0
+    assert (exam / "solutions" / "late.pdf").is_file()
+
+
+def test_feedback_hands_them_out(exam: Path) -> None:
+    marks, out = exam.parent / "MARKS", exam.parent / "FEEDBACK"
+    assert kinegrade("grade", exam, exam / "answers.csv", "-o", marks).exit_code == 0
+    wanted = ("feedback", exam, marks, "-o", out, "--format", "md", "--solutions")
+    refused = kinegrade(*wanted)
+    assert refused.exit_code == 2
+    assert "write them with kinegrade solutions EXAM, or leave them out" in refused.stderr
+    assert kinegrade("solutions", exam).exit_code == 0
+    assert kinegrade(*wanted).exit_code == 0
+    assert len(list((out / "sheets").glob("*-solution.pdf"))) == len(STEMS)
