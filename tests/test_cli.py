@@ -193,6 +193,31 @@ def test_solve_prints_a_table() -> None:
     assert ["v_B", "1.154700538", "m/s", "2*sqrt(3)/3"] in [line.split() for line in lines]
 
 
+ON_REQUEST = "bar-pushing-rolling-disc"
+
+
+def test_solve_works_out_the_asks_that_are_named_or_all(tmp_path: Path) -> None:
+    template = load_template(ON_REQUEST)
+    assert set(template.asked()) < set(template.asks)
+    texts = {}
+    for asked in ((), ("--asks", "all"), ("--asks", " a_B ,v_B, v_B")):
+        name = "slider-crank" if "a_B" in str(asked) else ON_REQUEST
+        page = tmp_path / f"{len(texts)}.pdf"
+        shown = kinegrade("solve", name, *asked, "-o", page, "--json").stdout
+        answers = list(json.loads(shown)["answers"])
+        texts[asked] = "".join(each.extract_text() for each in PdfReader(page).pages)
+        assert answers == (["v_B", "a_B"] if "a_B" in str(asked) else list(template.asks))
+    assert len(texts["--asks", "all"]) > len(texts[()])
+
+
+def test_asks_that_there_are_not_are_refused_with_the_nearest() -> None:
+    known = "(known here: a_B, alpha_AB, omega_AB, v_B)"
+    assert errors("solve", "slider-crank", "--asks", "v_C,a_B, omega") == [
+        f'slider-crank: no ask "v_C": did you mean "v_B"? {known}',
+        f'slider-crank: no ask "omega": did you mean "omega_AB"? {known}',
+    ]
+
+
 @pytest.mark.parametrize(
     ("setting", "problem"),
     [

@@ -12,7 +12,7 @@ from kinegrade.cli.help import command
 from kinegrade.cli.options import FILE, FORCE, LANGUAGE, METHOD, refusing
 from kinegrade.cli.terminal import terminal_words
 from kinegrade.errors import TemplateError
-from kinegrade.language.message import Message, Quoted
+from kinegrade.language.message import Fault, Message, Quoted
 
 if TYPE_CHECKING:
     from kinegrade.language import Language
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from kinegrade.problem.quantity import Quantity
     from kinegrade.problem.solution import Solution
     from kinegrade.problem.template.template import Method
+
+_ALL = "all"
 
 
 @command()
@@ -29,6 +31,11 @@ if TYPE_CHECKING:
     "settings",
     multiple=True,
     metavar="NAME=VALUE",
+)
+@click.option(
+    "--asks",
+    "asked",
+    metavar="all|NAME,...",
 )
 @click.option(
     "--json",
@@ -49,6 +56,7 @@ def solve(
     *,
     template_name: str,
     settings: tuple[str, ...],
+    asked: str | None,
     as_json: bool,
     output: Path | None,
     method: Method | None,
@@ -58,13 +66,15 @@ def solve(
     """Solve a template exactly at given values; the rest take their published value, or the first
     drawable one.
     """
-    solution = kinegrade.template(template_name).solve(**_read_settings(settings))
+    solved = kinegrade.template(template_name).solve(**_read_settings(settings))
+    asks = None if asked is None else _choose_asks(asked, solved)
+    solution = solved if asks is None else solved.only(asks)
     click.echo(_write_json(solution) if as_json else _write_table(solution))
     if output is not None:
         from kinegrade.exam.printing.sample import print_worked_solution
         from kinegrade.files.output import write_file
 
-        write_file(output, print_worked_solution(solution, language, method), force=force)
+        write_file(output, print_worked_solution(solution, language, asks, method), force=force)
 
 
 def _read_settings(settings: tuple[str, ...]) -> dict[str, str]:
@@ -81,6 +91,19 @@ def _read_settings(settings: tuple[str, ...]) -> dict[str, str]:
     if faults:
         raise TemplateError(*faults)
     return values
+
+
+def _choose_asks(asked: str, solution: Solution) -> tuple[str, ...]:
+    """The asks of --asks, in the order of the template. Raises TemplateError for unknown ones."""
+    from kinegrade.problem.solution import explain_no_ask
+
+    if asked.strip() == _ALL:
+        return tuple(solution)
+    names = [name.strip() for name in asked.split(",")]
+    faults = [explain_no_ask(name, solution) for name in names if name not in solution]
+    if faults:
+        raise TemplateError(*(Fault(solution.template.name, each) for each in faults))
+    return tuple(name for name in solution if name in names)
 
 
 def _write_json(solution: Solution) -> str:

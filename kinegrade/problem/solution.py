@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from kinegrade.errors import (
@@ -47,6 +47,11 @@ class Solution(Mapping[str, Quantity]):
 
     def __len__(self) -> int:
         return len(self.answers)
+
+    def only(self, asks: Collection[str]) -> Solution:
+        """The same with the answers of these asks alone."""
+        answers = {name: each for name, each in self.answers.items() if name in asks}
+        return replace(self, answers=answers)
 
     def __repr__(self) -> str:
         return f"<{self.template.name}: {', '.join(map(str, self.answers.values()))}>"

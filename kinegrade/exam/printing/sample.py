@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from kinegrade.draws.examining import Refused, require_doubles
@@ -59,10 +60,13 @@ def print_sample(template: Template, seed: str, language: Language) -> bytes:
 
 
 def print_worked_solution(
-    solution: Solution, language: Language, method: Method | None = None
+    solution: Solution,
+    language: Language,
+    asks: Sequence[str] | None = None,
+    method: Method | None = None,
 ) -> bytes:
-    """The worked solution of an instance for what the template asks, as PDF; the method as in
-    `write_worked_solution`.
+    """The worked solution of an instance for these asks, by default for what the template gives
+    points for, as PDF; the method as in `write_worked_solution`.
     """
     template = solution.template
     require_language([template], language)
@@ -71,13 +75,13 @@ def print_worked_solution(
     except Refused as refusal:
         what = Message("exam.too-large-to-work", reason=refusal.detail)
         raise MechanismError(Fault(template.name, what)) from refusal
-    asks = _list_shown(template)
-    worked = write_worked_solution(solution, asks, language, method)
+    worked_out = _list_shown(template) if asks is None else tuple(asks)
+    worked = write_worked_solution(solution, worked_out, language, method)
     question = WorkedQuestion(
         1,
         "q1",
         template.about.title.in_language(language),
-        write_statement(template, solution.parameters, language, asks),
+        write_statement(template, solution.parameters, language, worked_out),
         worked.blocks,
         template.name,
     )
