@@ -23,12 +23,13 @@ from kinegrade.figure.scene import (
     Primitive,
     Strokes,
 )
-from kinegrade.figure.teeth import trace_rack
+from kinegrade.figure.teeth import find_teeth_of_rack, trace_rack
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 
 PIN = 0.85  # radius of a pin's circle
 _HALF_PIN = 1.15
+DOT = 0.75  # radius of the dot of a marked point
 _HATCH = 1.5  # depth of ground hatching
 BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, BAR_WIDTH, SLEEVE_WIDTH = 1.9, 3.5, 3.2
@@ -74,10 +75,16 @@ def draw_knife_edge(at: Vector, toward: Vector) -> tuple[Primitive, ...]:
     return (wedge, *draw_ground(base - across * 2.6, base + across * 2.6, toward))
 
 
-def draw_rack(start: Vector, end: Vector, back: Vector, contact: Vector) -> tuple[Primitive, ...]:
-    """A toothed bar with its pitch line, its material in the direction `back`."""
-    contour = trace_rack(start, end, back, contact, RACK_DEPTH)
-    return (Outline(contour, TOOTHED, "grey"), Strokes(((start, end),), PITCH))
+def draw_rack(
+    start: Vector, end: Vector, back: Vector, contact: Vector, eyes: tuple[Vector, ...] = ()
+) -> tuple[Primitive, ...]:
+    """A toothed bar with its pitch line, its material in the direction `back`, and an eye about
+    the pin at each of those ends.
+    """
+    teeth = find_teeth_of_rack(start, end, contact, eyes)
+    contour = trace_rack((start, end), back, teeth, RACK_DEPTH, eyes)
+    rack = (Outline(contour, TOOTHED, "grey"), Strokes(((teeth[0], teeth[-1]),), PITCH))
+    return (*rack, *(Disc(at, BAR_WIDTH / 2, FIRM, "grey") for at in eyes))
 
 
 def draw_jaw(pivot: Vector, mouth: Vector, back: Vector) -> tuple[Primitive, ...]:
@@ -210,9 +217,11 @@ def draw_centre_mark(at: Vector) -> tuple[Primitive, ...]:
     return (Strokes(tuple((at - arm, at + arm) for arm in arms), THIN),)
 
 
-def draw_dot(at: Vector) -> tuple[Primitive, ...]:
-    """A marked point that is not a joint, wider than a bar, which it does not interrupt."""
-    return (Disc(at, 0.75, None, "black"),)
+def draw_dot(at: Vector, radius: float = DOT) -> tuple[Primitive, ...]:
+    """A marked point that is not a joint; the usual one is wider than a bar, which it does not
+    interrupt.
+    """
+    return (Disc(at, radius, None, "black"),)
 
 
 def draw_arrowhead(tip: Vector, toward: Vector, size: float = HEAD_LENGTH) -> Outline:

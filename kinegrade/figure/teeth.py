@@ -4,17 +4,20 @@ the gear, so that gears of one figure mesh.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import ceil, cos, floor, pi, sin
 
 from kinegrade.figure.plane import angle_of, length, unit
 from kinegrade.mechanics.vector import Vector
 
-_PITCH = 3.4  # from tooth to tooth
+_PITCH = 4.0  # from tooth to tooth
 _LEAST = 8  # teeth of a gear
-TOOTH_TIP, TOOTH_ROOT = 0.7, 1.05  # from the pitch line, into the partner and into the material
+_BESIDE_EYE = 3.4  # from the pin at the end of a rack to its first tooth
+_TAPER = 4.2  # of the back of a rack that narrows towards such a pin
+TOOTH_TIP, TOOTH_ROOT = 0.85, 1.25  # from the pitch line, into the partner and into the material
 # Corners of a tooth: along the pitch line in parts of the pitch, and outward from it; narrow, so
 # that paper is seen between the flanks of two gears
-_CORNERS = ((-0.29, -TOOTH_ROOT), (-0.11, TOOTH_TIP), (0.11, TOOTH_TIP), (0.29, -TOOTH_ROOT))
+_CORNERS = ((-0.25, -TOOTH_ROOT), (-0.09, TOOTH_TIP), (0.09, TOOTH_TIP), (0.25, -TOOTH_ROOT))
 
 
 def find_tooth_angle(radius: float) -> float:
@@ -37,18 +40,34 @@ def trace_gear(centre: Vector, tooth: Vector, inward: bool) -> tuple[Vector, ...
     )
 
 
-def trace_rack(
-    start: Vector, end: Vector, back: Vector, contact: Vector, depth: float
-) -> tuple[Vector, ...]:
-    """The contour of a rack with its pitch line from start to end, a gap at the contact, and its
-    back at that depth in the direction `back`.
+def find_teeth_of_rack(
+    start: Vector, end: Vector, contact: Vector, eyes: Sequence[Vector]
+) -> list[Vector]:
+    """The middles of a rack's teeth on its pitch line, with a gap at the contact and none in the
+    way of an eye.
     """
     along = unit(end - start)
     near, far = (start - contact).dot(along) / _PITCH, (end - contact).dot(along) / _PITCH
-    teeth = [
-        contact + along * ((number + 0.5 + share) * _PITCH) - back * height
-        for number in range(ceil(near), floor(far))
-        for share, height in _CORNERS
+    middles = [
+        contact + along * ((number + 0.5) * _PITCH) for number in range(ceil(near), floor(far))
     ]
-    root, base = back * TOOTH_ROOT, back * depth
-    return (start + base, start + root, *teeth, end + root, end + base)
+    return [at for at in middles if all(length(at - eye) > _BESIDE_EYE for eye in eyes)]
+
+
+def trace_rack(
+    ends: tuple[Vector, Vector],
+    back: Vector,
+    teeth: Sequence[Vector],
+    depth: float,
+    eyes: Sequence[Vector],
+) -> tuple[Vector, ...]:
+    """The contour of a rack with its pitch line between the ends and teeth there, its back at
+    that depth in the direction `back`; it narrows towards the ends that have an eye.
+    """
+    start, end = ends
+    along, root, base = unit(end - start), back * TOOTH_ROOT, back * depth
+    near, far = (along * (_TAPER if at in eyes else 0.0) for at in ends)
+    profile = [
+        at + along * (share * _PITCH) - back * height for at in teeth for share, height in _CORNERS
+    ]
+    return (start + near + base, start + root, *profile, end + root, end - far + base)

@@ -8,6 +8,7 @@ import pytest
 
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.plane import length
 from kinegrade.figure.scene import FIRM, THIN, TOOTHED, Disc, Outline, Primitive, Strokes
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -91,16 +92,16 @@ def test_a_particle_in_two_slots_is_a_pin_without_blocks() -> None:
     assert [disc.fill for disc in discs_at(drawing, at)] == ["white"]
 
 
-def test_the_point_at_which_gears_touch_is_a_dot_on_white_above_their_teeth() -> None:
+def test_the_point_at_which_gears_touch_is_a_dot_that_leaves_their_teeth_whole() -> None:
     case = rack_and_gear()
     drawing, at = drawing_of(case), case[0].points["C"] * 100.0
-    white, dot = discs_at(drawing, at)
-    teeth = [
+    (dot,) = discs_at(drawing, at)
+    gear, *_ = (
         part for part in drawing.primitives if isinstance(part, Outline) and part.pen == TOOTHED
-    ]
-    assert (white.fill, white.pen, dot.fill) == ("white", None, "black")
-    assert white.radius > dot.radius + 0.4
-    assert all(layer(drawing, part) < layer(drawing, white) for part in teeth)
+    )
+    tooth = sorted(gear.corners, key=lambda corner: length(corner - at))[:2]
+    assert (dot.fill, dot.pen) == ("black", None)
+    assert all(length(corner - at) > dot.radius for corner in tooth)
 
 
 @pytest.mark.parametrize("inside", [True, False])

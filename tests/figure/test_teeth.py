@@ -13,7 +13,7 @@ from kinegrade.figure.mechanism.rims import find_rims
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import length, polar
 from kinegrade.figure.scene import PITCH, TOOTHED, Disc, Outline, Strokes
-from kinegrade.figure.teeth import TOOTH_ROOT, TOOTH_TIP, trace_gear, trace_rack
+from kinegrade.figure.teeth import TOOTH_ROOT, TOOTH_TIP, find_teeth_of_rack, trace_gear, trace_rack
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from tests.figure.mechanisms import Case
@@ -51,7 +51,7 @@ def test_a_gear_has_whole_teeth_on_both_sides_of_its_pitch_circle(inward: bool) 
     outward = -1 if inward else 1
     assert radii == {12.0 + outward * TOOTH_TIP, 12.0 - outward * TOOTH_ROOT}
     assert len(contour) % 4 == 0
-    assert 2 * pi * 12.0 / (len(contour) / 4) == pytest.approx(3.4, rel=0.05)
+    assert 2 * pi * 12.0 / (len(contour) / 4) == pytest.approx(4.0, rel=0.05)
 
 
 def test_where_two_gears_meet_one_has_a_tooth_and_the_other_a_gap() -> None:
@@ -85,12 +85,29 @@ def test_the_third_gear_of_a_train_meets_the_second_as_it_stands() -> None:
     assert all(min(length(tip - middle) for middle in middles) < 1.0 for tip in inside)
 
 
+def contour_of_rack(*eyes: Vector) -> tuple[Vector, ...]:
+    ends, contact = (ORIGIN, Vector(30.0, 0.0)), Vector(13.0, 0.0)
+    teeth = find_teeth_of_rack(*ends, contact, eyes)
+    return trace_rack(ends, Vector(0.0, -1.0), teeth, 2.0, eyes)
+
+
 def test_a_rack_has_a_gap_at_its_contact_and_its_back_away_from_the_gear() -> None:
-    contour = trace_rack(ORIGIN, Vector(30.0, 0.0), Vector(0.0, -1.0), Vector(15.0, 0.0), 2.0)
-    near = [corner for corner in contour if abs(corner.x - 15.0) < 1.0]
-    assert {corner.y for corner in near} == {-TOOTH_ROOT}
+    contour = contour_of_rack()
+    near = [corner for corner in contour if abs(corner.x - 13.0) < 1.0]
+    assert near == []
+    beside = [corner for corner in contour if abs(corner.x - 13.0) < 1.9]
+    assert {corner.y for corner in beside} == {-TOOTH_ROOT, TOOTH_TIP}
     assert {corner.y for corner in contour} == {TOOTH_TIP, -TOOTH_ROOT, -2.0}
     assert all(-1e-9 <= corner.x <= 30.0 + 1e-9 for corner in contour)
+
+
+def test_a_rack_narrows_towards_the_eye_about_its_pin_and_has_no_tooth_there() -> None:
+    contour, plain = contour_of_rack(ORIGIN), contour_of_rack()
+    tips = [corner.x for corner in contour if corner.y == TOOTH_TIP]
+    assert min(tips) > 4.0
+    assert len(tips) < len([corner for corner in plain if corner.y == TOOTH_TIP])
+    assert min(corner.x for corner in contour if corner.y == -2.0) > 4.0
+    assert min(corner.x for corner in plain if corner.y == -2.0) == 0.0
 
 
 def test_gears_and_racks_of_a_mechanism_are_drawn_with_teeth_and_pitch_lines() -> None:

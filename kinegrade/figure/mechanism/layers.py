@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.belts import draw_belts, draw_ropes
-from kinegrade.figure.mechanism.pins import draw_gaps_at_meshes, draw_motors, draw_points
+from kinegrade.figure.mechanism.pins import draw_motors, draw_points
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.round.heads import draw_heads
 from kinegrade.figure.mechanism.round.round_bodies import draw_round_bodies
@@ -57,7 +57,6 @@ def _draw_layers(anatomy: Anatomy) -> Iterator[Primitive]:
     for part in anatomy.parts:
         if isinstance(part, Bar) and not is_slender(part):
             yield from draw_straight_part(part)
-    yield from draw_gaps_at_meshes(anatomy)
     yield from draw_blocks(anatomy)
     arms = [arm for arm, _ in find_welded_arms(anatomy.parts, anatomy.symbols)]
     for arm in arms:

@@ -13,12 +13,12 @@ from kinegrade.figure.mechanism.stands import choose_side
 from kinegrade.figure.mechanism.straight_parts import is_slender, list_ways
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import FIRM, Disc, Primitive
-from kinegrade.figure.symbols import draw_centre_mark, draw_dot, draw_half_pin, draw_pin
+from kinegrade.figure.symbols import DOT, draw_centre_mark, draw_dot, draw_half_pin, draw_pin
 from kinegrade.mechanics.vector import Vector
 
 _LOWER = Vector(0.01, -0.1)  # where a pin sits when nothing else decides: below, or to the right
 
-_GAP = 1.3  # millimetres of radius around a dot
+_DOT_IN_MESH = 0.5  # millimetres of radius: it fits on a tooth
 _HOUSING = 2.3  # millimetres, the radius of a motor
 
 
@@ -34,18 +34,10 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
     for name in sorted(centres):
         yield from draw_centre_mark(at[name])
     for name in sorted(owned - pins - centres - tips - _find_at_corners(anatomy)):
-        yield from draw_dot(at[name])
+        yield from draw_dot(at[name], _choose_dot(anatomy, at[name]))
     for name in sorted(pins):
         side = _find_side_of_through_bar(anatomy, name)
         yield from draw_half_pin(at[name], side) if side else draw_pin(at[name])
-
-
-def draw_gaps_at_meshes(anatomy: Anatomy) -> Iterator[Primitive]:
-    """A white place among the teeth of gears for each point at which they touch."""
-    touches = [rim.touch for rim in anatomy.rims if rim.kind == "gear"]
-    for at in anatomy.mechanism.points.values():
-        if any(length(at - touch) < NEAR for touch in touches):
-            yield Disc(at, _GAP, None, "white")
 
 
 def draw_motors(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -64,6 +56,13 @@ def _find_pins(anatomy: Anatomy) -> set[str]:
         for symbol in anatomy.symbols
         if symbol.point and symbol.pinned and not anatomy.is_rod(symbol)
     }
+
+
+def _choose_dot(anatomy: Anatomy, at: Vector) -> float:
+    """The radius of a dot: small among the teeth of two gears, unless a bar passes over it."""
+    meshing = any(rim.kind == "gear" and length(rim.touch - at) < NEAR for rim in anatomy.rims)
+    covered = any(is_slender(part) and list_ways(part, at) for part in anatomy.parts)
+    return _DOT_IN_MESH if meshing and not covered else DOT
 
 
 def _find_at_corners(anatomy: Anatomy) -> set[str]:

@@ -9,7 +9,7 @@ from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.slotted_discs import draw_slotted_disc
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import length, unit
-from kinegrade.figure.scene import BOLD, FIRM, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
 _PLATE_EDGE = 1.9  # millimetres of a plate beyond the pins at its corners
@@ -44,7 +44,8 @@ def _trace_plate(plate: Plate) -> tuple[Vector, ...]:
 def _draw_bar(bar: Bar) -> tuple[Primitive, ...]:
     match bar.use:
         case "rack":
-            return _draw_rack(bar)
+            eyes = tuple(at for at in (bar.start, bar.end) if at not in bar.free)
+            return symbols.draw_rack(bar.start, bar.end, bar.back, bar.actions[0], eyes)
         case "slot":
             return symbols.draw_slotted_bar(bar.start, bar.end, _find_slot(bar))
         case "jaw":
@@ -53,13 +54,6 @@ def _draw_bar(bar: Bar) -> tuple[Primitive, ...]:
             return (Strokes(((bar.start, bar.end),), BOLD),)
         case _:
             assert_never(bar.use)
-
-
-def _draw_rack(bar: Bar) -> tuple[Primitive, ...]:
-    """A rack with an eye around each marked point at its ends."""
-    eyes = [at for at in (bar.start, bar.end) if at not in bar.free]
-    rack = symbols.draw_rack(bar.start, bar.end, bar.back, bar.actions[0])
-    return (*rack, *(Disc(at, symbols.BAR_WIDTH / 2, FIRM, "grey") for at in eyes))
 
 
 def _find_slot(part: Bar) -> tuple[Vector, Vector]:
