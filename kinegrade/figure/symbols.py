@@ -37,8 +37,9 @@ _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 RACK_DEPTH = 2.6  # from the pitch line of a rack to its back
 # Millimetres: a tooth of a jaw, and the gap at the mouth; the slope between the two jaws
 _TOOTH, _MOUTH, _MOUTH_SLOPE = 0.9, 2.2, 0.3
-# Height of a fixed pin's stand; taller where a sleeve turns about the pin
-STAND, TALL_STAND = (3.6, 5.2)
+# Height of a fixed pin's stand; taller where a sleeve turns about the pin, and tallest, on a
+# narrower base, where a bar leaves the pin steeply downward
+STAND, TALL_STAND, TALLEST_STAND = (3.6, 5.2, 6.2)
 _STEPS = 60  # corners of a round band, whose edges are drawn over them
 HEAD_LENGTH, _HEAD_SHARE = 2.0, 0.55  # the share that a head is wide
 _HEAD_OF_ARC = 0.45  # largest share of an arc that its head takes
@@ -59,11 +60,19 @@ def draw_half_pin(at: Vector, side: Vector) -> tuple[Primitive, ...]:
     return (Outline(arc.path(), FIRM, "white"),)
 
 
-def draw_pivot(at: Vector, toward: Vector, height: float = STAND) -> tuple[Primitive, ...]:
-    """The stand of a pin fixed to the ground: a triangle on hatching, in the direction `toward`."""
-    base, across = at + toward * height, toward.turned()
+def draw_pivot(at: Vector, upright: Vector) -> tuple[Primitive, ...]:
+    """The stand of a pin fixed to the ground: a triangle on hatching, whose middle is at `upright`
+    from the pin.
+    """
+    base, across = at + upright, unit(upright).turned()
+    half = find_half_base(length(upright))
     triangle = Outline((at, base + across * 1.8, base - across * 1.8), FIRM, "white")
-    return (triangle, *draw_ground(base - across * 2.6, base + across * 2.6, toward))
+    return (triangle, *draw_ground(base - across * half, base + across * half, unit(upright)))
+
+
+def find_half_base(height: float) -> float:
+    """Half the width of the hatched base of a stand of that height."""
+    return 2.6 if height < TALLEST_STAND else 2.3
 
 
 def draw_knife_edge(at: Vector, toward: Vector) -> tuple[Primitive, ...]:

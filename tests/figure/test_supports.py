@@ -27,10 +27,15 @@ def anatomy_of(mechanism: Mechanism) -> Anatomy:
     return Anatomy.of(scale_to_paper(drawn, 100.0), hints)
 
 
+def uprights_of_stands(mechanism: Mechanism) -> list[Vector]:
+    """The vectors from the fixed pins to the ground of their stands."""
+    stands = [part for part in draw_stands(anatomy_of(mechanism)) if isinstance(part, Outline)]
+    return [(part.corners[1] + part.corners[2]) / 2 - part.corners[0] for part in stands]
+
+
 def sides_of_stands(mechanism: Mechanism) -> list[Vector]:
     """The sides on which the stands of fixed pins are, in whole numbers."""
-    stands = [part for part in draw_stands(anatomy_of(mechanism)) if isinstance(part, Outline)]
-    toward = [unit((part.corners[1] + part.corners[2]) / 2 - part.corners[0]) for part in stands]
+    toward = map(unit, uprights_of_stands(mechanism))
     return [Vector(float(round(side.x)), float(round(side.y))) for side in toward]
 
 
@@ -39,14 +44,29 @@ def crank(angle: float) -> Mechanism:
     return Mechanism(points, (Body("OA", ("O", "A")),), (Pin("O", ("OA", GROUND)),), ())
 
 
-@pytest.mark.parametrize("angle", [0, 60, 135, 180, -45, -135])
+@pytest.mark.parametrize("angle", [0, 60, 135, 180, -45, -62, -135])
 def test_a_stand_is_below_a_bar_that_leaves_it_free(angle: float) -> None:
     assert sides_of_stands(crank(angle)) == [DOWN]
 
 
-@pytest.mark.parametrize("angle", [-60, -90, -120])
+def test_a_stand_is_taller_beside_a_bar_that_leaves_steeply_downward() -> None:
+    (usual,), (tall,) = uprights_of_stands(crank(-45)), uprights_of_stands(crank(-62))
+    assert length(tall) > length(usual) + 2.0
+
+
+@pytest.mark.parametrize("angle", [-70, -90, -110])
 def test_a_stand_hangs_above_a_bar_that_leaves_downward(angle: float) -> None:
     assert sides_of_stands(crank(angle)) == [UP]
+
+
+@pytest.mark.parametrize(("angle", "side"), [(30, DOWN), (62, DOWN), (118, DOWN), (75, -RIGHT)])
+def test_a_sleeve_turns_on_a_floor_unless_its_rod_is_nearly_upright(
+    angle: float, side: Vector
+) -> None:
+    points = {"O": ORIGIN, "A": polar(0.4, angle)}
+    joints = (Slide("O", GROUND, Line(ORIGIN, points["A"]), "AB"),)
+    mechanism = Mechanism(points, (Body("AB", ("A",)),), joints, ())
+    assert sides_of_stands(mechanism) == [side]
 
 
 def test_a_stand_keeps_clear_of_a_wheel_beside_its_pin() -> None:

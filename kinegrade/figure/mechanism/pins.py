@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from kinegrade.figure.joints.drivers import find_motor
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.plates import Plate
-from kinegrade.figure.mechanism.stands import choose_side
+from kinegrade.figure.mechanism.stands import choose_upright
 from kinegrade.figure.mechanism.straight_parts import is_slender, list_ways
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import FIRM, Disc, Primitive
@@ -94,7 +94,7 @@ def _find_side_of_through_bar(anatomy: Anatomy, name: str) -> Vector | None:
         if bar is not through[0]:
             toward = sum((unit(way) for way in list_ways(bar, at)), toward)
     if any(symbol.fixed and symbol.point == name for symbol in anatomy.symbols):
-        toward = toward + choose_side(at, anatomy)
+        toward = toward + unit(choose_upright(at, anatomy))
     across = unit(through[0].end - through[0].start).turned()
     return across if across.dot(toward) > 0 else -across
 

@@ -5,7 +5,7 @@ rest.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import asin
+from math import asin, atan2, hypot
 from typing import assert_never
 
 from kinegrade.figure.joints.symbol import Rim, find_fixed_pins
@@ -14,14 +14,20 @@ from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import SIDE_VECTORS, angle_of, length, nearest_of, shorter_way
 from kinegrade.figure.scene import BOLD, Primitive
-from kinegrade.figure.symbols import BAR_WIDTH, STAND, TALL_STAND, draw_knife_edge, draw_pivot
+from kinegrade.figure.symbols import (
+    BAR_WIDTH,
+    STAND,
+    TALL_STAND,
+    TALLEST_STAND,
+    draw_knife_edge,
+    draw_pivot,
+    find_half_base,
+)
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.vector import Vector
 
-_NARROWEST = 0.63  # radians between the axis of a stand and the corner of its hatching
-_CORNER = 4.4  # millimetres from a pin to that corner
 _CLEAR = 0.2  # millimetres between the hatching and a bar
-_AROUND = 3.4  # millimetres around the middle of a stand that keep clear of other bodies
+_AROUND = 1.6  # millimetres around the upright of a stand that keep clear of other bodies
 _INSIDE = 8.5  # millimetres of radius at which a stand is clear of the hatching of a fixed wheel
 
 
@@ -39,38 +45,36 @@ def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
     }
     for name in find_fixed_pins(anatomy.symbols):
         if name not in wheels and name not in anatomy.knife_edges:
-            side = choose_side(at[name], anatomy)
-            yield from draw_pivot(at[name], side, _choose_height(at[name], anatomy))
+            yield from draw_pivot(at[name], choose_upright(at[name], anatomy))
 
 
-def _choose_height(at: Vector, anatomy: Anatomy) -> float:
-    """Taller where a sleeve turns about the pin."""
-    turning = any(length(sleeve.point - at) < 1.0 for sleeve in anatomy.sleeves)
-    return TALL_STAND if turning else STAND
-
-
-def choose_side(at: Vector, anatomy: Anatomy) -> Vector:
-    """Down, so that the supports of a mechanism look alike in all postures, unless something is in
-    the way there.
+def choose_upright(at: Vector, anatomy: Anatomy) -> Vector:
+    """The vector from a pin to the ground of its stand: down, so that the supports of a mechanism
+    look alike in all postures, and rather tall than on another side, unless something is in the
+    way there.
     """
+    turning = any(length(sleeve.point - at) < 1.0 for sleeve in anatomy.sleeves)
+    usual = TALL_STAND if turning else STAND
 
-    def hindrance(side: Vector) -> float:
-        bars = sum(_measure_part(part, at, side) for part in anatomy.parts)
-        rims = sum(_measure_rim(rim, at, side) for rim in anatomy.rims)
+    def hindrance(upright: Vector) -> float:
+        bars = sum(_measure_part(part, at, upright) for part in anatomy.parts)
+        rims = sum(_measure_rim(rim, at, upright) for rim in anatomy.rims)
         return round(bars + rims, 6)
 
-    return min((SIDE_VECTORS[name] for name in ("down", "up", "left", "right")), key=hindrance)
+    down, *others = (SIDE_VECTORS[name] for name in ("down", "up", "left", "right"))
+    uprights = (down * usual, down * TALLEST_STAND, *(side * usual for side in others))
+    return min(uprights, key=hindrance)
 
 
-def _measure_part(part: Part, at: Vector, side: Vector) -> float:
-    """How much a part is in the way of a stand on a side of the pin; 0 for not at all."""
+def _measure_part(part: Part, at: Vector, upright: Vector) -> float:
+    """How much a part is in the way of a stand along the upright of a pin; 0 for not at all."""
     ends: tuple[Vector, ...]
     match part:
         case Bar() | Rod():
-            middle = at + side * (STAND / 2)
+            middle = at + upright / 2
             if length(nearest_of(at, part.start, part.end) - at) > 1.0:
                 gap = length(nearest_of(middle, part.start, part.end) - middle)
-                return max(0.0, _AROUND - gap)
+                return max(0.0, _AROUND + length(upright) / 2 - gap)
             ends, half = (part.start, part.end), _find_half_width(part)
         case Plate():
             ends, half = part.corners, BOLD.width / 2
@@ -80,8 +84,9 @@ def _measure_part(part: Part, at: Vector, side: Vector) -> float:
             return 0.0
         case _:
             assert_never(part)
-    room = _NARROWEST + asin((half + _CLEAR) / _CORNER)
-    leaving = [angle_of(end - at) - angle_of(side) for end in ends if length(end - at) > 1.0]
+    height, base = length(upright), find_half_base(length(upright))
+    room = atan2(base, height) + asin((half + _CLEAR) / hypot(base, height))
+    leaving = [angle_of(end - at) - angle_of(upright) for end in ends if length(end - at) > 1.0]
     return sum(max(0.0, room - abs(shorter_way(angle))) for angle in leaving)
 
 
@@ -90,10 +95,11 @@ def _find_half_width(part: Bar | Rod) -> float:
     return (BAR_WIDTH if broad else BOLD.width) / 2
 
 
-def _measure_rim(rim: Rim, at: Vector, side: Vector) -> float:
+def _measure_rim(rim: Rim, at: Vector, upright: Vector) -> float:
     """How much a moving wheel beside the pin is in the way; one about or over the pin is on all
     sides of it.
     """
     if rim.body == GROUND or rim.ring or length(rim.at - at) < rim.radius + 1.0:
         return 0.0
-    return max(0.0, _AROUND + rim.radius - length(rim.at - at - side * (STAND / 2)))
+    reach = _AROUND + length(upright) / 2 + rim.radius
+    return max(0.0, reach - length(rim.at - at - upright / 2))
