@@ -9,8 +9,8 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail, find_rails
 from kinegrade.figure.mechanism.sliders import draw_ground_sliders
 from kinegrade.figure.mechanism.stands import draw_stands
-from kinegrade.figure.plane import length, unit
-from kinegrade.figure.scene import THIN, Outline, Strokes
+from kinegrade.figure.plane import foot, length, unit
+from kinegrade.figure.scene import BOLD, THIN, Outline, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -119,6 +119,37 @@ def test_a_floor_ends_near_where_a_rod_would_cross_it_but_not_at_the_block(angle
     ends = sorted(abs(end.x) for end in (cut.start, cut.end))
     assert ends[0] >= 4.5
     assert ends[1] == 7.5
+
+
+@pytest.mark.parametrize("angle", [15, 25, 60, 90, 120])
+def test_where_a_rod_passes_through_its_block_the_ground_is_on_both_sides_up_to_the_rod(
+    angle: float,
+) -> None:
+    points = {"B": ORIGIN, "A": polar(0.4, angle), "C": polar(-0.4, angle)}
+    joints = (Slide("B", "AC", Line(ORIGIN, RIGHT), GROUND),)
+    (rail,) = find_rails(anatomy_of(Mechanism(points, (Body("AC", ("A", "B", "C")),), joints, ())))
+    assert rail.beyond is not None
+    assert rail.start.y < 0 < rail.beyond[0].y
+    rod = Line(ORIGIN, polar(1.0, angle))
+    for start, end in ((rail.start, rail.end), rail.beyond):
+        assert (start.x, end.x) in ((-7.5, end.x), (start.x, 7.5))
+        assert all(length(at - foot(at, rod)) > BOLD.width / 2 for at in (start, end))
+        assert start.cross(rod.direction) * end.cross(rod.direction) > 0
+
+
+@pytest.mark.parametrize(("through", "use"), [(True, "link"), (False, "slot"), (False, "link")])
+def test_a_block_is_seen_around_what_is_pinned_to_it(through: bool, use: str) -> None:
+    points = {"B": ORIGIN, "A": UP * 0.4, "C": -UP * 0.2 if through else UP * 0.2, "D": RIGHT * 0.2}
+    joints = [Slide("B", "AC", Line(ORIGIN, RIGHT), GROUND)]
+    if use == "slot":
+        joints.append(Slide("C", "CD", Line(ORIGIN, UP), "AC"))
+    bodies = (Body("AC", ("A", "B", "C") if through else ("A", "B")), Body("CD", ("C", "D")))
+    anatomy = anatomy_of(Mechanism(points, bodies, tuple(joints), ()))
+    (rail,) = find_rails(anatomy)
+    assert rail.block is not None
+    assert (rail.block.width > 4.0) == (through or use == "slot")
+    assert (rail.block.length > 6.0) == (use == "slot")
+    assert rail.level > rail.block.width / 2
 
 
 def trammel(a: Vector, b: Vector, *names: str) -> tuple[Rail, ...]:

@@ -9,26 +9,28 @@ from dataclasses import dataclass, replace
 
 from kinegrade.figure.joints.symbol import Symbol, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
+from kinegrade.figure.mechanism.block_sizes import BlockSize, choose_block_size
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width, list_ways
 from kinegrade.figure.plane import NEAR, length, mean, meet, unit
 from kinegrade.figure.scene import BOLD, FIRM
-from kinegrade.figure.symbols import BLOCK_LENGTH, BLOCK_WIDTH
+from kinegrade.figure.symbols import BLOCK_LENGTH
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
 _REACH = 7.5  # millimetres of a rail on either side of its block
-_FREE = BLOCK_LENGTH / 2 + 0.2  # at least without a bar in front of it: the block is on it
-_LEAST = BLOCK_LENGTH / 2 + 2.0  # at least: it is seen to run on, even behind a bar
-_LEVEL = BLOCK_WIDTH / 2 + FIRM.width / 2  # from the axis of a guide to its rail
-_BARE = BOLD.width / 2 + FIRM.width / 2  # the same where the end of a bar slides without a block
+_SEEN = 2.0  # at least beyond a block: it is seen to run on, even behind a bar
+_BARE = BOLD.width / 2  # from the axis of a guide where the end of a bar slides without a block
 _CLEAR = 0.3  # millimetres between a rail and a bar
 _CORNER = 4.5  # millimetres from a block to a corner at least
+_Leaving = tuple[Vector, float]  # the unit vector of a bar that leaves a point, and half its width
 
 
 @dataclass(frozen=True)
 class Rail:
-    """The ground along a guide: a block or a bare end at `at` on it, its ends, the side of the
-    guide on which it is, and how far from the guide.
+    """The ground along a guide: `at` is the block or bare end on it, `start` and `end` its ends,
+    `side` the side of the guide on which it is, and `level` how far from the guide. Where a bar
+    passes through, there is more of it on the other side: `beyond` has the ends of that.
     """
 
     at: Vector
@@ -37,11 +39,8 @@ class Rail:
     start: Vector
     end: Vector
     level: float
-
-    @property
-    def bare(self) -> bool:
-        """Whether there is no block."""
-        return self.level < _LEVEL
+    block: BlockSize | None
+    beyond: tuple[Vector, Vector] | None = None
 
     @property
     def surface(self) -> Line:
@@ -53,54 +52,80 @@ def find_rails(anatomy: Anatomy) -> tuple[Rail, ...]:
     """The rail of each block or bare end on a ground guide; two on outer sides meet where their
     guides do.
     """
-    mechanism = anatomy.mechanism
     rails = [
-        _lay_rail(mechanism, symbol.point, symbol.guide.along, _LEVEL if symbol.pinned else _BARE)
+        _lay_rail(anatomy, symbol.point, symbol.guide.along, symbol.pinned)
         for symbol in anatomy.symbols
         if symbol.guide and symbol.point and not anatomy.is_rod(symbol)
     ]
-    marked = _find_free_points(mechanism.points, anatomy.symbols)
+    marked = _find_free_points(anatomy.mechanism.points, anatomy.symbols)
     return tuple(
         _extend(rail, [*rails[:number], *rails[number + 1 :]], marked)
         for number, rail in enumerate(rails)
     )
 
 
-def _lay_rail(mechanism: Mechanism, name: str, along: Vector, level: float) -> Rail:
+def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:
     """Below its block, so that a guide looks alike in all postures; on the other side where a bar
-    leaves downward. A wall is on the side away from the mechanism.
+    leaves downward, and on both, up to the bar, where it passes through. A wall is on the side
+    away from the mechanism.
     """
-    at = mechanism.points[name]
-    leaving = list(_list_leaving(mechanism, name))
+    at = anatomy.mechanism.points[name]
+    block = choose_block_size(at, anatomy.parts) if pinned else None
+    half = (block.length if block else BLOCK_LENGTH) / 2
+    level = (block.width / 2 if block else _BARE) + FIRM.width / 2
+    leaving = list(_list_leaving(anatomy, name))
+    sides = _order_sides(anatomy.mechanism, at, along)
+    reaches = [_find_reaches(along, side, leaving, level) for side in sides]
+    narrowest = [min(back, ahead) for back, ahead in reaches]
+    usual = 1 if narrowest[1] >= half > narrowest[0] else 0
+    passing = max(narrowest) < _REACH
+    least = -_REACH if passing else half + _SEEN
+    ends = [
+        (
+            at + side * level - along * max(back, least),
+            at + side * level + along * max(ahead, least),
+        )
+        for side, (back, ahead) in zip(sides, reaches, strict=True)
+    ]
+    beyond = ends[1 - usual] if passing else None
+    return Rail(at, along, sides[usual], *ends[usual], level, block, beyond)
+
+
+def _order_sides(mechanism: Mechanism, at: Vector, along: Vector) -> tuple[Vector, Vector]:
+    """The side of a guide on which the ground usually is, then the other."""
     across = along.turned()
     if abs(across.y) > NEAR:
-        sides = (-across, across) if across.y > 0 else (across, -across)
-    else:
-        away = (at - mean(mechanism.points.values())).dot(across)
-        sides = (-across, across) if away < 0 else (across, -across)
-    side = max(sides, key=lambda side: min(_find_reaches(along, side, leaving)) >= _FREE)
-    back, ahead = (max(reach, _LEAST) for reach in _find_reaches(along, side, leaving))
-    base = at + side * level
-    return Rail(at, along, side, base - along * back, base + along * ahead, level)
+        return (-across, across) if across.y > 0 else (across, -across)
+    away = (at - mean(mechanism.points.values())).dot(across)
+    return (-across, across) if away < 0 else (across, -across)
 
 
-def _list_leaving(mechanism: Mechanism, name: str) -> Iterator[Vector]:
-    """The directions from a point to the other points of its bodies."""
-    at = mechanism.points[name]
-    for body in mechanism.bodies:
-        if name in body.points:
-            others = (mechanism.points[point] - at for point in body.points)
-            yield from (unit(step) for step in others if length(step) > NEAR)
+def _list_leaving(anatomy: Anatomy, name: str) -> Iterator[_Leaving]:
+    """The bars of a point's bodies that leave it; of a plate, the directions to its points."""
+    points = anatomy.mechanism.points
+    at = points[name]
+    for body in anatomy.mechanism.bodies:
+        if name not in body.points:
+            continue
+        bars = [
+            part for part in anatomy.parts if isinstance(part, Bar | Rod) and part.body == body.name
+        ]
+        for bar in bars:
+            yield from ((unit(way), find_half_width(bar)) for way in list_ways(bar, at))
+        if not bars:
+            steps = (points[other] - at for other in body.points)
+            yield from ((unit(step), BOLD.width / 2) for step in steps if length(step) > NEAR)
 
 
-def _find_reaches(along: Vector, side: Vector, leaving: Sequence[Vector]) -> tuple[float, float]:
+def _find_reaches(
+    along: Vector, side: Vector, leaving: Sequence[_Leaving], level: float
+) -> tuple[float, float]:
     """How far a rail may reach backward and forward before a bar crosses it."""
     reaches = [_REACH, _REACH]
-    for direction in leaving:
+    for direction, half in leaving:
         down, ahead = direction.dot(side), direction.dot(along)
         if down > NEAR:
-            level = _LEVEL - _CLEAR - BOLD.width / 2
-            free = level * abs(ahead) / down
+            free = (level * abs(ahead) - half - _CLEAR) / down
             reaches[ahead > 0] = min(reaches[ahead > 0], free)
     return reaches[0], reaches[1]
 

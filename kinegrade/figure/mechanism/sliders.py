@@ -34,5 +34,7 @@ def draw_ground_sliders(anatomy: Anatomy) -> Iterator[Primitive]:
     """The blocks on ground guides; a rod needs none in its guide, nor an end that is bare."""
     for rail in find_rails(anatomy):
         yield from draw_ground(rail.start, rail.end, rail.side)
-        if not rail.bare:
-            yield draw_block(rail.at, rail.along)
+        if rail.beyond:
+            yield from draw_ground(*rail.beyond, -rail.side)
+        if rail.block:
+            yield draw_block(rail.at, rail.along, rail.block.length, rail.block.width)

@@ -11,11 +11,10 @@ from typing import assert_never
 from kinegrade.figure.joints.symbol import Rim, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.plates import Plate
-from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc
+from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc, find_half_width
 from kinegrade.figure.plane import SIDE_VECTORS, angle_of, length, nearest_of, shorter_way
 from kinegrade.figure.scene import BOLD, Primitive
 from kinegrade.figure.symbols import (
-    BAR_WIDTH,
     STAND,
     TALL_STAND,
     TALLEST_STAND,
@@ -75,7 +74,7 @@ def _measure_part(part: Part, at: Vector, upright: Vector) -> float:
             if length(nearest_of(at, part.start, part.end) - at) > 1.0:
                 gap = length(nearest_of(middle, part.start, part.end) - middle)
                 return max(0.0, _AROUND + length(upright) / 2 - gap)
-            ends, half = (part.start, part.end), _find_half_width(part)
+            ends, half = (part.start, part.end), find_half_width(part)
         case Plate():
             ends, half = part.corners, BOLD.width / 2
             if all(length(corner - at) > 1.0 for corner in ends):
@@ -88,11 +87,6 @@ def _measure_part(part: Part, at: Vector, upright: Vector) -> float:
     room = atan2(base, height) + asin((half + _CLEAR) / hypot(base, height))
     leaving = [angle_of(end - at) - angle_of(upright) for end in ends if length(end - at) > 1.0]
     return sum(max(0.0, room - abs(shorter_way(angle))) for angle in leaving)
-
-
-def _find_half_width(part: Bar | Rod) -> float:
-    broad = isinstance(part, Bar) and part.use in ("slot", "rack", "jaw")
-    return (BAR_WIDTH if broad else BOLD.width) / 2
 
 
 def _measure_rim(rim: Rim, at: Vector, upright: Vector) -> float:

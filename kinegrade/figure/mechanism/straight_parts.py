@@ -8,6 +8,8 @@ from typing import TypeGuard
 from kinegrade.figure.joints.symbol import NO_BACK, Use
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.plane import NEAR, length, nearest_of
+from kinegrade.figure.scene import BOLD
+from kinegrade.figure.symbols import BAR_WIDTH
 from kinegrade.mechanics.vector import Vector
 
 _SLENDER: frozenset[Use] = frozenset(("link", "bar", "face"))
@@ -63,6 +65,11 @@ Part = Bar | Plate | SlottedDisc | Rod
 def is_slender(part: Part) -> TypeGuard[Bar | Rod]:
     """Whether a part is drawn as one bold line."""
     return isinstance(part, Rod) or (isinstance(part, Bar) and part.use in _SLENDER)
+
+
+def find_half_width(part: Bar | Rod) -> float:
+    """Half the width of a straight part across its axis, in millimetres."""
+    return (BOLD.width if is_slender(part) else BAR_WIDTH) / 2
 
 
 def list_ways(bar: Bar | Rod, at: Vector) -> list[Vector]:

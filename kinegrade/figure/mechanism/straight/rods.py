@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from kinegrade.figure.joints.symbol import Guide, Rim, Symbol
-from kinegrade.figure.mechanism.straight_parts import Bar, Rod
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width
 from kinegrade.figure.plane import length, mean, nearest_of
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -13,7 +13,7 @@ from kinegrade.mechanics.vector import Vector
 _ROD = 14.0  # millimetres of a translating rod that are shown at least
 # millimetres a translating rod continues beyond its point when it has two free ends
 _THROUGH = 11.0
-_GUIDE_ROOM = 5.5  # millimetres between the middle of a rod's guide and any other bar
+_GUIDE_ROOM = 5.1  # millimetres between the middle of a rod's guide and the edge of any other bar
 
 
 def find_rods(
@@ -51,6 +51,11 @@ def _find_reach(start: Vector, toward: Vector, bars: Sequence[Bar]) -> float:
     """
     for more in range(0, 20, 2):
         guide = start + toward * (_ROD - 5.0 + more)
-        if all(length(guide - nearest_of(guide, bar.start, bar.end)) > _GUIDE_ROOM for bar in bars):
+        if all(_measure_gap(guide, bar) > _GUIDE_ROOM for bar in bars):
             return more
     return 0
+
+
+def _measure_gap(at: Vector, bar: Bar) -> float:
+    """The distance from a point to the edge of a bar."""
+    return length(at - nearest_of(at, bar.start, bar.end)) - find_half_width(bar)
