@@ -41,6 +41,8 @@ _TOOTH, _MOUTH, _MOUTH_SLOPE = 0.9, 2.2, 0.3
 # narrower base, where a bar leaves the pin steeply downward
 STAND, TALL_STAND, TALLEST_STAND = (3.6, 5.2, 6.2)
 _STEPS = 60  # corners of a round band, whose edges are drawn over them
+_STEP = 2 * pi / _STEPS
+SOLID_AT_PIN = 3.0  # millimetres that a slot keeps from a pin of its own body, at least
 HEAD_LENGTH, _HEAD_SHARE = 2.0, 0.55  # the share that a head is wide
 _HEAD_OF_ARC = 0.45  # largest share of an arc that its head takes
 _HEAD_STEP = 1.6  # from one head of an arrow to the next
@@ -97,8 +99,8 @@ def draw_rack(
 
 
 def draw_jaw(pivot: Vector, mouth: Vector, back: Vector) -> tuple[Primitive, ...]:
-    """A plate from its pivot to its mouth with teeth on the side away from `back`, and the fixed
-    jaw that it faces, which is nearest at the mouth.
+    """A plate from its pivot to its mouth, with the axis from pin to pin and teeth on the side away
+    from `back`, and the fixed jaw that it faces, which is nearest at the mouth.
     """
     along, size = unit(mouth - pivot), length(mouth - pivot)
     half, count = BAR_WIDTH / 2, max(4, round(size / 2.2))
@@ -115,7 +117,8 @@ def draw_jaw(pivot: Vector, mouth: Vector, back: Vector) -> tuple[Primitive, ...
     upward = unit(-along - back * _MOUTH_SLOPE)
     facing = mouth - back * (half + _TOOTH + _MOUTH)
     outward = upward.turned() if back.dot(upward.turned()) < 0 else -upward.turned()
-    return (*draw_ground(facing - upward * 2.0, facing + upward * size * 0.9, outward), plate)
+    faced = draw_ground(facing - upward * 2.0, facing + upward * size * 0.9, outward)
+    return (*faced, plate, Strokes(((pivot, mouth),), PITCH))
 
 
 def draw_ground(start: Vector, end: Vector, side: Vector) -> tuple[Primitive, ...]:
@@ -188,19 +191,36 @@ def trace_round(corners: tuple[Vector, ...], radius: float) -> tuple[Vector, ...
     return tuple(outline)
 
 
-def draw_round_slot(centre: Vector, radius: float) -> tuple[Primitive, ...]:
-    """A ring with a slot along it; what is drawn before shows through its middle, not through its
-    band.
+def draw_round_slot(
+    centre: Vector, radius: float, pivot: Vector | None = None
+) -> tuple[Primitive, ...]:
+    """A ring with a slot along it, which leaves the ring solid at a pivot on it; what is drawn
+    before shows through its middle, not through its band.
     """
     body = _draw_band(centre, radius, BAR_WIDTH, FIRM, "grey")
-    return (*body, *_draw_band(centre, radius, SLOT_WIDTH, THIN, "white"))
+    if pivot is None:
+        return (*body, *_draw_band(centre, radius, SLOT_WIDTH, THIN, "white"))
+    return (*body, Outline(_trace_round_slot(centre, radius, pivot), THIN, "white"))
+
+
+def _trace_round_slot(centre: Vector, radius: float, pivot: Vector) -> tuple[Vector, ...]:
+    solid, half = SOLID_AT_PIN / radius, SLOT_WIDTH / 2
+    first, sweep = angle_of(pivot - centre) + solid, 2 * (pi - solid)
+    ends = [centre + polar(turn, radius) for turn in (first + sweep, first)]
+    onward = Bow(centre, radius + half, first, sweep, THIN).path(_STEP)
+    back = Bow(centre, radius - half, first + sweep, -sweep, THIN).path(_STEP)
+    caps = [
+        Bow(ends[0], half, first + sweep, pi, THIN).path(),
+        Bow(ends[1], half, first + pi, pi, THIN).path(),
+    ]
+    return (*onward, *caps[0][1:-1], *back, *caps[1][1:-1])
 
 
 def _draw_band(
     centre: Vector, radius: float, width: float, pen: Pen, fill: Fill
 ) -> tuple[Primitive, ...]:
     outer, inner = radius + width / 2, radius - width / 2
-    turns = [2 * pi * step / _STEPS for step in range(_STEPS + 1)]
+    turns = [_STEP * step for step in range(_STEPS + 1)]
     there = [centre + polar(turn, outer) for turn in turns]
     back = [centre + polar(turn, inner) for turn in reversed(turns)]
     band = Outline((*there, *back), None, fill)
@@ -210,9 +230,10 @@ def _draw_band(
 def draw_slotted_bar(
     start: Vector, end: Vector, slot: tuple[Vector, Vector]
 ) -> tuple[Primitive, ...]:
-    """A rounded bar with a straight slot in it."""
-    body = Outline(trace_round((start, end), BAR_WIDTH / 2), FIRM, "grey")
-    return (body, Outline(trace_round(slot, SLOT_WIDTH / 2), THIN, "white"))
+    """A rounded bar with a straight slot in it, through which is seen what lies behind."""
+    edge, hole = trace_round((start, end), BAR_WIDTH / 2), trace_round(slot, SLOT_WIDTH / 2)
+    ground = Outline((*edge, edge[0], hole[0], *reversed(hole)), None, "grey")
+    return (ground, Outline(edge, FIRM), Outline(hole, THIN))
 
 
 def draw_sleeve(at: Vector, along: Vector) -> tuple[Primitive, ...]:

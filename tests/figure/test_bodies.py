@@ -9,7 +9,7 @@ import pytest
 
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
-from kinegrade.figure.scene import BOLD, FIRM, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, PITCH, Disc, Outline, Primitive, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -248,6 +248,8 @@ def test_the_teeth_of_a_jaw_and_the_fixed_jaw_are_away_from_what_moves_it(
     )
     levels = [corner.x * side for corner in jaw.corners]
     assert (max(levels), min(levels)) == (pytest.approx(1.75), pytest.approx(-2.65))
+    axes = [part for part in drawing.primitives if isinstance(part, Strokes) and part.pen == PITCH]
+    assert [set(axis) for part in axes for axis in part.lines] == [{ORIGIN, UP * 50.0}]
     wall = max(
         (
             line

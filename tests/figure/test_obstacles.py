@@ -16,7 +16,18 @@ from kinegrade.figure.placing.obstacles import (
     Obstacles,
     Segment,
 )
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Disc, Label, Pen, Primitive, Strokes
+from kinegrade.figure.scene import (
+    BOLD,
+    FIRM,
+    THIN,
+    Disc,
+    Fill,
+    Label,
+    Outline,
+    Pen,
+    Primitive,
+    Strokes,
+)
 from kinegrade.mechanics.vector import Vector
 
 REACH = st.floats(-20, 20)
@@ -35,6 +46,13 @@ def under(
 
 def along(primitive: Primitive, *pieces: Segment, shared: bool = False) -> float:
     return Obstacles.of((primitive,)).along(pieces, shared)
+
+
+def test_the_ground_of_a_shape_has_no_line_of_its_own_and_an_arrowhead_has() -> None:
+    corners = (Vector(0.0, 0.0), Vector(4.0, 0.0), Vector(0.0, 4.0))
+    fills: tuple[Fill, ...] = ("grey", "white", "black")
+    grey, white, black = (under(Outline(corners, None, fill), (0.0, 2.0)) for fill in fills)
+    assert grey == white == 0.0 < black
 
 
 @pytest.mark.parametrize(

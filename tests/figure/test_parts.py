@@ -41,13 +41,13 @@ def railway_wheel(**table: Any) -> Case:
 FLANGE = {"circles": [{"body": "W", "centre": "O", "through": "A"}]}
 
 
-def test_a_circle_that_no_joint_knows_of_is_a_line_without_filling() -> None:
+def test_a_flange_that_no_joint_knows_of_is_of_one_body_with_its_wheel_and_behind_it() -> None:
     flange, wheel = [
         part
         for part in drawing_of(railway_wheel(**FLANGE)).primitives
         if isinstance(part, Disc) and part.radius > 5
     ]
-    assert (flange.radius, flange.fill, flange.pen) == (pytest.approx(40.0), "none", FIRM)
+    assert (flange.radius, flange.fill, flange.pen) == (pytest.approx(40.0), "grey", FIRM)
     assert (wheel.radius, wheel.fill) == (pytest.approx(30.0), "grey")
 
 

@@ -7,10 +7,13 @@ from math import hypot
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.scene import Outline
-from kinegrade.mechanics.joints import Arc, Circle
+from kinegrade.figure.symbols import BAR_WIDTH
+from kinegrade.mechanics.joints import GROUND, Arc, Circle, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from tests.figure.mechanisms import hinted
+
+ORIGIN = Vector(0.0, 0.0)
 
 
 def bands() -> list[Outline]:
@@ -33,3 +36,20 @@ def test_a_band_lies_along_its_circle_and_leaves_the_middle_open() -> None:
         [hypot(corner.x + 20.0, corner.y) for corner in band.corners] for band in (body, slot)
     )
     assert 28.0 < min(wide) < min(narrow) < 30.0 < max(narrow) < max(wide) < 32.0
+
+
+def test_a_ring_is_solid_about_the_pin_on_which_it_turns() -> None:
+    points = {"C": ORIGIN, "A": Vector(-0.3, 0.0), "M": Vector(0.0, 0.3)}
+    joints = (Pin("A", ("I", GROUND)), Arc("M", "M", Circle("C", 0.3), "I"))
+    bodies = (Body("I", ("A", "C")), Body("M", ("M",), particle=True))
+    mechanism, hints = hinted(Mechanism(points, bodies, joints, ()))
+    primitives = draw(scale_to_paper(mechanism, 100.0), hints).primitives
+    (slot,) = [
+        part
+        for part in primitives
+        if isinstance(part, Outline) and part.fill == "white" and len(part.corners) > 4
+    ]
+    near = min(hypot(corner.x + 30.0, corner.y) for corner in slot.corners)
+    assert BAR_WIDTH / 2 < near < 3.0
+    assert all(28.0 < hypot(*corner) < 32.0 for corner in slot.corners)
+    assert any(corner.x > 30.0 for corner in slot.corners)

@@ -26,9 +26,8 @@ NO_BACK = Vector(0.0, 0.0)
 class Rim:
     """A circle of a body; `ring` when the material lies outside; `touch` is the contact point.
 
-    The kind "edge" is drawn as a line only: a circle that belongs to no joint. A gear has a
-    tooth at `tooth` on its pitch circle. Of a track with `contacts` only the arc around these is
-    drawn.
+    The kind "edge" is a circle that belongs to no joint, like that of a flange. A gear has a tooth
+    at `tooth` on its pitch circle. Of a track with `contacts` only the arc around these is drawn.
     """
 
     body: str

@@ -60,7 +60,7 @@ def _find_slot(part: Bar) -> tuple[Vector, Vector]:
     """The slot leaves the ends of a bar solid, and more of an end where the bar is pinned."""
     along = unit(part.end - part.start)
     margins = [
-        0.4 if any(length(end - free) < 1e-6 for free in part.free) else 3.0
+        0.4 if any(length(end - free) < 1e-6 for free in part.free) else symbols.SOLID_AT_PIN
         for end in (part.start, part.end)
     ]
     low, high = part.start + along * margins[0], part.end - along * margins[1]

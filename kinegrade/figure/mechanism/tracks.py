@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import sqrt
 
 from kinegrade.figure.joints.symbol import Foot, Rim, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
@@ -13,7 +12,7 @@ from kinegrade.figure.symbols import RACK_DEPTH, draw_ground, draw_rack
 from kinegrade.mechanics.vector import Vector
 
 _LEAST = 8.0  # millimetres of a track on either side of a contact
-_BEYOND = 4.0  # millimetres beyond a larger circle, which would otherwise have it as a chord
+_BEYOND = 3.0  # millimetres beyond a larger circle, in front of which a track runs
 _SHARE = 1.2  # of the wheel's radius that a track has at least on either side
 
 
@@ -58,8 +57,7 @@ def _draw_surface(
 def _measure_span(foot: Foot, along: Vector, rims: Sequence[Rim]) -> tuple[Vector, Vector]:
     """Beyond every circle about the wheel's centre that reaches below the track."""
     centre = foot.contact - foot.away * foot.radius
-    larger = [rim.radius for rim in rims if length(rim.at - centre) < NEAR]
-    reach = max(_LEAST, _SHARE * foot.radius)
-    for radius in larger:
-        reach = max(reach, sqrt(max(0.0, radius**2 - foot.radius**2)) + _BEYOND)
+    about = [rim.radius for rim in rims if length(rim.at - centre) < NEAR]
+    larger = [radius + _BEYOND for radius in about if radius > foot.radius + NEAR]
+    reach = max(_LEAST, _SHARE * foot.radius, *larger)
     return foot.contact - along * reach, foot.contact + along * reach

@@ -218,6 +218,8 @@ def _make_ring(disc: Disc) -> Boxed:
 def _make_segments(primitive: Strokes | Outline | Bow) -> list[Boxed]:
     if isinstance(primitive, Outline) and primitive.pen == TOOTHED:
         return _make_band(primitive.corners)
+    if isinstance(primitive, Outline) and primitive.pen is None and primitive.fill != "black":
+        return []  # a ground, whose edge is drawn over it
     width = primitive.pen.width if primitive.pen else 0.0
     cost = COST_BOLD if width >= BOLD.width else COST_FIRM if width > THIN.width else COST_THIN
     return [_make_line(start, end, width / 2, cost) for start, end in _split(primitive)]

@@ -9,7 +9,7 @@ from kinegrade.figure import symbols
 from kinegrade.figure.joints.symbol import Rim, Symbol, find_fixed_pin
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.round.cam import trace_cam_profile
-from kinegrade.figure.plane import length
+from kinegrade.figure.plane import NEAR, length
 from kinegrade.figure.scene import (
     FIRM,
     PITCH,
@@ -53,11 +53,11 @@ def _draw_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
         return _draw_fixed_rim(rim)
     match rim.kind:
         case "edge":
-            return (Disc(rim.at, rim.radius, FIRM),)
+            return (Disc(rim.at, rim.radius, FIRM, "grey"),)
         case "cam":
             return _draw_cam(anatomy, rim)
         case "wheel" | "gear" | "slot":
-            return _draw_ring(rim) if rim.ring else _draw_round(rim)
+            return _draw_ring(rim) if rim.ring else _draw_round(anatomy, rim)
         case _:
             assert_never(rim.kind)
 
@@ -104,11 +104,14 @@ def _draw_gear(rim: Rim, fill: Fill) -> tuple[Primitive, ...]:
     return (teeth, Disc(rim.at, rim.radius, PITCH))
 
 
-def _draw_round(rim: Rim) -> tuple[Primitive, ...]:
+def _draw_round(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
     """A wheel, a gear, or a ring-shaped slot."""
     match rim.kind:
         case "slot":
-            return symbols.draw_round_slot(rim.at, rim.radius)
+            pin = find_fixed_pin(anatomy.symbols, rim.body)
+            pivot = anatomy.mechanism.points[pin] if pin else None
+            on_ring = pivot and abs(length(pivot - rim.at) - rim.radius) < NEAR
+            return symbols.draw_round_slot(rim.at, rim.radius, pivot if on_ring else None)
         case "gear":
             return _draw_gear(rim, "grey")
         case "wheel" | "cam" | "edge":
