@@ -7,12 +7,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import lru_cache, partial
+from itertools import groupby
+from operator import attrgetter
 
 from kinegrade.figure.marks.angles import draw_least_legs, mark_angles
 from kinegrade.figure.marks.dimensions import mark_lengths
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
-from kinegrade.figure.marks.motions import add_motion
+from kinegrade.figure.marks.motions import add_motions
 from kinegrade.figure.marks.names import label_bodies, label_points
 from kinegrade.figure.marks.radii import mark_radii
 from kinegrade.figure.marks.right_angles import add_right_angle
@@ -93,7 +95,7 @@ def _compose(mechanism: Mechanism, hints: FigureHints, letters_first: bool, scal
     start = Layout.of(drawing.primitives)
     bound = _place_marks_at_points(start, paper, hints, drawing, named)
     early, late = (named, ()) if letters_first else ((), named)
-    layout = _place_straight_marks(bound.written(early), paper, hints, start.obstacles, late)
+    layout = _place_straight_marks(bound.written(early), paper, hints, drawing, late)
     for radius in hints.radii:
         layout = layout.marked(mark_radii(paper.points, drawing.rims, radius, layout.obstacles))
     layout = add_axes_aside(layout, hints)
@@ -121,20 +123,16 @@ def _place_marks_at_points(
 
 
 def _place_straight_marks(
-    layout: Layout,
-    paper: Mechanism,
-    hints: FigureHints,
-    mechanism_alone: Obstacles,
-    named: tuple[Wish, ...],
+    layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing, named: tuple[Wish, ...]
 ) -> Layout:
     """Motions, distances, then the letters; distances before motions where a symbol is crowded
     otherwise.
     """
-    at = paper.points
+    at, mechanism_alone = paper.points, Obstacles.of(drawing.primitives)
+    motions = [given for given in hints.arrows if isinstance(given, Moving)]
     arrows: list[_Step] = [
-        partial(add_motion, mechanism=paper, hint=given)
-        for given in hints.arrows
-        if isinstance(given, Moving)
+        partial(add_motions, mechanism=paper, hints=list(together), rails=drawing.rails)
+        for _, together in groupby(motions, attrgetter("point"))
     ]
     lengths: list[_Step] = [
         partial(Layout.marked, alternatives=mark_lengths(at, given, mechanism_alone))

@@ -7,11 +7,12 @@ from math import degrees, hypot
 
 import pytest
 
-from kinegrade.figure.marks.motions import add_motion
+from kinegrade.figure.marks.motions import add_motions
 from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.plane import shorter_way
-from kinegrade.figure.scene import BOLD, FIRM, Bow, Scene, Strokes
+from kinegrade.figure.plane import nearest_of, shorter_way
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.drivers import Component, Rotation
 from kinegrade.mechanics.mechanism import Mechanism
@@ -23,6 +24,7 @@ from tests.figure.mechanisms import slider_crank
 from tests.problem.draws import draw_filter, drawn
 
 RIGHT = Vector(1.0, 0.0)
+BOTH = Moving("v", "B"), Moving("a", "B", None, "acceleration")
 SHAFT = 7.4  # millimetres, without the tip of its head
 
 
@@ -42,8 +44,7 @@ def shut_in(at: Vector) -> Layout:
 
 def place(layout: Layout, mechanism: Mechanism, *hints: Moving) -> list[tuple[Vector, Vector]]:
     """The arrows, each from its start to its end."""
-    for hint in hints:
-        layout = add_motion(layout, mechanism, hint)
+    layout = add_motions(layout, mechanism, hints)
     return [mark.path()[0] for mark in layout.marks]
 
 
@@ -88,9 +89,44 @@ def test_a_velocity_and_an_acceleration_that_oppose_do_not_read_as_a_dimension()
 
 def test_two_arrows_of_one_sense_do_not_lie_on_one_another() -> None:
     mechanism = slider(1, 1)
-    both = Moving("v", "B"), Moving("a", "B", None, "acceleration")
-    (_, tip), (tail, _) = place(Layout.of(()), mechanism, *both)
-    assert abs(tip.y - tail.y) > 3.0 or tail.x > tip.x
+    (_, tip), (tail, _) = place(Layout.of(()), mechanism, *BOTH)
+    assert abs(tip.y - tail.y) > 2.5
+
+
+def test_the_tail_of_an_arrow_is_at_its_point_or_level_with_it() -> None:
+    mechanism = slider(1, 1)
+    at = mechanism.points["B"]
+    layout = add_motions(Layout.of(()), mechanism, BOTH)
+    tails = [part.lines[0][0] for part in layout.primitives if isinstance(part, Strokes)]
+    assert [tail.x - at.x for tail in tails] == [pytest.approx(1.05), pytest.approx(0.0)]
+
+
+def test_a_second_arrow_passes_the_first_on_the_open_side_of_the_rail() -> None:
+    mechanism = slider(1, 1)
+    at = mechanism.points["B"]
+    for side in (Vector(0.0, 1.0), Vector(0.0, -1.0)):
+        level = at + side * 1.7
+        rail = Rail(at, RIGHT, side, level - RIGHT * 8, level + RIGHT * 8, 1.7)
+        layout = add_motions(Layout.of(()), mechanism, BOTH, [rail])
+        assert (layout.marks[-1].path()[0][0] - at).dot(side) < 0
+
+
+def test_each_symbol_is_nearest_to_its_own_arrow() -> None:
+    mechanism = slider(1, 1)
+    layout = add_motions(Layout.of(()), mechanism, BOTH)
+    arrows = [mark.path()[0] for mark in layout.marks]
+    for number, label in enumerate(layout.labels):
+        gaps = [hypot(*(label.centre - nearest_of(label.centre, *arrow))) for arrow in arrows]
+        assert gaps[number] == min(gaps)
+        assert max(gaps) - min(gaps) > 0.6
+
+
+def test_an_arrow_does_not_cross_the_arc_of_an_angle_where_it_can_go_beside_it() -> None:
+    mechanism = slider(1, 0)
+    arc = Bow(mechanism.points["B"], 7.0, -0.2, 1.0, THIN)
+    ((start, end),) = place(Layout.of([arc]), mechanism, Moving("v", "B"))
+    assert start.y == pytest.approx(end.y)
+    assert start.y < mechanism.points["B"].y - 2.0
 
 
 def turn_both(of: str, phi: float) -> list[Bow]:

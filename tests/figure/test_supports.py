@@ -180,9 +180,9 @@ def test_a_bare_end_slides_on_the_ground_itself(
     trammel = Mechanism(points, (Body("AB", ("A", "B")),), joints, ())
     drawn, hints = hinted(trammel, shapes=shapes)
     anatomy = Anatomy.of(scale_to_paper(drawn, 100.0), hints)
-    floor, _ = find_rails(anatomy)
+    floor, _ = rails = find_rails(anatomy)
     assert -floor.start.y == pytest.approx(reach)
-    drawings = draw_ground_sliders(anatomy)
+    drawings = draw_ground_sliders(rails)
     assert sum(isinstance(part, Outline) for part in drawings) == blocks
 
 

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from math import inf
+
+import numpy as np
 
 from kinegrade.figure.marks.imposed import find_imposed_direction
+from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import direction
-from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Wish, list_spots_beside
-from kinegrade.figure.plane import length, mean, unit
-from kinegrade.figure.scene import Primitive
+from kinegrade.figure.placing.obstacles import Obstacles, Segment
+from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside
+from kinegrade.figure.plane import NEAR, length, mean, nearest_of, unit
+from kinegrade.figure.scene import THIN, Bow, Primitive
 from kinegrade.figure.symbols import HEADS, PIN, draw_arrow
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -18,32 +23,67 @@ from kinegrade.problem.template.hints import Moving
 
 _ARROW = 9.0  # millimetres, length of the arrow of a straight motion
 # Millimetres from the point to the tail, with their demerits: at its pin, at the free face of its
-# block, or beyond another arrow
-_AHEAD = {PIN + 0.2: 0.0, 3.4: 0.5, 6.0: 2.5, 11.0: 4.5}
-# Millimetres beside the line of motion, on the free side first, and along it to the tail
-_OFFSETS = {3.6: 1.0, -3.6: 1.3, 5.0: 2.0, -5.0: 2.3, 6.5: 3.0, -6.5: 3.3, 8.0: 4.0, -8.0: 4.3}
-_SHIFTS = {0.0: 0.0, 3.0: 0.5, -_ARROW / 2: 2.0, -_ARROW: 6.0}
+# block
+_AHEAD = {PIN + 0.2: 0.0, 3.4: 1.0}
+# Millimetres beside the line of motion, on the free side first, and along it to the tail: level
+# with the point, unless a bar leaves it there
+_OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 3.0, -6.6: 3.3}
+_SHIFTS = {0.0: 0.0, 2.5: 2.0, 4.0: 4.0}
+_BEHIND = 6.0  # demerit of an arrow on the far side of the rail on which its point slides
+_FREER = 3.0  # millimetres by which the mechanism lies on one side for the other to be the free one
 _OPPOSED = 8.0  # demerit of an arrow that stands tail to tail with another beside its point
+# Millimetres between two parallel arrows at one point, and the demerit of less
+_APART, _TIGHT = 2.5, 6.0
+_ACROSS_ARC = 12.0  # demerit of an arrow across the arc of an angle, which would seem to end there
+# Millimetres by which a symbol has to be nearer to its arrow than to another one at the same point,
+# and the demerit of less
+_NEARER, _AMBIGUOUS = 0.6, 3.0
 _LEAST_OFFSET = 1.0  # millimetres from which on an arrow stands beside its point
+_BEYOND_TIP = 1  # spots for the symbol there
 # Millimetres from a point within which an arrow may lie close to a bar, and sideways its block
 _LEAVING, _BLOCK = 3.0, 2.0
+# Millimetres to the way past another arrow, and from a rail to that past its hatching
+_PAST_ARROW, _PAST_HATCHING = 1.6, 1.4
 
 
-def add_motion(layout: Layout, mechanism: Mechanism, hint: Moving) -> Layout:
-    """The layout with an arrow in the direction of the motion; beside its point it keeps off the
-    line of another one that goes the other way: the two would read as a dimension.
+def add_motions(
+    layout: Layout, mechanism: Mechanism, hints: Sequence[Moving], rails: Iterable[Rail] = ()
+) -> Layout:
+    """The layout with an arrow for each motion of one point, in its direction, and then their
+    symbols, each nearest to its own.
+
+    Beside the point an arrow keeps off the line of another one that goes the other way: the two
+    would read as a dimension. It stays on the open side of the rail on which the point slides.
     """
-    twins = [
-        mark
-        for mark in layout.marks
-        if isinstance(mark, _MovingArrow) and mark.hint.point == hint.point
-    ]
-    return layout.marked(
-        [
-            replace(arrow, demerit=arrow.demerit + _OPPOSED * any(map(arrow.opposes, twins)))
-            for arrow in _list_arrows(mechanism, hint)
-        ]
-    )
+    arcs = [line for line in layout.lines if isinstance(line, Bow) and line.pen == THIN]
+    around = _Surroundings(tuple(rails), Obstacles.of(arcs))
+    arrows: list[_MovingArrow] = []
+    for hint in hints:
+        ways = [around.rate(arrow.among(arrows)) for arrow in _list_arrows(mechanism, hint)]
+        layout, _ = layout.chosen(ways)
+        arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, _MovingArrow)]
+    for arrow in arrows:
+        layout = layout.captioned(arrow.wish_apart([other for other in arrows if other != arrow]))
+    return layout
+
+
+@dataclass(frozen=True)
+class _Surroundings:
+    """What else decides where an arrow may stand: rails, and the arcs of angles."""
+
+    rails: tuple[Rail, ...]
+    angles: Obstacles
+
+    def rate(self, arrow: _MovingArrow) -> _MovingArrow:
+        """The arrow with its demerit here; the way to one in the ground is past the hatching."""
+        worse, past = 0.0, arrow.past
+        if self.angles.along(arrow.path(), arrow.shared) > 0:
+            worse += _ACROSS_ARC
+        for rail in self.rails:
+            slides = length(rail.at - arrow.point) < NEAR
+            if slides and (arrow.start - rail.at).dot(rail.side) > rail.level:
+                worse, past = worse + _BEHIND, max(past, rail.level + _PAST_HATCHING)
+        return replace(arrow, demerit=arrow.demerit + worse, past=past)
 
 
 def _list_arrows(mechanism: Mechanism, hint: Moving) -> list[_MovingArrow]:
@@ -57,7 +97,8 @@ def _list_arrows(mechanism: Mechanism, hint: Moving) -> list[_MovingArrow]:
         else find_imposed_direction(mechanism, hint)
     )
     across = toward.turned()
-    across = across if across.dot(mean(mechanism.points.values()) - point) <= 1e-6 else -across
+    beyond = (point - mean(mechanism.points.values())).dot(across)
+    across = across if beyond > _FREER else -across
     ahead = [
         _MovingArrow(point + toward * gap, toward, hint, demerit, point)
         for gap, demerit in _AHEAD.items()
@@ -79,32 +120,66 @@ class _MovingArrow:
     hint: Moving
     demerit: float
     point: Vector
+    past: float = _BLOCK
     shared: bool = False
+
+    def among(self, others: Sequence[_MovingArrow]) -> _MovingArrow:
+        """The arrow beside others at its point, past which is the way to it."""
+        aside = self._find_aside(self.start)
+        levels = [(other, self._find_aside(other.start)) for other in others]
+        worse = sum(self._rate_beside(other, aside - level) for other, level in levels)
+        within = [abs(level) for _, level in levels if 0 < level * aside < aside**2]
+        past = max([self.past, *(level + _PAST_ARROW for level in within)])
+        return replace(self, demerit=self.demerit + worse, past=past)
 
     def path(self) -> tuple[Segment, ...]:
         """The arrow without its start at the pin, which leaves the parts there; beside its point
         the way there as well, past a block: no wall or bar lies between.
         """
         away = (self.start + self._end()) / 2 - self.point
-        aside = abs(away.dot(self.toward.turned()))
+        aside = abs(self._find_aside(self.start))
         if aside < _LEAST_OFFSET:
             near = max(0.0, _LEAVING - length(self.start - self.point))
             return ((self.start + self.toward * near, self._end()),)
-        past = self.point + away * (_BLOCK / aside)
+        past = self.point + away * (self.past / aside)
         return ((self.start, self._end()), (past, self.point + away))
 
-    def opposes(self, other: _MovingArrow) -> bool:
-        """Whether both stand beside their point on one line, in opposite senses."""
-        across = self.toward.turned()
-        off, aside = ((self.start - at).dot(across) for at in (other.start, self.point))
-        on_line = abs(off) < _LEAST_OFFSET <= abs(aside)
+    def _find_aside(self, at: Vector) -> float:
+        """Millimetres from the line of motion to a place, on the left positive."""
+        return float((at - self.point).dot(self.toward.turned()))
+
+    def _rate_beside(self, other: _MovingArrow, apart: float) -> float:
+        """The demerit of an arrow too close beside another one at its point, or on one line with
+        it beside their point, in opposite senses.
+        """
+        if abs(apart) >= _LEAST_OFFSET:
+            return _TIGHT if abs(apart) < _APART else 0.0
         against: bool = self.toward.dot(other.toward) < 0
-        return on_line and against
+        beside = abs(self._find_aside(self.start)) >= _LEAST_OFFSET
+        return _OPPOSED if against and beside else 0.0
 
     def wish(self) -> Wish:
-        """Beside the arrow, else around its tip."""
-        shaft = list_spots_beside(self.hint.symbol, self.start + self.toward * 3, self._end())
-        return Wish(self.hint.symbol, shaft, self._end())
+        """Beside the arrow, beyond its tip, farther beside it, else around its tip."""
+        symbol, end = self.hint.symbol, self._end()
+        shaft = list_spots_beside(symbol, self.start + self.toward * 3, end)
+        tip = list_spots_around(symbol, end, away=self.toward)[:_BEYOND_TIP]
+        close = len(shaft) // 3
+        spots = np.concatenate((shaft[:close], tip, shaft[close:]))
+        return Wish(symbol, spots, end)
+
+    def wish_apart(self, others: Sequence[_MovingArrow]) -> Wish:
+        """The wish, where the symbol cannot be taken for that of another arrow first."""
+        wish = self.wish()
+        spots = [Vector(*spot) for spot in wish.spots.tolist()]
+        demerits = [_AMBIGUOUS * self._is_ambiguous(spot, others) for spot in spots]
+        return replace(wish, demerits=np.array(demerits))
+
+    def _is_ambiguous(self, spot: Vector, others: Sequence[_MovingArrow]) -> bool:
+        """Whether a spot is about as near to another arrow."""
+        own, *gaps = (
+            length(spot - nearest_of(spot, arrow.start, arrow._end())) for arrow in (self, *others)
+        )
+        return min(gaps, default=inf) < own + _NEARER
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead."""

@@ -14,6 +14,7 @@ from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.belts import draw_belts, draw_ropes
 from kinegrade.figure.mechanism.pins import draw_motors, draw_points
 from kinegrade.figure.mechanism.plates import Plate
+from kinegrade.figure.mechanism.rails import Rail, find_rails
 from kinegrade.figure.mechanism.round.heads import draw_heads
 from kinegrade.figure.mechanism.round.round_bodies import draw_round_bodies
 from kinegrade.figure.mechanism.sliders import draw_blocks, draw_ground_sliders, draw_sleeves
@@ -35,20 +36,23 @@ class Drawing:
     rims: tuple[Rim, ...]
     parts: tuple[Part, ...]
     symbols: tuple[Symbol, ...]
+    rails: tuple[Rail, ...]
 
 
 def draw(mechanism: Mechanism, hints: FigureHints) -> Drawing:
     """The mechanism (lengths in millimetres) drawn with the symbols of ISO 3952."""
     anatomy = Anatomy.of(mechanism, hints)
-    return Drawing(tuple(_draw_layers(anatomy)), anatomy.rims, anatomy.parts, anatomy.symbols)
+    rails = find_rails(anatomy)
+    layers = tuple(_draw_layers(anatomy, rails))
+    return Drawing(layers, anatomy.rims, anatomy.parts, anatomy.symbols, rails)
 
 
-def _draw_layers(anatomy: Anatomy) -> Iterator[Primitive]:
+def _draw_layers(anatomy: Anatomy, rails: tuple[Rail, ...]) -> Iterator[Primitive]:
     yield from draw_round_bodies(anatomy)
     yield from draw_belts(anatomy)
     yield from draw_ropes(anatomy)
     yield from draw_tracks(anatomy)
-    yield from draw_ground_sliders(anatomy)
+    yield from draw_ground_sliders(rails)
     for part in anatomy.parts:
         if isinstance(part, Plate | SlottedDisc):
             yield from draw_straight_part(part)

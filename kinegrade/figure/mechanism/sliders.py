@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from kinegrade.figure.mechanism.anatomy import Anatomy
-from kinegrade.figure.mechanism.rails import find_rails
+from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.scene import Primitive
 from kinegrade.figure.symbols import (
     BLOCK_LENGTH,
@@ -30,9 +30,9 @@ def draw_blocks(anatomy: Anatomy) -> Iterator[Primitive]:
             yield draw_block(at, along, BLOCK_LENGTH - 1.0, SLOT_WIDTH)
 
 
-def draw_ground_sliders(anatomy: Anatomy) -> Iterator[Primitive]:
+def draw_ground_sliders(rails: Iterable[Rail]) -> Iterator[Primitive]:
     """The blocks on ground guides; a rod needs none in its guide, nor an end that is bare."""
-    for rail in find_rails(anatomy):
+    for rail in rails:
         yield from draw_ground(rail.start, rail.end, rail.side)
         if rail.beyond:
             yield from draw_ground(*rail.beyond, -rail.side)

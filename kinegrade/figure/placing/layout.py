@@ -65,26 +65,41 @@ class Layout:
         """The layout with the alternative that covers least, and its label; areas reserved for
         later items may be kept clear.
         """
+        layout, wish = self.chosen(alternatives, sparing)
+        return layout.captioned(wish, sparing)
+
+    def chosen(
+        self, alternatives: Sequence[Mark], sparing: Sequence[Primitive] = ()
+    ) -> tuple[Layout, Wish]:
+        """The layout with the alternative that covers least, and the wish of its label, which is
+        still to be written.
+        """
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
         mark, wish, cost = _choose_least_covering(alternatives, crowded)
         struck = cost >= COST_LABEL and self._strikes_label(mark)
         layout = replace(self.drawn(mark.primitives()), marks=(*self.marks, mark))
-        crowded = layout.obstacles.with_drawn(sparing) if sparing else layout.obstacles
+        return (layout._complaining(wish.symbol) if struck else layout), wish
+
+    def captioned(self, wish: Wish, sparing: Sequence[Primitive] = ()) -> Layout:
+        """The layout with the label of a mark, which has a fault only where something is under
+        it.
+        """
+        crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
         placed = place_label(wish, crowded)
-        faulty = struck or (placed.faulty and is_covered(placed.label, layout.obstacles))
-        return layout._labelled(replace(placed, faulty=faulty))
+        faulty = placed.faulty and is_covered(placed.label, self.obstacles)
+        return self._labelled(replace(placed, faulty=faulty))
 
     def _strikes_label(self, mark: Mark) -> bool:
         return self.obstacles.along(mark.path(), mark.shared) >= COST_LABEL
 
     def _labelled(self, placed: Placed) -> Layout:
         label = placed.label
-        return replace(
-            self,
-            labels=(*self.labels, label),
-            obstacles=self.obstacles.with_drawn((label,)),
-            crowded=(*self.crowded, label.symbol) if placed.faulty else self.crowded,
-        )
+        obstacles = self.obstacles.with_drawn((label,))
+        layout = replace(self, labels=(*self.labels, label), obstacles=obstacles)
+        return layout._complaining(label.symbol) if placed.faulty else layout
+
+    def _complaining(self, symbol: str) -> Layout:
+        return replace(self, crowded=tuple(dict.fromkeys((*self.crowded, symbol))))
 
 
 def _batch(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
