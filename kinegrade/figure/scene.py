@@ -118,7 +118,7 @@ class Box:
 @dataclass(frozen=True)
 class Scene:
     """A finished drawing; `scale` is millimetres on paper per metre, and `crowded` are the symbols
-    that found no good place.
+    that found no good place; `strain` is what marks cost that cross something firm.
     """
 
     width: float
@@ -126,6 +126,7 @@ class Scene:
     scale: float
     primitives: tuple[Primitive, ...]
     crowded: tuple[str, ...] = ()
+    strain: float = 0.0
 
     @property
     def labels(self) -> tuple[Label, ...]:

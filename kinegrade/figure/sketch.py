@@ -4,14 +4,15 @@ output.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache, partial
 from itertools import groupby
 from operator import attrgetter
+from typing import Literal, assert_never
 
 from kinegrade.figure.marks.angles import draw_least_legs, mark_angles
-from kinegrade.figure.marks.dimensions import mark_lengths
+from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.motions import add_motions
@@ -25,7 +26,6 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.scene import Scene, find_common_box
 from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
 from kinegrade.mechanics.mechanism import Mechanism
@@ -38,11 +38,21 @@ _ARROWS = 6.6, 2.2  # millimetres that straight arrows usually take beside the s
 _AXES = 0.0, 4.4  # millimetres that a frame of axes usually takes at the side
 # Marks that fit within WRITING, and the millimetres that each further one takes
 _USUAL, _FURTHER = (4, 1.2)
-# Shares of the first scale that are tried in turn while a symbol has no good place, and whether
-# the letters of points then come before dimension lines and straight arrows
-_FURTHER_TRIES = ((1.0, True), (0.95, False), (0.88, False), (0.88, True))
+_Stage = Literal["rotations", "motions", "lengths", "letters"]
+# The marks with the fewest possible places first; letters stand near their points
+_USUAL_ORDER: tuple[_Stage, ...] = ("rotations", "motions", "lengths", "letters")
+_LETTERS_EARLY: tuple[_Stage, ...] = ("rotations", "letters", "motions", "lengths")
+# What is tried while a dimension line crosses a bar, then orders to be tried in turn while a symbol
+# has no good place
+_LENGTHS_FIRST: tuple[_Stage, ...] = ("lengths", "rotations", "motions", "letters")
+_OTHER_ORDERS: tuple[tuple[_Stage, ...], ...] = (
+    ("rotations", "lengths", "motions", "letters"),
+    _LETTERS_EARLY,
+)
+# Shares of the first scale, with an order, tried in turn while a symbol has no good place
+_SMALLER = ((0.95, _USUAL_ORDER), (0.88, _USUAL_ORDER), (0.88, _LETTERS_EARLY))
+_EASY = 80.0  # cost of a dimension line that crosses no bar and no letter
 Sketcher = Callable[[Mechanism, FigureHints], Scene]
-_Step = Callable[[Layout], Layout]
 PLAIN = FigureHints()
 
 
@@ -70,43 +80,75 @@ def draw_unit_figure(shown: Subject) -> Scene:
     mechanism, hints = shown.mechanism, drop_still(shown.mechanism, shown.hints)
     span = measure_span(mechanism, hints)
     scale = _choose_first_scale(mechanism, hints, span)
-    best = fit_scene(partial(_compose, mechanism, hints, False), scale, span)
+    best = fit_scene(partial(_compose, mechanism, hints, _USUAL_ORDER), scale, span)
     first = best.scale
-    for share, letters_first in _FURTHER_TRIES:
-        if not best.crowded:
-            break
-        compose = partial(_compose, mechanism, hints, letters_first)
-        other = fit_scene(compose, first * share, span)
-        best = min(best, other, key=lambda scene: len(scene.crowded))
+    if best.strain:
+        other = fit_scene(partial(_compose, mechanism, hints, _LENGTHS_FIRST), first, span)
+        best = min(best, other, key=_rate_scene)
+    for order in _OTHER_ORDERS:
+        if best.crowded:
+            other = fit_scene(partial(_compose, mechanism, hints, order), first, span)
+            best = min(best, other, key=_rate_scene)
+    for share, order in _SMALLER:
+        if best.crowded:
+            other = fit_scene(partial(_compose, mechanism, hints, order), first * share, span)
+            best = min(best, other, key=_rate_scene)
     return best
 
 
-def _compose(mechanism: Mechanism, hints: FigureHints, letters_first: bool, scale: float) -> Layout:
-    """The mechanism, then the marks with the fewest possible places first, each placed around what
-    is already there.
+def _rate_scene(scene: Scene) -> tuple[int, float]:
+    """How bad a figure is: first by symbols without a good place, then by what marks cross."""
+    return len(scene.crowded), round(scene.strain, 6)
 
-    Letters must stand near their points, after the marks that are bound to points (or before those
-    that are bound to two) but before the radii, which may go anywhere; the name of a body may stand
-    anywhere in it.
+
+def _compose(
+    mechanism: Mechanism, hints: FigureHints, order: tuple[_Stage, ...], scale: float
+) -> Layout:
+    """The mechanism, then frames and angles, then the other marks and the letters of points in an
+    order; last the radii, which may go anywhere, and the names of bodies.
     """
     paper = scale_to_paper(mechanism, scale)
     drawing = draw(paper, hints)
     named = tuple(label_points(paper, hints, drawing))
     start = Layout.of(drawing.primitives)
-    bound = _place_marks_at_points(start, paper, hints, drawing, named)
-    early, late = (named, ()) if letters_first else ((), named)
-    layout = _place_straight_marks(bound.written(early), paper, hints, drawing, late)
+    layout = _place_frames_and_angles(start, paper, hints, drawing)
+    for stage in order:
+        match stage:
+            case "rotations":
+                for given in hints.arrows:
+                    if isinstance(given, Turning):
+                        layout = add_rotation(layout, paper, given, drawing, named)
+            case "motions":
+                moving = [given for given in hints.arrows if isinstance(given, Moving)]
+                for _, together in groupby(moving, attrgetter("point")):
+                    layout = add_motions(layout, paper, list(together), drawing.rails)
+            case "lengths":
+                grounds = start.obstacles, Obstacles.of(drawing.ground)
+                layout = _place_lengths(layout, paper, hints, *grounds)
+            case "letters":
+                layout = layout.written(named)
+            case _:
+                assert_never(stage)
     for radius in hints.radii:
         layout = layout.marked(mark_radii(paper.points, drawing.rims, radius, layout.obstacles))
     layout = add_axes_aside(layout, hints)
     return layout.written(label_bodies(paper, hints, drawing))
 
 
-def _place_marks_at_points(
-    layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing, named: tuple[Wish, ...]
+def _place_lengths(
+    layout: Layout, paper: Mechanism, hints: FigureHints, drawn: Obstacles, ground: Obstacles
 ) -> Layout:
-    """Marks bound to one point: frames, angles, rotations (which keep clear of the letters at their
-    pivots).
+    for length in hints.lengths:
+        layout = add_length(layout, paper.points, length, drawn, ground)
+    dear = [cost - _EASY for cost in layout.costs[len(layout.costs) - len(hints.lengths) :]]
+    return replace(layout, strain=sum(cost for cost in dear if cost > 0))
+
+
+def _place_frames_and_angles(
+    layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing
+) -> Layout:
+    """Marks that are bound to one point, right angles first; an angle keeps clear of the sides of
+    those to come.
     """
     for points in hints.right_angles:
         layout = add_right_angle(layout, paper.points, points, drawing)
@@ -116,38 +158,6 @@ def _place_marks_at_points(
         to_come = [line for lines in legs[number:] for line in lines]
         for arcs in mark_angles(paper.points, angle, drawing):
             layout = layout.marked(arcs, to_come)
-    for given in hints.arrows:
-        if isinstance(given, Turning):
-            layout = add_rotation(layout, paper, given, drawing, named)
-    return layout
-
-
-def _place_straight_marks(
-    layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing, named: tuple[Wish, ...]
-) -> Layout:
-    """Motions, distances, then the letters; distances before motions where a symbol is crowded
-    otherwise.
-    """
-    at, mechanism_alone = paper.points, Obstacles.of(drawing.primitives)
-    motions = [given for given in hints.arrows if isinstance(given, Moving)]
-    arrows: list[_Step] = [
-        partial(add_motions, mechanism=paper, hints=list(together), rails=drawing.rails)
-        for _, together in groupby(motions, attrgetter("point"))
-    ]
-    lengths: list[_Step] = [
-        partial(Layout.marked, alternatives=mark_lengths(at, given, mechanism_alone))
-        for given in hints.lengths
-    ]
-    first = _follow((*arrows, *lengths), layout).written(named)
-    if len(first.crowded) == len(layout.crowded) or not (arrows and lengths):
-        return first
-    other = _follow((*lengths, *arrows), layout).written(named)
-    return min(first, other, key=lambda placed: len(placed.crowded))
-
-
-def _follow(steps: Iterable[_Step], layout: Layout) -> Layout:
-    for step in steps:
-        layout = step(layout)
     return layout
 
 

@@ -1,21 +1,99 @@
-"""Dimension lines go round what they measure."""
+"""Dimension lines go round what they measure and start at its ends; a symbol beside a line that
+joins the two points replaces one that has no clear place.
+"""
 
 from __future__ import annotations
 
-from kinegrade.figure.marks.dimensions import mark_lengths
+from collections.abc import Iterable
+
+from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.scene import BOLD, Disc
+from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Disc, Primitive, Strokes
+from kinegrade.figure.symbols import STAND, draw_pivot
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length
 from tests.figure.clear import heads
 
-AB = {"A": Vector(-20.0, 0.0), "B": Vector(20.0, 0.0)}
+A, B = Vector(-20.0, 0.0), Vector(20.0, 0.0)
+AB = {"A": A, "B": B}
+DOWN = Vector(0.0, -1.0)
+ROD = Strokes(((A, B),), BOLD)
+# Firm lines on both sides of the rod, which every dimension line of AB has to cross
+FENCES = Strokes(tuple((Vector(15.0, level), Vector(25.0, level)) for level in (5.0, -5.0)), FIRM)
+
+
+def _add(
+    length: Length,
+    drawn: Iterable[Primitive],
+    ground: Iterable[Primitive] = (),
+    marks: Iterable[Primitive] = (),
+) -> Layout:
+    ground, layout = tuple(ground), Layout.of((*drawn, *ground))
+    marked = layout.drawn(tuple(marks))
+    return add_length(marked, AB, length, layout.obstacles, Obstacles.of(ground))
+
+
+def _find_extensions(layout: Layout) -> list[tuple[Vector, Vector]]:
+    """The thin vertical lines of a mark that was added last."""
+    lines = [line for each in layout.lines if isinstance(each, Strokes) for line in each.lines]
+    return [(start, end) for start, end in lines[-3:] if abs(start.x - end.x) < 1e-9]
 
 
 def test_a_dimension_line_goes_round_a_large_wheel() -> None:
-    layout = Layout.of((Disc(Vector(0.0, 0.0), 18.0, BOLD),))
-    marked = layout.marked(mark_lengths(AB, Length("d", "A", "B"), layout.obstacles))
+    marked = _add(Length("d", "A", "B"), (Disc(Vector(0.0, 0.0), 18.0, BOLD),))
     tips = [head.corners[0] for head in heads(marked)]
     assert [round(tip.x, 6) for tip in tips] == [-20.0, 20.0]
     assert all(abs(tip.y) > 18.0 for tip in tips)
     assert marked.crowded == ()
+
+
+def test_extension_lines_start_at_their_points_and_keep_off_a_bar_in_between() -> None:
+    bar = Strokes(((Vector(-30.0, 5.0), Vector(30.0, 4.0)),), BOLD)
+    for start, end in _find_extensions(_add(Length("d", "A", "B"), (bar,))):
+        assert 0.85 < abs(start.y) < 2.0
+        assert end.y < 0
+
+
+def test_extension_lines_start_outside_the_supports_of_their_points() -> None:
+    ground = (*draw_pivot(A, DOWN * STAND), *draw_pivot(B, DOWN * STAND))
+    bar = Strokes(((Vector(-30.0, 5.0), Vector(30.0, 4.0)),), BOLD)
+    for start, _ in _find_extensions(_add(Length("d", "A", "B"), (bar,), ground)):
+        assert -6.5 < start.y < -5.1
+
+
+def test_parallel_dimension_lines_stand_apart() -> None:
+    points = {**AB, "C": Vector(-20.0, 1.3), "D": Vector(5.0, 1.3)}
+    layout = Layout.of((Strokes(((Vector(-25.0, -2.0), Vector(25.0, -2.0)),), BOLD),))
+    for ends in ("AB", "CD"):
+        length = Length(ends.lower(), *ends)
+        layout = add_length(layout, points, length, layout.obstacles, Obstacles((), ()))
+    levels = sorted({round(head.corners[0].y, 6) for head in heads(layout)})
+    assert len(levels) == 2
+    assert levels[1] - levels[0] > 3.5
+
+
+def test_a_thin_line_between_the_points_takes_the_symbol_where_a_dimension_would_cross() -> None:
+    leg = Strokes(((A, B),), THIN)
+    length = Length("d", "A", "B")
+    assert len(heads(_add(length, (), marks=(leg,)))) == 2
+    plain = _add(length, (FENCES,), marks=(leg,))
+    [label] = plain.labels
+    assert heads(plain) == []
+    assert abs(label.centre.y) < 3.0
+
+
+def test_a_part_of_a_bar_is_dimensioned_if_a_dimension_crosses_no_bar() -> None:
+    longer = Strokes(((A, Vector(40.0, 0.0)),), BOLD)
+    across = [Strokes(((Vector(10.0, level), Vector(30.0, level)),), BOLD) for level in (5.0, -5.0)]
+    length = Length("d", "A", "B")
+    assert len(heads(_add(length, (longer,)))) == 2
+    plain = _add(length, (longer, *across))
+    assert heads(plain) == []
+    assert abs(plain.labels[0].centre.y) < 3.0
+
+
+def test_a_rod_between_the_points_takes_the_symbol_alone() -> None:
+    plain = _add(Length("d", "A", "B"), (ROD,))
+    assert heads(plain) == []
+    assert abs(plain.labels[0].centre.y) < 3.0

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kinegrade.figure.placing.joining import find_join
 from kinegrade.figure.placing.obstacles import (
     COST_BOLD,
     COST_FIRM,
@@ -145,6 +146,7 @@ def test_nothing_drawn_covers_nothing() -> None:
 
 def test_two_points_are_joined_by_a_line_that_ends_at_both() -> None:
     drawn = Obstacles.of((line((1, 0), (20, 0)),))
-    assert drawn.joins(Vector(0, 0), Vector(20, 0), 2.0)
-    assert not drawn.joins(Vector(0, 0), Vector(10, 0), 2.0)
-    assert not drawn.joins(Vector(0, 0), Vector(20, 1), 2.0)
+    assert find_join(drawn, Vector(0, 0), Vector(20, 0), 2.0) == "whole"
+    assert find_join(drawn, Vector(0, 0), Vector(10, 0), 2.0) == "part"
+    assert find_join(drawn, Vector(0, 0), Vector(30, 0), 2.0) == "none"
+    assert find_join(drawn, Vector(0, 0), Vector(20, 1), 2.0) == "none"

@@ -106,7 +106,7 @@ def test_a_second_arrow_passes_the_first_on_the_open_side_of_the_rail() -> None:
     at = mechanism.points["B"]
     for side in (Vector(0.0, 1.0), Vector(0.0, -1.0)):
         level = at + side * 1.7
-        rail = Rail(at, RIGHT, side, level - RIGHT * 8, level + RIGHT * 8, 1.7)
+        rail = Rail(at, RIGHT, side, level - RIGHT * 8, level + RIGHT * 8, 1.7, None)
         layout = add_motions(Layout.of(()), mechanism, BOTH, [rail])
         assert (layout.marks[-1].path()[0][0] - at).dot(side) < 0
 

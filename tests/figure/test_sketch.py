@@ -199,9 +199,9 @@ def test_a_crowded_figure_is_tried_otherwise_and_smaller_before_it_is_given_up(
     draw_unit_figure.cache_clear()
     assert tried.crowded == ("r",)
     assert scales == sorted(scales, reverse=True)
-    assert first[:3] == [False, True, False]
-    assert scales[1] == scales[0]
-    assert scales[2] < 0.97 * scales[0]
+    assert first[:3] == [False, False, True]
+    assert scales[1] == scales[2] == scales[0]
+    assert scales[3] < 0.97 * scales[0]
 
 
 def test_the_room_of_a_letter_holds_what_rises_above_and_falls_below_it() -> None:

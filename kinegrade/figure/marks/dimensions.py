@@ -5,16 +5,16 @@ line or at the end of a leader.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from math import copysign, pi
+from dataclasses import replace
+from math import copysign, inf, pi
 from typing import assert_never
 
+from kinegrade.figure.marks.dimension_lines import DimensionLine, Leader, SymbolBeside
+from kinegrade.figure.placing.joining import Join, find_join
+from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
-from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside
-from kinegrade.figure.plane import NEAR, length, nearest_of, polar, unit
-from kinegrade.figure.scene import THIN, Primitive, Strokes
-from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
+from kinegrade.figure.plane import NEAR, length, nearest_of, unit
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length, Projection
 
@@ -27,10 +27,15 @@ _OFFSETS = tuple(
 _LEAVING = 1.6  # millimetres from a point to its extension line, where nothing is in the way
 # Millimetres around a point in which its support is, in steps, and from there to the line
 _SUPPORT, _PROBES, _OUTSIDE = (7.0, 10, 0.5)
+_BODY = 2.9  # millimetres around a point in which the broad body or the sleeve is that it is on
+_HIDDEN = 1.0  # demerit of a millimetre between a point and its extension line beyond a support
 _SHORT = 4.0  # millimetres of a gap that still leave room for a line of the least offset
 # Millimetres, of the leader from a symbol to a bar with no room next to it
 _LEADERS = (6.0, 9.0)
 _TURNS = tuple(turn * pi / 6 for turn in range(12))
+# Demerits of a symbol alone beside a part of a bar that runs on, and beside a thin line
+_PART, _LEG = 20.0, 3.0
+_CLOSE = 6.0  # demerit of a dimension line close beside another
 _DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
 
@@ -47,58 +52,103 @@ def _measure(along: Projection | None, start: Vector, end: Vector) -> Vector:
             assert_never(along)
 
 
-def mark_lengths(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> list[Mark]:
-    """Dimension lines, and the symbol alone where a line is drawn exactly between the two
-    points.
+def add_length(
+    layout: Layout, at: Mapping[str, Vector], hint: Length, drawn: Obstacles, ground: Obstacles
+) -> Layout:
+    """The layout with a dimension line that stands well apart from earlier ones, or the symbol
+    alone where a line is drawn exactly between the two points; `drawn` is the mechanism, and
+    `ground` are its supports and guides.
     """
+    dimensions = _list_dimensions(at, hint, drawn, ground)
+    earlier = [mark for mark in layout.marks if isinstance(mark, DimensionLine)]
+    if earlier:
+        dimensions = [
+            replace(mark, demerit=mark.demerit + _CLOSE * sum(map(mark.crowds, earlier)))
+            for mark in dimensions
+        ]
+    start, end = at[hint.start], at[hint.end]
+    demerit = _rate_join(find_join(drawn, start, end, _DRAWN_GAP))
+    if find_join(layout.obstacles, start, end, _DRAWN_GAP) == "whole":
+        demerit = min(demerit, _LEG)
+    return layout.marked([*dimensions, *_list_letters(at, hint, demerit)])
+
+
+def _list_dimensions(
+    at: Mapping[str, Vector], hint: Length, drawn: Obstacles, ground: Obstacles
+) -> list[DimensionLine]:
     start, end = at[hint.start], at[hint.end]
     measured = _measure(hint.along, start, end)
     backwards = hint.signed and measured.dot(end - start) < 0
     symbol = rf"\left|{hint.symbol}\right|" if backwards else hint.symbol
     gaps = {
         side: (
-            _find_gap(start, measured.turned() * side, drawn),
-            _find_gap(end, measured.turned() * side, drawn),
+            _find_gap(start, measured.turned() * side, drawn, ground),
+            _find_gap(end, measured.turned() * side, drawn, ground),
         )
         for side in (1.0, -1.0)
     }
-    found: list[Mark] = [
+    return [
         _draw_dimension((start, end), measured, offset, symbol, gaps[copysign(1.0, offset)])
         for offset in _OFFSETS
     ]
+
+
+def _rate_join(join: Join) -> float:
+    """The demerit of a symbol alone beside the line that joins two points."""
+    match join:
+        case "whole":
+            return 0.0
+        case "part":
+            return _PART
+        case "none":
+            return inf
+        case _:
+            assert_never(join)
+
+
+def _list_letters(at: Mapping[str, Vector], hint: Length, demerit: float) -> list[Mark]:
+    """The symbol beside the line between the two points, or at a leader to its middle where that
+    is a whole line; nothing where no line joins the points, or a part of it could be meant.
+    """
+    start, end = at[hint.start], at[hint.end]
     others = [point for name, point in at.items() if name not in (hint.start, hint.end)]
-    whole = hint.along is None and not _between(start, end, others)
-    if whole and drawn.joins(start, end, _DRAWN_GAP):
-        found.append(_Lettered(start, end, symbol))
-        found += [
-            _Leader((start + end) / 2, angle, reach, symbol)
-            for reach in _LEADERS
-            for angle in _TURNS
-        ]
-    return found
+    if hint.along is not None or demerit == inf or _between(start, end, others):
+        return []
+    middle, beside = (start + end) / 2, SymbolBeside(start, end, hint.symbol, demerit)
+    if demerit >= _PART:
+        return [beside]
+    leaders = [Leader(middle, angle, reach, hint.symbol) for reach in _LEADERS for angle in _TURNS]
+    return [beside, *leaders]
 
 
-def _find_gap(point: Vector, away: Vector, drawn: Obstacles) -> float:
-    """How far from a point an extension line begins: beyond a support that stands there."""
+def _find_gap(point: Vector, away: Vector, drawn: Obstacles, ground: Obstacles) -> float:
+    """How far from a point an extension line begins: beyond the broad body that the point is on,
+    and beyond a support that stands there; what is drawn farther away it has to cross.
+    """
     (x, y), last = point, _LEAVING
-    near = drawn.near((x - _SUPPORT, y - _SUPPORT, x + _SUPPORT, y + _SUPPORT))
+    box = (x - _SUPPORT, y - _SUPPORT, x + _SUPPORT, y + _SUPPORT)
+    near, support = drawn.near(box), ground.near(box)
     for step in range(1, _PROBES + 1):
         reach = _SUPPORT * step / _PROBES
-        if near.under_box(x + away.x * reach, y + away.y * reach, 0.2, 0.2) > 0:
+        probe = (x + away.x * reach, y + away.y * reach, 0.2, 0.2)
+        in_way = near if reach < _BODY else support
+        if in_way.under_box(*probe) > 0:
             last = max(last, reach + _OUTSIDE)
     return last
 
 
 def _draw_dimension(
     points: Segment, measured: Vector, offset: float, symbol: str, gaps: tuple[float, float]
-) -> _Dimension:
+) -> DimensionLine:
     """The dimension line at an offset from the outer one of the two points, outside supports."""
     across = measured.turned()
     offset += copysign(max(0.0, max(gaps) - _SHORT), offset)
     outer = max if offset > 0 else min
     level = outer(across.dot(point) for point in points) + offset
     feet = [point + across * (level - across.dot(point)) for point in points]
-    return _Dimension(points, (feet[0], feet[1]), symbol, 0.3 * abs(offset), gaps)
+    hidden = sum(gap - _LEAVING for gap in gaps if gap > _BODY + _OUTSIDE)
+    demerit = 0.3 * abs(offset) + _HIDDEN * hidden
+    return DimensionLine(points, (feet[0], feet[1]), symbol, demerit, gaps)
 
 
 def _between(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
@@ -110,108 +160,3 @@ def _between(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
         and length(point - start) > NEAR < length(point - end)
         for point in others
     )
-
-
-@dataclass(frozen=True)
-class _Dimension:
-    """Extension lines from two points to their feet, and the dimension line between the feet."""
-
-    points: Segment
-    feet: Segment
-    symbol: str
-    demerit: float
-    gaps: tuple[float, float]
-    shared: bool = True
-
-    def path(self) -> tuple[Segment, ...]:
-        """The dimension line, and the extension lines from where they leave their points."""
-        return (self._line(), *self._extensions())
-
-    def wish(self) -> Wish:
-        """Beside the dimension line."""
-        return Wish(self.symbol, list_spots_beside(self.symbol, *self._line()))
-
-    def primitives(self) -> tuple[Primitive, ...]:
-        """Thin lines and two arrowheads, from outside where there is no room between the feet."""
-        along = unit(self.feet[1] - self.feet[0]) * (1.0 if self._outside() else -1.0)
-        heads = (draw_arrowhead(self.feet[0], along), draw_arrowhead(self.feet[1], -along))
-        return (Strokes((*self._extensions(), self._line()), THIN), *heads)
-
-    def _outside(self) -> bool:
-        return length(self.feet[1] - self.feet[0]) < 2 * HEAD_LENGTH + 1.5
-
-    def _line(self) -> Segment:
-        tail = unit(self.feet[1] - self.feet[0]) * (3.0 if self._outside() else 0.0)
-        return (self.feet[0] - tail, self.feet[1] + tail)
-
-    def _extensions(self) -> tuple[Segment, ...]:
-        """From a gap beyond each point to a little beyond its foot."""
-        found = []
-        for point, end, gap in zip(self.points, self.feet, self.gaps, strict=True):
-            away = unit(end - point)
-            if length(end - point) > gap + 0.9:
-                found.append((point + away * gap, end + away * 1.2))
-        return tuple(found)
-
-
-@dataclass(frozen=True)
-class _Lettered:
-    """The symbol alone, close to a line that is drawn between the two points, where the most room
-    is.
-    """
-
-    start: Vector
-    end: Vector
-    symbol: str
-    demerit: float = 0.0
-    shared: bool = True
-
-    def path(self) -> tuple[Segment, ...]:
-        """Empty: no line is drawn."""
-        return ()
-
-    def wish(self) -> Wish:
-        """Close beside the line."""
-        return Wish(
-            self.symbol,
-            list_spots_beside(self.symbol, self.start, self.end, gaps=(0.8, 1.3), stations=5),
-        )
-
-    def primitives(self) -> tuple[Primitive, ...]:
-        """Empty: no line is drawn."""
-        return ()
-
-
-@dataclass(frozen=True)
-class _Leader:
-    """The symbol at the end of a leader to the middle of a bar, for bars that are short and
-    crowded.
-    """
-
-    middle: Vector
-    angle: float
-    reach: float
-    symbol: str
-    shared: bool = True
-
-    @property
-    def demerit(self) -> float:
-        """Higher than that of any unobstructed dimension line."""
-        return 1.0 * self.reach
-
-    def path(self) -> tuple[Segment, ...]:
-        """The leader without its start, which touches the bar in any case."""
-        return ((self.middle + polar(self.angle, 1.5), self._end()),)
-
-    def wish(self) -> Wish:
-        """Around the far end."""
-        return Wish(
-            self.symbol, list_spots_around(self.symbol, self._end(), away=polar(self.angle))[:6]
-        )
-
-    def primitives(self) -> tuple[Primitive, ...]:
-        """The leader."""
-        return (Strokes(((self.middle, self._end()),), THIN),)
-
-    def _end(self) -> Vector:
-        return self.middle + polar(self.angle, self.reach)

@@ -45,7 +45,7 @@ def fit_scene(
             _find_shrinkage(box.height, height, span[1] * scale),
         )
     scene = _move_to_corner(layout.primitives, box, scale)
-    return replace(scene, crowded=layout.crowded)
+    return replace(scene, crowded=layout.crowded, strain=layout.strain)
 
 
 def make_scene(primitives: Iterable[Primitive], scale: float) -> Scene:

@@ -6,7 +6,7 @@ Bars and plates lie above the blocks to whose pins they lead, slender bars also 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from kinegrade.figure.joints.symbol import Rim, Symbol
@@ -30,9 +30,12 @@ from kinegrade.problem.template.hints import FigureHints
 
 @dataclass(frozen=True)
 class Drawing:
-    """The mechanism's primitives, with what marks and labels need to know about its parts."""
+    """The mechanism's primitives, those of its supports and guides alone, and what marks and
+    labels need to know about its parts.
+    """
 
     primitives: tuple[Primitive, ...]
+    ground: tuple[Primitive, ...]
     rims: tuple[Rim, ...]
     parts: tuple[Part, ...]
     symbols: tuple[Symbol, ...]
@@ -43,21 +46,24 @@ def draw(mechanism: Mechanism, hints: FigureHints) -> Drawing:
     """The mechanism (lengths in millimetres) drawn with the symbols of ISO 3952."""
     anatomy = Anatomy.of(mechanism, hints)
     rails = find_rails(anatomy)
-    layers = tuple(_draw_layers(anatomy, rails))
-    return Drawing(layers, anatomy.rims, anatomy.parts, anatomy.symbols, rails)
+    sliders, stands = tuple(draw_ground_sliders(rails)), tuple(draw_stands(anatomy))
+    drawn = tuple(_draw_layers(anatomy, sliders, stands))
+    return Drawing(drawn, (*sliders, *stands), anatomy.rims, anatomy.parts, anatomy.symbols, rails)
 
 
-def _draw_layers(anatomy: Anatomy, rails: tuple[Rail, ...]) -> Iterator[Primitive]:
+def _draw_layers(
+    anatomy: Anatomy, sliders: Sequence[Primitive], stands: Sequence[Primitive]
+) -> Iterator[Primitive]:
     yield from draw_round_bodies(anatomy)
     yield from draw_belts(anatomy)
     yield from draw_ropes(anatomy)
     yield from draw_tracks(anatomy)
-    yield from draw_ground_sliders(rails)
+    yield from sliders
     for part in anatomy.parts:
         if isinstance(part, Plate | SlottedDisc):
             yield from draw_straight_part(part)
     yield from _draw_reference_lines(anatomy)
-    yield from draw_stands(anatomy)
+    yield from stands
     for part in anatomy.parts:
         if isinstance(part, Bar) and not is_slender(part):
             yield from draw_straight_part(part)

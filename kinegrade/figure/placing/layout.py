@@ -29,7 +29,8 @@ _BATCHES = (4, 12, 36)
 class Layout:
     """Lines, labels, and both as obstacles; each step gives a new layout.
 
-    `marks` are those chosen so far; `crowded` are the symbols that found no good place.
+    `marks` are those chosen so far, with what each costs in `costs`; `crowded` are the symbols
+    that found no good place; `strain` is set by who places marks: what too dear ones cost.
     """
 
     lines: tuple[Primitive, ...]
@@ -37,6 +38,8 @@ class Layout:
     obstacles: Obstacles
     crowded: tuple[str, ...] = ()
     marks: tuple[Mark, ...] = ()
+    costs: tuple[float, ...] = ()
+    strain: float = 0.0
 
     @staticmethod
     def of(primitives: Iterable[Primitive]) -> Layout:
@@ -77,7 +80,11 @@ class Layout:
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
         mark, wish, cost = _choose_least_covering(alternatives, crowded)
         struck = cost >= COST_LABEL and self._strikes_label(mark)
-        layout = replace(self.drawn(mark.primitives()), marks=(*self.marks, mark))
+        layout = replace(
+            self.drawn(mark.primitives()),
+            marks=(*self.marks, mark),
+            costs=(*self.costs, cost),
+        )
         return (layout._complaining(wish.symbol) if struck else layout), wish
 
     def captioned(self, wish: Wish, sparing: Sequence[Primitive] = ()) -> Layout:

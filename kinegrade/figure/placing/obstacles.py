@@ -13,11 +13,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import hypot
 from typing import assert_never
 
 from kinegrade.figure.placing.crossing import (
-    SAME_AXIS,
     Numbers,
     crosses_box,
     encircles_box,
@@ -25,7 +23,6 @@ from kinegrade.figure.placing.crossing import (
     make_strip,
     meets_line,
     meets_ring,
-    resolve,
 )
 from kinegrade.figure.scene import (
     BOLD,
@@ -124,20 +121,6 @@ class Obstacles:
         return sum(met.values()) + sum(
             {number: ring[-1] for number, strip, ring in rings if meets_ring(strip, ring)}.values()
         )
-
-    def joins(self, start: Vector, end: Vector, gap: float) -> bool:
-        """Whether a straight line is drawn between two points, to within a gap at either end."""
-        size = hypot(*(end - start))
-        if size < 2 * gap:
-            return False
-        toward = (end - start) / size
-        for _, _, _, _, (x, y, dx, dy, _, _, _, _) in self.lines:
-            near, near_off = resolve(x - start.x, y - start.y, *toward)
-            far, far_off = resolve(x + dx - start.x, y + dy - start.y, *toward)
-            on_axis = abs(near_off) < SAME_AXIS and abs(far_off) < SAME_AXIS
-            if on_axis and abs(min(near, far)) <= gap and abs(max(near, far) - size) <= gap:
-                return True
-        return False
 
 
 def _find_near(things: Sequence[Boxed], box: Bounds) -> list[Boxed]:

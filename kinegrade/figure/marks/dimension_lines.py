@@ -1,0 +1,132 @@
+"""The ways to mark a distance: a dimension line, a symbol close to a line that is drawn, and a
+symbol at the end of a leader.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside
+from kinegrade.figure.plane import NEAR, length, polar, unit
+from kinegrade.figure.scene import THIN, Primitive, Strokes
+from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
+from kinegrade.mechanics.vector import Vector
+
+_LEFT = 4.2  # millimetres from a point in which its own bars leave beside an extension line
+_BESIDE = 3.6  # millimetres between parallel dimension lines side by side
+_AT_END = -0.6  # millimetres by which the symbol stands closer to its leader than to a point
+
+
+@dataclass(frozen=True)
+class DimensionLine:
+    """Extension lines from two points to their feet, and the dimension line between the feet."""
+
+    points: Segment
+    feet: Segment
+    symbol: str
+    demerit: float
+    gaps: tuple[float, float]
+    shared: bool = True
+
+    def path(self) -> tuple[Segment, ...]:
+        """The dimension line, and the extension lines from where they have left their points."""
+        return (self._line(), *self._extensions(_LEFT))
+
+    def crowds(self, other: DimensionLine) -> bool:
+        """Whether its line stands close beside that of another dimension."""
+        along, (start, end) = unit(self.feet[1] - self.feet[0]), other.feet
+        if abs(unit(end - start).cross(along)) > NEAR:
+            return False
+        low, high = sorted((foot - self.feet[0]).dot(along) for foot in other.feet)
+        beside = low < length(self.feet[1] - self.feet[0]) - NEAR and high > NEAR
+        gap = abs((start - self.feet[0]).cross(along))
+        return bool(beside and gap < _BESIDE)
+
+    def wish(self) -> Wish:
+        """Beside the dimension line."""
+        return Wish(self.symbol, list_spots_beside(self.symbol, *self._line()))
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """Thin lines and two arrowheads, from outside where there is no room between the feet."""
+        along = unit(self.feet[1] - self.feet[0]) * (1.0 if self._outside() else -1.0)
+        heads = (draw_arrowhead(self.feet[0], along), draw_arrowhead(self.feet[1], -along))
+        return (Strokes((*self._extensions(), self._line()), THIN), *heads)
+
+    def _outside(self) -> bool:
+        return length(self.feet[1] - self.feet[0]) < 2 * HEAD_LENGTH + 1.5
+
+    def _line(self) -> Segment:
+        tail = unit(self.feet[1] - self.feet[0]) * (3.0 if self._outside() else 0.0)
+        return (self.feet[0] - tail, self.feet[1] + tail)
+
+    def _extensions(self, least: float = 0.0) -> tuple[Segment, ...]:
+        """From a gap beyond each point, or so far from it, to a little beyond its foot."""
+        found = []
+        for point, end, gap in zip(self.points, self.feet, self.gaps, strict=True):
+            away = unit(end - point)
+            if length(end - point) > gap + 0.9:
+                found.append((point + away * max(gap, least), end + away * 1.2))
+        return tuple(found)
+
+
+@dataclass(frozen=True)
+class SymbolBeside:
+    """The symbol alone, close to a line that is drawn between the two points, where the most room
+    is.
+    """
+
+    start: Vector
+    end: Vector
+    symbol: str
+    demerit: float = 0.0
+    shared: bool = True
+
+    def path(self) -> tuple[Segment, ...]:
+        """Empty: no line is drawn."""
+        return ()
+
+    def wish(self) -> Wish:
+        """Close beside the line."""
+        return Wish(
+            self.symbol,
+            list_spots_beside(self.symbol, self.start, self.end, gaps=(0.8, 1.3), stations=5),
+        )
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """Empty: no line is drawn."""
+        return ()
+
+
+@dataclass(frozen=True)
+class Leader:
+    """The symbol at the end of a leader to the middle of a bar, for bars that are short and
+    crowded.
+    """
+
+    middle: Vector
+    angle: float
+    reach: float
+    symbol: str
+    shared: bool = True
+
+    @property
+    def demerit(self) -> float:
+        """Higher than that of any unobstructed dimension line."""
+        return 1.0 * self.reach
+
+    def path(self) -> tuple[Segment, ...]:
+        """The leader without its start, which touches the bar in any case."""
+        return ((self.middle + polar(self.angle, 1.5), self._end()),)
+
+    def wish(self) -> Wish:
+        """Around the far end."""
+        spots = list_spots_around(self.symbol, self._end(), _AT_END, polar(self.angle))
+        return Wish(self.symbol, spots[:6])
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """The leader."""
+        return (Strokes(((self.middle, self._end()),), THIN),)
+
+    def _end(self) -> Vector:
+        return self.middle + polar(self.angle, self.reach)

@@ -1,0 +1,34 @@
+"""Whether what is drawn joins two points by a straight line."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from kinegrade.figure.placing.crossing import SAME_AXIS, resolve
+from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.plane import length
+from kinegrade.mechanics.vector import Vector
+
+Join = Literal["none", "part", "whole"]
+
+
+def find_join(drawn: Obstacles, start: Vector, end: Vector, gap: float) -> Join:
+    """Whether a straight line is drawn between two points, to within a gap (millimetres) at either
+    end, or they lie on a longer one.
+    """
+    size = length(end - start)
+    join: Join = "none"
+    if size < 2 * gap:
+        return join
+    toward = (end - start) / size
+    at = start + toward * gap  # a line that begins within the gap passes here, and so does a longer
+    for _, _, _, _, (x, y, dx, dy, *_) in drawn.near((*at, *at)).lines:
+        near, near_off = resolve(x - start.x, y - start.y, *toward)
+        far, far_off = resolve(x + dx - start.x, y + dy - start.y, *toward)
+        on_axis = abs(near_off) < SAME_AXIS and abs(far_off) < SAME_AXIS
+        before, beyond = -min(near, far), max(near, far) - size
+        if on_axis and abs(before) <= gap and abs(beyond) <= gap:
+            return "whole"
+        if on_axis and min(before, beyond) >= -gap:
+            join = "part"
+    return join
