@@ -16,7 +16,7 @@ import os
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -33,6 +33,7 @@ from kinegrade.exam.setting.setting import SetPaper
 
 STUDENTS, HALF, SAMPLE = 300, 150, 10
 BANK, SEED = "demo", "bench"
+SOLVED = 60  # students whose worked solutions are timed
 TYPST_PROMISE, LATEX_PROMISE = 25, 4
 MEMORY_PROMISE, GROWTH_PROMISE = (
     1024,
@@ -56,6 +57,7 @@ def figures() -> Iterator[Figure]:
             1,
             "MB",
         )
+        solved = solve(folder, SOLVED)
         latex, _ = generate(folder, STUDENTS, "--engine", "latex")
         ordinary, lean = one_job_each(folder, SAMPLE), one_run_each(kept_papers(folder, SAMPLE))
         yield Figure(
@@ -64,40 +66,48 @@ def figures() -> Iterator[Figure]:
         yield Figure(
             "a paper by LaTeX, a run for many, against the same", latex, ordinary, LATEX_PROMISE
         )
+        yield Figure(
+            "its worked solutions by Typst, against the same paper by pdflatex",
+            solved,
+            ordinary,
+            None,
+        )
         yield Figure("a paper by Typst against a run of our own lean source", typst, lean, None)
         yield Figure("a paper by LaTeX against a run of our own lean source", latex, lean, None)
 
 
 def generate(folder: Path, students: int, *options: str) -> tuple[float, float]:
-    """Seconds per paper and peak memory in megabytes of the command, for a class of that size.
-
-    Its modules are kept compiled after the first run, as those of an installed program are.
-    """
+    """Seconds per paper and peak memory in megabytes of the command, for a class of that size."""
     roster = class_of(folder, students)
+    words = (
+        *("generate", BANK, roster, "-o", folder / "EXAM"),
+        *("--reproducible", SEED, "--force", *options),
+    )
+    took, memory = run_command(folder, words)
+    return took / students, memory
+
+
+def solve(folder: Path, students: int) -> float:
+    """Seconds for the worked solutions of a paper, for so many students of the exam there."""
+    named = [f"{number:05}" for number in range(students)]
+    return run_command(folder, ("solutions", folder / "EXAM", *named))[0] / students
+
+
+def run_command(folder: Path, words: Sequence[str | Path]) -> tuple[float, float]:
+    """Seconds and peak memory in megabytes of a command. Its modules are kept compiled after the
+    first run, as those of an installed program are.
+    """
     usual = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     start = time.perf_counter()
     process = subprocess.Popen(
-        [
-            sys.executable,
-            "-m",
-            "kinegrade",
-            "generate",
-            BANK,
-            str(roster),
-            "-o",
-            str(folder / "EXAM"),
-            "--reproducible",
-            SEED,
-            "--force",
-            *options,
-        ],
+        [sys.executable, "-m", "kinegrade", *map(str, words)],
         stderr=subprocess.PIPE,
         env={**usual, "PYTHONPYCACHEPREFIX": str(folder / "compiled")},
     )
     memory = peak_of_tree(process)
     if process.returncode:
         raise RuntimeError(process.stderr.read().decode() if process.stderr else "")
-    return (time.perf_counter() - start) / students, memory
+    return time.perf_counter() - start, memory
 
 
 def class_of(folder: Path, students: int) -> Path:

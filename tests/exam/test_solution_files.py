@@ -5,10 +5,14 @@ from __future__ import annotations
 import json
 import zipfile
 from pathlib import Path
+from typing import Any
 
 import pytest
 from pypdf import PdfReader
 
+from kinegrade.problem.solution import Solution
+from kinegrade.worked.document import WorkedSolution
+from kinegrade.worked.solution import write_worked_solution
 from tests.small_class import STUDENTS, contents, generate, kinegrade, write_class
 
 
@@ -45,6 +49,24 @@ def test_the_booklet_holds_all_of_them_each_on_sheets_of_its_own(solved_class: P
     assert len(PdfReader(solved_class / "solutions.pdf").pages) == sum(
         count + count % 2 for count in single
     )
+
+
+def test_those_of_a_version_are_worked_out_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    worked: list[object] = []
+
+    def count(solution: Solution, *others: Any) -> WorkedSolution:
+        worked.append(solution)
+        return write_worked_solution(solution, *others)
+
+    monkeypatch.setattr("kinegrade.exam.printing.solution_pages.write_worked_solution", count)
+    folder = write_class(tmp_path)
+    bank = folder / "bank.toml"
+    bank.write_text(f"versions = 2\n{bank.read_text(encoding='utf-8')}", encoding="utf-8")
+    assert generate(folder, "EXAM", "--solutions", "--jobs", "1").exit_code == 0
+    assert len(list((folder / "EXAM" / "solutions").glob("*.pdf"))) == len(STUDENTS)
+    assert len(worked) == 2 * 3
 
 
 def test_papers_for_the_browser_lie_beside_the_papers(solved_class: Path) -> None:

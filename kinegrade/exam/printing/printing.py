@@ -139,15 +139,11 @@ def _print_alike(
 def print_solutions(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> dict[str, Printout]:
     """The worked solutions of each paper, by its file name."""
     # It loads everything for worked solutions
-    from kinegrade.exam.printing.solution_pages import write_solution_sheet
+    from kinegrade.exam.printing.solution_pages import SolutionWriter, write_solution_sheet
 
+    writer = SolutionWriter(run.language, run.extras.method)
     return press.solutions(
-        {
-            paper.student.file_name: write_solution_sheet(
-                run.bank, paper, run.language, run.extras.method
-            )
-            for paper in papers
-        }
+        {paper.student.file_name: write_solution_sheet(run.bank, paper, writer) for paper in papers}
     )
 
 

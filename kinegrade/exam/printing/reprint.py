@@ -47,10 +47,13 @@ class Reprint:
     def solution(self) -> bytes:
         """Its worked solutions as PDF. Raises TypesetError."""
         # Loads the whole of worked solutions
-        from kinegrade.exam.printing.solution_pages import write_solution_sheet  # noqa: PLC0415
+        from kinegrade.exam.printing.solution_pages import (  # noqa: PLC0415
+            SolutionWriter,
+            write_solution_sheet,
+        )
 
-        method = self.run.extras.method
-        sheet = write_solution_sheet(self.run.bank, self.paper, self.run.language, method)
+        writer = SolutionWriter(self.run.language, self.run.extras.method)
+        sheet = write_solution_sheet(self.run.bank, self.paper, writer)
         return self._only(self._press.solutions({self._name: sheet}))
 
     def complaints(self) -> tuple[Problem, ...]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from re import fullmatch
 
-from kinegrade.figure.back_ends.typst import write_typst
+from kinegrade.figure.back_ends.typst import write_typst_picture
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.tree import Row
@@ -166,7 +166,7 @@ def _write_picture_row(row: Sequence[Picture], where: Location) -> list[Sheet]:
 
 def _write_picture(picture: Picture, where: Location) -> Sheet:
     sheet = gather(
-        figure=lambda: f"[{write_typst(picture.scene)}]",
+        figure=lambda: f"[{write_typst_picture(picture.scene)}]",
         caption=lambda: write_line(picture.caption, where),
     )
     return sheet | {"width": picture.scene.width, "height": picture.scene.height}
