@@ -148,6 +148,7 @@ class WorkedQuestion:
     title: str  # prose, one line
     statement: str  # prose, with the student's numbers
     blocks: tuple[Block, ...]
+    figure: Scene | None = None  # as on the paper
     template: str = ""  # plain, named where its texts cannot be typeset
 
 

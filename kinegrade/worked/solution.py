@@ -21,13 +21,13 @@ from kinegrade.problem.template.template import Ask, Method
 from kinegrade.worked.answers.answers import explain_answer, state_result
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Block, Heading, Pictures, Results, WorkedSolution
+from kinegrade.worked.document import Block, Heading, Results, TermTable, WorkedSolution
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.rates.kinds import describe_motions
 from kinegrade.worked.rates.scalars import imposes_single_rate
 from kinegrade.worked.steps.couplers import name_method
 from kinegrade.worked.steps.methods import explain_by_method
-from kinegrade.worked.steps.pictures import draw_answer, draw_given, draw_mechanism, draw_stage
+from kinegrade.worked.steps.pictures import draw_stage
 from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step
 from kinegrade.worked.vectors.facts import note_equation
@@ -52,7 +52,7 @@ def _write_blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
     if case.motion.rates:
         yield Heading(case.write(Message("solution.kinds")), 1)
         yield from describe_motions(case)
-    yield from _write_position_chapter(case, asked)
+    yield from _write_position_chapter(case)
     needs = collect_needs(case, asked)
     velocities, accelerations = select_steps(case.motion, needs)
     if velocities:
@@ -67,7 +67,6 @@ def _write_blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
     for ask in asked:
         if not is_positional(ask):
             yield from explain_answer(ask, case)
-    yield from draw_answer(asked, case)
     yield Results(tuple(state_result(ask, case) for ask in asked))
 
 
@@ -79,13 +78,9 @@ def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:
     return needs
 
 
-def _write_position_chapter(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
-    """Where the points of the mechanism are; for a problem of positions alone the answers show
-    it.
-    """
+def _write_position_chapter(case: Case) -> Iterator[Block]:
+    """Where the points of the mechanism are."""
     yield Heading(case.write(Message("solution.positions")), 1)
-    if all(is_positional(ask) for ask in asked):
-        yield Pictures((draw_mechanism(case),))
     yield from explain_positions(case, tuple(case.template.scheme.points))
 
 
@@ -101,7 +96,6 @@ def _write_level_chapter(steps: Sequence[Step], case: Case, level: Level) -> Ite
         yield _write_step_title(number, Message("solution.title-given"), case)
         for step in imposed:
             yield from explain_step(step, find_stage(step, case, level, set()))
-        yield from draw_given(imposed, case, level)
     for step in steps:
         if step in imposed:
             continue
@@ -116,10 +110,20 @@ def _write_numbered_step(number: int, step: Step, stage: Stage) -> Iterator[Bloc
     by_method = tuple(explain_by_method(step, stage))
     title = (name_method(stage) if by_method else None) or name_step(step, stage)
     yield _write_step_title(number, title, stage.case)
-    yield from by_method or explain_step(step, stage)
-    yield from draw_stage(step, stage)
+    yield from _place_pictures(by_method or tuple(explain_step(step, stage)), draw_stage(stage))
     for equation in stage.equations:
         note_equation(equation, stage.case)
+
+
+def _place_pictures(blocks: Sequence[Block], pictures: Iterable[Block]) -> Iterator[Block]:
+    """The blocks of a step with its pictures below the vector equations, so that what follows from
+    these stands beside them.
+    """
+    tables = [place for place, block in enumerate(blocks) if isinstance(block, TermTable)]
+    below = max(tables) + 1 if tables else 0
+    yield from blocks[:below]
+    yield from pictures
+    yield from blocks[below:]
 
 
 def _write_step_title(number: int, title: Message, case: Case) -> Heading:

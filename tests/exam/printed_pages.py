@@ -31,7 +31,7 @@ def measure_white(file: Path) -> list[float]:
     """Of each page, the share of its height that lies in gaps without any print."""
     command = ["pdftoppm", "-r", str(_DPI), "-gray", str(file)]
     return list(
-        map(_measure, _split(subprocess.run(command, capture_output=True, check=True).stdout))
+        map(_measure, split_images(subprocess.run(command, capture_output=True, check=True).stdout))
     )
 
 
@@ -58,7 +58,7 @@ def _list_names(exam: ExamFolder) -> Iterator[str]:
         yield from (ask.ask for ask in question.asks if "_" in ask.ask)
 
 
-def _split(images: bytes) -> Iterator[list[bytes]]:
+def split_images(images: bytes) -> Iterator[list[bytes]]:
     """The rows of pixels of each page, from images one after another."""
     while images:
         head = re.match(rb"P5\s(\d+) (\d+)\s255\s", images)

@@ -8,9 +8,9 @@ from math import hypot, tan
 
 import pytest
 
-from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH
 from kinegrade.figure.scene import THIN, Bow, Disc, Outline, Scene
 from kinegrade.figure.vectors.mechanism import PointArrow
+from kinegrade.figure.vectors.plain_mechanism import PICTURE
 from kinegrade.figure.vectors.pole_construction import (
     NORMAL,
     TALL,
@@ -52,7 +52,7 @@ def test_normals_to_two_velocities_meet_in_the_pole() -> None:
     assert len(normals) == 2
     assert all(hypot(*(end - pole)) < 1e-6 for _, end in normals)
     assert symbols(scene) == ["A", "B", "O", "P", "v_A", "v_B"]
-    assert faults(scene, WIDTH, TALL) == []
+    assert faults(scene, TALL.width, TALL.height) == []
 
 
 def test_a_right_angle_stands_between_each_velocity_and_its_normal() -> None:
@@ -70,7 +70,7 @@ def test_a_pole_far_away_is_pointed_to() -> None:
     assert len(heads(scene)) == 4
     tips = {head.corners[0] for head in heads(scene)}
     assert all(end in tips for _, end in lines(scene, NORMAL))
-    assert faults(scene, WIDTH, HEIGHT) == []
+    assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
 def test_normals_to_a_pole_at_infinity_are_parallel_and_on_one_side() -> None:
@@ -107,7 +107,7 @@ def test_a_rolling_wheel_has_its_pole_at_the_contact_without_any_velocity() -> N
     scene = wheel("")
     assert "P" in symbols(scene)
     assert lines(scene, NORMAL) == []
-    assert faults(scene, WIDTH, TALL) == []
+    assert faults(scene, TALL.width, TALL.height) == []
 
 
 def test_a_point_close_to_the_pole_has_its_normal_though_its_velocity_is_short() -> None:
@@ -134,7 +134,7 @@ def test_the_rotation_is_drawn_about_the_pole(sense: str) -> None:
     (bow,) = (part for part in scene.primitives if isinstance(part, Bow) and part.pen != THIN)
     assert bow.centre == dots(scene)[0]
     assert (bow.sweep > 0) == (sense == "ccw")
-    assert faults(scene, WIDTH, TALL) == []
+    assert faults(scene, TALL.width, TALL.height) == []
 
 
 def test_no_rotation_is_drawn_about_a_pole_outside_the_picture() -> None:

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH
 from kinegrade.figure.scene import FIRM, THIN, Scene
 from kinegrade.figure.vectors.arrows import DASHED
+from kinegrade.figure.vectors.plain_mechanism import PICTURE
 from kinegrade.figure.vectors.polygon import ROUND, Arrow, draw_polygon
 from kinegrade.mechanics.vector import Vector
 from tests.figure.clear import dots, faults, heads, lines, symbols
@@ -56,7 +56,7 @@ def test_the_scale_is_a_round_number_for_vectors_of_any_size(factor: float) -> N
     figures = scene.scale / 10 ** int(log10(scene.scale) // 1)
     assert min(abs(figures - leading) for leading in ROUND) < 1e-6
     assert max(scene.width, scene.height) > 30.0
-    assert faults(scene, WIDTH, HEIGHT) == []
+    assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
 def test_what_is_zero_or_negligible_is_not_drawn_and_not_named() -> None:
@@ -72,7 +72,7 @@ def test_an_equation_of_zeros_is_its_origin() -> None:
     scene = draw_polygon([Arrow("v_B", Vector(0.0, 0.0))], [Arrow("v_A", Vector(0.0, 0.0))])
     assert symbols(scene) == ["o"]
     assert scene.scale == 1.0
-    assert faults(scene, WIDTH, HEIGHT) == []
+    assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
 def test_vectors_on_one_line_are_drawn_side_by_side_and_tied_to_their_places() -> None:
@@ -83,7 +83,7 @@ def test_vectors_on_one_line_are_drawn_side_by_side_and_tied_to_their_places() -
     assert len(levels) == 4
     assert min(high - low for low, high in pairwise(levels)) > 1.5
     assert len(lines(scene, THIN)) == 6
-    assert faults(scene, WIDTH, HEIGHT) == []
+    assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
 def test_a_lengthy_equation_is_within_the_paper_with_all_its_symbols() -> None:
@@ -94,7 +94,7 @@ def test_a_lengthy_equation_is_within_the_paper_with_all_its_symbols() -> None:
     total = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
     scene = draw_polygon([Arrow("a_B", total)], right)
     assert len(scene.labels) == 11
-    assert faults(scene, WIDTH, HEIGHT) == []
+    assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
 @settings(max_examples=25, deadline=None)
@@ -105,4 +105,7 @@ def test_polygons_of_any_vectors_are_clear(polar: list[tuple[int, float]]) -> No
         for number, (turn, size) in enumerate(polar)
     ]
     total = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
-    assert faults(draw_polygon([Arrow("v_B", total, False)], right), WIDTH, HEIGHT) == []
+    assert (
+        faults(draw_polygon([Arrow("v_B", total, False)], right), PICTURE.width, PICTURE.height)
+        == []
+    )

@@ -9,7 +9,6 @@ from math import hypot
 import pytest
 
 from kinegrade.figure.back_ends.typst import write_typst
-from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Strokes
@@ -20,6 +19,7 @@ from kinegrade.figure.vectors.mechanism import (
     draw_with_vectors,
     place_arrows,
 )
+from kinegrade.figure.vectors.plain_mechanism import PICTURE
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Turning
 from kinegrade.problem.template.library.library import find_template_names, load_template
@@ -48,7 +48,7 @@ def test_arrows_are_to_one_scale_and_start_at_their_points() -> None:
 def test_the_letters_stay_and_the_givens_go() -> None:
     scene = draw_with_vectors(MECHANISM, HINTS, ARROWS)
     assert symbols(scene) == ["A", "B", "O", "v_A", "v_B"]
-    assert faults(scene, WIDTH, HEIGHT) == []
+    assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
 def test_an_arrow_along_a_bar_is_drawn_beside_it() -> None:
@@ -89,7 +89,7 @@ def test_many_arrows_at_one_point_are_longer_and_all_named() -> None:
     assert hypot(*(longest.end - longest.start)) == pytest.approx(CROWDED)
     scene = draw_with_vectors(MECHANISM, HINTS, arrows)
     assert set(names) < set(symbols(scene))
-    assert faults(scene, WIDTH, HEIGHT) == []
+    assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
 @pytest.mark.parametrize("sense", ["ccw", "cw"])
@@ -126,5 +126,5 @@ def test_velocities_and_accelerations_of_shipped_templates_are_clear(name: str) 
             Turning(r"\omega", body, "ccw" if size > 0 else "cw") for body, size in rates if size
         ]
         scene = draw_with_vectors(mechanism, template.figure, arrows, turnings)
-        assert faults(scene, WIDTH, HEIGHT) == []
+        assert faults(scene, PICTURE.width, PICTURE.height) == []
         assert write_typst(scene).startswith("#box(")

@@ -11,20 +11,19 @@ from kinegrade.draws.examining import Refused, require_doubles
 from kinegrade.errors import MechanismError
 from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.folder.exam_secret import FromWords
-from kinegrade.exam.printing.pages import lay_out_paper
+from kinegrade.exam.printing.pages import QuestionPlace, lay_out_paper
+from kinegrade.exam.printing.solution_pages import work_question
 from kinegrade.exam.roster.roster import Roster, Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.tolerance import ONE_PER_CENT
-from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
+from kinegrade.press.sheet import SolutionSheet
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.solution import Solution
-from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.template import Method, Template
 from kinegrade.problem.template.texts import require_language
 from kinegrade.problem.template.translated import Translated
-from kinegrade.worked.solution import write_worked_solution
 
 
 def _list_shown(template: Template) -> tuple[str, ...]:
@@ -76,15 +75,8 @@ def print_worked_solution(
         what = Message("exam.too-large-to-work", reason=refusal.detail)
         raise MechanismError(Fault(template.name, what)) from refusal
     worked_out = _list_shown(template) if asks is None else tuple(asks)
-    worked = write_worked_solution(solution, worked_out, language, method)
-    question = WorkedQuestion(
-        1,
-        "q1",
-        template.about.title.in_language(language),
-        write_statement(template, solution.parameters, language, worked_out),
-        worked.blocks,
-        template.name,
-    )
+    place = QuestionPlace(1, "q1")
+    question = work_question(place, solution, worked_out, language, method)
     sheet = SolutionSheet(
         language,
         "kinegrade",

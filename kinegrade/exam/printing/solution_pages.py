@@ -5,10 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from kinegrade.exam.bank.blueprint import Bank
-from kinegrade.exam.printing.pages import write_title
+from kinegrade.exam.printing.pages import QuestionPlace, write_title
 from kinegrade.exam.setting.setting import SetPaper, SetQuestion
+from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
+from kinegrade.problem.printed_givens import mark_question
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.template import Method
 from kinegrade.worked.solution import write_worked_solution
@@ -57,15 +60,27 @@ def write_solution_sheet(bank: Bank, paper: SetPaper, writer: SolutionWriter) ->
 def _work_question(
     number: int, question: SetQuestion, language: Language, method: Method | None
 ) -> WorkedQuestion:
-    """A question with its worked solution, for the quantities that are asked."""
-    template, solution = question.question.template, question.drawn.solution
+    """A question of a paper with its worked solution, for the quantities that are asked."""
+    place = QuestionPlace(number, question.question.identifier)
     asks = tuple(entry.ask.name for entry in question.asks)
-    worked = write_worked_solution(solution, asks, language, method)
+    return work_question(place, question.drawn.solution, asks, language, method)
+
+
+def work_question(
+    place: QuestionPlace,
+    solution: Solution,
+    asks: tuple[str, ...],
+    language: Language,
+    method: Method | None = None,
+) -> WorkedQuestion:
+    """A solved instance with its statement, its figure as on a paper, and its worked solution."""
+    template = solution.template
     return WorkedQuestion(
-        number,
-        question.question.identifier,
+        place.number,
+        place.identifier,
         template.about.title.in_language(language),
         write_statement(template, solution.parameters, language, asks),
-        worked.blocks,
+        write_worked_solution(solution, asks, language, method).blocks,
+        sketch(solution.assembly.mechanism.map(float), mark_question(template, asks)),
         template.name,
     )

@@ -5,7 +5,7 @@ frame.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import assert_never
 
 from kinegrade.figure.joints.table import find_symbols
@@ -23,14 +23,25 @@ _ATTEMPTS = 6
 _MARGIN = 1.2
 
 
+@dataclass(frozen=True)
+class Room:
+    """What a drawing may take at most, in millimetres."""
+
+    width: float
+    height: float
+
+
+FIGURE = Room(WIDTH, HEIGHT)
+
+
 def fit_scene(
     compose: Callable[[float], Layout],
     scale: float,
     span: tuple[float, float],
-    height: float = HEIGHT,
+    room: Room = FIGURE,
 ) -> Scene:
     """The scene that `compose` gives at the first scale, from `scale` downward, at which it is
-    within WIDTH x `height`.
+    within the room.
 
     `span` is the width and height of the scaled part, in the unit that the scale (millimetres per
     unit) refers to.
@@ -38,11 +49,11 @@ def fit_scene(
     for _ in range(_ATTEMPTS):
         layout = compose(scale)
         box = find_common_box(layout.primitives)
-        if box.width <= WIDTH and box.height <= height:
+        if box.width <= room.width and box.height <= room.height:
             break
         scale *= min(
-            _find_shrinkage(box.width, WIDTH, span[0] * scale),
-            _find_shrinkage(box.height, height, span[1] * scale),
+            _find_shrinkage(box.width, room.width, span[0] * scale),
+            _find_shrinkage(box.height, room.height, span[1] * scale),
         )
     scene = _move_to_corner(layout.primitives, box, scale)
     return replace(scene, crowded=layout.crowded, strain=layout.strain)

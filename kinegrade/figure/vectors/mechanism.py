@@ -16,7 +16,12 @@ from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
-from kinegrade.figure.vectors.plain_mechanism import BareMechanism, find_bold_lines, find_pins
+from kinegrade.figure.vectors.plain_mechanism import (
+    PICTURE,
+    BareMechanism,
+    find_bold_lines,
+    find_pins,
+)
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints, Turning
@@ -58,7 +63,10 @@ def draw_with_vectors(
     """
     plain = BareMechanism.of(mechanism, hints, (arrow.at for arrow in arrows))
     return fit_scene(
-        lambda scale: _compose(plain, arrows, turnings, scale), plain.first_scale(), plain.span
+        lambda scale: _compose(plain, arrows, turnings, scale),
+        plain.first_scale(),
+        plain.span,
+        PICTURE,
     )
 
 

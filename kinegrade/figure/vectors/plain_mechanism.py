@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, measure_span
+from kinegrade.figure.mechanism.fitting import Room, measure_span
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
@@ -16,6 +16,7 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
 
+PICTURE = Room(64.0, 44.0)  # smaller than the figure of the question: text stands beside it
 _LARGEST_PIN = PIN + 0.1  # millimetres, radius of the symbol at a point
 _SURROUND = 12.0  # millimetres that symbols take beside the mechanism, as a first estimate
 
@@ -59,14 +60,14 @@ class BareMechanism:
         """Width and height of the scaled part, m."""
         return measure_span(self.mechanism, self.hints, self.beside)
 
-    def first_scale(self, height: float = HEIGHT) -> float:
-        """The largest scale, in millimetres per metre, at which the mechanism's symbols fit within
-        that height.
+    def first_scale(self, room: Room = PICTURE) -> float:
+        """The largest scale, in millimetres per metre, at which the mechanism's symbols fit the
+        room.
         """
         across, upward = (max(size, 1e-9) for size in self.span)
-        guess = min((WIDTH - _SURROUND) / across, (height - _SURROUND) / upward)
+        guess = min((room.width - _SURROUND) / across, (room.height - _SURROUND) / upward)
         drawn = find_common_box(self.at(guess)[1].primitives)
-        return guess * min(1.0, WIDTH / drawn.width, height / drawn.height)
+        return guess * min(1.0, room.width / drawn.width, room.height / drawn.height)
 
     def at(self, scale: float) -> tuple[Mechanism, Drawing]:
         """The mechanism in millimetres on paper, and its drawing."""

@@ -12,7 +12,7 @@ from math import pi
 from kinegrade.figure.marks.names import label_bodies, label_points
 from kinegrade.figure.marks.rotations import list_turning_arrows
 from kinegrade.figure.marks.turning_arrow import TurningArrow
-from kinegrade.figure.mechanism.fitting import HEIGHT, fit_scene
+from kinegrade.figure.mechanism.fitting import Room, fit_scene
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around
@@ -21,14 +21,14 @@ from kinegrade.figure.scene import THIN, Outline, Pen, Primitive, Scene, Strokes
 from kinegrade.figure.symbols import draw_arrowhead, draw_dot
 from kinegrade.figure.vectors.arrows import VectorArrow
 from kinegrade.figure.vectors.mechanism import PointArrow, add_arrows, add_symbols, place_arrows
-from kinegrade.figure.vectors.plain_mechanism import BareMechanism, find_bold_lines
+from kinegrade.figure.vectors.plain_mechanism import PICTURE, BareMechanism, find_bold_lines
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints, Turning
 
 NORMAL = Pen(0.22, "dashed")
-TALL = 75.0  # millimetres a picture with a pole may be high
+TALL = Room(PICTURE.width, 62.0)  # of a picture with a pole
 _FAR = 0.4  # of its full size that a mechanism keeps at least to have its pole in the picture
 _POINTER = 20.0  # millimetres, of a normal towards a pole outside the picture
 _BEYOND = 10.0  # millimetres of such a normal that show at least beyond a bar on which it lies
@@ -70,10 +70,10 @@ def draw_pole_construction(
     plain = BareMechanism.of(mechanism, hints, points)
     whole = BareMechanism.of(mechanism, hints, (*points, *([pole.at] if pole.at else ())))
     near = pole.at is not None and whole.first_scale(TALL) >= _FAR * plain.first_scale()
-    shown, height = (whole, TALL) if near else (plain, HEIGHT)
+    shown, room = (whole, TALL) if near else (plain, PICTURE)
     construction = _Construction(pole, rays, rotation if near else None, near)
-    scale = min(shown.first_scale(height), plain.first_scale())
-    return fit_scene(lambda factor: construction.compose(shown, factor), scale, shown.span, height)
+    scale = min(shown.first_scale(room), plain.first_scale())
+    return fit_scene(lambda factor: construction.compose(shown, factor), scale, shown.span, room)
 
 
 @dataclass(frozen=True)

@@ -8,16 +8,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import floor, log10
 
-from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, make_scene
+from kinegrade.figure.mechanism.fitting import make_scene
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Disc, Primitive, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
+from kinegrade.figure.vectors.plain_mechanism import PICTURE
 from kinegrade.mechanics.vector import Vector
 
 # Millimetres that the polygon alone takes at most: the rest of a figure is for symbols
-_WIDE, _HIGH = (52.0, 38.0)
+_WIDE, _HIGH = (44.0, 32.0)
 # Leading figures of a scale that is easy to state
 ROUND = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)
 _NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
@@ -45,7 +46,7 @@ def draw_polygon(left: Sequence[Arrow], right: Sequence[Arrow]) -> Scene:
     Known vectors are solid with a filled head, unknown ones dashed with an open head. Vectors
     shorter than a hundredth of the longest are not drawn. Vectors on one line are drawn side by
     side, with thin lines to their true positions. The scale of the scene is millimetres per m/s (or
-    m/s^2), a round number. The figure is within WIDTH x HEIGHT of `fitting`.
+    m/s^2), a round number. The figure is within PICTURE of `plain_mechanism`.
     """
     across, upward = (
         _measure_span(axis)
@@ -55,10 +56,14 @@ def draw_polygon(left: Sequence[Arrow], right: Sequence[Arrow]) -> Scene:
         return make_scene(_compose(left, right, 1.0), 1.0)
     scale = _round_down(min(_WIDE / max(across, _TINY), _HIGH / max(upward, _TINY)))
     scene = make_scene(_compose(left, right, scale), scale)
-    while (scene.width > WIDTH or scene.height > HEIGHT) and max(across, upward) * scale > _LEAST:
+    while not _fits(scene) and max(across, upward) * scale > _LEAST:
         scale = _round_down(scale * 0.99)
         scene = make_scene(_compose(left, right, scale), scale)
     return scene
+
+
+def _fits(scene: Scene) -> bool:
+    return scene.width <= PICTURE.width and scene.height <= PICTURE.height
 
 
 def _round_down(number: float) -> float:

@@ -6,8 +6,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from re import fullmatch
+from typing import assert_never
 
 from kinegrade.figure.back_ends.tikz import write_tikz
+from kinegrade.figure.scene import Scene
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.latex import TEX, write_latex_math, write_latex_row
@@ -26,8 +28,11 @@ from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.press.solution_blocks import (
     FORMULA_ALONE,
     UNKNOWN,
+    Chain,
+    Passage,
+    Placed,
     name_question,
-    stays,
+    set_course,
 )
 from kinegrade.worked.document import (
     Block,
@@ -61,29 +66,69 @@ def write_solution_body(sheet: SolutionSheet) -> str:
 
 
 def _write_question(question: WorkedQuestion, words: Catalogue, sheet: Location) -> str:
-    where = locate_question(sheet, question.identifier, question.template)
+    where, course = (
+        locate_question(sheet, question.identifier, question.template),
+        set_course(question.blocks),
+    )
     parts = gather(
         title=lambda: write_line(question.title, locate_part(where, "title")),
         statement=lambda: write_prose(question.statement, locate_part(where, "statement")),
-        blocks=lambda: convert_each(
-            lambda place: _write_block(question.blocks, place, where), range(len(question.blocks))
-        ),
+        leading=lambda: convert_each(lambda chain: _write_chain(chain, where), course.leading),
+        blocks=lambda: convert_each(lambda part: _write_part(part, where), course.following),
     )
     heading = write_plain(words.write(name_question(question)))
+    statement = write_command("given", parts["statement"])
+    chains = [write_command("chain", chain) for chain in (statement, *parts["leading"])]
     return "\n".join(
         (
             write_comment(words.write(where)),
-            write_command("worked", heading, parts["title"], parts["statement"]),
+            write_command("worked", heading, parts["title"]),
+            _write_beside_figure(question.figure, chains),
             *parts["blocks"],
         )
     )
 
 
-def _write_block(blocks: Sequence[Block], place: int, where: Location) -> str:
-    """One block, and whether it stays on the page of the next one."""
-    return _write_content(blocks[place], where) + (
-        r"\stays" if stays(*blocks[place : place + 3]) else ""
+def _write_beside_figure(figure: Scene | None, chains: Sequence[str]) -> str:
+    """The figure of the question with text beside it."""
+    joined = "%\n".join(chains)
+    if figure is None:
+        return joined
+    return write_command("passage", f"{figure.width:.6g}mm", write_tikz(figure), joined)
+
+
+def _write_chain(chain: Chain, where: Location) -> str:
+    return "%\n".join(convert_each(lambda placed: _write_placed(placed, where), chain))
+
+
+def _write_part(part: Placed | Passage, where: Location) -> str:
+    """A block over the whole width, or drawings with the blocks that may stand beside them."""
+    match part:
+        case Placed():
+            return _write_placed(part, where)
+        case Passage():
+            return _write_passage(part, where)
+        case _:
+            assert_never(part)
+
+
+def _write_passage(passage: Passage, where: Location) -> str:
+    pictures = passage.pictures.pictures
+    parts = gather(
+        column=lambda: convert_each(lambda picture: _write_picture(picture, where), pictures),
+        beside=lambda: convert_each(lambda chain: _write_chain(chain, where), passage.beside),
     )
+    column = "%\n".join(parts["column"])
+    if not parts["beside"]:
+        return write_command("pictures", column)
+    width = max(_find_width(picture) for picture in pictures)
+    chains = [write_command("chain", chain) for chain in parts["beside"]]
+    return write_command("passage", f"{width:.6g}mm", column, "%\n".join(chains))
+
+
+def _write_placed(placed: Placed, where: Location) -> str:
+    """One block, and whether it stays on the page of the next one."""
+    return _write_content(placed.block, where) + (r"\stays" if placed.stays else "")
 
 
 def _write_content(block: Block, where: Location) -> str:
@@ -102,17 +147,14 @@ def _write_content(block: Block, where: Location) -> str:
         case TermTable():
             return "\n".join(_write_bands(block.terms, where))
         case Pictures():
-            return write_command(
-                "pictures",
-                "%\n".join(
-                    convert_each(lambda picture: _write_picture(picture, where), block.pictures)
-                ),
-            )
+            return _write_passage(Passage(block, ()), where)
         case Results():
             return write_command(
                 "results",
                 "".join(convert_each(lambda result: _write_result(result, where), block.results)),
             )
+        case _:
+            assert_never(block)
 
 
 def _write_line(line: Row) -> str:
@@ -171,8 +213,13 @@ def _write_picture(picture: Picture, where: Location) -> str:
         caption=lambda: write_line(picture.caption, where), figure=lambda: write_tikz(picture.scene)
     )
     return write_command(
-        "drawing", f"{max(picture.scene.width, 40):.6g}mm", parts["figure"], parts["caption"]
+        "drawing", f"{_find_width(picture):.6g}mm", parts["figure"], parts["caption"]
     )
+
+
+def _find_width(picture: Picture) -> float:
+    """Millimetres that a drawing takes with its caption."""
+    return max(picture.scene.width, 40.0)
 
 
 def _write_result(result: Result, where: Location) -> str:

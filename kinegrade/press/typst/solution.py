@@ -6,8 +6,9 @@ the page (equations, tables of terms) goes to the layout in pieces, which it mea
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from re import fullmatch
+from typing import assert_never
 
 from kinegrade.figure.back_ends.typst import write_typst_picture
 from kinegrade.language.catalogue import Catalogue, open_catalogue
@@ -22,8 +23,11 @@ from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
 from kinegrade.press.solution_blocks import (
     FORMULA_ALONE,
     UNKNOWN,
+    Chain,
+    Passage,
+    Placed,
     name_question,
-    stays,
+    set_course,
 )
 from kinegrade.press.typst.layout_call import (
     Sheet,
@@ -45,9 +49,6 @@ from kinegrade.worked.document import (
     TermTable,
 )
 
-_TEXT_WIDTH = {"a4": 170.0, "letter": 175.9}  # millimetres between the margins
-_GAP = 6.0  # millimetres between pictures
-
 
 def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
     """Typst source of one student's worked solutions; raises TypesetError with all faults of their
@@ -56,7 +57,7 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
     words = open_catalogue(sheet.language)
     data: Sheet = {
         "questions": convert_each(
-            lambda question: _write_question(question, words, size), sheet.questions
+            lambda question: _write_question(question, words), sheet.questions
         )
     }
     data |= {
@@ -68,26 +69,51 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
     return write_layout_call("solution", data)
 
 
-def _write_question(question: WorkedQuestion, words: Catalogue, size: PaperSize) -> Sheet:
-    name = question.identifier
+def _write_question(question: WorkedQuestion, words: Catalogue) -> Sheet:
+    name, course, figure = question.identifier, set_course(question.blocks), question.figure
     where = locate_part(name, "solution")
     sheet = gather(
         title=lambda: write_line(question.title, locate_part(name, "title")),
         statement=lambda: write_prose(question.statement, locate_part(name, "statement")),
-        blocks=lambda: convert_each(
-            lambda place: _write_block(question.blocks, place, where, size),
-            range(len(question.blocks)),
-        ),
+        leading=lambda: _write_chains(course.leading, where),
+        blocks=lambda: convert_each(lambda part: _write_part(part, where), course.following),
     )
-    return sheet | {"heading": words.write(name_question(question))}
+    return sheet | {
+        "heading": words.write(name_question(question)),
+        "figure": f"[{write_typst_picture(figure)}]" if figure else None,
+        "figure_width": figure.width if figure else 0.0,
+    }
 
 
-def _write_block(blocks: Sequence[Block], place: int, where: Location, size: PaperSize) -> Sheet:
+def _write_chains(chains: Sequence[Chain], where: Location) -> list[list[Sheet]]:
+    return convert_each(
+        lambda chain: convert_each(lambda placed: _write_placed(placed, where), chain), chains
+    )
+
+
+def _write_part(part: Placed | Passage, where: Location) -> Sheet:
+    """A block over the whole width, or drawings with the blocks that may stand beside them."""
+    match part:
+        case Placed():
+            return _write_placed(part, where)
+        case Passage():
+            sheet = gather(
+                pictures=lambda: convert_each(
+                    lambda picture: _write_picture(picture, where), part.pictures.pictures
+                ),
+                beside=lambda: _write_chains(part.beside, where),
+            )
+            return sheet | {"kind": "passage"}
+        case _:
+            assert_never(part)
+
+
+def _write_placed(placed: Placed, where: Location) -> Sheet:
     """One block, and whether it stays on the page of the next one."""
-    return _write_content(blocks[place], where, size) | {"stays": stays(*blocks[place : place + 3])}
+    return _write_content(placed.block, where) | {"stays": placed.stays}
 
 
-def _write_content(block: Block, where: Location, size: PaperSize) -> Sheet:
+def _write_content(block: Block, where: Location) -> Sheet:
     match block:
         case Heading():
             return {"kind": "heading", "level": block.level, "text": write_line(block.text, where)}
@@ -104,16 +130,14 @@ def _write_content(block: Block, where: Location, size: PaperSize) -> Sheet:
                 "terms": convert_each(lambda term: _write_term(term, where), block.terms),
             }
         case Pictures():
-            rows = _arrange_rows(block.pictures, _TEXT_WIDTH[size])
-            return {
-                "kind": "pictures",
-                "rows": convert_each(lambda row: _write_picture_row(row, where), rows),
-            }
+            return _write_part(Passage(block, ()), where)
         case Results():
             return {
                 "kind": "results",
                 "results": convert_each(lambda result: _write_result(result, where), block.results),
             }
+        case _:
+            assert_never(block)
 
 
 def _write_line(line: Row) -> Sheet:
@@ -148,28 +172,12 @@ def _write_cell(text: str, where: Location) -> Sheet:
     }
 
 
-def _arrange_rows(pictures: Iterable[Picture], width: float) -> list[list[Picture]]:
-    """As many pictures side by side as the page is wide."""
-    rows: list[list[Picture]] = []
-    for picture in pictures:
-        taken = sum(other.scene.width + _GAP for other in rows[-1]) if rows else width
-        if rows and taken + picture.scene.width <= width:
-            rows[-1].append(picture)
-        else:
-            rows.append([picture])
-    return rows
-
-
-def _write_picture_row(row: Sequence[Picture], where: Location) -> list[Sheet]:
-    return convert_each(lambda picture: _write_picture(picture, where), row)
-
-
 def _write_picture(picture: Picture, where: Location) -> Sheet:
     sheet = gather(
         figure=lambda: f"[{write_typst_picture(picture.scene)}]",
         caption=lambda: write_line(picture.caption, where),
     )
-    return sheet | {"width": picture.scene.width, "height": picture.scene.height}
+    return sheet | {"width": picture.scene.width}
 
 
 def _write_result(result: Result, where: Location) -> Sheet:

@@ -6,51 +6,29 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from decimal import Decimal
-from typing import assert_never
 
 from kinegrade.figure.vectors.mechanism import PointArrow, draw_with_vectors
 from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construction
 from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
 from kinegrade.language.math.tree import Text, list_nodes
 from kinegrade.language.message import Message
-from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import NoSlip
-from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
-from kinegrade.problem.quantities.functions import find_motion_calls
-from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.hints import Turning
-from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Picture, Pictures
 from kinegrade.worked.formulas.measures import NEGLIGIBLE
-from kinegrade.worked.rates.speeds import find_term, name_speed
 from kinegrade.worked.steps.couplers import choose_method, find_coupler
 from kinegrade.worked.steps.poles import name_pole
-from kinegrade.worked.vectors.needed_rates import find_references
 from kinegrade.worked.vectors.stage import Stage
-from kinegrade.worked.vectors.vectors import LETTERS, name_part, name_point_vector
+from kinegrade.worked.vectors.vectors import name_part
 
 
-def draw_mechanism(case: Case) -> Picture:
-    """The mechanism with the letters of its points."""
-    mechanism = case.motion.frames.mechanism.map(float)
-    scene = draw_with_vectors(mechanism, case.template.figure, ())
-    return Picture(scene, case.write(Message("solution.picture-mechanism")))
-
-
-def draw_stage(step: Step, stage: Stage) -> Iterator[Pictures]:
-    """The pictures of a step; none where nothing moves in it."""
-    moving = [
-        equation
-        for equation in stage.equations
-        if any(_is_seen(part.value) for part in equation.parts)
-    ]
-    if not moving:
-        yield from _draw_rotation(step, stage)
-        return
+def draw_stage(stage: Stage) -> Iterator[Pictures]:
+    """The pictures of a step: the mechanism with its vectors and the polygon, or the construction
+    of a pole; none where no vectors are added.
+    """
     coupler = find_coupler(stage)
     if coupler is not None and choose_method(coupler, stage.case) == "pole":
         rays = tuple(
@@ -58,112 +36,15 @@ def draw_stage(step: Step, stage: Stage) -> Iterator[Pictures]:
         )
         yield Pictures((_draw_pole(coupler.body, rays, stage.case),))
         return
-    polygons = [_draw_equation(equation, stage) for equation in moving if _spans(equation)]
-    yield Pictures((_draw_vectors(moving, stage), *polygons))
+    added = [equation for equation in stage.equations if _spans(equation)]
+    if added:
+        polygons = (_draw_equation(equation, stage) for equation in added)
+        yield Pictures((_draw_vectors(stage.equations, stage), *polygons))
 
 
 def _spans(equation: VectorEquation) -> bool:
     """Whether the vectors of an equation make a polygon, rather than the same vector twice."""
     return sum(_is_seen(part.value) for part in equation.parts) > 2
-
-
-def draw_given(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Pictures]:
-    """The mechanism with the given rotations and motions of points; none where all of them are
-    zero.
-    """
-    rates = [rate for step in steps for rate in step.unknowns]
-    found = _find_turnings(rates, case, level)
-    values = case.rates(level)
-    arrows = []
-    for rate in rates:
-        if rate.kind != "turning":
-            term = find_term(rate, case)
-            value = _make_floats(term.coefficient() * values[rate])
-            if _is_seen(value):
-                arrows.append(
-                    PointArrow(
-                        case.text(name_speed(term, case, level)),
-                        _make_floats(case.motion.points[term.point]),
-                        value,
-                    )
-                )
-    if found or arrows:
-        mechanism = case.motion.frames.mechanism.map(float)
-        scene = draw_with_vectors(mechanism, case.template.figure, arrows, found)
-        yield Pictures((Picture(scene, _name_picture(level, case)),))
-
-
-def _draw_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
-    """The picture of a step without vectors: the rotation it gives, about the pole where a body
-    rolls.
-    """
-    case, roll = stage.case, _find_rolling(step, stage.case)
-    if roll is not None and roll.of == GROUND and stage.level == "velocity":
-        centre = roll.circle.centre
-        velocity = _make_floats(case.motion.velocity(centre, roll.body))
-        if _is_seen(velocity):
-            ray = PointArrow(
-                case.text(name_point_vector(centre, "velocity", case)),
-                _make_floats(case.motion.points[centre]),
-                velocity,
-            )
-            yield Pictures((_draw_pole(roll.body, (ray,), case),))
-        return
-    found = _find_turnings(step.unknowns, case, stage.level)
-    if found:
-        mechanism = case.motion.frames.mechanism.map(float)
-        scene = draw_with_vectors(mechanism, case.template.figure, (), found)
-        yield Pictures((Picture(scene, _name_picture(stage.level, case)),))
-
-
-def _find_rolling(step: Step, case: Case) -> NoSlip | None:
-    """The rolling without slipping that a step is about."""
-    laws = (case.motion.frames.relations[index].source for index in step.relations)
-    rolls = (law.find_rolling() for law in laws if law)
-    return next((roll for roll in rolls if roll), None)
-
-
-def draw_answer(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
-    """The mechanism with the velocities, and with the accelerations, of the points that the asks
-    name.
-    """
-    pictures = []
-    for level in LETTERS:
-        arrows = {
-            arrow.at: arrow for ask in asked for arrow in _find_asked_arrows(ask, level, case)
-        }
-        if arrows:
-            mechanism = case.motion.frames.mechanism.map(float)
-            scene = draw_with_vectors(mechanism, case.template.figure, tuple(arrows.values()))
-            caption = Message(f"solution.picture-points-{level}")
-            pictures.append(Picture(scene, case.write(caption)))
-    if pictures:
-        yield Pictures(tuple(pictures))
-
-
-def _find_asked_arrows(ask: Ask, level: Level, case: Case) -> Iterator[PointArrow]:
-    """The vectors of points that an ask names."""
-    for call in find_motion_calls(ask.quantity):
-        function = MOTION_FUNCTIONS[call.function]
-        if (function.derivation, function.level) != ("point", level):
-            continue
-        for body, point in find_references(call, case.reader).points:
-            value = _make_floats(_find_motion(point, body, level, case))
-            if _is_seen(value):
-                letters = case.text(name_point_vector(point, level, case))
-                yield PointArrow(
-                    letters, _make_floats(case.motion.points[point]), value, known=False
-                )
-
-
-def _find_motion(point: str, body: str, level: Level, case: Case) -> Vector:
-    match level:
-        case "velocity":
-            return case.motion.velocity(point, body)
-        case "acceleration":
-            return case.motion.acceleration(point, body)
-        case _:
-            assert_never(level)
 
 
 def _draw_vectors(equations: Sequence[VectorEquation], stage: Stage) -> Picture:

@@ -128,7 +128,7 @@ def unfiltered(kind: int, line: bytes, above: bytearray) -> bytearray:
                 "速度多边形",
                 "答案",
                 "顺时针",
-                "共2页",
+                "共1页",
             ],
         ),
     ],

@@ -1,0 +1,35 @@
+"""Printed solutions are short: a sample of what `make prove` holds for every template."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.exam.printing.pages import QuestionPlace
+from kinegrade.exam.printing.solution_pages import work_question
+from kinegrade.figure.sketch import sketch
+from kinegrade.problem.printed_givens import mark_question
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
+from tests.worked.lengths import measure_length
+
+
+@pytest.mark.parametrize(
+    ("name", "language"),
+    [
+        ("slider-crank", "en"),
+        ("five-bar-two-driven-cranks", "zh"),
+        ("rolling-wheel-rim-points", "en"),
+    ],
+)
+def test_an_ordinary_problem_takes_two_pages(name: str, language: str) -> None:
+    length = measure_length(name, language)
+    assert length.pages <= 2
+    assert length.filled[-1] > 0.4
+
+
+def test_a_solution_shows_the_figure_of_the_paper() -> None:
+    template = load_template("slider-crank")
+    solution = solve_template(template, {})
+    question = work_question(QuestionPlace(1, "q1"), solution, ("v_B",), "en")
+    mechanism = solution.assembly.mechanism.map(float)
+    assert question.figure == sketch(mechanism, mark_question(template, ("v_B",)))
