@@ -19,7 +19,7 @@ from kinegrade.figure.marks.motions import add_motions
 from kinegrade.figure.marks.names import label_bodies, label_points
 from kinegrade.figure.marks.radii import mark_radii
 from kinegrade.figure.marks.right_angles import add_right_angle
-from kinegrade.figure.marks.rotations import add_rotation
+from kinegrade.figure.marks.rotations import add_rotations
 from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, fit_scene, measure_span
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
@@ -115,9 +115,9 @@ def _compose(
     for stage in order:
         match stage:
             case "rotations":
-                for given in hints.arrows:
-                    if isinstance(given, Turning):
-                        layout = add_rotation(layout, paper, given, drawing, named)
+                turning = [given for given in hints.arrows if isinstance(given, Turning)]
+                lengths = hints.lengths
+                layout = add_rotations(layout, paper, turning, drawing, named, lengths=lengths)
             case "motions":
                 moving = [given for given in hints.arrows if isinstance(given, Moving)]
                 for _, together in groupby(moving, attrgetter("point")):

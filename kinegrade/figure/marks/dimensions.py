@@ -14,7 +14,7 @@ from kinegrade.figure.placing.joining import Join, find_join
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
-from kinegrade.figure.plane import NEAR, length, nearest_of, unit
+from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, unit
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length, Projection
 
@@ -119,6 +119,22 @@ def _list_letters(at: Mapping[str, Vector], hint: Length, demerit: float) -> lis
         return [beside]
     leaders = [Leader(middle, angle, reach, hint.symbol) for reach in _LEADERS for angle in _TURNS]
     return [beside, *leaders]
+
+
+def find_extension_angles(
+    at: Mapping[str, Vector], hints: Iterable[Length], point: Vector, drawn: Obstacles
+) -> tuple[float, ...]:
+    """The directions (radians) in which the dimension lines of some lengths may need a line from a
+    point; none where a symbol beside a bar may do.
+    """
+    found = []
+    for hint in hints:
+        start, end = at[hint.start], at[hint.end]
+        ends_here = min(length(start - point), length(end - point)) < NEAR
+        if ends_here and (hint.along or find_join(drawn, start, end, _DRAWN_GAP) != "whole"):
+            across = angle_of(_measure(hint.along, start, end).turned())
+            found += [across, across - pi]
+    return tuple(found)
 
 
 def _find_gap(point: Vector, away: Vector, drawn: Obstacles, ground: Obstacles) -> float:

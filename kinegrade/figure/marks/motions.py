@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from math import inf
 
 import numpy as np
 
@@ -13,8 +12,8 @@ from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
-from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside
-from kinegrade.figure.plane import NEAR, length, mean, nearest_of, unit
+from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside, rate_nearness
+from kinegrade.figure.plane import NEAR, length, mean, unit
 from kinegrade.figure.scene import THIN, Bow, Primitive
 from kinegrade.figure.symbols import HEADS, PIN, draw_arrow
 from kinegrade.mechanics.mechanism import Mechanism
@@ -35,9 +34,7 @@ _OPPOSED = 8.0  # demerit of an arrow that stands tail to tail with another besi
 # Millimetres between two parallel arrows at one point, and the demerit of less
 _APART, _TIGHT = 2.5, 6.0
 _ACROSS_ARC = 12.0  # demerit of an arrow across the arc of an angle, which would seem to end there
-# Millimetres by which a symbol has to be nearer to its arrow than to another one at the same point,
-# and the demerit of less
-_NEARER, _AMBIGUOUS = 0.6, 3.0
+_MISTAKEN = 3.0  # demerit of a symbol about as near to another arrow at the same point
 _LEAST_OFFSET = 1.0  # millimetres from which on an arrow stands beside its point
 _BEYOND_TIP = 1  # spots for the symbol there
 # Millimetres from a point within which an arrow may lie close to a bar, and sideways its block
@@ -170,16 +167,13 @@ class _MovingArrow:
     def wish_apart(self, others: Sequence[_MovingArrow]) -> Wish:
         """The wish, where the symbol cannot be taken for that of another arrow first."""
         wish = self.wish()
-        spots = [Vector(*spot) for spot in wish.spots.tolist()]
-        demerits = [_AMBIGUOUS * self._is_ambiguous(spot, others) for spot in spots]
-        return replace(wish, demerits=np.array(demerits))
+        near = [at for arrow in others for at in arrow._list_stations()]
+        mistaken = rate_nearness(self.hint.symbol, wish.spots, self._list_stations(), near)
+        return replace(wish, demerits=_MISTAKEN * mistaken)
 
-    def _is_ambiguous(self, spot: Vector, others: Sequence[_MovingArrow]) -> bool:
-        """Whether a spot is about as near to another arrow."""
-        own, *gaps = (
-            length(spot - nearest_of(spot, arrow.start, arrow._end())) for arrow in (self, *others)
-        )
-        return min(gaps, default=inf) < own + _NEARER
+    def _list_stations(self) -> list[Vector]:
+        """Points along the arrow, a millimetre apart."""
+        return [self.start + self.toward * step for step in range(int(_ARROW) + 1)]
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead."""

@@ -2,67 +2,102 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from math import pi
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
+from kinegrade.figure.marks.dimensions import find_extension_angles
 from kinegrade.figure.marks.imposed import find_imposed_sense
-from kinegrade.figure.marks.turning_arrow import TurningArrow, rate_room
+from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
+from kinegrade.figure.marks.turning_radii import BEYOND, RADII, ROOMY, order_radii
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.straight_parts import Bar, SlottedDisc
+from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import NEAR, angle_of, length, mean, shorter_way
-from kinegrade.figure.scene import THIN, Bow
+from kinegrade.figure.scene import THIN, Bow, Disc, Primitive
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.template.hints import TURN, Sense, Turning
+from kinegrade.problem.template.hints import TURN, Length, Sense, Turning
 
-_RADII = (5.0, 6.5, 8.0, 10.0)  # millimetres, of the arrow of a rotation about its pivot
-# Millimetres, length of that arrow; an acceleration has one head more
+# Millimetres, length of the arrow of a rotation; an acceleration has one head more
 _ARCS: Mapping[Level, float] = {"velocity": 6.5, "acceleration": 7.6}
 # Millimetres, of the arrow of a rotation relative to another body
-_RELATIVE_RADII, _RELATIVE_ARC = (7.0, 8.5, 10.0, 11.5, 13.0, 14.5, 5.5), 9.0
+_RELATIVE_RADII, _RELATIVE_ARCS = (7.0, 8.5, 10.0, 11.5, 13.0, 14.5, 5.5), (9.0, 7.0, 5.5)
 _TWELFTHS = tuple(index * pi / 6 for index in range(12))
-# Millimetres between the rim of a body and an arrow within it, or beyond it
-_WITHIN, _BEYOND = 2.6, 2.0
 # Demerit of each radian between the arrow and the body, or where the rim of a disc is nearest
 _ASTRAY, _AT_RIM = 1.2, 5.0
-_ROOMY = 11.0  # millimetres from a pivot to the nearest rim that leave room for an arrow within
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 _LETTERED = 8.0
 
 
-def add_rotation(
-    layout: Layout, mechanism: Mechanism, hint: Turning, drawing: Drawing, named: Iterable[Wish]
+def add_rotations(
+    layout: Layout,
+    mechanism: Mechanism,
+    hints: Iterable[Turning],
+    drawing: Drawing,
+    named: Iterable[Wish],
+    *,
+    lengths: Iterable[Length] = (),
 ) -> Layout:
-    """The layout with an arrow about the pivot of a body, the preferred one close to it, where the
-    body leaves it; it keeps clear of the letters `named` that are still to be written there.
+    """The layout with an arrow about the pivot of each body whose rotation is given, the preferred
+    one close to it, where the body leaves it, and then their symbols, each nearest to its own.
+
+    An arrow keeps clear of the letters `named` that are still to be written at its pivot, and of
+    the lines that the dimensions `lengths` may need there.
     """
+    arrows: list[TurningArrow] = []
+    spared: list[Sequence[Primitive]] = []
+    for hint in hints:
+        centre = _find_centre(mechanism, hint, drawing)
+        lines = find_extension_angles(mechanism.points, lengths, centre, layout.obstacles)
+        company = _find_company(layout, hint, drawing, centre, lines)
+        close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
+        spared.append(layout.written(close).labels)
+        ways = _list_arrows(mechanism, hint, centre, drawing)
+        rated = [replace(way, demerit=way.demerit + company.rate(way.bow)) for way in ways]
+        layout, _ = layout.chosen(rated, spared[-1])
+        arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
+    discs = [part for part in drawing.primitives if isinstance(part, Disc)]
+    circles = [disc for disc in discs if disc.radius > RADII[0]]
+    for arrow, letters in zip(arrows, spared, strict=True):
+        others = [other for other in arrows if other != arrow]
+        layout = layout.captioned(arrow.wish_apart(others, circles), letters)
+    return layout
+
+
+def _find_centre(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> Vector:
+    """Where a rotation is marked."""
     if hint.of == GROUND:
-        centre = _find_pivot(mechanism, hint.body, drawing)
-        arrows = _list_absolute_arrows(mechanism, hint, centre, drawing)
-    else:
-        centre = _find_common_point(mechanism, hint)
-        arrows = _list_relative_arrows(mechanism, hint, centre, drawing)
-    close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
+        return _find_pivot(mechanism, hint.body, drawing)
+    return _find_common_point(mechanism, hint)
+
+
+def _list_arrows(
+    mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing
+) -> list[TurningArrow]:
+    """The arrows that may show a rotation."""
+    if hint.of == GROUND:
+        return _list_absolute_arrows(mechanism, hint, centre, drawing)
+    return _list_relative_arrows(mechanism, hint, centre, drawing)
+
+
+def _find_company(
+    layout: Layout, hint: Turning, drawing: Drawing, centre: Vector, lines: tuple[float, ...]
+) -> Company:
+    """What there is about a pivot, with the directions of lines that may come."""
     arcs = [line for line in layout.lines if isinstance(line, Bow) and line.pen == THIN]
-    near = [arc for arc in arcs if length(arc.centre - centre) < NEAR]
-    earlier = [mark for mark in layout.marks if isinstance(mark, TurningArrow)]
-    twins = [twin.bow for twin in earlier if length(twin.bow.centre - centre) < NEAR]
+    earlier = [mark.bow for mark in layout.marks if isinstance(mark, TurningArrow)]
     foreign = [rim for rim in drawing.rims if rim.body != hint.body]
-    rims = [rim.radius for rim in foreign if length(rim.at - centre) < NEAR]
-    apart = [
-        replace(
-            arrow,
-            demerit=arrow.demerit + rate_room(arrow.bow, near, twins, rims),
-        )
-        for arrow in arrows
-    ]
-    return layout.marked(apart, layout.written(close).labels)
+    return Company(
+        tuple(arc for arc in arcs if length(arc.centre - centre) < NEAR),
+        tuple(twin for twin in earlier if length(twin.centre - centre) < NEAR),
+        tuple(rim.radius for rim in foreign if length(rim.at - centre) < NEAR),
+        lines,
+    )
 
 
 def _list_absolute_arrows(
@@ -75,54 +110,35 @@ def _list_absolute_arrows(
     for rim in drawing.rims:
         aside = length(centre - rim.at)
         room = rim.radius - aside
-        if rim.body == hint.body and rim.kind == "wheel" and aside > NEAR and 0 < room < _ROOMY:
-            away, beyond = angle_of(centre - rim.at), room + _BEYOND
+        if rim.body == hint.body and rim.kind == "wheel" and aside > NEAR and 0 < room < ROOMY:
+            away, beyond = angle_of(centre - rim.at), room + BEYOND
             return list_turning_arrows(
                 hint,
                 sense,
                 centre,
-                (beyond, beyond + 1.5, beyond + 3.0, *_RADII),
+                (beyond, beyond + 1.5, beyond + 3.0, *RADII),
                 away,
                 astray=_AT_RIM,
             )
     crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
-    rims = list(_list_radii(drawing, hint.body))
-    if _shares_pivot(mechanism, hint.body, drawing):
-        inside = [radius - _WITHIN for radius in rims if radius > 2 * _RADII[0]]
-        radii = (*inside, *(radius + _BEYOND for radius in rims), *_RADII)
-    else:
-        radii = (*_RADII, *(radius + _BEYOND for radius in rims))
+    radii = order_radii(mechanism, hint.body, centre, drawing)
     return list_turning_arrows(hint, sense, centre, radii, crank, astray=_ASTRAY)
-
-
-def _list_radii(drawing: Drawing, body: str) -> Iterator[float]:
-    """The radii of the circles that a body is drawn as."""
-    yield from (rim.radius for rim in drawing.rims if rim.body == body)
-    for part in drawing.parts:
-        if isinstance(part, SlottedDisc) and part.body == body:
-            yield part.radius
-
-
-def _shares_pivot(mechanism: Mechanism, body: str, drawing: Drawing) -> bool:
-    """Whether other bodies turn about the pivot of a body too, so that its arrow has to stand at
-    its rim to be told from theirs.
-    """
-    pin = find_fixed_pin(drawing.symbols, body)
-    others = (other.name for other in mechanism.bodies if other.name != body)
-    return pin is not None and any(find_fixed_pin(drawing.symbols, name) == pin for name in others)
 
 
 def _list_relative_arrows(
     mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing
 ) -> list[TurningArrow]:
-    """Arrows about the pin of two bodies that start on the one that counts as fixed."""
+    """Arrows about the pin of two bodies that start on the one that counts as fixed, shorter ones
+    where the other is near.
+    """
     sense = hint.sense or find_imposed_sense(mechanism, hint)
     start = _find_crank_direction(mechanism, hint.of, centre, drawing)
     return [
         TurningArrow(
-            Bow(centre, radius, start, _RELATIVE_ARC / radius * TURN[sense], THIN), hint, rank
+            Bow(centre, radius, start, size / radius * TURN[sense], THIN), hint, rank + less
         )
         for rank, radius in enumerate(_RELATIVE_RADII)
+        for less, size in enumerate(_RELATIVE_ARCS)
     ]
 
 

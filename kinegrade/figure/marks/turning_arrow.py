@@ -3,24 +3,58 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
-from math import pi
+from dataclasses import dataclass, replace
+from math import copysign
+
+import numpy as np
 
 from kinegrade.figure.placing.mark import chords
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Wish, list_spots_along_arc
-from kinegrade.figure.plane import shorter_way
-from kinegrade.figure.scene import Bow, Primitive
+from kinegrade.figure.placing.place import Wish, list_spots_along_arc, rate_nearness
+from kinegrade.figure.plane import length, polar, shorter_way
+from kinegrade.figure.scene import Bow, Disc, Primitive
 from kinegrade.figure.symbols import HEADS, draw_curved_arrow
 from kinegrade.problem.template.hints import Turning
 
 _COARSE = 0.7  # radians of an arrow that count as straight when its way is looked at
-# Millimetres between an arrow and the arc of an angle within it, and the demerit of less
-_APART, _MERGED = 3.0, 4.0
+_FREE_END = 0.6  # millimetres to be kept free before the head of an arrow and behind its tail
+# Millimetres between an arrow and the arc of an angle within it or along it, and the demerit of
+# less
+_APART, _ALONG, _MERGED = 3.0, 1.5, 4.0
 # Millimetres between two arrows at one pivot along their arcs, and the demerit of each that lacks;
 # half as much where their radii differ by so many millimetres, else they cannot be told apart
 _BETWEEN, _FOLLOWING, _NESTED, _COVERED = 6.0, 0.6, 2.5, 100.0
+# Millimetres between the tips of two arrows at one pivot, and the demerit of each that lacks
+_TIPS, _MEETING = 5.0, 1.0
 _FOREIGN = 4.5  # millimetres between an arrow and the rim of another body, 1 demerit for each less
+# Millimetres between an arrow and the line that a dimension may draw from its pivot, and the
+# demerit of less
+_BESIDE_LINE, _ON_LINE = 1.5, 2.5
+# Demerits of a symbol about as near to another arrow, or on the other side of a circle
+_MISTAKEN, _CUT_OFF = 3.0, 1.0
+_STATIONS = 0.25  # radians between the points of an arrow to which its symbol should be near
+
+
+@dataclass(frozen=True)
+class Company:
+    """What else there is about the pivot of an arrow: the arcs of angles, other arrows, the radii
+    of other bodies' rims (millimetres), and the directions (radians) in which dimension lines may
+    need a line from the pivot.
+    """
+
+    arcs: tuple[Bow, ...]
+    twins: tuple[Bow, ...]
+    rims: tuple[float, ...]
+    lines: tuple[float, ...]
+
+    def rate(self, bow: Bow) -> float:
+        """The demerit of an arrow in this company."""
+        return (
+            sum(_rate_arc(bow, arc) for arc in self.arcs)
+            + sum(_rate_twin(bow, twin) for twin in self.twins)
+            + sum(max(0.0, _FOREIGN - abs(bow.radius - radius)) for radius in self.rims)
+            + sum(_ON_LINE for angle in self.lines if _measure_gap(bow, angle) < _BESIDE_LINE)
+        )
 
 
 @dataclass(frozen=True)
@@ -33,58 +67,62 @@ class TurningArrow:
     shared: bool = False
 
     def path(self) -> tuple[Segment, ...]:
-        """The arc, in few pieces: there are many arrows to choose from."""
-        return chords(self.bow, _COARSE)
+        """The arc, a little longer at both ends, in few pieces: there are many arrows to choose
+        from.
+        """
+        bow = self.bow
+        more = copysign(_FREE_END / bow.radius, bow.sweep)
+        return chords(replace(bow, start=bow.start - more, sweep=bow.sweep + 2 * more), _COARSE)
 
     def wish(self) -> Wish:
         """Along the arc."""
         return list_spots_along_arc(self.hint.symbol, self.bow)
+
+    def wish_apart(self, others: Iterable[TurningArrow], circles: Iterable[Disc]) -> Wish:
+        """The wish, where the symbol is nearest to its own arrow and no circle parts them first."""
+        wish, own = self.wish(), self.bow.path(_STATIONS)
+        near = [at for other in others for at in other.bow.path(_STATIONS)]
+        demerits = _MISTAKEN * rate_nearness(self.hint.symbol, wish.spots, own, near)
+        for circle in circles:
+            within = length(own[len(own) // 2] - circle.centre) < circle.radius
+            steps = wish.spots - np.array(circle.centre)
+            parted = (np.hypot(*steps.T) < circle.radius) != within
+            demerits = demerits + _CUT_OFF * parted
+        return replace(wish, demerits=demerits)
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The arc and its arrowhead."""
         return draw_curved_arrow(self.bow, HEADS[self.hint.level])
 
 
-def rate_room(
-    bow: Bow, arcs: Iterable[Bow], twins: Iterable[Bow], foreign: Iterable[float]
-) -> float:
-    """The demerit of an arrow near what is about the same pivot: the arcs of angles, other arrows,
-    and rims of other bodies by their radii (millimetres).
+def _rate_arc(bow: Bow, arc: Bow) -> float:
+    """The demerit of an arrow that would look like a part of the arc of an angle at the same
+    pivot.
     """
-    return _rate_arcs(bow, arcs) + _rate_twins(bow, twins) + _rate_rims(bow, foreign)
+    alike = abs(bow.radius - arc.radius) < _APART
+    return _MERGED if alike and _measure_between(bow, arc) < _ALONG else 0.0
 
 
-def _rate_arcs(bow: Bow, arcs: Iterable[Bow]) -> float:
-    """The demerit of an arrow, larger where it would look like a part of the arc of an angle at the
-    same pivot.
+def _rate_twin(bow: Bow, twin: Bow) -> float:
+    """The demerit of an arrow that follows, meets or covers another one at the same pivot, so that
+    the two read as one: they stand opposite one another, else one well outside the other.
     """
-    worse = 0.0
-    for arc in arcs:
-        from_start = bow.start + bow.sweep / 2 - arc.start
-        turned = from_start % (2 * pi) if arc.sweep > 0 else -from_start % (2 * pi)
-        if turned < abs(arc.sweep) and abs(bow.radius - arc.radius) < _APART:
-            worse += _MERGED
-    return worse
+    gap = _measure_between(bow, twin)
+    apart = abs(bow.radius - twin.radius) / _NESTED
+    worse = _FOLLOWING * max(0.0, 1 - apart / 2) * max(0.0, _BETWEEN - max(gap, 0.0))
+    tips = [arrow.centre + polar(arrow.start + arrow.sweep, arrow.radius) for arrow in (bow, twin)]
+    worse += _MEETING * max(0.0, _TIPS - length(tips[1] - tips[0]))
+    return worse + _COVERED * (gap < 0 and apart < 1)
 
 
-def _rate_twins(bow: Bow, twins: Iterable[Bow]) -> float:
-    """The demerit of an arrow that follows or covers another one at the same pivot, so that the two
-    read as one: they stand opposite one another, else one well outside the other.
-    """
-    worse = 0.0
-    for twin in twins:
-        radius = (bow.radius + twin.radius) / 2
-        turned = bow.start + bow.sweep / 2 - twin.start - twin.sweep / 2
-        shafts = (abs(bow.sweep) + abs(twin.sweep)) / 2
-        gap = radius * (abs(shorter_way(turned)) - shafts)
-        apart = abs(bow.radius - twin.radius) / _NESTED
-        worse += _FOLLOWING * max(0.0, 1 - apart / 2) * max(0.0, _BETWEEN - max(gap, 0.0))
-        worse += _COVERED * (gap < 0 and apart < 1)
-    return worse
+def _measure_between(one: Bow, other: Bow) -> float:
+    """Millimetres between two arcs about one centre along them; negative where they overlap."""
+    turned = one.start + one.sweep / 2 - other.start - other.sweep / 2
+    shafts = (abs(one.sweep) + abs(other.sweep)) / 2
+    return (one.radius + other.radius) / 2 * (abs(shorter_way(turned)) - shafts)
 
 
-def _rate_rims(bow: Bow, foreign: Iterable[float]) -> float:
-    """The demerit of an arrow near the rims of another body about the same pivot, which would seem
-    to turn.
-    """
-    return sum(max(0.0, _FOREIGN - abs(bow.radius - radius)) for radius in foreign)
+def _measure_gap(bow: Bow, angle: float) -> float:
+    """Millimetres along an arc between it and the line from its centre in a direction."""
+    aside = abs(shorter_way(bow.start + bow.sweep / 2 - angle))
+    return bow.radius * (aside - abs(bow.sweep) / 2)

@@ -129,16 +129,19 @@ def list_spots_around(
     return np.asarray(np.array(anchor) + steps.reshape(-1, 2))
 
 
-def rate_nearness(symbol: str, spots: Floats, point: Vector, others: Sequence[Vector]) -> Floats:
-    """For each spot 1 where a letter would stand about as near to another point as to `point`,
-    else 0.
+def rate_nearness(
+    symbol: str, spots: Floats, own: Sequence[Vector], others: Sequence[Vector]
+) -> Floats:
+    """For each spot 1 where a symbol would stand about as near to another point as to those it
+    belongs to, else 0.
     """
     if not others:
         return np.zeros(len(spots))
     half = np.array(measure_symbol(symbol)) / 2
-    gaps = np.maximum(np.abs(spots[:, None] - np.array([point, *others])) - half, 0.0)
+    gaps = np.maximum(np.abs(spots[:, None] - np.array([*own, *others])) - half, 0.0)
     distances = np.hypot(gaps[..., 0], gaps[..., 1])
-    nearer = distances[:, 1:].min(axis=1) < distances[:, 0] + _AMBIGUOUS
+    to_own, to_others = distances[:, : len(own)], distances[:, len(own) :]
+    nearer = to_others.min(axis=1) < to_own.min(axis=1) + _AMBIGUOUS
     return np.asarray(nearer, dtype=float)
 
 

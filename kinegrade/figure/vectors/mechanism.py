@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kinegrade.figure.marks.names import label_bodies, label_points
-from kinegrade.figure.marks.rotations import add_rotation
+from kinegrade.figure.marks.rotations import add_rotations
 from kinegrade.figure.mechanism.fitting import fit_scene
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
@@ -122,6 +122,5 @@ def _compose(
     layout = add_arrows(Layout.of(drawing.primitives), placed, drawing)
     named = tuple(label_points(paper, plain.hints, drawing))
     layout = add_symbols(layout.written(named), placed)
-    for turning in turnings:
-        layout = add_rotation(layout, paper, turning, drawing, named)
+    layout = add_rotations(layout, paper, turnings, drawing, named)
     return layout.written(label_bodies(paper, plain.hints, drawing))

@@ -1,0 +1,115 @@
+"""The arrows of rotations: told from one another, and clear of what dimension lines will need."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import degrees, hypot, pi
+
+import pytest
+
+from kinegrade.figure.marks.dimensions import find_extension_angles
+from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
+from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Scene, Strokes
+from kinegrade.figure.sketch import sketch
+from kinegrade.mechanics.drivers import Rotation
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.given_marks import mark_givens
+from kinegrade.problem.template.hints import Length, Turning
+from kinegrade.problem.template.library.library import load_template
+from tests.figure.mechanisms import slider_crank
+from tests.problem.draws import draw_filter, drawn
+
+ORIGIN = Vector(0.0, 0.0)
+ALONE = Company((), (), (), ())
+
+
+def arc(start: float, sweep: float, radius: float = 5.0) -> Bow:
+    """An arc about the origin, its angles in degrees."""
+    return Bow(ORIGIN, radius, start * pi / 180, sweep * pi / 180, THIN)
+
+
+@pytest.mark.parametrize(
+    "company",
+    [
+        replace(ALONE, arcs=(arc(80, 40, 7.0),)),
+        replace(ALONE, twins=(arc(120, -40),)),
+        replace(ALONE, rims=(6.0,)),
+        replace(ALONE, lines=(pi / 3,)),
+    ],
+    ids=["after the arc of an angle", "tip to tip", "beside a rim", "where a line may come"],
+)
+def test_an_arrow_that_could_be_misread_is_worse(company: Company) -> None:
+    assert company.rate(arc(0, 70)) > ALONE.rate(arc(0, 70)) == 0
+    assert company.rate(arc(0, 70)) > company.rate(arc(230, 70, 12.0)) == 0
+
+
+def test_the_symbol_of_an_arrow_is_not_beside_another_one_first() -> None:
+    arrow = TurningArrow(arc(0, 70), Turning(r"\omega", "AB"), 0.0)
+    other = TurningArrow(arc(0, 70, 10.0), Turning(r"\alpha", "AB"), 0.0)
+    wish = arrow.wish_apart([other], [])
+    assert wish.demerits is not None
+    rated = list(zip(wish.spots.tolist(), wish.demerits.tolist(), strict=True))
+    assert {demerit for (x, y), demerit in rated if hypot(x, y) > 8.0} == {3.0}
+    assert {demerit for (x, y), demerit in rated if hypot(x, y) < 5.0} == {0.0}
+
+
+def test_no_circle_parts_a_symbol_from_its_arrow_first() -> None:
+    arrow = TurningArrow(arc(0, 70), Turning(r"\omega", "AB"), 0.0)
+    wish = arrow.wish_apart([], [Disc(ORIGIN, 6.0, FIRM)])
+    assert wish.demerits is not None
+    assert {demerit > 0 for demerit in wish.demerits.tolist()} == {False, True}
+    for (x, y), demerit in zip(wish.spots.tolist(), wish.demerits.tolist(), strict=True):
+        assert (demerit > 0) == (hypot(x, y) > 6.0)
+
+
+def test_a_dimension_needs_lines_across_it_unless_a_bar_is_there() -> None:
+    at = {"O": ORIGIN, "A": Vector(10.0, 0.0), "B": Vector(0.0, 20.0)}
+    bar = Obstacles.of([Strokes(((at["O"], at["A"]),), BOLD)])
+
+    def find(*lengths: Length) -> list[float]:
+        return sorted(
+            round(degrees(turn)) for turn in find_extension_angles(at, lengths, ORIGIN, bar)
+        )
+
+    assert find(Length("l", "O", "A")) == []
+    assert find(Length("l", "O", "A", "horizontal")) == [-90, 90]
+    assert {turn % 180 for turn in find(Length("h", "O", "B"))} == {0}
+    assert find(Length("c", "A", "B")) == []
+
+
+def list_arrows(scene: Scene) -> list[Bow]:
+    return [part for part in scene.primitives if isinstance(part, Bow) and part.pen == FIRM]
+
+
+def test_a_relative_arrow_ends_before_the_body_that_turns() -> None:
+    mechanism, hints = slider_crank(0.2, 2.0, 130)
+    arrows = (Turning(r"\omega", "AB", None, "velocity", "OA"),)
+    driven = replace(mechanism, drivers=(Rotation("AB", 2.0, 0.0, "OA"),))
+    scene = sketch(driven, replace(hints, arrows=arrows))
+    (arrow,) = list_arrows(scene)
+    assert 0 < arrow.sweep * arrow.radius < 9.0
+
+
+def test_the_arrow_of_an_arm_stands_outside_the_disc_about_its_pivot() -> None:
+    template = load_template("crossed-belt-drive")
+    for draw in drawn(draw_filter(template), 4):
+        mechanism = draw.solution.assembly.mechanism.map(float)
+        scene = sketch(mechanism, mark_givens(template))
+        _, *of_arm = list_arrows(scene)
+        for arrow in of_arm:
+            discs = [part for part in scene.primitives if isinstance(part, Disc)]
+            about = [disc.radius for disc in discs if disc.centre == arrow.centre]
+            assert arrow.radius > max(about)
+
+
+def test_the_arrow_of_a_cam_stands_off_its_base_circle() -> None:
+    template = load_template("flat-faced-follower-curvature-radius")
+    (draw,) = drawn(draw_filter(template), 1)
+    mechanism = draw.solution.assembly.mechanism.map(float)
+    scene = sketch(mechanism, mark_givens(template))
+    omega, *_ = list_arrows(scene)
+    discs = [part for part in scene.primitives if isinstance(part, Disc)]
+    base = [disc.radius for disc in discs if disc.centre == omega.centre and disc.radius > 3]
+    assert all(abs(omega.radius - radius) > 1.9 for radius in base)
+    assert base
