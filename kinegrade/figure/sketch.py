@@ -20,6 +20,7 @@ from kinegrade.figure.marks.names import label_bodies, label_points
 from kinegrade.figure.marks.radii import mark_radii
 from kinegrade.figure.marks.right_angles import add_right_angle
 from kinegrade.figure.marks.rotations import add_rotations
+from kinegrade.figure.marks.sides import find_sides
 from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, fit_scene, measure_span
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
@@ -51,7 +52,7 @@ _OTHER_ORDERS: tuple[tuple[_Stage, ...], ...] = (
 )
 # Shares of the first scale, with an order, tried in turn while a symbol has no good place
 _SMALLER = ((0.95, _USUAL_ORDER), (0.88, _USUAL_ORDER), (0.88, _LETTERS_EARLY))
-_EASY = 80.0  # cost of a dimension line that crosses no bar and no letter
+_EASY = 95.0  # cost of a dimension line that crosses no bar and no letter
 Sketcher = Callable[[Mechanism, FigureHints], Scene]
 PLAIN = FigureHints()
 
@@ -150,13 +151,15 @@ def _place_frames_and_angles(
     """Marks that are bound to one point, right angles first; an angle keeps clear of the sides of
     those to come.
     """
+    at = paper.points
     for points in hints.right_angles:
-        layout = add_right_angle(layout, paper.points, points, drawing)
-    layout = add_frames(layout, paper.points, hints)
-    legs = [draw_least_legs(paper.points, angle, drawing) for angle in hints.angles]
+        layout = add_right_angle(layout, at, points, drawing)
+    sides = [find_sides(at, angle, drawing) for angle in hints.angles]
+    legs = [draw_least_legs(at, *each) for each in zip(hints.angles, sides, strict=True)]
+    layout = add_frames(layout, at, hints, [line for lines in legs for line in lines])
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [line for lines in legs[number:] for line in lines]
-        for arcs in mark_angles(paper.points, angle, drawing):
+        for arcs in mark_angles(at, angle, sides[number - 1]):
             layout = layout.marked(arcs, to_come)
     return layout
 

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from math import degrees, hypot, radians
 
 import pytest
 
+from kinegrade.figure.marks.angles import mark_angles
+from kinegrade.figure.marks.sides import find_sides
+from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.straight_parts import Bar, is_slender
+from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import angle_of
-from kinegrade.figure.scene import THIN, Bow, Label, Scene
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Label, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import Angle
 from tests.figure.clear import heads
 from tests.figure.mechanisms import Case, hinted, polar
 
@@ -66,3 +74,62 @@ def test_the_arc_of_a_narrow_angle_runs_where_its_letter_has_room(angle: float) 
     scene = sketch(*crank(angle, 0.8))
     arc, letter = find_arc(scene), find_letter(scene)
     assert abs(hypot(*(letter.centre - arc.centre)) - arc.radius) < 3.0
+
+
+VERTEX = Vector(0.0, 0.0)
+
+
+def draw_at_o(
+    start: str, end: str, *, lines: Sequence[Strokes] = (), bars: Sequence[Bar] = ()
+) -> Layout:
+    """The angle phi at O in a drawing of some firm lines and bars, with points P and Q."""
+    at = {"O": VERTEX, "P": polar(30.0, 40), "Q": polar(6.0, 80)}
+    strokes = [Strokes(((bar.start, bar.end),), BOLD) for bar in bars if is_slender(bar)]
+    drawing = Drawing((*lines, *strokes), (), (), tuple(bars), (), ())
+    hint = Angle(r"\varphi", "O", start, end)
+    layout = Layout.of(drawing.primitives)
+    (arcs,) = mark_angles(at, hint, find_sides(at, hint, drawing))
+    return layout.marked(arcs)
+
+
+def list_thin_lines(layout: Layout) -> list[tuple[Vector, Vector]]:
+    thin = [part for part in layout.lines if isinstance(part, Strokes) and part.pen == THIN]
+    return [line for strokes in thin for line in strokes.lines]
+
+
+def test_the_letter_of_an_angle_stands_on_the_same_side_of_a_bar_as_its_arc() -> None:
+    across = Bar("AC", Vector(-20.0, 5.8), Vector(20.0, 3.4))
+    layout = draw_at_o("right", "left", bars=[across])
+    [letter] = layout.labels
+    assert letter.centre.y < 4.6 - 0.06 * letter.centre.x
+
+
+def test_the_side_of_an_angle_does_not_run_across_a_bar() -> None:
+    bar = Bar("BC", Vector(9.5, -6.0), Vector(9.5, 6.0))
+    rod = Bar("OP", VERTEX, polar(30.0, 40))
+    for start, end in list_thin_lines(draw_at_o("right", "P", bars=[bar, rod])):
+        assert max(start.x, end.x) < 9.5
+
+
+def test_the_axis_of_a_slotted_bar_is_drawn_where_it_is_the_side_of_an_angle() -> None:
+    slotted = Bar("OP", VERTEX, polar(30.0, 40), "slot")
+    layout = draw_at_o("right", "P", bars=[slotted])
+    ends = [end for _, end in list_thin_lines(layout)]
+    assert any(angle_of(end) == pytest.approx(radians(40)) for end in ends)
+    slender = draw_at_o("right", "P", bars=[replace(slotted, use="link")])
+    assert all(abs(end.y) < 1e-9 for _, end in list_thin_lines(slender))
+
+
+def test_the_ground_takes_the_place_of_a_side_that_it_would_double() -> None:
+    ground = Strokes(((Vector(-3.0, -0.6), Vector(30.0, -0.6)),), FIRM)
+    rod = Bar("OP", VERTEX, polar(30.0, 40))
+    layout = draw_at_o("right", "P", lines=[ground], bars=[rod])
+    arc = find_arc_of(layout)
+    foot = arc.centre + polar(arc.radius, degrees(arc.start))
+    assert list_thin_lines(layout) == []
+    assert foot.y == pytest.approx(-0.6)
+
+
+def find_arc_of(layout: Layout) -> Bow:
+    (arc,) = [part for part in layout.lines if isinstance(part, Bow)]
+    return arc

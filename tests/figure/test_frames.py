@@ -10,7 +10,10 @@ from math import hypot
 
 import pytest
 
-from kinegrade.figure.scene import BOLD, THIN, Bow, Disc, Outline, Scene
+from kinegrade.figure.marks.frames import add_frames
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.scene import BOLD, THIN, Bow, Disc, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, Axes, BodyFrame, FigureHints, Length
@@ -106,3 +109,17 @@ def test_an_axis_along_the_edge_of_a_plate_begins_at_its_origin() -> None:
         for start, end in pairwise((*plate.corners, plate.corners[0]))
     ]
     assert min(gaps) < 0.01
+
+
+def test_the_letter_of_an_axis_keeps_clear_of_a_line_that_is_still_to_come() -> None:
+    at = {"A": Vector(0.0, 0.0), "B": Vector(20.0, 5.0)}
+    hints = FigureHints(frames=(BodyFrame("x_1", "y_1", "A", "A", "B"),))
+    leg = Strokes(((at["A"], at["B"]),), THIN)
+    letters = {}
+    for sparing in ((), (leg,)):
+        layout = add_frames(Layout.of(()), at, hints, sparing)
+        letters[sparing] = next(label for label in layout.labels if label.symbol == "x_1")
+    drawn = Obstacles.of((leg,))
+    covered = [drawn.under_box(*each.centre, each.width, each.height) for each in letters.values()]
+    assert covered[0] > 0
+    assert covered[1] == 0

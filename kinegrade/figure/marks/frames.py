@@ -4,7 +4,7 @@ the axes of a body, as two arrows with their letters.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import assert_never
 
@@ -33,14 +33,17 @@ _ROOM = 11.0  # millimetres, of the square that the axes aside take with their l
 _TIP = 4.5  # millimetres of an axis that should lie clear of everything
 
 
-def add_frames(layout: Layout, at: Mapping[str, Vector], hints: FigureHints) -> Layout:
+def add_frames(
+    layout: Layout, at: Mapping[str, Vector], hints: FigureHints, sparing: Sequence[Primitive]
+) -> Layout:
     """The layout with the axes that stand at points: those of bodies, then x and y at the
-    origin.
+    origin; their letters keep clear of lines that are still to come.
     """
     for frame in hints.frames:
-        layout = _add_frame(layout, *_find_place(at, frame), (frame.x, frame.y), _BODY_LENGTHS)
+        place, symbols = _find_place(at, frame), (frame.x, frame.y)
+        layout = _add_frame(layout, place, symbols, _BODY_LENGTHS, sparing=sparing)
     if hints.axes == "origin":
-        layout = _add_frame(layout, _ORIGIN, _RIGHT, ("x", "y"), _LENGTHS)
+        layout = _add_frame(layout, (_ORIGIN, _RIGHT), ("x", "y"), _LENGTHS, sparing=sparing)
     return layout
 
 
@@ -50,7 +53,7 @@ def add_axes_aside(layout: Layout, hints: FigureHints) -> Layout:
     """
     if hints.axes == "aside":
         corner = _find_free_corner(layout)
-        layout = _add_frame(layout, corner, _RIGHT, ("x", "y"), (_ASIDE,), gap=0.0)
+        layout = _add_frame(layout, (corner, _RIGHT), ("x", "y"), (_ASIDE,), gap=0.0)
     return layout
 
 
@@ -79,15 +82,17 @@ def _find_place(at: Mapping[str, Vector], frame: BodyFrame) -> tuple[Vector, Vec
 
 def _add_frame(
     layout: Layout,
-    origin: Vector,
-    along: Vector,
+    place: tuple[Vector, Vector],
     symbols: tuple[str, str],
     lengths: tuple[float, ...],
     *,
     gap: float = PIN,
+    sparing: Sequence[Primitive] = (),
 ) -> Layout:
+    origin, along = place
     for symbol, toward in zip(symbols, (along, along.turned()), strict=True):
-        layout = layout.marked(list(_list_axes(origin + toward * gap, toward, symbol, lengths)))
+        axes = list(_list_axes(origin + toward * gap, toward, symbol, lengths))
+        layout = layout.marked(axes, sparing)
     return layout
 
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from math import inf
 from typing import assert_never
 
 from kinegrade.figure.placing.crossing import (
@@ -85,18 +86,30 @@ class Obstacles:
         """The obstacles that may reach into a box."""
         return Obstacles(_find_near(self.lines, box), _find_near(self.rings, box))
 
-    def under_box(self, x: float, y: float, width: float, height: float) -> float:
-        """The sum of the costs that an upright box about a centre covers; zero when it is free."""
+    def under_box(
+        self, x: float, y: float, width: float, height: float, enough: float = inf
+    ) -> float:
+        """The sum of the costs that an upright box about a centre covers; zero when it is free. Not
+        all are counted once they are `enough`.
+        """
         wide, high, total = width / 2, height / 2, 0.0
-        box = (x - wide, y - high, x + wide, y + high)
-        for _, _, _, _, (start_x, start_y, _, _, pace_x, pace_y, pen, cost) in _find_near(
-            self.lines, box
-        ):
-            if crosses_box((start_x - x, pace_x, wide + pen), (start_y - y, pace_y, high + pen)):
-                total += cost
-        for _, _, _, _, (centre_x, centre_y, inner, outer, cost) in _find_near(self.rings, box):
-            if encircles_box(centre_x - x, centre_y - y, (wide, high), inner, outer):
-                total += cost
+        left, bottom, right, top = x - wide, y - high, x + wide, y + high
+        for low_x, low_y, high_x, high_y, line in self.lines:
+            if low_x <= right and high_x >= left and low_y <= top and high_y >= bottom:
+                start_x, start_y, _, _, pace_x, pace_y, pen, cost = line
+                across, upward = (
+                    (start_x - x, pace_x, wide + pen),
+                    (start_y - y, pace_y, high + pen),
+                )
+                if crosses_box(across, upward):
+                    total += cost
+                    if total >= enough:
+                        return total
+        for low_x, low_y, high_x, high_y, ring in self.rings:
+            if low_x <= right and high_x >= left and low_y <= top and high_y >= bottom:
+                centre_x, centre_y, inner, outer, cost = ring
+                if encircles_box(centre_x - x, centre_y - y, (wide, high), inner, outer):
+                    total += cost
         return total
 
     def along(self, path: Sequence[Segment], shared: bool) -> float:

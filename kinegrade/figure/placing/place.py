@@ -104,12 +104,10 @@ def _choose_best(
             )
         )
         for index, (x, y) in enumerate(some, first):
-            if _FARTHER * index + worse[index] < least:
-                cost = (
-                    _LABEL_WEIGHT * near.under_box(x, y, width, height)
-                    + _FARTHER * index
-                    + worse[index]
-                )
+            demerit = _FARTHER * index + worse[index]
+            if demerit < least:
+                enough = (least - demerit) / _LABEL_WEIGHT
+                cost = _LABEL_WEIGHT * near.under_box(x, y, width, height, enough) + demerit
                 best, least = (index, cost) if cost < least else (best, least)
     return best, least
 

@@ -18,6 +18,7 @@ _FARTHEST = 27.0  # millimetres from the vertex: beyond, a letter belongs to no 
 _OUTSIDE = 8.0  # demerit of a spot outside the angle: less than covering a thin line
 _AWAY = 0.8  # demerit of a millimetre between the arc and a letter that has no room at it
 _SHARES = np.array((0.5, 0.4, 0.6, 0.3, 0.7))  # of the angle
+_ENDS = np.array((0.13, 0.87))  # of the angle, for a letter near an end of a long arc
 # Millimetres from its arc at which a letter is lost, and the demerit of that
 _LATEST, _LOST = 3.0, 20.0
 # Millimetres beyond the narrowest place with room
@@ -32,6 +33,7 @@ def list_spots_in_wedge(symbol: str, bow: Bow) -> Wish:
     spots, narrow = along.spots, measure_narrow(symbol, bow)
     if narrow > bow.radius / 2:
         spots = np.concatenate((spots, _list_wide_spots(bow, narrow)))
+    spots = np.concatenate((spots, _list_end_spots(symbol, bow)))
     steps = spots - np.array(bow.centre)
     away = np.hypot(steps[:, 0], steps[:, 1]) - bow.radius
     late = np.maximum(np.abs(away) - max(measure_symbol(symbol)), 0.0)
@@ -56,6 +58,14 @@ def _list_wide_spots(bow: Bow, narrow: float) -> Floats:
     toward = np.stack((np.cos(angles), np.sin(angles)), axis=1)
     steps = distances[distances < _FARTHEST, None, None] * toward
     return np.asarray(np.array(bow.centre) + steps.reshape(-1, 2))
+
+
+def _list_end_spots(symbol: str, bow: Bow) -> Floats:
+    """Spots outside the arc near its ends, where a bar runs across the middle of the angle."""
+    angles = bow.start + bow.sweep * _ENDS
+    toward = np.stack((np.cos(angles), np.sin(angles)), axis=1)
+    levels = bow.radius + _APART + np.abs(toward) @ np.array(measure_symbol(symbol)) / 2
+    return np.asarray(np.array(bow.centre) + toward * levels[:, None])
 
 
 def _find_outside(symbol: str, steps: Floats, bow: Bow) -> Floats:

@@ -1,0 +1,106 @@
+"""The sides of an angle: bars or the ground where these run along them, else thin lines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.straight_parts import Bar, is_slender
+from kinegrade.figure.placing.mark import direction
+from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.plane import NEAR, angle_of, length, on_line, polar, unit
+from kinegrade.figure.scene import FIRM, Strokes
+from kinegrade.figure.symbols import PIN
+from kinegrade.mechanics.joints import Line
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import Angle
+
+_BEYOND = 2.5  # millimetres that a thin line along a side continues beyond the arc
+_DOUBLE = 1.2  # millimetres within which the ground and a line along it would look like one
+LEFT = 4.2  # millimetres from a vertex in which its own bars leave beside a side
+
+
+@dataclass(frozen=True)
+class Side:
+    """A side of an angle: its direction, how far a bar is drawn along it, how far away the point
+    on it is (0 for none), whether the bar is so broad that its axis has to be drawn, and how far
+    outside the angle the ground runs that takes the place of a line.
+    """
+
+    angle: float
+    drawn: float
+    reach: float
+    broad: bool
+    lag: float
+
+    def line(self, vertex: Vector, radius: float) -> Segment | None:
+        """The thin line that an arc of this radius needs; None when the bar is long enough."""
+        toward = polar(self.angle)
+        if self.broad:
+            return vertex + toward * (PIN + 0.15), vertex + toward * (radius + _BEYOND)
+        if radius < self.drawn + PIN:
+            return None
+        needed = radius + (1.0 if self.reach else _BEYOND)
+        far = needed if self.drawn else max(needed, self.reach)
+        return vertex + toward * max(self.drawn, PIN + 0.15), vertex + toward * far
+
+
+def find_sides(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Side, ...]:
+    """The first and the last side of an angle."""
+    vertex = at[hint.at]
+    ways = [unit(direction(at, vertex, name)) for name in (hint.start, hint.end)]
+    legs = []
+    for name, way, other in zip((hint.start, hint.end), ways, reversed(ways), strict=True):
+        ground, lag = _measure_ground(vertex, way, other, drawing)
+        legs.append(
+            Side(
+                angle_of(way),
+                max(ground, _measure_drawn(vertex, way, drawing)),
+                length(at[name] - vertex) if name in at else 0.0,
+                _is_broad(vertex, way, drawing),
+                lag,
+            )
+        )
+    return tuple(legs)
+
+
+def _measure_drawn(vertex: Vector, toward: Vector, drawing: Drawing) -> float:
+    """How far a bar is drawn from a point on it in a direction; 0 when none is."""
+    return max((reach for _, reach in _list_bars_along(vertex, toward, drawing)), default=0.0)
+
+
+def _is_broad(vertex: Vector, toward: Vector, drawing: Drawing) -> bool:
+    """Whether a bar that is drawn from a point in a direction is a broad one."""
+    bars = [bar for bar, reach in _list_bars_along(vertex, toward, drawing) if reach > PIN]
+    return bool(bars) and not any(map(is_slender, bars))
+
+
+def _measure_ground(
+    vertex: Vector, toward: Vector, other: Vector, drawing: Drawing
+) -> tuple[float, float]:
+    """How far the ground runs along a side of an angle, on it or just outside the angle, and how
+    far outside; 0 and 0 where it does not.
+    """
+    outward = toward.turned() if toward.turned().dot(other) <= 0 else -toward.turned()
+    firm = (each for each in drawing.primitives if isinstance(each, Strokes) and each.pen == FIRM)
+    for line in (line for strokes in firm for line in strokes.lines):
+        near, far = sorted((end - vertex for end in line), key=toward.dot)
+        gap, level = near.dot(toward), near.dot(outward)
+        parallel = abs(far.dot(outward) - level) < NEAR
+        if parallel and -NEAR < level < _DOUBLE and gap < LEFT < far.dot(toward):
+            return far.dot(toward), max(0.0, level)
+    return 0.0, 0.0
+
+
+def _list_bars_along(
+    vertex: Vector, toward: Vector, drawing: Drawing
+) -> Iterator[tuple[Bar, float]]:
+    """The bars through a point on a line, with how far they go beyond it in a direction."""
+    for bar in drawing.parts:
+        if isinstance(bar, Bar) and on_line(vertex, Line(bar.start, bar.end - bar.start)):
+            steps = [end - vertex for end in (bar.start, bar.end)]
+            along = abs(unit(steps[0] - steps[1]).cross(toward)) < NEAR
+            reaches = [step.dot(toward) for step in steps]
+            if along and min(reaches) < 1.0:
+                yield bar, max(reaches)
