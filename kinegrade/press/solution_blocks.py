@@ -12,7 +12,7 @@ from typing import assert_never
 from kinegrade.language.message import Message
 from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.question_numbers import find_other_number
-from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, Results, TermTable
+from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
 
 FORMULA_ALONE = r"\$[^$]+\$"
 UNKNOWN = "?"
@@ -101,7 +101,7 @@ def _list_following(chains: Sequence[Chain]) -> Iterator[Placed | Passage]:
                 beside = tuple(takewhile(_is_narrow, chains[place:]))
                 yield Passage(pictures, beside)
                 place += len(beside)
-            case Heading() | Prose() | Display() | TermTable() | Results():
+            case Heading() | Prose() | Display() | TermTable():
                 yield last
             case _:
                 assert_never(last.block)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -116,13 +115,6 @@ class Quantity:
     def is_plain(self) -> bool:
         """Whether the decimal of a few digits says all."""
         return isinstance(self.plain, fmpq) and is_short_decimal(self.plain)
-
-    def equals(self, decimal: str) -> bool:
-        """Whether a decimal says the number exactly."""
-        exact = Fraction(decimal)
-        return isinstance(self.plain, fmpq) and self.plain == fmpq(
-            exact.numerator, exact.denominator
-        )
 
     @property
     def is_zero(self) -> bool:

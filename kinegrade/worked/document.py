@@ -1,5 +1,5 @@
 """The parts of a worked solution, independent of any typesetter: prose, equations, tables of terms,
-pictures, results.
+pictures.
 
 `kinegrade.worked.solution` derives these from a solved instance; a press lays them out. Prose is
 Markdown with `$...$` LaTeX math, math is a math tree, LaTeX is LaTeX math without dollar signs,
@@ -41,7 +41,7 @@ def say(message: Message, language: Language) -> Prose:
 @dataclass(frozen=True)
 class Display:
     """Equations, one below the other, aligned at the mark that each line may hold before its first
-    relation sign.
+    relation sign. The value of an answer stands in a box.
     """
 
     lines: tuple[Row, ...]  # math
@@ -81,32 +81,11 @@ class Pictures:
     pictures: tuple[Picture, ...]
 
 
-@dataclass(frozen=True)
-class Result:
-    """An answer: the exact value where it fits a line and is not the decimal itself, the decimal,
-    and its sense or direction in words.
-    """
-
-    symbol: str  # LaTeX
-    exact: str | None  # LaTeX, without unit
-    decimal: str  # plain; "" at infinity
-    unit: str  # plain, "m/s^2"
-    sense: str  # prose: "clockwise", "to the left"; "" where there is none
-    is_settled: bool = False  # whether the decimal is the exact value, as it is of a quarter
-
-
-@dataclass(frozen=True)
-class Results:
-    """The answers, at the end."""
-
-    results: tuple[Result, ...]
-
-
-Block = Heading | Prose | Display | TermTable | Pictures | Results
+Block = Heading | Prose | Display | TermTable | Pictures
 
 
 @dataclass(frozen=True)
 class WorkedSolution:
-    """The solution of one question, from how each body moves to the results."""
+    """The solution of one question, from how each body moves to the last answer."""
 
     blocks: tuple[Block, ...]

@@ -2,13 +2,13 @@
 particular template.
 
 How each body moves; where everything is; the steps of the plan for velocities, then for
-accelerations, as far as the answers need them; how each answer follows; the answers, whose values
-are those of the key.
+accelerations, as far as the answers need them, each answer where it is found, its value in a box.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 
 from kinegrade.language import Language
 from kinegrade.language.message import Message
@@ -18,10 +18,11 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.as_stated import restate
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask, Method
-from kinegrade.worked.answers.answers import explain_answer, state_result
+from kinegrade.worked.answers.answers import explain_answer
+from kinegrade.worked.answers.boxes import AnswerBoxes
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Block, Heading, Results, TermTable, WorkedSolution
+from kinegrade.worked.document import Block, Heading, TermTable, WorkedSolution
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.rates.kinds import describe_motions
 from kinegrade.worked.rates.scalars import imposes_single_rate
@@ -44,30 +45,32 @@ def write_worked_solution(
     stated = restate(solution)
     case = Case(stated, language, method or stated.template.about.method)
     asked = tuple(stated.template.asks[name] for name in asks)
-    return WorkedSolution(tuple(_write_blocks(case, asked)))
+    boxes = AnswerBoxes.around(asked, case)
+    return WorkedSolution(tuple(boxes.frame(_write_blocks(case, asked, boxes))))
 
 
-def _write_blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
-    """The chapters in order."""
+def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Iterator[Block]:
+    """The chapters in order, each answer as soon as all that it needs is found."""
     if case.motion.rates:
         yield Heading(case.write(Message("solution.kinds")), 1)
         yield from describe_motions(case)
     yield from _write_position_chapter(case)
-    needs = collect_needs(case, asked)
-    velocities, accelerations = select_steps(case.motion, needs)
+    still = tuple(ask for ask in asked if is_positional(ask))
+    yield from explain_pose_answers(case, (ask.name for ask in still))
+    yield from boxes.state_missing(still)
+    moving = tuple(ask for ask in asked if ask not in still)
+    velocities, accelerations = select_steps(case.motion, collect_needs(case, moving))
     if velocities:
         yield Heading(case.write(Message("solution.velocities")), 1)
         yield case.say(Message("solution.positive"))
-        yield from _write_level_chapter(velocities, case, "velocity")
+        wanted = [ask for ask in moving if _find_level(ask, case) == "velocity"]
+        yield from _write_level_chapter(velocities, case, "velocity", _Answers(wanted, boxes))
     if accelerations:
         yield Heading(case.write(Message("solution.accelerations")), 1)
-        yield from _write_level_chapter(accelerations, case, "acceleration")
-    yield Heading(case.write(Message("solution.answers")), 1)
-    yield from explain_pose_answers(case, (ask.name for ask in asked if is_positional(ask)))
-    for ask in asked:
-        if not is_positional(ask):
-            yield from explain_answer(ask, case)
-    yield Results(tuple(state_result(ask, case) for ask in asked))
+        wanted = [ask for ask in moving if _find_level(ask, case) == "acceleration"]
+        yield from _write_level_chapter(
+            accelerations, case, "acceleration", _Answers(wanted, boxes)
+        )
 
 
 def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:
@@ -84,9 +87,29 @@ def _write_position_chapter(case: Case) -> Iterator[Block]:
     yield from explain_positions(case, tuple(case.template.scheme.points))
 
 
-def _write_level_chapter(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Block]:
-    """The steps of velocities, or of accelerations, numbered; the given motions come first and
-    count as one step.
+@dataclass
+class _Answers:
+    """The answers of a chapter, each given as soon as all rates are known that it needs."""
+
+    wanted: list[Ask]
+    boxes: AnswerBoxes
+
+    def follow(self, known: Collection[Rate] | None) -> Iterator[Block]:
+        """Those that follow from the rates known, or all that are left."""
+        case = self.boxes.case
+        for ask in tuple(self.wanted):
+            needed = find_needs(ask.quantity, case.reader).rates
+            if known is None or needed <= set(known):
+                self.wanted.remove(ask)
+                yield from explain_answer(ask, case)
+                yield from self.boxes.state_missing((ask,))
+
+
+def _write_level_chapter(
+    steps: Sequence[Step], case: Case, level: Level, answers: _Answers
+) -> Iterator[Block]:
+    """The steps of velocities, or of accelerations, numbered, each with the answers that follow;
+    the given motions come first and count as one step.
     """
     imposed = [step for step in steps if _is_given(step, case)]
     known: set[Rate] = {rate for step in imposed for rate in step.unknowns}
@@ -103,6 +126,14 @@ def _write_level_chapter(steps: Sequence[Step], case: Case, level: Level) -> Ite
             number += 1
             yield from _write_numbered_step(number, step, find_stage(step, case, level, known))
         known |= set(step.unknowns)
+        yield from answers.follow(known)
+    yield from answers.follow(None)
+
+
+def _find_level(ask: Ask, case: Case) -> Level:
+    """Whether an answer needs changes of rates, or rates alone."""
+    changes = find_needs(ask.quantity, case.reader).changes
+    return "acceleration" if changes else "velocity"
 
 
 def _write_numbered_step(number: int, step: Step, stage: Stage) -> Iterator[Block]:

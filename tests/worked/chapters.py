@@ -48,9 +48,9 @@ def read_chapter(
     title: str, solution: Solution, method: Method | None = None, language: Language = "en"
 ) -> str:
     """The text below a heading, up to the next heading of its level or a higher one; without
-    pictures.
+    pictures and boxes.
     """
-    text = list(lines(write_blocks(solution, method, language)))
+    text = _read_lines(solution, method, language)
     start = text.index(title)
     level = len(title.split(maxsplit=1)[0])
     ends = (
@@ -58,7 +58,24 @@ def read_chapter(
         for place in range(start + 1, len(text))
         if text[place].startswith("#") and len(text[place].split(maxsplit=1)[0]) <= level
     )
-    told = text[start + 1 : next(ends, len(text))]
+    return _tidy(text[start + 1 : next(ends, len(text))])
+
+
+def find_untold(expected: str, solution: Solution, method: Method | None = None) -> list[str]:
+    """The lines expected, as `as_read` reads them, that no line of the solution begins with."""
+    told = _tidy(_read_lines(solution, method, "en")).splitlines()
+    return [
+        line
+        for line in as_read(expected).splitlines()
+        if not any(one.startswith(line) for one in told)
+    ]
+
+
+def _read_lines(solution: Solution, method: Method | None, language: Language) -> list[str]:
+    return list(lines(write_blocks(solution, method, language), boxes=False))
+
+
+def _tidy(told: list[str]) -> str:
     return "\n".join(" ".join(line.split()) for line in told if "[picture" not in line)
 
 

@@ -8,8 +8,10 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Literal
 
+from typing_extensions import TypeIs
+
 from kinegrade.language.math.reading import read_math
-from kinegrade.language.math.tree import Row
+from kinegrade.language.math.tree import Accent, Node, Row
 from kinegrade.worked.case import write_row
 from kinegrade.worked.document import (
     Block,
@@ -17,7 +19,6 @@ from kinegrade.worked.document import (
     Heading,
     Pictures,
     Prose,
-    Results,
     Term,
     TermTable,
 )
@@ -46,15 +47,33 @@ def read_term(
 
 
 def displayed(blocks: Iterable[Block]) -> list[str]:
-    """The lines of all displays, in LaTeX math."""
-    shown: list[Row] = [
-        line for block in blocks if isinstance(block, Display) for line in block.lines
-    ]
-    return [write_row(line) for line in shown]
+    """The lines of all displays, in LaTeX math, without the boxes around answers."""
+    return [write_row(_unbox(line)) for line in _list_lines(blocks)]
 
 
-def lines(blocks: Iterable[Block]) -> Iterator[str]:
-    """The lines of the blocks."""
+def boxed(blocks: Iterable[Block]) -> list[str]:
+    """What stands in boxes, in LaTeX math."""
+    nodes = (node for line in _list_lines(blocks) for node in line)
+    return [write_row(node.row) for node in nodes if is_box(node)]
+
+
+def _list_lines(blocks: Iterable[Block]) -> Iterator[Row]:
+    for block in blocks:
+        if isinstance(block, Display):
+            yield from block.lines
+
+
+def is_box(node: Node) -> TypeIs[Accent]:
+    """Whether a node is a box."""
+    return isinstance(node, Accent) and node.name == "boxed"
+
+
+def _unbox(line: Row) -> Row:
+    return tuple(inner for node in line for inner in (node.row if is_box(node) else (node,)))
+
+
+def lines(blocks: Iterable[Block], *, boxes: bool = True) -> Iterator[str]:
+    """The lines of the blocks, with or without the boxes around answers."""
     for block in blocks:
         match block:
             case Heading(text, level):
@@ -62,7 +81,8 @@ def lines(blocks: Iterable[Block]) -> Iterator[str]:
             case Prose(text):
                 yield text
             case Display(equations):
-                yield from (f"    {write_row(equation)}" for equation in equations)
+                shown = equations if boxes else map(_unbox, equations)
+                yield from (f"    {write_row(equation)}" for equation in shown)
             case TermTable(terms):
                 for term in terms:
                     yield (
@@ -71,17 +91,6 @@ def lines(blocks: Iterable[Block]) -> Iterator[str]:
                     )
             case Pictures(pictures):
                 yield from (f"    [picture: {picture.caption}]" for picture in pictures)
-            case Results(results):
-                for result in results:
-                    exact = result.decimal if result.is_settled else result.exact
-                    exact = result.exact or exact
-                    if not result.decimal:
-                        yield f"    {result.symbol} = {exact}"
-                        continue
-                    yield (
-                        f"    {result.symbol} = {exact} = {result.decimal} {result.unit} "
-                        f"({result.sense})"
-                    )
 
 
 def mathematics(blocks: Iterable[Block]) -> Iterator[str]:
@@ -92,10 +101,6 @@ def mathematics(blocks: Iterable[Block]) -> Iterator[str]:
                 yield from (write_row(equation).replace("&", "") for equation in equations)
             case TermTable(terms):
                 yield from (write_row(term.symbol) for term in terms)
-            case Results(results):
-                for result in results:
-                    yield result.symbol
-                    yield result.exact or "0"
 
 
 def proses(blocks: Iterable[Block]) -> Iterator[str]:
@@ -109,5 +114,3 @@ def proses(blocks: Iterable[Block]) -> Iterator[str]:
                     yield from (term.magnitude, term.direction)
             case Pictures(pictures):
                 yield from (picture.caption for picture in pictures)
-            case Results(results):
-                yield from (result.sense for result in results)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.worked.chapters import as_read, read_chapter, solve_small
+from tests.worked.chapters import as_read, find_untold, read_chapter, solve_small
 
 FOUR_BAR = """
 joints = ["pin O: ground OA", "pin A: OA AB", "pin B: AB BC", "pin C: ground BC"]
@@ -48,25 +48,25 @@ def test_circles_that_meet() -> None:
         $M$ is the midpoint of $AC$:
         x_{M} &= \frac{x_{C}}{2} = \frac{8}{2} = 4\,\unit{m}
         y_{M} &= \frac{y_{A}}{2} = \frac{6}{2} = 3\,\unit{m}
+        x_{B} &= 5.76\,\unit{m}
         """
     )
 
 
 def test_a_distance_in_centimetres() -> None:
     solution = solve_small(FOUR_BAR, AC="distance(A, C) in cm", OM="distance(O, M) in m")
-    assert read_chapter("# Answers", solution) == as_read(
+    assert not find_untold(
         r"""
         AC &= \sqrt{x_{C}^{2} + y_{A}^{2}} = \sqrt{8^{2} + 6^{2}} = 10\,\unit{m} = 1000\,\unit{cm}
         OM &= \sqrt{x_{M}^{2} + y_{M}^{2}} = \sqrt{4^{2} + 3^{2}} = 5\,\unit{m}
-        AC = 1000 = 1000 cm ()
-        OM = 5 = 5 m ()
-        """
+        """,
+        solution,
     )
 
 
 def test_an_angle_in_degrees() -> None:
     solution = solve_small(FOUR_BAR, gamma="angle((1, 0), C - A) in deg")
-    assert read_chapter("# Answers", solution) == as_read(
+    assert not find_untold(
         r"""
         The angle is counted counter-clockwise from the $x$ axis to $\overrightarrow{AC}$. Its
             cosine and its sine are proportional to the coordinates of this vector:
@@ -76,14 +76,14 @@ def test_an_angle_in_degrees() -> None:
         The cosine is positive, the sine negative: the angle lies between $-90^\circ$ and
             $0^\circ$.
         \gamma &\approx -36.87^\circ
-        \gamma = \frac{180}{\pi}\,\arctan\left(-\frac{3}{4}\right) = -36.8699 deg ()
-        """
+        """,
+        solution,
     )
 
 
 def test_an_angle_in_radians() -> None:
     solution = solve_small(FOUR_BAR, gamma="angle((1, 0), A - C) in rad")
-    assert read_chapter("# Answers", solution) == as_read(
+    assert not find_untold(
         r"""
         The angle is counted counter-clockwise from the $x$ axis to $\overrightarrow{CA}$. Its
             cosine and its sine are proportional to the coordinates of this vector:
@@ -94,19 +94,19 @@ def test_an_angle_in_radians() -> None:
             $180^\circ$.
         \gamma &= \arctan\left(-\frac{3}{4}\right) + \pi \approx 143.13^\circ \approx
             2.498\,\unit{rad}
-        \gamma = \arctan\left(-\frac{3}{4}\right) + \pi = 2.49809 rad ()
-        """
+        """,
+        solution,
     )
 
 
 def test_a_component_along_a_direction() -> None:
     solution = solve_small(FOUR_BAR, u="along(A - O, C - A) in m")
-    assert read_chapter("# Answers", solution) == as_read(
+    assert not find_untold(
         r"""
         The component of $\overrightarrow{OA}$ in the direction of $\overrightarrow{AC}$ is their
             scalar product over the length of the latter:
         AC &= \sqrt{x_{C}^{2} + y_{A}^{2}} = \sqrt{8^{2} + 6^{2}} = 10\,\unit{m}
         u &= -\frac{y_{A}^{2}}{AC} = -\frac{6^{2}}{10} = -3.6\,\unit{m}
-        u = -3.6 = -3.6 m ()
-        """
+        """,
+        solution,
     )

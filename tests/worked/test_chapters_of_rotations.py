@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.worked.chapters import as_read, read_chapter, solve_small
+from tests.worked.chapters import as_read, find_untold, read_chapter, solve_small
 
 PLANETS = """
 joints = [
@@ -98,11 +98,11 @@ def test_meshing_of_angular_accelerations() -> None:
 
 def test_a_ratio_of_rates() -> None:
     solution = solve_small(PLANETS, i="omega(planet)/omega(arm) in 1")
-    assert read_chapter("# Answers", solution) == as_read(
+    assert not find_untold(
         r"""
         i &= \frac{\omega_{A}}{\omega_{OA}} = \frac{12}{2} = 6
-        i = 6 = 6 1 ()
-        """
+        """,
+        solution,
     )
 
 
@@ -142,11 +142,10 @@ def test_a_relative_rate_and_a_relative_speed_that_are_asked_for() -> None:
         omega_r="omega(rod, crank) in rad/s",
         v_r="magnitude(relative_velocity(B, rod, sleeve)) in m/s",
     )
-    assert read_chapter("# Answers", solution) == as_read(
+    assert not find_untold(
         r"""
         \omega_{r} &= \omega_{B} - \omega_{AB} = 0.56 - 2 = -1.44\,\unit{rad/s}
         v_{r} &= \left|v_{\mathrm{r}}\right| = 9.6\,\unit{m/s}
-        \omega_{r} = -1.44 = -1.44 rad/s (clockwise)
-        v_{r} = 9.6 = 9.6 m/s (in the direction $126.87^\circ$)
-        """
+        """,
+        solution,
     )

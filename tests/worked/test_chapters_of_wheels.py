@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.worked.chapters import as_read, read_chapter, solve_small
+from tests.worked.chapters import as_read, find_untold, read_chapter, solve_small
 
 ON_A_LINE = """
 joints = ["circle(C, 2) of wheel rolls on line(D, 0)"]
@@ -79,7 +79,7 @@ def test_the_points_of_a_rolling_wheel() -> None:
     solution = solve_small(
         ON_A_LINE, v_P="magnitude(velocity(P)) in m/s", a_D="magnitude(acceleration(D)) in m/s^2"
     )
-    assert read_chapter("# Answers", solution) == as_read(
+    assert not find_untold(
         r"""
         $P$ is a point of the wheel, base point $C$:
         v_{P,x} &= v_{C,x} - \omega_{CD}(y_{P} - y_{C}) = 6\,\unit{m/s}
@@ -92,9 +92,8 @@ def test_the_points_of_a_rolling_wheel() -> None:
         a_{D,y} &= a_{C,y} + \alpha_{CD}(x_{D} - x_{C}) - \omega_{CD}^{2}(y_{D} - y_{C}) =
             -(-3)^{2} \cdot (-2) = 18\,\unit{m/s^2}
         a_{D} &= a_{D,y} = 18\,\unit{m/s^2}
-        v_{P} = 6 \sqrt{2} = 8.48528 m/s (in the direction $315^\circ$)
-        a_{D} = 18 = 18 m/s^2 (upwards)
-        """
+        """,
+        solution,
     )
 
 
@@ -137,6 +136,7 @@ def test_rolling_inside_a_circle() -> None:
         v_{C} &= -2\omega_{CD}
         v_{C} &= -2 \cdot 3
         v_{C} &= -6\,\unit{m/s}\quad\text{(clockwise)}
+        \left|v_{C}\right| &= 6\,\unit{m/s}
         """
     )
 
@@ -147,14 +147,14 @@ def test_the_centre_of_a_wheel_on_a_circle_accelerates_towards_the_middle() -> N
         ON_A_CIRCLE.replace("(0, 6)", "(0, 2)").replace("O, 4)", "O, 4) inside"),
         a_C="magnitude(acceleration(C)) in m/s^2",
     )
-    assert read_chapter("# Answers", solution) == as_read(
+    assert not find_untold(
         r"""
         $C$ moves on the circle about $O$; its normal acceleration follows from its speed, the
             tangential one is known:
         a_{C}^{\mathrm{n}} &= \frac{v_{C}^{2}}{OC} = \frac{6^{2}}{2} = 18\,\unit{m/s^2}
         a_{C} &= a_{C}^{\mathrm{n}} = 18\,\unit{m/s^2}
-        a_{C} = 18 = 18 m/s^2 (downwards)
-        """
+        """,
+        solution,
     )
 
 

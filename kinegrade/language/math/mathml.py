@@ -63,6 +63,7 @@ _ACCENTS: dict[AccentName, str] = {
     "overline": '<mo stretchy="true">‾</mo>',
     "overrightarrow": '<mo stretchy="true">→</mo>',
     "underbrace": '<mo stretchy="true">⏟</mo>',
+    "boxed": ' style="border: 1px solid; padding: 0.15em"',
 }
 
 
@@ -228,6 +229,8 @@ def _write_structure(node: Quotient | Root | Accent | Fenced | Environment, face
             return f"<mroot>{inside}{_write_grouped(degree, face)}</mroot>"
         case Accent("underbrace", row):
             return f"<munder>{_write_grouped(row, face)}{_ACCENTS['underbrace']}</munder>"
+        case Accent("boxed", row):
+            return f"<mrow{_ACCENTS['boxed']}>{_write_row(row, face)}</mrow>"
         case Accent(name, row):
             mark = _ACCENTS[name]
             return f'<mover accent="true">{_write_grouped(row, face)}{mark}</mover>'

@@ -57,6 +57,7 @@ _ACCENTS: dict[AccentName, str] = {
     "overline": "\u0305",
     "overrightarrow": "\u20d7",
     "underbrace": "",
+    "boxed": "",
 }
 _LOW, _DEEP, _BOTH = (
     frozenset("acemnorsuvwxzαγεικνοπστυωϵ"),

@@ -22,6 +22,7 @@ AccentName: TypeAlias = Literal[
     "overline",
     "overrightarrow",
     "underbrace",
+    "boxed",
 ]
 FractionName: TypeAlias = Literal["frac", "dfrac", "tfrac"]
 SpaceName: TypeAlias = Literal[",", ";", ":", "!", " ", "quad", "qquad"]
@@ -121,7 +122,7 @@ class Lettering:
 
 @dataclass(frozen=True, slots=True)
 class Accent:
-    """A row with a mark over or under it."""
+    """A row with a mark over or under it, or in a frame."""
 
     name: AccentName
     row: Row

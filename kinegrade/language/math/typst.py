@@ -55,7 +55,9 @@ _ACCENTS: dict[AccentName, str] = {
     "overline": "overline",
     "overrightarrow": "arrow",
     "underbrace": "underbrace",
+    "boxed": "#box",
 }
+_FRAME = "stroke:0.5pt,inset:(x:2.4pt),outset:(y:2.6pt)"
 _STYLES: dict[Style, str] = {
     "mathrm": "upright({})",
     "mathbf": "upright(bold({}))",
@@ -180,6 +182,8 @@ def _write_call(node: Quotient | Root | Lettering | Accent | Fenced | Environmen
             return f"root({_write_argument(degree)}, {inside})" if degree else f"sqrt({inside})"
         case Lettering(style, row):
             return _STYLES[style].format(_write_argument(row))
+        case Accent("boxed", row):
+            return f"{_ACCENTS['boxed']}({_FRAME},${_write_argument(row)}$) "
         case Accent(name, row):
             return f"{_ACCENTS[name]}({_write_argument(row)})"
         case Fenced(left, row, right):

@@ -13,10 +13,8 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.html_text import (
     write_display_html,
-    write_math_html,
     write_plain_html,
     write_row_html,
-    write_unit_html,
 )
 from kinegrade.language.math.tree import Environment, Group, LineBreak, Mark, Row, Sign
 from kinegrade.language.message import Message
@@ -27,8 +25,6 @@ from kinegrade.worked.document import (
     Heading,
     Pictures,
     Prose,
-    Result,
-    Results,
     Term,
     TermTable,
 )
@@ -55,9 +51,6 @@ def _write_block(block: Block, words: Catalogue) -> str:
             return f"<p>{_write_aligned(block.lines)}</p>\n"
         case TermTable():
             return _write_terms(block.terms, words)
-        case Results():
-            items = "".join(f"<li>{_write_result(result)}</li>\n" for result in block.results)
-            return f"<ul>\n{items}</ul>\n"
         case Pictures():
             return ""
         case _:
@@ -104,16 +97,3 @@ def _write_cell(text: str) -> str:
 
 def _write_entry(cell: str) -> str:
     return f'<td style="padding:0 .5em;text-align:center">{cell}</td>'
-
-
-def _write_result(result: Result) -> str:
-    exact = f"= {result.exact} " if result.exact else ""
-    if not result.decimal:
-        return write_math_html(f"{result.symbol} {exact}", _WHERE)
-    relation = "=" if result.is_settled else r"\approx"
-    decimal = result.decimal.replace(",", "{,}")  # or a blank would follow the comma
-    value = write_math_html(rf"{result.symbol} {exact}{relation} {decimal}", _WHERE)
-    unit = write_unit_html(result.unit)
-    spaced = unit if unit in ("", "°") else f" {unit}"
-    sense = f" ({write_line(result.sense, _WHERE)})" if result.sense else ""
-    return f"{value}{spaced}{sense}"

@@ -12,7 +12,7 @@ from kinegrade.figure.back_ends.tikz import write_tikz
 from kinegrade.figure.scene import Scene
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
-from kinegrade.language.math.latex import TEX, write_latex_math, write_latex_row
+from kinegrade.language.math.latex import TEX, write_latex_row
 from kinegrade.language.math.latex_text import write_comment, write_plain
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Location
@@ -21,7 +21,6 @@ from kinegrade.press.equation_line import begins_with_sign, split_equation_line
 from kinegrade.press.latex.document import (
     write_command,
     write_environment,
-    write_value,
 )
 from kinegrade.press.places import locate_part, locate_question, locate_solutions
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
@@ -41,8 +40,6 @@ from kinegrade.worked.document import (
     Picture,
     Pictures,
     Prose,
-    Result,
-    Results,
     Term,
     TermTable,
 )
@@ -148,11 +145,6 @@ def _write_content(block: Block, where: Location) -> str:
             return "\n".join(_write_bands(block.terms, where))
         case Pictures():
             return _write_passage(Passage(block, ()), where)
-        case Results():
-            return write_command(
-                "results",
-                "".join(convert_each(lambda result: _write_result(result, where), block.results)),
-            )
         case _:
             assert_never(block)
 
@@ -220,17 +212,3 @@ def _write_picture(picture: Picture, where: Location) -> str:
 def _find_width(picture: Picture) -> float:
     """Millimetres that a drawing takes with its caption."""
     return max(picture.scene.width, 40.0)
-
-
-def _write_result(result: Result, where: Location) -> str:
-    parts = gather(
-        symbol=lambda: write_latex_math(result.symbol, where),
-        exact=lambda: f"= {write_latex_math(result.exact, where)}" if result.exact else "",
-        sense=lambda: write_line(result.sense, where),
-    )
-    relation = "=" if result.is_settled else r"\approx"
-    value = rf"${{}}{parts['exact']}$"
-    if result.decimal:
-        rounded = write_value(result.decimal, result.unit)
-        value = rf"${{}}{parts['exact']} {relation} {{}}${rounded}"
-    return write_command("result", parts["symbol"], value, parts["sense"])

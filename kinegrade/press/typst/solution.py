@@ -31,10 +31,8 @@ from kinegrade.press.solution_blocks import (
 )
 from kinegrade.press.typst.layout_call import (
     Sheet,
-    write_formula,
     write_layout_call,
     write_signed,
-    write_value,
 )
 from kinegrade.worked.document import (
     Block,
@@ -43,8 +41,6 @@ from kinegrade.worked.document import (
     Picture,
     Pictures,
     Prose,
-    Result,
-    Results,
     Term,
     TermTable,
 )
@@ -131,11 +127,6 @@ def _write_content(block: Block, where: Location) -> Sheet:
             }
         case Pictures():
             return _write_part(Passage(block, ()), where)
-        case Results():
-            return {
-                "kind": "results",
-                "results": convert_each(lambda result: _write_result(result, where), block.results),
-            }
         case _:
             assert_never(block)
 
@@ -178,15 +169,3 @@ def _write_picture(picture: Picture, where: Location) -> Sheet:
         caption=lambda: write_line(picture.caption, where),
     )
     return sheet | {"width": picture.scene.width}
-
-
-def _write_result(result: Result, where: Location) -> Sheet:
-    sheet = gather(
-        symbol=lambda: write_formula(result.symbol, where),
-        exact=lambda: write_formula(result.exact, where) if result.exact else None,
-        sense=lambda: write_line(result.sense, where),
-    )
-    return sheet | {
-        "relation": "=" if result.is_settled else "≈",
-        "decimal": write_value(result.decimal, result.unit) if result.decimal else "",
-    }

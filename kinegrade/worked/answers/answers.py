@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator
 
 from kinegrade.expressions.tree import Call, Name
-from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
 from kinegrade.language.message import Message
 from kinegrade.problem.kinds.kinds import Scalar
 from kinegrade.problem.quantities.functions import find_motion_calls
@@ -20,7 +19,7 @@ from kinegrade.worked.answers.centrodes import explain_centrode
 from kinegrade.worked.answers.quantity_formulas import Working, find_value, work_out
 from kinegrade.worked.answers.stated_values import explain_value
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Block, Result
+from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import ZERO, Measured, Number
 from kinegrade.worked.formulas.equation import Equation, Link, equate
 from kinegrade.worked.formulas.measures import double, is_zero
@@ -69,7 +68,7 @@ def _count_as_asked(ask: Ask, case: Case) -> Equation:
     size = abs(symbol)
     links = equate(-size if double(answer.number) < 0 else size)
     aside = say_beside(Message("solution.as-asked"), case)
-    return Equation(symbol, (*links, *_state_value(ask, case)), aside)
+    return Equation(symbol, (*links, *state_value(ask, case)), aside)
 
 
 def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
@@ -79,11 +78,12 @@ def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
     between = [
         one for one in (working.symbols, *numbers) if one != ZERO and not one.looks_like(symbol)
     ]
-    values = _state_value(ask, case) if between else state_quantity(answer)
-    return Equation(symbol, (*equate(*between), *values))
+    values = state_value(ask, case) if between else state_quantity(answer)
+    sense = _find_sense(ask, case)
+    return Equation(symbol, (*equate(*between), *values), say_beside(sense, case) if sense else ())
 
 
-def _state_value(ask: Ask, case: Case) -> tuple[Link, ...]:
+def state_value(ask: Ask, case: Case) -> tuple[Link, ...]:
     """The value that a formula in SI gives; in SI first where the key has centimetres or
     millimetres.
     """
@@ -92,22 +92,6 @@ def _state_value(ask: Ask, case: Case) -> tuple[Link, ...]:
         return state_quantity(answer)
     base = state_number(find_value(ask.quantity, case), _PREFIXED.sub("m", answer.unit))
     return (*base, *equate(Measured(Number(answer.decimal(DIGITS)), answer.unit)))
-
-
-def state_result(ask: Ask, case: Case) -> Result:
-    """An answer as the list at the end states it."""
-    answer, sense = case.solution.answers[ask.name], _find_sense(ask, case)
-    if answer.at_infinity:
-        return Result(ask.symbol, answer.latex, "", answer.unit, "")
-    decimal, exact = answer.decimal(6), answer.closed_form
-    return Result(
-        ask.symbol,
-        None if exact in (None, decimal) else write_decimals_of_math(str(exact), case.language),
-        write_decimal_text(decimal, case.language),
-        answer.unit,
-        case.write(sense) if sense else "",
-        answer.equals(decimal),
-    )
 
 
 def _find_sense(ask: Ask, case: Case) -> Message | None:

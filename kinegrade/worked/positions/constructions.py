@@ -19,7 +19,6 @@ from kinegrade.worked.document import (
     Heading,
     Pictures,
     Prose,
-    Results,
     TermTable,
 )
 from kinegrade.worked.formulas.leaves import count_quarter_turns
@@ -78,7 +77,7 @@ def _write_out(block: Block | _Coordinates, instance: Instance) -> tuple[Block, 
     match block:
         case _Coordinates():
             return block.blocks(instance)
-        case Heading() | Prose() | Display() | TermTable() | Pictures() | Results():
+        case Heading() | Prose() | Display() | TermTable() | Pictures():
             return (block,)
         case _:
             assert_never(block)

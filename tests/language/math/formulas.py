@@ -61,7 +61,7 @@ ONE_OF_EACH = (
     r"\sqrt{3} \sqrt[3]{x y}",
     r"\mathrm{AB} \mathbf{a} \mathit{AB} \bm{v}",
     r"\vec{v} \bar{v} \hat{v} \tilde{v} \dot{v} \ddot{v} \overline{AB} \overrightarrow{AB}",
-    r"\underbrace{a + b}_{c} \widehat{AB}",
+    r"\underbrace{a + b}_{c} \widehat{AB} = \boxed{2\,\unit{m}}",
     r"\left(\frac{1}{2}\right] \left|x\right| \left.y\right\}",
     r"\begin{cases} x = 1 & a \\ y < 2 \end{cases}",
     r"\begin{aligned} x &= 1 \\ y &= 2 \end{aligned}",

@@ -40,7 +40,7 @@ TAKES = {
 }
 WITH_ARGUMENT = (
     "mathrm mathbf mathit boldsymbol bm vec bar hat tilde dot ddot overline underbrace "
-    "overrightarrow sqrt"
+    "overrightarrow boxed sqrt"
 )
 NO_PANDOC = "pandoc not found - expected the optional extra - pip install 'kinegrade[word]'"
 

@@ -1,0 +1,107 @@
+"""The boxes around the answers of a solution, each where its value is first given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import assert_never
+
+from kinegrade.language.math.tree import Accent, Mark, Row, Sign, Space
+from kinegrade.problem.template.template import Ask
+from kinegrade.worked.answers.answers import state_value
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
+from kinegrade.worked.formulas.equation import Equation
+from kinegrade.worked.formulas.numbers import state_quantity
+from kinegrade.worked.formulas.results import state_result
+from kinegrade.worked.formulas.symbols import INFINITY, read_symbol
+
+_RELATIONS = (Sign("="), Sign(r"\approx"))
+
+
+@dataclass(frozen=True)
+class _Sought:
+    """An answer as a line may state it: by its symbol or its size, and its value, with the box
+    that takes the place of the value; after metres stand centimetres where these are asked for.
+    """
+
+    letters: frozenset[Row]
+    boxes: Mapping[Row, Row]
+
+
+@dataclass
+class AnswerBoxes:
+    """Puts a box around each answer that the blocks give; `missing` are those not given yet."""
+
+    case: Case
+    missing: dict[str, _Sought]
+
+    @staticmethod
+    def around(asked: Iterable[Ask], case: Case) -> AnswerBoxes:
+        """The boxes around what is asked."""
+        return AnswerBoxes(case, {ask.name: _make_sought(ask, case) for ask in asked})
+
+    def frame(self, blocks: Iterable[Block]) -> Iterator[Block]:
+        """The blocks with the answers in boxes."""
+        for block in blocks:
+            match block:
+                case Display():
+                    yield self._frame_lines(block)
+                case Heading() | Prose() | TermTable() | Pictures():
+                    yield block
+                case _:
+                    assert_never(block)
+
+    def state_missing(self, asked: Iterable[Ask]) -> Iterator[Block]:
+        """Those of the answers that no line has given in the letters of the question."""
+        for ask in asked:
+            if ask.name in self.missing:
+                value = state_quantity(self.case.solution.answers[ask.name])
+                yield self.case.show(Equation(read_symbol(ask.symbol), value))
+
+    def _frame_lines(self, display: Display) -> Display:
+        left: Row = ()
+        lines = []
+        for line in display.lines:
+            stated = _find_left(line)
+            left = stated or left
+            lines.append(self._frame_value(left, line))
+        return replace(display, lines=tuple(lines))
+
+    def _frame_value(self, left: Row, line: Row) -> Row:
+        """The line with its value in a box, where it gives an answer for the first time."""
+        start, end = _find_value(line)
+        for name, sought in self.missing.items():
+            if left in sought.letters and line[start:end] in sought.boxes:
+                del self.missing[name]
+                return (*line[:start], *sought.boxes[line[start:end]], *line[end:])
+        return line
+
+
+def _make_sought(ask: Ask, case: Case) -> _Sought:
+    symbol, answer = read_symbol(ask.symbol), case.solution.answers[ask.name]
+    letters = frozenset((symbol.print(case.mark), abs(symbol).print(case.mark)))
+    if answer.at_infinity:
+        return _Sought(letters, {INFINITY.print(): (Accent("boxed", INFINITY.print()),)})
+    values = (state_quantity(answer)[-1], state_result(answer)[-1])
+    rows = [link.right.print(case.mark) for link in values]
+    boxes: dict[Row, Row] = {row: (Accent("boxed", row),) for row in rows}
+    in_metres = state_value(ask, case)
+    if in_metres != state_quantity(answer):
+        plain = in_metres[-2].right.print(case.mark)
+        boxes.setdefault(plain, (*plain, Sign("="), *boxes[rows[0]]))
+    return _Sought(letters, boxes)
+
+
+def _find_left(line: Row) -> Row:
+    """What stands to the left of the alignment mark; nothing where a line goes on."""
+    return line[: line.index(Mark())] if Mark() in line else ()
+
+
+def _find_value(line: Row) -> tuple[int, int]:
+    """Where the last right side of a line begins and ends, its sense in words left out."""
+    relations = [place for place, node in enumerate(line) if node in _RELATIONS]
+    start = relations[-1] + 1 if relations else len(line)
+    quads = [place for place in range(start, len(line)) if line[place] == Space("quad")]
+    end = quads[0] if quads else len(line)
+    return start, end - 1 if line[end - 1] == Sign(",") else end
