@@ -80,9 +80,9 @@ def test_vectors_on_one_line_are_drawn_side_by_side_and_tied_to_their_places() -
         [Arrow("v_B", B)], [Arrow("v_A", B * 1.5), Arrow("v_1", B * -0.8), Arrow("v_2", B * 0.3)]
     )
     levels = sorted({round(start.y, 6) for start, _ in lines(scene, FIRM)})
-    assert len(levels) == 4
+    assert len(levels) == 3  # two of them follow one another
     assert min(high - low for low, high in pairwise(levels)) > 1.5
-    assert len(lines(scene, THIN)) == 6
+    assert len(lines(scene, THIN)) == 4
     assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
@@ -109,3 +109,24 @@ def test_polygons_of_any_vectors_are_clear(polar: list[tuple[int, float]]) -> No
         faults(draw_polygon([Arrow("v_B", total, False)], right), PICTURE.width, PICTURE.height)
         == []
     )
+
+
+def test_vectors_change_places_rather_than_run_along_one_another() -> None:
+    # In the order given, v_2 and v_3 would go back along v_1
+    across, back, up = Vector(6.0, 0.0), Vector(-4.0, 0.0), Vector(0.0, 5.0)
+    total = across + back + up
+    right = [Arrow("v_1", across), Arrow("v_2", back), Arrow("v_3", up)]
+    scene = draw_polygon([Arrow("v", total)], right)
+    assert lines(scene, THIN) == []
+    assert any(same([tip], [total]) for tip in tips(scene))
+
+
+def test_corners_have_the_letters_of_their_points() -> None:
+    scene = draw_polygon(*TRIANGLE, {"a": A, "b": B, "c": Vector(1.0, 1.0), "d": Vector(0.0, 0.0)})
+    assert symbols(scene) == ["a", "b", "o", "v_A", "v_B", "v_{BA}"]
+
+
+def test_a_polygon_has_at_most_the_scale_of_the_others() -> None:
+    alone = draw_polygon(*TRIANGLE)
+    assert draw_polygon(*TRIANGLE, scale=alone.scale / 2).scale == alone.scale / 2
+    assert draw_polygon(*TRIANGLE, scale=alone.scale * 10).scale == alone.scale

@@ -4,28 +4,31 @@ common end.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations, islice, pairwise, permutations, product
 from math import floor, log10
+from types import MappingProxyType
 
 from kinegrade.figure.mechanism.fitting import make_scene
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Disc, Primitive, Scene
-from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
+from kinegrade.figure.vectors.arrows import VectorArrow, look_like_one, put_side_by_side
 from kinegrade.figure.vectors.plain_mechanism import PICTURE
 from kinegrade.mechanics.vector import Vector
 
 # Millimetres that the polygon alone takes at most: the rest of a figure is for symbols
-_WIDE, _HIGH = (44.0, 32.0)
-# Leading figures of a scale that is easy to state
-ROUND = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)
+_WIDE, _HIGH = (52.0, 36.0)
+ROUND = (1.0, 2.0, 5.0)  # leading figures of a scale, and so of its reciprocal
 _NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
 _OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
 _LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
 _TINY = 1e-12
 _ORIGIN = "o"
+_SAME = 0.05  # millimetres within which two corners coincide
+_PERMUTED, _ORDERS = 4, 150  # vectors of a side that may change places, orders that are tried
 _ZERO = Vector(0.0, 0.0)
 
 
@@ -40,26 +43,73 @@ class Arrow:
     known: bool = True
 
 
-def draw_polygon(left: Sequence[Arrow], right: Sequence[Arrow]) -> Scene:
+def draw_polygon(
+    left: Sequence[Arrow],
+    right: Sequence[Arrow],
+    vertices: Mapping[str, Vector] = MappingProxyType({}),
+    scale: float | None = None,
+) -> Scene:
     """The polygon of "sum of `left` = sum of `right`" from the common origin o.
 
     Known vectors are solid with a filled head, unknown ones dashed with an open head. Vectors
-    shorter than a hundredth of the longest are not drawn. Vectors on one line are drawn side by
-    side, with thin lines to their true positions. The scale of the scene is millimetres per m/s (or
-    m/s^2), a round number. The figure is within PICTURE of `plain_mechanism`.
+    shorter than a hundredth of the longest are not drawn. The vectors of a side follow one another
+    in an order in which none runs along another; where there is no such order they are drawn side
+    by side, with thin lines to their true positions. `vertices` are letters (LaTeX math) for the
+    tips of vectors from the origin. The scale of the scene is millimetres per m/s (or m/s^2), a
+    round number, at most `scale`. The figure is within PICTURE of `plain_mechanism`.
     """
-    across, upward = (
-        _measure_span(axis)
-        for axis in zip(*_find_corners(left), *_find_corners(right), strict=True)
-    )
+    across, upward = _measure_spans(left, right)
     if across + upward == 0.0:
-        return make_scene(_compose(left, right, 1.0), 1.0)
-    scale = _round_down(min(_WIDE / max(across, _TINY), _HIGH / max(upward, _TINY)))
-    scene = make_scene(_compose(left, right, scale), scale)
+        return make_scene(_compose(left, right, vertices, 1.0), 1.0)
+    left, right = _arrange(left, right)
+    largest = find_scale(left, right)
+    scale = largest if scale is None else min(scale, largest)
+    scene = make_scene(_compose(left, right, vertices, scale), scale)
     while not _fits(scene) and max(across, upward) * scale > _LEAST:
         scale = _round_down(scale * 0.99)
-        scene = make_scene(_compose(left, right, scale), scale)
+        scene = make_scene(_compose(left, right, vertices, scale), scale)
     return scene
+
+
+def find_scale(left: Sequence[Arrow], right: Sequence[Arrow]) -> float:
+    """The largest round scale, millimetres per m/s or m/s^2, at which the vectors fit a polygon."""
+    across, upward = _measure_spans(left, right)
+    return _round_down(min(_WIDE / max(across, _TINY), _HIGH / max(upward, _TINY)))
+
+
+def _measure_spans(left: Sequence[Arrow], right: Sequence[Arrow]) -> tuple[float, float]:
+    """Width and height of the chains."""
+    corners = (*_find_corners(left), *_find_corners(right))
+    across, upward = (_measure_span(axis) for axis in zip(*corners, strict=True))
+    return across, upward
+
+
+def _arrange(
+    left: Sequence[Arrow], right: Sequence[Arrow]
+) -> tuple[Sequence[Arrow], Sequence[Arrow]]:
+    """The sides in the order nearest to the given one in which the fewest vectors run along
+    another.
+    """
+    orders = product(_list_orders(left), _list_orders(right))
+    return min(islice(orders, _ORDERS), key=_count_overlaps)
+
+
+def _list_orders(side: Sequence[Arrow]) -> Iterable[Sequence[Arrow]]:
+    return permutations(side) if len(side) <= _PERMUTED else (side,)
+
+
+def _count_overlaps(sides: tuple[Sequence[Arrow], Sequence[Arrow]]) -> int:
+    """How many pairs of vectors run along one another, on paper of the scale that they would
+    have.
+    """
+    scale = find_scale(*sides)
+    lines = [
+        (start * scale, end * scale)
+        for side in sides
+        for start, end in pairwise(_find_corners(side))
+        if length(end - start) * scale > 1.0
+    ]
+    return sum(look_like_one(one, other) for one, other in combinations(lines, 2))
 
 
 def _fits(scene: Scene) -> bool:
@@ -70,7 +120,7 @@ def _round_down(number: float) -> float:
     """The largest round number that is not above a positive number.
 
     >>> _round_down(13.7), _round_down(0.0299)
-    (12.0, 0.025)
+    (10.0, 0.02)
     """
     power = 10.0 ** floor(log10(number) + 1e-9)
     leading = max(figure for figure in ROUND if figure <= number / power * (1 + 1e-9))
@@ -90,7 +140,12 @@ def _measure_span(numbers: Sequence[float]) -> float:
     return max(numbers) - min(numbers)
 
 
-def _compose(left: Sequence[Arrow], right: Sequence[Arrow], scale: float) -> tuple[Primitive, ...]:
+def _compose(
+    left: Sequence[Arrow],
+    right: Sequence[Arrow],
+    vertices: Mapping[str, Vector],
+    scale: float,
+) -> tuple[Primitive, ...]:
     """The arrows, then the symbols, starting with the shortest arrow: it has the fewest places to
     choose from.
     """
@@ -103,9 +158,20 @@ def _compose(left: Sequence[Arrow], right: Sequence[Arrow], scale: float) -> tup
     for arrow in sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start)):
         layout = layout.written((arrow.wish_beside(arrows),))
     leaving = sum((arrow.end for arrow in arrows), _ZERO)
-    return layout.written(
-        (Wish(_ORIGIN, list_spots_around(_ORIGIN, _ZERO, away=-leaving)),)
-    ).primitives
+    origin_letter = Wish(_ORIGIN, list_spots_around(_ORIGIN, _ZERO, away=-leaving))
+    corners = [arrow.end for arrow in arrows if arrow.aside == _ZERO]
+    return layout.written((origin_letter, *_name_corners(vertices, corners, scale))).primitives
+
+
+def _name_corners(
+    vertices: Mapping[str, Vector], corners: Sequence[Vector], scale: float
+) -> Iterator[Wish]:
+    """The letters of those vertices that the polygon has, outside it."""
+    middle = sum(corners, _ZERO) * (1 / max(len(corners), 1))
+    for letter, vertex in vertices.items():
+        place = vertex * scale
+        if length(place) > _SAME and any(length(corner - place) < _SAME for corner in corners):
+            yield Wish(letter, list_spots_around(letter, place, away=place - middle))
 
 
 def _lay_arrows(chain: Sequence[Arrow], scale: float, least: float) -> Iterator[VectorArrow]:

@@ -211,4 +211,4 @@ def _write_picture(picture: Picture, where: Location) -> str:
 
 def _find_width(picture: Picture) -> float:
     """Millimetres that a drawing takes with its caption."""
-    return max(picture.scene.width, 40.0)
+    return max(picture.scene.width, 50.0)

@@ -18,7 +18,9 @@ from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.problem.template.hints import Turning
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Picture, Pictures
+from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.measures import NEGLIGIBLE
+from kinegrade.worked.formulas.symbols import prime
 from kinegrade.worked.steps.couplers import choose_method, find_coupler
 from kinegrade.worked.steps.poles import name_pole
 from kinegrade.worked.vectors.stage import Stage
@@ -108,21 +110,47 @@ def _is_short(rate: Rate, level: Level, case: Case) -> bool:
 def _draw_equation(equation: VectorEquation, stage: Stage) -> Picture:
     """The polygon of a vector equation, to a scale that its caption states."""
     case = stage.case
-    left, right = (
-        [
-            Arrow(
-                case.text(name_part(equation, part, case)),
-                _make_floats(part.value),
-                part.unknown is None,
-            )
-            for part in side
-            if _is_seen(part.value)
-        ]
-        for side in (equation.left, equation.right)
-    )
-    scene = draw_polygon(left, right)
+    left, right = (_list_arrows(side, equation, case) for side in (equation.left, equation.right))
+    scene = draw_polygon(left, right, _name_vertices(equation, case))
     scale = Decimal(f"{1 / scene.scale:.3g}")
     return Picture(scene, case.write(Message(f"solution.polygon-{stage.level}", scale=scale)))
+
+
+def _list_arrows(side: Iterable[Part], equation: VectorEquation, case: Case) -> list[Arrow]:
+    return [
+        Arrow(
+            case.text(name_part(equation, part, case)),
+            _make_floats(part.value),
+            part.unknown is None,
+        )
+        for part in side
+        if _is_seen(part.value)
+    ]
+
+
+def _name_vertices(equation: VectorEquation, case: Case) -> dict[str, Vector]:
+    """The letters of the points of whose velocities or accelerations the tips are corners of the
+    polygon: of a base point, of the point of a moving frame, of the point itself.
+    """
+    vertices: dict[str, Vector] = {}
+    for side in (equation.left, equation.right):
+        reached = Vector(0.0, 0.0)
+        for part in side:
+            if part.role == "rotation" and part.base:
+                vertices.setdefault(_write_small(case.naming.letter(part.base), case), reached)
+            if part.role == "relative":
+                shared = prime(case.naming.letter(part.point))
+                vertices.setdefault(_write_small(shared, case), reached)
+            reached = reached + _make_floats(part.value)
+        if side and not side[-1].coincident:
+            vertices.setdefault(_write_small(case.naming.letter(side[-1].point), case), reached)
+    return vertices
+
+
+def _write_small(letter: Symbol, case: Case) -> str:
+    """A point's letter as a small one, as corners of polygons have."""
+    text = case.text(letter)
+    return text[:1].lower() + text[1:]
 
 
 def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
