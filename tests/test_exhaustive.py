@@ -31,8 +31,6 @@ EXCEPTIONS = {
     "Unknown)": "what is not known fits anywhere; the slots are matched below",
     "grading/typed/value.py: Operation('-', Number(read_rational('0')), tree) if sign == '-' else "
     "tree": "a character that was typed before a bracket: a minus, a plus, or none",
-    "worked/positions/instance.py: () if isinstance(tree, Number) else "
-    "working": "a literal has no working; anything else is told as it was worked out",
     "worked/answers/poses.py: if first.relation == "
     "'='": "a value in another unit that is not exact stands after the exact ones",
     "worked/steps/poles.py: match read_symbol(symbol).row: "

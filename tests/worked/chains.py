@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
+from kinegrade.language.math.reading import read_math
 from kinegrade.worked.document import Block
-from tests.worked.latex_value import Unreadable, value_of
+from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
+from tests.worked.reader.formula_reader import read_formula
 from tests.worked.telling import displayed
 
-UNITS = {"": 1.0, "m": 1.0, "cm": 0.01, "mm": 0.001, "rad": 1.0, "m^2": 1.0}
-UNIT = re.compile(r"\\,\\unit\{([\w^]+)\}$")
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 
@@ -34,12 +34,14 @@ def chains(blocks: Iterable[Block]) -> Iterator[tuple[str, list[str]]]:
 
 def part_value(part: str) -> float | None:
     """The value of a part in SI, angles in radians; None where it has symbols in it."""
-    unit = UNIT.search(part)
-    name = unit[1] if unit else ""
     try:
-        return value_of(UNIT.sub("", part), {}) * UNITS[name]
-    except Unreadable:
+        return read_formula(read_math(part, "test"), _refuse).value
+    except (Unreadable, MixedUnits):
         return None
+
+
+def _refuse(symbol: str) -> Amount:
+    raise Unreadable(symbol)
 
 
 def largest(part: str) -> float:

@@ -48,7 +48,7 @@ def read_term(
 
 def displayed(blocks: Iterable[Block]) -> list[str]:
     """The lines of all displays, in LaTeX math, without the boxes around answers."""
-    return [write_row(_unbox(line)) for line in _list_lines(blocks)]
+    return [write_row(unbox(line)) for line in _list_lines(blocks)]
 
 
 def boxed(blocks: Iterable[Block]) -> list[str]:
@@ -68,7 +68,8 @@ def is_box(node: Node) -> TypeIs[Accent]:
     return isinstance(node, Accent) and node.name == "boxed"
 
 
-def _unbox(line: Row) -> Row:
+def unbox(line: Row) -> Row:
+    """A line with what stands in boxes, but without these."""
     return tuple(inner for node in line for inner in (node.row if is_box(node) else (node,)))
 
 
@@ -81,7 +82,7 @@ def lines(blocks: Iterable[Block], *, boxes: bool = True) -> Iterator[str]:
             case Prose(text):
                 yield text
             case Display(equations):
-                shown = equations if boxes else map(_unbox, equations)
+                shown = equations if boxes else map(unbox, equations)
                 yield from (f"    {write_row(equation)}" for equation in shown)
             case TermTable(terms):
                 for term in terms:

@@ -65,17 +65,18 @@ def test_a_composition_of_velocities() -> None:
         Moving point: $A$ (of the crank $O_{1}A$); moving frame: fixed to $OB$. Composition of
             velocities
             $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
-        [ ] \boldsymbol{v}_{\mathrm{a}} | $O_{1}A \cdot \omega_{O_{1}A} = 8$ | $\perp O_{1}A$,
-            $90^\circ$
+        [ ] \boldsymbol{v}_{\mathrm{a}} | $O_{1}A \cdot \omega_{O_{1}A} = 8\,\unit{m/s}$ | $\perp
+            O_{1}A$, $90^\circ$
         [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA$, $126.87^\circ$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel OB$, $36.87^\circ$
         Projected on the axis at $36.87^\circ$, normal to $\boldsymbol{v}_{\mathrm{e}}$, which so
             drops out:
-        v_{\mathrm{r}} &= v_{\mathrm{a}}\cos 53.13^\circ = 8\cos 53.13^\circ =
+        v_{\mathrm{r}} &= v_{\mathrm{a}}\cos 53.13^\circ = 8\,\unit{m/s} \cdot \cos 53.13^\circ =
             4.8\,\unit{m/s}\quad(\text{from }O\text{ to }B)
         Projected on the axis at $126.87^\circ$, normal to $\boldsymbol{v}_{\mathrm{r}}$, which so
             drops out:
-        v_{\mathrm{e}} &= v_{\mathrm{a}}\cos 36.87^\circ = 8\cos 36.87^\circ = 6.4\,\unit{m/s}
+        v_{\mathrm{e}} &= v_{\mathrm{a}}\cos 36.87^\circ = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
+            6.4\,\unit{m/s}
         \omega &= \frac{v_{\mathrm{e}}}{OA} = 1.28\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
@@ -88,32 +89,30 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         r"""
         ## 1. The given motion
         Given: the angular acceleration of the crank $O_{1}A$.
-        \alpha_{O_{1}A} &= 0\,\unit{rad/s^2}
+        \alpha_{O_{1}A} &= 0
         ## 2. Composition of motions: moving point $A$, moving frame on $OB$
         Moving point $A$, moving frame fixed to $OB$. Composition of accelerations
-            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}\
-            +\boldsymbol{a}_{\mathrm{C}}$:
-        [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $O_{1}A \cdot \omega_{O_{1}A}^{2} = 16$ |
-            $A \to O_{1}$, $180^\circ$
-        [=] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{n}} | $OA \cdot \omega^{2} = 8.192$ | $A \to O$,
-            $216.87^\circ$
+            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\bold\
+            symbol{a}_{\mathrm{C}}$:
+        [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $O_{1}A \cdot \omega_{O_{1}A}^{2} =
+            16\,\unit{m/s^2}$ | $A \to O_{1}$, $180^\circ$
+        [=] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{n}} | $OA \cdot \omega^{2} = 8.192\,\unit{m/s^2}$ |
+            $A \to O$, $216.87^\circ$
         [+] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}} | ? $(OA \cdot \alpha)$ | $\perp OA$,
             $126.87^\circ$
         [+] \boldsymbol{a}_{\mathrm{r}} | ? | $\parallel OB$, $36.87^\circ$
-        [+] \boldsymbol{a}_{\mathrm{C}} | $2\omega\,v_{\mathrm{r}} = 12.29$ | $\perp
+        [+] \boldsymbol{a}_{\mathrm{C}} | $2\omega\,v_{\mathrm{r}} = 12.288\,\unit{m/s^2}$ | $\perp
             v_{\mathrm{r}}$, $126.87^\circ$
         At this instant $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
         Projected on the axis at $216.87^\circ$, normal to
             $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$, which so drops out:
-        a_{\mathrm{a}}^{\mathrm{n}}\cos 36.87^\circ &= a_{\mathrm{e}}^{\mathrm{n}} -
-            a_{\mathrm{r}}
-        16\cos 36.87^\circ &= 8.192 - a_{\mathrm{r}}
+        a_{\mathrm{a}}^{\mathrm{n}}\cos 36.87^\circ &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{r}}
+        16\,\unit{m/s^2} \cdot \cos 36.87^\circ &= 8.192\,\unit{m/s^2} - a_{\mathrm{r}}
         a_{\mathrm{r}} &= -4.608\,\unit{m/s^2}\quad(\text{from }B\text{ to }O)
         Projected on the axis at $126.87^\circ$, normal to $\boldsymbol{a}_{\mathrm{r}}$, which so
             drops out:
-        a_{\mathrm{a}}^{\mathrm{n}}\cos 53.13^\circ &= a_{\mathrm{e}}^{\mathrm{t}} +
-            a_{\mathrm{C}}
-        16\cos 53.13^\circ &= a_{\mathrm{e}}^{\mathrm{t}} + 12.29
+        a_{\mathrm{a}}^{\mathrm{n}}\cos 53.13^\circ &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{C}}
+        16\,\unit{m/s^2} \cdot \cos 53.13^\circ &= a_{\mathrm{e}}^{\mathrm{t}} + 12.29\,\unit{m/s^2}
         a_{\mathrm{e}}^{\mathrm{t}} &= -2.688\,\unit{m/s^2}\quad\text{(opposite to the direction
             assumed)}
         \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} =
@@ -132,16 +131,17 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         Moving point: $C$ (of the crank $OC$); moving frame: fixed to block. Composition of
             velocities
             $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
-        [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10$ | $\perp OC$, $143.13^\circ$
+        [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC$,
+            $143.13^\circ$
         [=] \boldsymbol{v}_{D} | ? | $\parallel x$, $0^\circ$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel y$, $90^\circ$
         Here $\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{D}$.
         Block translates: all its points have the same velocity.
         Projected on the $x$ axis, normal to $\boldsymbol{v}_{\mathrm{r}}$, which so drops out:
-        v_{D} &= -v_{\mathrm{a}}\cos 36.87^\circ = -10\cos 36.87^\circ =
+        v_{D} &= -v_{\mathrm{a}}\cos 36.87^\circ = -10\,\unit{m/s} \cdot \cos 36.87^\circ =
             -8\,\unit{m/s}\quad\text{(to the left)}
         Projected on the $y$ axis, normal to $\boldsymbol{v}_{D}$, which so drops out:
-        v_{\mathrm{r}} &= v_{\mathrm{a}}\cos 53.13^\circ = 10\cos 53.13^\circ =
+        v_{\mathrm{r}} &= v_{\mathrm{a}}\cos 53.13^\circ = 10\,\unit{m/s} \cdot \cos 53.13^\circ =
             6\,\unit{m/s}\quad\text{(upwards)}
         """
     )
@@ -153,13 +153,13 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
         r"""
         ## 1. The given motion
         Given: the angular acceleration of the crank $OC$.
-        \alpha_{OC} &= 0\,\unit{rad/s^2}
+        \alpha_{OC} &= 0
         ## 2. Composition of motions: moving point $C$, moving frame on block
         Moving point $C$, moving frame fixed to block. Composition of accelerations
-            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}\
-            +\boldsymbol{a}_{\mathrm{C}}$:
-        [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20$ | $C \to
-            O$, $233.13^\circ$
+            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\bold\
+            symbol{a}_{\mathrm{C}}$:
+        [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20\,\unit{m/s^2}$
+            | $C \to O$, $233.13^\circ$
         [=] \boldsymbol{a}_{D} | ? | $\parallel x$, $0^\circ$
         [+] \boldsymbol{a}_{\mathrm{r}} | ? | $\parallel y$, $90^\circ$
         Here $\boldsymbol{a}_{\mathrm{e}} = \boldsymbol{a}_{D}$.
@@ -167,11 +167,11 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
             acceleration.
         At this instant $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
         Projected on the $x$ axis, normal to $\boldsymbol{a}_{\mathrm{r}}$, which so drops out:
-        a_{D} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos 53.13^\circ = -20\cos 53.13^\circ =
-            -12\,\unit{m/s^2}\quad\text{(to the left)}
+        a_{D} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos 53.13^\circ = -20\,\unit{m/s^2} \cdot \cos
+            53.13^\circ = -12\,\unit{m/s^2}\quad\text{(to the left)}
         Projected on the $y$ axis, normal to $\boldsymbol{a}_{D}$, which so drops out:
-        a_{\mathrm{r}} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos 36.87^\circ = -20\cos 36.87^\circ =
-            -16\,\unit{m/s^2}\quad\text{(downwards)}
+        a_{\mathrm{r}} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos 36.87^\circ = -20\,\unit{m/s^2} \cdot
+            \cos 36.87^\circ = -16\,\unit{m/s^2}\quad\text{(downwards)}
         """
     )
 
@@ -184,16 +184,17 @@ def test_a_relative_vector_that_is_asked_for() -> None:
         $A$ is a point of the carrier $OA$, which turns about $O$:
         v_{A} &= OA \cdot \omega_{OA} = 6\,\unit{m/s}\quad\text{(upwards)}
         $B$ is a point of link, base point $A$:
-        v_{B,x} &= v_{A,x} - \omega_{AB}(y_{B} - y_{A}) = -(-3) \cdot 1 = 3\,\unit{m/s}
+        v_{B,x} &= v_{A,x} - \omega_{AB}(y_{B} - y_{A}) = -(-3\,\unit{rad/s}) \cdot 1\,\unit{m} =
+            3\,\unit{m/s}
         v_{B,y} &= v_{A,y} + \omega_{AB}(x_{B} - x_{A}) = 6\,\unit{m/s}
         The point of the carrier $OA$ that coincides with $B$ turns about $O$:
-        v_{B(OA)} &= OB \cdot \omega_{OA} = 2\sqrt{10} \approx 6.325\,\unit{m/s},\quad
+        v_{B(OA)} &= OB \cdot \omega_{OA} = 2\sqrt{10}\,\unit{m/s} \approx 6.325\,\unit{m/s},\quad
             108.43^\circ
         Now the moving frame is the carrier $OA$:
-            $\boldsymbol{v}_{\mathrm{r}}=\boldsymbol{v}_{\mathrm{a}}-\boldsymbol{v}_{\mathrm{e}}$
-            is the velocity of $B$ relative to it.
-        v_{\mathrm{r},x} &= v_{B,x} - v_{B(OA),x} = 3 - (-2) = 5\,\unit{m/s}
-        v_{\mathrm{r},y} &= v_{B,y} - v_{B(OA),y} = 6 - 6 = 0\,\unit{m/s}
+            $\boldsymbol{v}_{\mathrm{r}}=\boldsymbol{v}_{\mathrm{a}}-\boldsymbol{v}_{\mathrm{e}}$ is
+            the velocity of $B$ relative to it.
+        v_{\mathrm{r},x} &= v_{B,x} - v_{B(OA),x} = 3\,\unit{m/s} - (-2\,\unit{m/s}) = 5\,\unit{m/s}
+        v_{\mathrm{r},y} &= v_{B,y} - v_{B(OA),y} = 6\,\unit{m/s} - 6\,\unit{m/s} = 0
         v_{r} &= v_{\mathrm{r},x} = 5\,\unit{m/s}
         """,
         solution,
@@ -205,13 +206,15 @@ def test_an_acceleration_about_a_base_point_that_moves_itself() -> None:
     assert not find_untold(
         r"""
         $A$ is a point of the carrier $OA$, which turns about $O$:
-        a_{A,x} &= -\omega_{OA}^{2}(x_{A} - x_{O}) = -2^{2} \cdot 3 = -12\,\unit{m/s^2}
-        a_{A,y} &= -\omega_{OA}^{2}(y_{A} - y_{O}) = 0\,\unit{m/s^2}
+        a_{A,x} &= -\omega_{OA}^{2}(x_{A} - x_{O}) = -(2\,\unit{rad/s})^{2} \cdot 3\,\unit{m} =
+            -12\,\unit{m/s^2}
+        a_{A,y} &= -\omega_{OA}^{2}(y_{A} - y_{O}) = 0
         $B$ is a point of link, base point $A$:
         a_{B,x} &= a_{A,x} - \omega_{AB}^{2}(x_{B} - x_{A}) = -12\,\unit{m/s^2}
-        a_{B,y} &= a_{A,y} - \omega_{AB}^{2}(y_{B} - y_{A}) = -(-3)^{2} \cdot 1 =
-            -9\,\unit{m/s^2}
-        a_{B} &= \sqrt{a_{B,x}^{2} + a_{B,y}^{2}} = \sqrt{(-12)^{2} + (-9)^{2}} = 15\,\unit{m/s^2}
+        a_{B,y} &= a_{A,y} - \omega_{AB}^{2}(y_{B} - y_{A}) = -(-3\,\unit{rad/s})^{2} \cdot
+            1\,\unit{m} = -9\,\unit{m/s^2}
+        a_{B} &= \sqrt{a_{B,x}^{2} + a_{B,y}^{2}} = \sqrt{(-12\,\unit{m/s^2})^{2} +
+            (-9\,\unit{m/s^2})^{2}} = 15\,\unit{m/s^2}
         """,
         solution,
     )

@@ -36,18 +36,18 @@ def test_velocities_by_a_base_point() -> None:
         Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
             that of the rotation about $B$.
         [ ] \boldsymbol{v}_{A} | ? | $\parallel y$, $90^\circ$
-        [=] \boldsymbol{v}_{B} | $2$ | $\parallel x$, $0^\circ$
+        [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$, $0^\circ$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$, $233.13^\circ$
         Projected on the axis at $143.13^\circ$, normal to $\boldsymbol{v}_{AB}$, which so drops
             out:
         v_{A}\cos 53.13^\circ &= -v_{B}\cos 36.87^\circ
-        v_{A}\cos 53.13^\circ &= -2\cos 36.87^\circ
-        v_{A} &= -\frac{8}{3} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
+        v_{A}\cos 53.13^\circ &= -2\,\unit{m/s} \cdot \cos 36.87^\circ
+        v_{A} &= -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
         Projected on the axis at $180^\circ$, normal to $\boldsymbol{v}_{A}$, which so drops out:
         0 &= -v_{B} + v_{AB}\cos 53.13^\circ
-        0 &= -2 + v_{AB}\cos 53.13^\circ
-        v_{AB} &= \frac{10}{3} \approx 3.333\,\unit{m/s}
-        \omega &= \frac{v_{AB}}{BA} = \frac{2}{3} \approx
+        0 &= -2\,\unit{m/s} + v_{AB}\cos 53.13^\circ
+        v_{AB} &= \frac{10}{3}\,\unit{m/s} \approx 3.333\,\unit{m/s}
+        \omega &= \frac{v_{AB}}{BA} = \frac{2}{3}\,\unit{rad/s} \approx
             0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
@@ -59,21 +59,21 @@ def test_velocities_by_the_projection_theorem() -> None:
         "## 2. $AB$: velocity projection theorem", solution, "projection"
     ) == as_read(
         r"""
-        Velocity projection theorem: the velocities of $B$ and $A$ of $AB$ have equal projections
-            on the line $BA$.
+        Velocity projection theorem: the velocities of $B$ and $A$ of $AB$ have equal projections on
+            the line $BA$.
         v_{A}\cos 53.13^\circ &= -v_{B}\cos 36.87^\circ
-        v_{A}\cos 53.13^\circ &= -2\cos 36.87^\circ
-        v_{A} &= -\frac{8}{3} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
+        v_{A}\cos 53.13^\circ &= -2\,\unit{m/s} \cdot \cos 36.87^\circ
+        v_{A} &= -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
         Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
             that of the rotation about $B$.
         [ ] \boldsymbol{v}_{A} | ? | $\parallel y$, $90^\circ$
-        [=] \boldsymbol{v}_{B} | $2$ | $\parallel x$, $0^\circ$
+        [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$, $0^\circ$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA$, $233.13^\circ$
         Projected on the axis at $180^\circ$, normal to $\boldsymbol{v}_{A}$, which so drops out:
         0 &= -v_{B} + v_{AB}\cos 53.13^\circ
-        0 &= -2 + v_{AB}\cos 53.13^\circ
-        v_{AB} &= \frac{10}{3} \approx 3.333\,\unit{m/s}
-        \omega_{AB} &= \frac{v_{AB}}{BA} = \frac{2}{3} \approx
+        0 &= -2\,\unit{m/s} + v_{AB}\cos 53.13^\circ
+        v_{AB} &= \frac{10}{3}\,\unit{m/s} \approx 3.333\,\unit{m/s}
+        \omega_{AB} &= \frac{v_{AB}}{BA} = \frac{2}{3}\,\unit{rad/s} \approx
             0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
@@ -85,16 +85,17 @@ def test_velocities_by_the_instantaneous_centre() -> None:
         "## 2. $AB$: instantaneous centre of velocity", solution, "pole"
     ) == as_read(
         r"""
-        Instantaneous centre of $AB$: the normals to the velocities of $B$ and $A$ meet in the
-            pole $P$.
+        Instantaneous centre of $AB$: the normals to the velocities of $B$ and $A$ meet in the pole
+            $P$.
         P &: (4\,\unit{m},\quad 3\,\unit{m})
         PB &= 3\,\unit{m}
         PA &= 4\,\unit{m}
-        \left|\omega\right| &= \frac{v_{B}}{PB} = \frac{2}{3}
-        \omega &= \frac{2}{3} \approx 0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        \left|v_{A}\right| &= PA \cdot \left|\omega\right| = 4 \cdot 0.6667 = \frac{8}{3} \approx
-            2.667\,\unit{m/s}\quad\text{(downwards)}
-        v_{A} &= -\frac{8}{3} \approx -2.667\,\unit{m/s}
+        \left|\omega\right| &= \frac{v_{B}}{PB} = \frac{2\,\unit{m/s}}{3\,\unit{m}}
+        \omega &= \frac{2}{3}\,\unit{rad/s} \approx
+            0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        \left|v_{A}\right| &= PA \cdot \left|\omega\right| = 4\,\unit{m} \cdot 0.6667\,\unit{rad/s}
+            = \frac{8}{3}\,\unit{m/s} \approx 2.667\,\unit{m/s}\quad\text{(downwards)}
+        v_{A} &= -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}
         """
     )
 
@@ -126,11 +127,11 @@ def test_a_rod_whose_end_stands_still() -> None:
         Projected on the axis at $143.13^\circ$, normal to $\boldsymbol{v}_{AB}$, which so drops
             out:
         v_{A}\cos 53.13^\circ &= 0
-        v_{A} &= 0\,\unit{m/s}
+        v_{A} &= 0
         Projected on the axis at $180^\circ$, normal to $\boldsymbol{v}_{A}$, which so drops out:
         0 &= v_{AB}\cos 53.13^\circ
-        v_{AB} &= 0\,\unit{m/s}
-        \omega &= \frac{v_{AB}}{BA} = 0\,\unit{rad/s}
+        v_{AB} &= 0
+        \omega &= \frac{v_{AB}}{BA} = 0
         """
     )
 
@@ -179,25 +180,24 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         r"""
         ## 1. The given motion
         Given: the angular acceleration of $OA$.
-        \alpha_{OA} &= 0\,\unit{rad/s^2}
+        \alpha_{OA} &= 0
         ## 2. $AB$: base point $A$
         Base point method for $AB$: the acceleration of $B$ is that of the base point $A$ plus the
             normal and tangential accelerations of the rotation about $A$.
         [ ] \boldsymbol{a}_{B} | ? | $\parallel x$, $0^\circ$
-        [=] \boldsymbol{a}_{A}^{\mathrm{n}} | $OA \cdot \omega_{OA}^{2} = 12$ | $A \to O$,
-            $270^\circ$
+        [=] \boldsymbol{a}_{A}^{\mathrm{n}} | $OA \cdot \omega_{OA}^{2} = 12\,\unit{m/s^2}$ | $A \to
+            O$, $270^\circ$
         [+] \boldsymbol{a}_{BA}^{\mathrm{t}} | ? $(AB \cdot \alpha)$ | $\perp AB$, $53.13^\circ$
         At this instant $a_{A}^{\mathrm{t}} = 0$, $a_{BA}^{\mathrm{n}} = 0$.
-        Projected on the axis at $323.13^\circ$, normal to $\boldsymbol{a}_{BA}^{\mathrm{t}}$,
-            which so drops out:
+        Projected on the axis at $323.13^\circ$, normal to $\boldsymbol{a}_{BA}^{\mathrm{t}}$, which
+            so drops out:
         a_{B}\cos 36.87^\circ &= a_{A}^{\mathrm{n}}\cos 53.13^\circ
-        a_{B}\cos 36.87^\circ &= 12\cos 53.13^\circ
+        a_{B}\cos 36.87^\circ &= 12\,\unit{m/s^2} \cdot \cos 53.13^\circ
         a_{B} &= 9\,\unit{m/s^2}\quad\text{(to the right)}
         Projected on the $y$ axis, normal to $\boldsymbol{a}_{B}$, which so drops out:
         0 &= -a_{A}^{\mathrm{n}} + a_{BA}^{\mathrm{t}}\cos 36.87^\circ
-        0 &= -12 + a_{BA}^{\mathrm{t}}\cos 36.87^\circ
+        0 &= -12\,\unit{m/s^2} + a_{BA}^{\mathrm{t}}\cos 36.87^\circ
         a_{BA}^{\mathrm{t}} &= 15\,\unit{m/s^2}
-        \alpha &= \frac{a_{BA}^{\mathrm{t}}}{AB} =
-            3\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
+        \alpha &= \frac{a_{BA}^{\mathrm{t}}}{AB} = 3\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
         """
     )

@@ -85,7 +85,7 @@ def test_meshing_of_angular_accelerations() -> None:
         r"""
         ## 1. The given motion
         Given: the angular acceleration of the carrier $OA$.
-        \alpha_{OA} &= 0\,\unit{rad/s^2}
+        \alpha_{OA} &= 0
         Given: the angular acceleration of the sun gear.
         \alpha_{O} &= 4\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
         ## 2. The planet gear meshes with the sun gear
@@ -100,7 +100,7 @@ def test_a_ratio_of_rates() -> None:
     solution = solve_small(PLANETS, i="omega(planet)/omega(arm) in 1")
     assert not find_untold(
         r"""
-        i &= \frac{\omega_{A}}{\omega_{OA}} = \frac{12}{2} = 6
+        i &= \frac{\omega_{A}}{\omega_{OA}} = \frac{12\,\unit{rad/s}}{2\,\unit{rad/s}} = 6
         """,
         solution,
     )
@@ -144,7 +144,8 @@ def test_a_relative_rate_and_a_relative_speed_that_are_asked_for() -> None:
     )
     assert not find_untold(
         r"""
-        \omega_{r} &= \omega_{B} - \omega_{AB} = 0.56 - 2 = -1.44\,\unit{rad/s}
+        \omega_{r} &= \omega_{B} - \omega_{AB} = 0.56\,\unit{rad/s} - 2\,\unit{rad/s} =
+            -1.44\,\unit{rad/s}
         v_{r} &= \left|v_{\mathrm{r}}\right| = 9.6\,\unit{m/s}
         """,
         solution,

@@ -64,11 +64,11 @@ def test_rolling_on_a_line() -> None:
         Given: the velocity of $C$, positive to the right.
         v_{C} &= 6\,\unit{m/s}\quad\text{(to the right)}
         ## 2. The wheel rolls without slipping on the ground
-        The point of contact is the velocity pole of the wheel. There is no slip at the contact,
-            so the motion of $C$ along its path ($v_{C}$ positive to the right) and the rotation
-            of the wheel are linked:
+        The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
+            the motion of $C$ along its path ($v_{C}$ positive to the right) and the rotation of the
+            wheel are linked:
         v_{C} &= -2\omega
-        \omega &= -\frac{6}{2}
+        \omega &= -\frac{6\,\unit{m/s}}{2\,\unit{m}}
         \omega &= -3\,\unit{rad/s}\quad\text{(clockwise)}
         """
     )
@@ -83,14 +83,15 @@ def test_the_points_of_a_rolling_wheel() -> None:
         r"""
         $P$ is a point of the wheel, base point $C$:
         v_{P,x} &= v_{C,x} - \omega_{CD}(y_{P} - y_{C}) = 6\,\unit{m/s}
-        v_{P,y} &= v_{C,y} + \omega_{CD}(x_{P} - x_{C}) = -3 \cdot 2 = -6\,\unit{m/s}
-        v_{P} &= \sqrt{v_{P,x}^{2} + v_{P,y}^{2}} = \sqrt{6^{2} + (-6)^{2}} = 6\sqrt{2} \approx
-            8.485\,\unit{m/s}
+        v_{P,y} &= v_{C,y} + \omega_{CD}(x_{P} - x_{C}) = -3\,\unit{rad/s} \cdot 2\,\unit{m} =
+            -6\,\unit{m/s}
+        v_{P} &= \sqrt{v_{P,x}^{2} + v_{P,y}^{2}} = \sqrt{(6\,\unit{m/s})^{2} +
+            (-6\,\unit{m/s})^{2}} = 6\sqrt{2}\,\unit{m/s} \approx 8.485\,\unit{m/s}
         $D$ is a point of the wheel, base point $C$:
-        a_{D,x} &= a_{C,x} - \alpha_{CD}(y_{D} - y_{C}) - \omega_{CD}^{2}(x_{D} - x_{C}) = 2 -
-            (-1) \cdot (-2) = 0\,\unit{m/s^2}
+        a_{D,x} &= a_{C,x} - \alpha_{CD}(y_{D} - y_{C}) - \omega_{CD}^{2}(x_{D} - x_{C}) =
+            2\,\unit{m/s^2} - (-1\,\unit{rad/s^2}) \cdot (-2\,\unit{m}) = 0
         a_{D,y} &= a_{C,y} + \alpha_{CD}(x_{D} - x_{C}) - \omega_{CD}^{2}(y_{D} - y_{C}) =
-            -(-3)^{2} \cdot (-2) = 18\,\unit{m/s^2}
+            -(-3\,\unit{rad/s})^{2} \cdot (-2\,\unit{m}) = 18\,\unit{m/s^2}
         a_{D} &= a_{D,y} = 18\,\unit{m/s^2}
         """,
         solution,
@@ -104,11 +105,11 @@ def test_rolling_on_a_circle() -> None:
         "## 2. The wheel rolls without slipping on a fixed circle", solution
     ) == as_read(
         r"""
-        The point of contact is the velocity pole of the wheel. There is no slip at the contact,
-            so the motion of $C$ along its path ($v_{C}$ positive counter-clockwise about $O$) and
-            the rotation of the wheel are linked:
+        The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
+            the motion of $C$ along its path ($v_{C}$ positive counter-clockwise about $O$) and the
+            rotation of the wheel are linked:
         v_{C} &= 2\omega_{CD}
-        v_{C} &= 2 \cdot 3
+        v_{C} &= 2\,\unit{m} \cdot 3\,\unit{rad/s}
         v_{C} &= 6\,\unit{m/s}\quad\text{(counter-clockwise)}
         """
     )
@@ -130,11 +131,11 @@ def test_rolling_inside_a_circle() -> None:
         Given: the angular velocity of the wheel.
         \omega_{CD} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 2. The wheel rolls without slipping on a fixed circle
-        The point of contact is the velocity pole of the wheel. There is no slip at the contact,
-            so the motion of $C$ along its path ($v_{C}$ positive counter-clockwise about $O$) and
-            the rotation of the wheel are linked:
+        The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
+            the motion of $C$ along its path ($v_{C}$ positive counter-clockwise about $O$) and the
+            rotation of the wheel are linked:
         v_{C} &= -2\omega_{CD}
-        v_{C} &= -2 \cdot 3
+        v_{C} &= -2\,\unit{m} \cdot 3\,\unit{rad/s}
         v_{C} &= -6\,\unit{m/s}\quad\text{(clockwise)}
         \left|v_{C}\right| &= 6\,\unit{m/s}
         """
@@ -151,7 +152,8 @@ def test_the_centre_of_a_wheel_on_a_circle_accelerates_towards_the_middle() -> N
         r"""
         $C$ moves on the circle about $O$; its normal acceleration follows from its speed, the
             tangential one is known:
-        a_{C}^{\mathrm{n}} &= \frac{v_{C}^{2}}{OC} = \frac{6^{2}}{2} = 18\,\unit{m/s^2}
+        a_{C}^{\mathrm{n}} &= \frac{v_{C}^{2}}{OC} = \frac{(6\,\unit{m/s})^{2}}{2\,\unit{m}} =
+            18\,\unit{m/s^2}
         a_{C} &= a_{C}^{\mathrm{n}} = 18\,\unit{m/s^2}
         """,
         solution,
@@ -169,11 +171,11 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
         Given: the velocity of $A$ on its circle about $O$, positive counter-clockwise.
         v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise)}
         ## 2. The wheel rolls without slipping on a fixed circle
-        The point of contact is the velocity pole of the wheel. There is no slip at the contact,
-            so the motion of $A$ along its path ($v_{A}$ positive counter-clockwise about $O$) and
-            the rotation of the wheel are linked:
+        The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
+            the motion of $A$ along its path ($v_{A}$ positive counter-clockwise about $O$) and the
+            rotation of the wheel are linked:
         v_{A} &= -1 \cdot \omega
-        \omega &= -\frac{6}{1}
+        \omega &= -\frac{6\,\unit{m/s}}{1\,\unit{m}}
         \omega &= -6\,\unit{rad/s}\quad\text{(clockwise)}
         """
     )
@@ -191,7 +193,7 @@ def test_the_given_tangential_acceleration() -> None:
         There is no slip at the contact, so the motion of $A$ along its path ($a_{A}^{\mathrm{t}}$
             positive counter-clockwise about $O$) and the rotation of the wheel are linked:
         a_{A}^{\mathrm{t}} &= -1 \cdot \alpha
-        \alpha &= -\frac{3}{1}
+        \alpha &= -\frac{3\,\unit{m/s^2}}{1\,\unit{m}}
         \alpha &= -3\,\unit{rad/s^2}\quad\text{(clockwise)}
         """
     )
@@ -212,18 +214,19 @@ def test_gears_with_fixed_axes() -> None:
         Moving point: $C$ (of pinion); moving frame: fixed to the gear. Composition of velocities
             $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
         [ ] 0 | |
-        [=] \boldsymbol{v}_{\mathrm{e}} | $OC \cdot \omega_{O} = 8$ | $\perp OC$, $90^\circ$
+        [=] \boldsymbol{v}_{\mathrm{e}} | $OC \cdot \omega_{O} = 8\,\unit{m/s}$ | $\perp OC$,
+            $90^\circ$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\perp OC$, $90^\circ$
         Here $\boldsymbol{v}_{\mathrm{a}} = 0$.
         Projected on the $y$ axis:
         0 &= v_{\mathrm{e}} + v_{\mathrm{r}}
-        0 &= 8 + v_{\mathrm{r}}
+        0 &= 8\,\unit{m/s} + v_{\mathrm{r}}
         v_{\mathrm{r}} &= -8\,\unit{m/s}\quad\text{(downwards)}
         ## 3. Pinion rolls without slipping on the gear
         There is no slip at the contact, so the motion of $C$ along its path and the rotation of
             pinion relative to the gear are linked:
         v_{\mathrm{r}} &= 1 \cdot (\omega - \omega_{O})
-        \omega &= 2 - \frac{8}{1}
+        \omega &= 2\,\unit{rad/s} - \frac{8\,\unit{m/s}}{1\,\unit{m}}
         \omega &= -6\,\unit{rad/s}\quad\text{(clockwise)}
         """
     )

@@ -24,6 +24,7 @@ from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Prose
 from kinegrade.worked.formulas.equation import WIDEST
+from kinegrade.worked.formulas.numbers import has_short_form
 from kinegrade.worked.positions.positions import explain_positions
 from tests.problem.draws import draw_filter
 from tests.problem.draws import drawn as draws_of
@@ -147,8 +148,10 @@ def test_the_last_line_ends_with_the_answer_of_the_key(name: str, ask: str) -> N
         answer = solution[ask]
         symbol, parts = list(chains(explain_pose_answers(Case(solution, "en"), (ask,))))[-1]
         assert symbol == tidy(solution.template.asks[ask].symbol)
-        assert parts[-1].split(r"\,\unit")[0] in (answer.decimal(4), answer.decimal(12))
-        if answer.closed_form is not None:
+        printed = parts[-1].split(r"\,\unit")[0].removesuffix(r"^\circ")
+        rounded = answer.decimal(len(printed.strip("-0.").replace(".", "")) or 1)
+        assert float(printed) == pytest.approx(float(rounded), rel=1e-3)
+        if answer.closed_form is not None and has_short_form(answer):
             assert any(bare(answer.closed_form) in bare(part) for part in parts)
 
 
@@ -171,14 +174,14 @@ def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
     assert lines(blocks) == [
         tidy(line)
         for line in [
-            r"x_{A} &= r \cos\varphi = 0.2 \cos 30^\circ = \frac{\sqrt{3}}{10}\,\unit{m} \approx "
-            r"0.1732\,\unit{m}",
-            r"y_{A} &= r \sin\varphi = 0.2 \sin 30^\circ = 0.1\,\unit{m}",
+            r"x_{A} &= r \cos\varphi = 0.2\,\unit{m} \cdot \cos 30^\circ = "
+            r"\frac{\sqrt{3}}{10}\,\unit{m} \approx 0.1732\,\unit{m}",
+            r"y_{A} &= r \sin\varphi = 0.2\,\unit{m} \cdot \sin 30^\circ = 0.1\,\unit{m}",
             r"(x_{B} - x_{A})^{2} + y_{A}^{2} &= (k\,r)^{2}",
             "y_{B} &= 0",
-            r"x_{B} &= x_{A} + \sqrt{(k\,r)^{2} - y_{A}^{2}} = 0.1732 + \sqrt{(2 \cdot 0.2)^{2} - "
-            r"0.1^{2}} = \left(\frac{\sqrt{3}}{10} + \frac{\sqrt{15}}{10}\right)\,\unit{m} \approx "
-            r"0.5605\,\unit{m}",
+            r"x_{B} &= x_{A} + \sqrt{(k\,r)^{2} - y_{A}^{2}} = 0.1732\,\unit{m} + "
+            r"\sqrt{(2 \cdot 0.2\,\unit{m})^{2} - (0.1\,\unit{m})^{2}} "
+            r"\approx 0.5605\,\unit{m}",
         ]
     ]
     assert sentences(explain_positions(Case(solution, "zh"), ["A"]))[-1] == (
@@ -204,7 +207,7 @@ def test_only_the_points_wanted_and_those_they_need_are_told() -> None:
 def test_an_angle_without_a_field_gives_decimals_that_say_they_are_rounded() -> None:
     solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "37"})
     assert lines(explain_positions(Case(solution, "en"), ["A"]))[0] == tidy(
-        r"x_{A} &= r \cos\varphi = 0.2 \cos 37^\circ \approx 0.1597\,\unit{m}"
+        r"x_{A} &= r \cos\varphi = 0.2\,\unit{m} \cdot \cos 37^\circ \approx 0.1597\,\unit{m}"
     )
 
 

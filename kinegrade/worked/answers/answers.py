@@ -13,6 +13,7 @@ from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.asked_vectors import (
     explain_prerequisites,
+    find_fact,
     is_vector_call,
 )
 from kinegrade.worked.answers.centrodes import explain_centrode
@@ -20,10 +21,10 @@ from kinegrade.worked.answers.quantity_formulas import Working, find_value, work
 from kinegrade.worked.answers.stated_values import explain_value
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
-from kinegrade.worked.formulas.atoms import ZERO, Measured, Number
-from kinegrade.worked.formulas.equation import Equation, Link, equate
+from kinegrade.worked.formulas.atoms import ZERO
+from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
 from kinegrade.worked.formulas.measures import double, is_zero
-from kinegrade.worked.formulas.numbers import DIGITS, state_number, state_quantity
+from kinegrade.worked.formulas.numbers import state_number, state_quantity
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.senses import (
     describe_direction,
@@ -60,6 +61,20 @@ def explain_answer(ask: Ask, case: Case) -> Iterator[Block]:
             yield case.show(_count_as_asked(ask, case))
     elif not working.symbols.looks_like(symbol):  # else a step has already given it
         yield case.show(_state_last_line(ask, working, case))
+        _note_size(ask, case)
+
+
+def _note_size(ask: Ask, case: Case) -> None:
+    """Keep that an answer was the magnitude of a vector in its own letters: no step repeats it."""
+    tree = ask.quantity
+    if (
+        isinstance(tree, Call)
+        and tree.function == "magnitude"
+        and is_vector_call(tree.arguments[0])
+    ):
+        fact = find_fact(tree.arguments[0], case)
+        if fact.symbol.looks_like(read_symbol(ask.symbol)):
+            case.findings.sized.add(fact.symbol)
 
 
 def _count_as_asked(ask: Ask, case: Case) -> Equation:
@@ -80,7 +95,8 @@ def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
     ]
     values = state_value(ask, case) if between else state_quantity(answer)
     sense = _find_sense(ask, case)
-    return Equation(symbol, (*equate(*between), *values), say_beside(sense, case) if sense else ())
+    links = drop_repetition(equate(*between), values)
+    return Equation(symbol, links, say_beside(sense, case) if sense else ())
 
 
 def state_value(ask: Ask, case: Case) -> tuple[Link, ...]:
@@ -88,10 +104,11 @@ def state_value(ask: Ask, case: Case) -> tuple[Link, ...]:
     millimetres.
     """
     answer = case.solution.answers[ask.name]
-    if answer.at_infinity or not _PREFIXED.match(answer.unit):
+    if answer.at_infinity or answer.is_zero or not _PREFIXED.match(answer.unit):
         return state_quantity(answer)
     base = state_number(find_value(ask.quantity, case), _PREFIXED.sub("m", answer.unit))
-    return (*base, *equate(Measured(Number(answer.decimal(DIGITS)), answer.unit)))
+    *_, prefixed = state_quantity(answer)
+    return (*base, prefixed)
 
 
 def _find_sense(ask: Ask, case: Case) -> Message | None:

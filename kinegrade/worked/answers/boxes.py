@@ -13,7 +13,6 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.numbers import state_quantity
-from kinegrade.worked.formulas.results import state_result
 from kinegrade.worked.formulas.symbols import INFINITY, read_symbol
 
 _RELATIONS = (Sign("="), Sign(r"\approx"))
@@ -83,13 +82,12 @@ def _make_sought(ask: Ask, case: Case) -> _Sought:
     letters = frozenset((symbol.print(case.mark), abs(symbol).print(case.mark)))
     if answer.at_infinity:
         return _Sought(letters, {INFINITY.print(): (Accent("boxed", INFINITY.print()),)})
-    values = (state_quantity(answer)[-1], state_result(answer)[-1])
-    rows = [link.right.print(case.mark) for link in values]
-    boxes: dict[Row, Row] = {row: (Accent("boxed", row),) for row in rows}
-    in_metres = state_value(ask, case)
-    if in_metres != state_quantity(answer):
+    value, in_metres = state_quantity(answer), state_value(ask, case)
+    row = value[-1].right.print(case.mark)
+    boxes: dict[Row, Row] = {row: (Accent("boxed", row),)}
+    if in_metres != value:
         plain = in_metres[-2].right.print(case.mark)
-        boxes.setdefault(plain, (*plain, Sign("="), *boxes[rows[0]]))
+        boxes.setdefault(plain, (*plain, Sign(value[-1].relation), *boxes[row]))
     return _Sought(letters, boxes)
 
 

@@ -1,6 +1,4 @@
-"""Angles between vectors: from their cosine and sine up to a factor, their tangent, their
-quadrant.
-"""
+"""Angles between vectors: from their tangent and their quadrant, or from their cosine."""
 
 from __future__ import annotations
 
@@ -9,14 +7,13 @@ from collections.abc import Mapping
 from kinegrade.expressions.tree import Call, Expression, Name, Operation
 from kinegrade.language.math.tree import Letter, Row
 from kinegrade.language.message import Message
-from kinegrade.numbers.units import Unit
 from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y, Working
 from kinegrade.worked.formulas.atoms import Symbol
-from kinegrade.worked.formulas.formula import Function, FunctionName
+from kinegrade.worked.formulas.formula import Function
 from kinegrade.worked.formulas.symbols import name_angle, name_vector
 from kinegrade.worked.positions.algebra import Pair, cross, dot, over, times
 from kinegrade.worked.positions.axes import length_of
-from kinegrade.worked.positions.instance import AREA, METRE, PURE
+from kinegrade.worked.positions.instance import PURE
 
 _QUADRANTS: Mapping[tuple[int, int], Message] = {  # by the signs of the cosine and of the sine
     (1, 1): Message("solution.first-quadrant"),
@@ -34,9 +31,7 @@ _BETWEEN_LETTERS = name_angle(name_vector("u"), name_vector("v"))
 def find_angle(
     first: Expression, second: Expression, working: Working
 ) -> tuple[Expression, Working]:
-    """The angle from one vector to another: its cosine and sine up to a factor, its tangent, its
-    quadrant.
-    """
+    """The angle from one vector to another."""
     if working.pair(first) in (AXIS_X, AXIS_Y):
         return _find_angle_from_axis(first, second, working)
     start, lines, lettered = working.lettered("u", first)
@@ -47,15 +42,13 @@ def find_angle(
         second=working.phrase(second, "v"),
     )
     label = working.symbol or _BETWEEN_LETTERS
-    return _settle(label, lettered.said(sentence), lines + more, (start, end), AREA)
+    return _settle(label, lettered.said(sentence), lines + more, (start, end))
 
 
 def _find_angle_from_axis(
     first: Expression, second: Expression, working: Working
 ) -> tuple[Expression, Working]:
-    """The angle from an axis: cosine and sine are proportional to coordinates of the other
-    vector.
-    """
+    """The angle from an axis, by the coordinates of the other vector."""
     start, end = working.pair(first), working.pair(second)
     axis = Symbol((Letter("x" if start == AXIS_X else "y"),))
     simple = (
@@ -67,7 +60,7 @@ def _find_angle_from_axis(
     phrase = working.phrase(second, "" if simple or working.symbol else "v")
     sentence = Message("solution.angle-from-axis", first=working.phrase(first), second=phrase)
     label = working.symbol or name_angle(axis, other)
-    return _settle(label, working.said(sentence), (), (start, end), METRE)
+    return _settle(label, working.said(sentence), (), (start, end))
 
 
 def _print_symbol(vector: Expression, working: Working) -> Symbol:
@@ -76,36 +69,16 @@ def _print_symbol(vector: Expression, working: Working) -> Symbol:
 
 
 def _settle(
-    label: Symbol,
-    working: Working,
-    lines: tuple[Row, ...],
-    vectors: tuple[Pair, Pair],
-    unit: Unit,
+    label: Symbol, working: Working, lines: tuple[Row, ...], vectors: tuple[Pair, Pair]
 ) -> tuple[Expression, Working]:
-    """The angle from one vector to another, whose products have the given unit."""
+    """The angle from one vector to another, by its tangent and its quadrant."""
     cosine, sine = dot(*vectors), cross(*vectors)
     instance = working.instance
-    lines += instance.proportion(Function("cos", label), cosine, unit)
-    lines += instance.proportion(Function("sin", label), sine, unit)
     signs = instance.sign(cosine), instance.sign(sine)
     if signs[0] and signs[1]:
-        lines += _write_tangent(label, cosine, sine, working)
+        lines += instance.equation(Function("tan", label), over(sine, cosine), PURE)
     name, working = working.denote("angle", label, Call("atan2", (sine, cosine)))
     return name, working.shown(lines).said(_QUADRANTS[signs])
-
-
-def _write_tangent(
-    label: Symbol, cosine: Expression, sine: Expression, working: Working
-) -> tuple[Row, ...]:
-    """The tangent of an angle, from its sine and cosine up to their common factor."""
-    above, working = working.denote("sine", _name_ratio("sin", label, working), sine)
-    below, working = working.denote("cosine", _name_ratio("cos", label, working), cosine)
-    return working.instance.equation(Function("tan", label), over(above, below), PURE)
-
-
-def _name_ratio(function: FunctionName, label: Symbol, working: Working) -> Symbol:
-    """The sine or cosine of an angle as one symbol."""
-    return Symbol(Function(function, label).print())
 
 
 def find_angle_between(

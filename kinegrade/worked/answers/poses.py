@@ -14,7 +14,7 @@ from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.problem.quantities.functions import find_motion_calls
-from kinegrade.problem.quantity import LONGEST_CLOSED_FORM, Quantity
+from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.pose_angles import find_angle, find_angle_between
 from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y, Working
@@ -22,7 +22,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.equation import Link, drop_repetition, equate
-from kinegrade.worked.formulas.results import state_result
+from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import INFINITY, read_symbol
 from kinegrade.worked.positions.algebra import ONE, cross, dot, minus, over
 from kinegrade.worked.positions.algebra import ZERO as NOTHING
@@ -86,7 +86,8 @@ def _write_last_line(
     symbol: Symbol, tree: Expression, answer: Quantity, instance: Instance
 ) -> tuple[Row, ...]:
     """symbol = formula = numbers = the answer."""
-    working = instance.worked_out(symbol, tree, answer.measure.degrees)
+    angular = answer.unit in ("deg", "rad")
+    working = instance.worked_out(symbol, tree, angular)
     if answer.at_infinity:
         return instance.lines(symbol, (*working, *equate(INFINITY)))
     value = _state_in_both_units(answer, instance)
@@ -97,12 +98,12 @@ def _state_in_both_units(answer: Quantity, instance: Instance) -> tuple[Link, ..
     """The answer, a length in centimetres or millimetres also in metres, and an angle in radians
     also in degrees.
     """
-    value, unit = state_result(answer, LONGEST_CLOSED_FORM), answer.measure
+    value, unit = state_quantity(answer), answer.measure
     prefixed = unit.length == 1 and unit.factor != METRE.factor
     if answer.is_zero or not (unit.text == "rad" or prefixed):
         return value
     other = DEGREE if unit.text == "rad" else METRE
-    first, *_ = state_result(instance.quantity(answer.number * unit.factor, other))
+    *_, first = state_quantity(instance.quantity(answer.number * unit.factor, other))
     if first.relation == "=":
         return (first, *value)
     return (*value[:-1], first, Link(r"\approx", value[-1].right))

@@ -17,19 +17,26 @@ from kinegrade.worked.answers.asked_vectors import (
     is_rotation_call,
     is_vector_call,
 )
+from kinegrade.worked.answers.dimensions import find_unit
+from kinegrade.worked.answers.places import state_place
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact, Piece
-from kinegrade.worked.formulas.atoms import AXES, ZERO, AxisName, Measured, add_squares, add_terms
+from kinegrade.worked.formulas.atoms import (
+    AXES,
+    ZERO,
+    AxisName,
+    Measured,
+    add_squares,
+    add_terms,
+)
 from kinegrade.worked.formulas.atoms import Number as Numeral
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.measures import bearing, double, length, tidy
-from kinegrade.worked.formulas.numbers import round_number, state_angle
-from kinegrade.worked.formulas.symbols import collect_symbols, name_point
+from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
-from kinegrade.worked.steps.poles import name_pole
 from kinegrade.worked.vectors.stage import multiply_by_cosine
 from kinegrade.worked.vectors.summands import name_component
+from kinegrade.worked.vectors.vectors import UNITS
 
 _RIGHT = 1e-7  # degrees from a right angle that count as a right angle
 _MEASURES = frozenset({"magnitude", "x", "y", "along", "angle", "between"})
@@ -59,7 +66,7 @@ def work_out(tree: Expression, case: Case) -> Working:
             inner = work_out(right, case)
             return Working(-inner.symbols, inner.numbers and -inner.numbers)
         case Number() | Name() | Call() | Operation():
-            return Working(_place(tree, case))
+            return Working(state_place(tree, case))
         case _:
             assert_never(tree)
 
@@ -103,7 +110,8 @@ def _state_magnitude_of_components(fact: Fact) -> Working:
         if double(number)
     ]
     if len(names) > 1:
-        return Working(add_squares(names), add_squares(map(round_number, fact.value)))
+        unit = fact.symbol.unit
+        return Working(add_squares(names), add_squares(measure(part, unit) for part in fact.value))
     if double(sum(fact.value)) < 0:
         return Working(-names[0])
     return Working(add_terms(names))
@@ -143,10 +151,11 @@ def _list_components(fact: Fact) -> tuple[Piece, ...]:
     )
 
 
-def _state_signed(piece: Piece, case: Case) -> Numeral:
+def _state_signed(piece: Piece, case: Case) -> Formula:
     """The number of a piece, negative where it points against its positive sense."""
     size = length(piece.value, case.arithmetic)
-    return round_number(-size if double(piece.value.dot(piece.positive)) < 0 else size)
+    signed = -size if double(piece.value.dot(piece.positive)) < 0 else size
+    return measure(signed, piece.symbol.unit)
 
 
 def _state_angle(tree: Call, case: Case) -> Working:
@@ -171,7 +180,8 @@ def _state_rotation(tree: Call, case: Case) -> Working:
     symbols = first - second
     if not any(map(double, rates)):
         return Working(symbols)
-    return Working(symbols, round_number(rates[0]) - round_number(rates[1]))
+    of, base = (measure(rate, UNITS[level, True]) for rate in rates)
+    return Working(symbols, of - base if base != ZERO else None)
 
 
 def _combine(tree: Operation, case: Case) -> Working:
@@ -199,36 +209,13 @@ def _join(tree: Operation, left: Formula, right: Formula) -> Formula:
             assert_never(tree.sign)
 
 
-def _state_number(tree: Expression, case: Case) -> Numeral:
+def _state_number(tree: Expression, case: Case) -> Formula:
     """The value of a side; a literal as it is."""
     match tree:
         case Number(value=value):
             return round_number(value)
         case Name() | Operation() | Call():
-            return round_number(find_value(tree, case))
-        case _:
-            assert_never(tree)
-
-
-def _place(tree: Expression, case: Case) -> Formula:
-    """A length, coordinate or constant in symbols, poles by their letters."""
-    letters = {name: name_point(name) for name in case.findings.poles.values()}
-    symbols = {**collect_symbols(case.template), **letters}
-    points = (*case.motion.points, *letters)
-    return formulate(symbols, points).state(_name_poles(tree, case))
-
-
-def _name_poles(tree: Expression, case: Case) -> Expression:
-    """The expression with every velocity pole as a named point."""
-    match tree:
-        case Call(function="pole", arguments=(Name(body), *_)):
-            return Name(name_pole(body, case))
-        case Call(function=function, arguments=arguments):
-            return Call(function, tuple(_name_poles(argument, case) for argument in arguments))
-        case Operation(sign=sign, left=left, right=right):
-            return Operation(sign, _name_poles(left, case), _name_poles(right, case))
-        case Number() | Name():
-            return tree
+            return measure(find_value(tree, case), find_unit(tree, case.template))
         case _:
             assert_never(tree)
 

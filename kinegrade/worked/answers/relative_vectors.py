@@ -18,7 +18,7 @@ from kinegrade.worked.formulas.atoms import AXES, TWO, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
-from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
 from kinegrade.worked.senses import state_way
@@ -110,8 +110,8 @@ def _find_coriolis(motion: Relative, case: Case) -> Found:
     omega = abs(name_rotation(motion.frame, case, "velocity"))
     links = equate(TWO * omega * abs(relative.symbol))
     if any(map(double, value)):
-        turned = abs(round_number(find_rotation_value(motion.frame, case, "velocity")))
-        speed = round_number(length(relative.value, case.arithmetic))
+        turned = abs(measure(find_rotation_value(motion.frame, case, "velocity"), "rad/s"))
+        speed = measure(length(relative.value, case.arithmetic), "m/s")
         links += equate(TWO.dot(turned).dot(speed))
     size = state_number(length(value, case.arithmetic), "m/s^2")
     yield case.show(Equation(name, (*links, *size), state_way(value, case)))
@@ -122,7 +122,7 @@ def explain_normal(point: str, base: str, body: str, case: Case) -> Found:
     """The normal acceleration of a point about a base point of its body."""
     omega = case.motion.omega(body)
     value = _find_arm(point, base, case) * -(omega * omega)
-    factors = case.naming.omega(body) ** TWO, round_number(omega) ** TWO
+    factors = case.naming.omega(body) ** TWO, measure(omega, "rad/s") ** TWO
     return (yield from _explain_about_base("n", (point, base), value, factors, case))
 
 
@@ -130,7 +130,7 @@ def explain_tangential(point: str, base: str, body: str, case: Case) -> Found:
     """The tangential acceleration of a point about a base point of its body."""
     alpha = case.motion.alpha(body)
     value = _find_arm(point, base, case).turned() * alpha
-    factors = abs(case.naming.alpha(body)), abs(round_number(alpha))
+    factors = abs(case.naming.alpha(body)), abs(measure(alpha, "rad/s^2"))
     return (yield from _explain_about_base("t", (point, base), value, factors, case))
 
 
@@ -149,7 +149,7 @@ def _explain_about_base(
     """A part of an acceleration: the arm times a factor, in symbols and in numbers."""
     point, base = map(case.naming.letter, ends)
     name = VectorSymbol("a", (*point.row, *base.row), part)
-    size = round_number(length(_find_arm(*ends, case), case.arithmetic))
+    size = measure(length(_find_arm(*ends, case), case.arithmetic), "m")
     symbols, numbers = factors
     formulas = equate(join_letters((base, point)).dot(symbols), size.dot(numbers))
     result = state_number(length(value, case.arithmetic), "m/s^2")

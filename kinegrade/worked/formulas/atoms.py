@@ -119,6 +119,11 @@ class VectorSymbol(Formula):
     bold: bool = False
     kind: ClassVar[Kind] = "symbol"
 
+    @property
+    def unit(self) -> str:
+        """The unit of its magnitude."""
+        return {"v": "m/s", "a": "m/s^2"}[self.letter]
+
     def print(self, mark: str = ".") -> Row:
         """The math tree."""
         letter = Letter(self.letter)
@@ -163,8 +168,13 @@ class Measured(Formula):
 
     @property
     def kind(self) -> Kind:
-        """How it behaves next to others."""
-        return self.number.kind
+        """How it behaves next to others; a degree sign parts a number from what follows."""
+        return self.number.kind if self.unit in ("deg", "1") else "measured"
+
+    @property
+    def is_decimal(self) -> bool:
+        """Whether it is nothing but a decimal."""
+        return self.number.is_decimal
 
     @property
     def begins_with_minus(self) -> bool:
@@ -181,10 +191,8 @@ class Measured(Formula):
         """The formula without its sign."""
         return Measured(self.number.size, self.unit)
 
-    @property
-    def without_unit(self) -> Formula:
-        """The number alone; degrees keep their sign."""
-        return self if self.unit == "deg" else self.number
+    def __abs__(self) -> Formula:
+        return self.size
 
 
 ZERO, ONE, TWO = Number("0"), Number("1"), Number("2")

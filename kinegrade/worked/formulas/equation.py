@@ -12,7 +12,7 @@ from kinegrade.language.math.tree import Mark, Row, Sign
 from kinegrade.language.math.width import measure_row
 from kinegrade.worked.formulas.formula import Formula
 
-Relation: TypeAlias = Literal["=", r"\approx", r"\propto", ":"]
+Relation: TypeAlias = Literal["=", r"\approx", ":"]
 WIDEST = 68  # letters that fit on a line of a display
 
 
@@ -92,9 +92,6 @@ def lead_to(
 
 
 def drop_repetition(working: tuple[Link, ...], value: tuple[Link, ...]) -> tuple[Link, ...]:
-    """All links; the last of the working is dropped where it differs from the value only in the
-    unit.
-    """
-    if working and value and working[-1].right.looks_like(value[0].right.without_unit):
-        working = working[:-1]
-    return working + value
+    """All links; the last of the working is dropped where it is the value, or a decimal of it."""
+    said = working and (working[-1].right.is_decimal or working[-1].right == value[0].right)
+    return (working[:-1] if said else working) + value

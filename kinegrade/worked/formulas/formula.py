@@ -28,7 +28,9 @@ from kinegrade.language.math.tree import Quotient as Fraction
 from kinegrade.language.math.tree import Root as Radical
 from kinegrade.worked.formulas.rows import DOT, MINUS, OPEN, PLUS, enclose, ends_raised, raise_last
 
-Kind: TypeAlias = Literal["number", "symbol", "function", "closed", "fraction", "product", "sum"]
+Kind: TypeAlias = Literal[
+    "number", "measured", "symbol", "function", "closed", "fraction", "product", "sum"
+]
 FunctionName: TypeAlias = Literal["sin", "cos", "tan", "arcsin", "arccos", "arctan"]
 _THIN, _ONE = Space(","), (Digits("1"),)
 
@@ -63,11 +65,6 @@ class Formula(ABC):
     @property
     def size(self) -> Formula:
         """The formula without its sign."""
-        return self
-
-    @property
-    def without_unit(self) -> Formula:
-        """The number alone; degrees keep their sign."""
         return self
 
     def __neg__(self) -> Formula:
@@ -214,6 +211,8 @@ def _choose_separator(before: Formula, factor: Formula) -> Row:
     space or nothing.
     """
     first, second = before.kind, factor.kind
+    if "measured" in (_end(before).kind, second):
+        return (DOT,)
     operator = isinstance(factor.base if isinstance(factor, Power) else factor, Function)
     one = first == "number" and before.print() == _ONE
     if second == "number" or one or (first == "function" and not operator):

@@ -6,6 +6,7 @@ x_{A} &= r \\cos\\varphi = 0.25 \\cos 60^\\circ = 0.125\\,\\unit{m}
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -21,25 +22,20 @@ from kinegrade.numbers.balls import PRECISIONS, Balls
 from kinegrade.numbers.text import write_decimal
 from kinegrade.numbers.units import Unit, read_unit
 from kinegrade.problem.quantity import Quantity, express_in_unit
+from kinegrade.problem.template.template import Parameter
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Prose
-from kinegrade.worked.formulas.atoms import ZERO as NOTHING
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.equation import (
     Equation,
     Link,
-    Relation,
     drop_repetition,
     equate,
 )
 from kinegrade.worked.formulas.expression import STRUCTURAL, Formulation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import formulate
-from kinegrade.worked.formulas.results import (
-    state_degrees,
-    state_result,
-    state_substituted,
-)
+from kinegrade.worked.formulas.numbers import state_quantity, substitute
 from kinegrade.worked.formulas.symbols import collect_symbols, name_coordinate, name_point
 from kinegrade.worked.positions.algebra import Pair
 from kinegrade.worked.positions.axes import Axes, choose_axes
@@ -47,12 +43,13 @@ from kinegrade.worked.positions.construction_steps import Step, list_steps
 
 METRE, RADIAN, DEGREE, PURE = read_unit("m"), read_unit("rad"), read_unit("deg"), read_unit("1")
 AREA = read_unit("m^2")
+_PREFIX = re.compile(r"\b[cmk]m\b")
 
 
 @dataclass(frozen=True)
 class Instance:
     """What the formulas of positions need: the case, its steps and axes, symbols of names, and
-    values in SI.
+    values in SI; `units` has the SI units of names that are no lengths.
     """
 
     case: Case
@@ -61,11 +58,15 @@ class Instance:
     symbols: Mapping[str, Symbol]
     values: Mapping[str, Any]
     arithmetic: Any
+    units: Mapping[str, Unit]
 
-    def named(self, name: str, symbol: Symbol, value: Any) -> Instance:
+    def named(self, name: str, symbol: Symbol, value: Any, unit: Unit = METRE) -> Instance:
         """The instance with one more name that formulas may use."""
         return replace(
-            self, symbols={**self.symbols, name: symbol}, values={**self.values, name: value}
+            self,
+            symbols={**self.symbols, name: symbol},
+            values={**self.values, name: value},
+            units={**self.units, name: unit},
         )
 
     def free(self, letter: str) -> str:
@@ -120,12 +121,20 @@ class Instance:
     def _find_number(self, tree: Expression, angular: bool) -> Formula | None:
         """The number that replaces a name, a coordinate or an angle."""
         if angular:
-            return state_degrees(self.quantity(self.value(tree), DEGREE))
+            return self._put_in(tree, DEGREE)
         if isinstance(tree, Name) and tree.name != "pi":
-            return state_substituted(self.value(tree))
+            return self._put_in(tree, self.units.get(tree.name, METRE))
         if isinstance(tree, Call) and tree.function not in STRUCTURAL:
-            return state_substituted(self.value(tree))
+            return self._put_in(tree, METRE)
         return None
+
+    def _put_in(self, tree: Expression, unit: Unit) -> Formula:
+        """The value of a part of a formula in place of its symbols."""
+        value = self.value(tree)
+        if isinstance(value, int):
+            value = self.arithmetic.number(value)
+        with Balls(PRECISIONS[0]).context():
+            return substitute(value, DEGREE if isinstance(value, Angle) else unit)
 
     def quantity(self, value: Any, unit: Unit) -> Quantity:
         """A value in SI as a quantity; angles in degrees are multiples of this arithmetic's pi."""
@@ -134,20 +143,9 @@ class Instance:
         with Balls(PRECISIONS[0]).context():
             return express_in_unit("", value, unit)
 
-    def proportion(self, left: Formula, tree: Expression, unit: Unit) -> tuple[Row, ...]:
-        """left, up to a factor, as the formula = the same with numbers = the value; a zero is
-        written without a factor.
-        """
-        value = state_result(self.quantity(self.value(tree), unit))
-        symbols = self.formula(tree)
-        working = (*equate(symbols), *self.worked_out(symbols, tree))
-        first, *others = drop_repetition(() if isinstance(tree, Number) else working, value)
-        relation: Relation = "=" if first.right == NOTHING else r"\propto"
-        return self.lines(left, (Link(relation, first.right), *others))
-
     def equation(self, left: Formula, tree: Expression, unit: Unit = METRE) -> tuple[Row, ...]:
         """left = the formula = the same with numbers = the value."""
-        value = state_result(self.quantity(self.value(tree), unit))
+        value = state_quantity(self.quantity(self.value(tree), unit))
         return self.lines(left, drop_repetition(self.worked_out(left, tree, unit.degrees), value))
 
     def lines(self, left: Formula, links: tuple[Link, ...]) -> tuple[Row, ...]:
@@ -184,8 +182,14 @@ def make_instance(case: Case) -> Instance:
         collect_symbols(case.template),
         dict(case.solution.assembly.values),
         case.arithmetic.fork(),
+        {name: _find_unit(one) for name, one in case.template.parameters.items()},
     )
     return add_steps(instance, list_steps(case.template))
+
+
+def _find_unit(parameter: Parameter) -> Unit:
+    """The SI unit of a given."""
+    return PURE if parameter.unit.text == "1" else read_unit(_PREFIX.sub("m", parameter.unit.text))
 
 
 def add_steps(instance: Instance, more: Iterable[Step]) -> Instance:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from kinegrade.expressions.tree import Call, Expression, Name, Operation, list_parts
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
+from kinegrade.numbers.units import Unit
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import AXES, AxisName, Symbol
 from kinegrade.worked.formulas.atoms import TWO as NUMBER_TWO
@@ -32,7 +33,7 @@ from kinegrade.worked.positions.algebra import (
 from kinegrade.worked.positions.axes import find_line, length_of
 from kinegrade.worked.positions.circles_meeting import explain_circles
 from kinegrade.worked.positions.construction_steps import Step
-from kinegrade.worked.positions.instance import AREA, Instance
+from kinegrade.worked.positions.instance import AREA, METRE, PURE, Instance
 from kinegrade.worked.positions.shapes import describe_chord_end, describe_line
 from kinegrade.worked.positions.vectors import describe_vector
 
@@ -119,7 +120,8 @@ def _solve_two_slanting_lines(
     (base, along), (other, across) = first, second
     apart = minus(other[0], base[0]), minus(other[1], base[1])
     share = over(cross(apart, across), cross(along, across))
-    return _solve_along_line(point, base, along, share, instance)
+    unit = METRE if _is_unit(along) else PURE
+    return _solve_along_line(point, first, share, instance, unit)
 
 
 def _choose_letter(name: str, instance: Instance) -> Symbol:
@@ -128,13 +130,16 @@ def _choose_letter(name: str, instance: Instance) -> Symbol:
 
 
 def _solve_along_line(
-    point: str, base: Pair, along: Pair, share: Expression, instance: Instance
+    point: str, line: _Line, share: Expression, instance: Instance, unit: Unit = METRE
 ) -> tuple[Row, ...]:
-    """s worked out, then the coordinates of the point at s from the line's given point."""
+    """s worked out, then the coordinates of the point at s from the line's given point; s is a
+    length where the direction is a unit vector.
+    """
+    base, along = line
     name = instance.free("s")
-    further = instance.named(name, name_quantity(name), instance.value(share))
+    further = instance.named(name, name_quantity(name), instance.value(share), unit)
     step = Name(name)
-    lines = further.equation(further.formula(step), share)
+    lines = further.equation(further.formula(step), share, unit)
     for axis, start, part in zip(AXES, base, along, strict=True):
         lines += further.equation(
             _name_coordinate(further, axis, point), plus(start, times(step, part))
@@ -183,7 +188,7 @@ def _solve_slanting_chord(
     first, second = instance.free("p"), instance.free("q")
     halved, constant = name_quantity(first), name_quantity(second)
     further = instance.named(first, halved, instance.value(middle))
-    further = further.named(second, constant, instance.value(rest))
+    further = further.named(second, constant, instance.value(rest), AREA)
     place = Call("x", (Name(point),)), Call("y", (Name(point),))
     run = dot((minus(place[0], base[0]), minus(place[1], base[1])), along)
     ahead = further.sign(plus(run, middle))
@@ -193,7 +198,7 @@ def _solve_slanting_chord(
         _write_quadratic(halved, constant, instance),
         *further.equation(halved, middle),
         *further.equation(constant, rest, AREA),
-        *_solve_along_line(point, base, along, share, further),
+        *_solve_along_line(point, (base, along), share, further),
     )
 
 
@@ -209,14 +214,17 @@ def _make_unit_line(line: _Line, instance: Instance) -> _Line:
     length.
     """
     base, along = line
-    if (
-        ONE in along
-        or minus(ZERO, ONE) in along
-        or (isinstance(along[0], Call) and along[0].function == "cos")
-    ):
+    if _is_unit(along):
         return line
     size = length_of(Call("", along), instance.axes)
     return base, (over(along[0], size), over(along[1], size))
+
+
+def _is_unit(along: Pair) -> bool:
+    """Whether a direction is given by an angle or an axis, and not by two points."""
+    if ONE in along or minus(ZERO, ONE) in along:
+        return True
+    return isinstance(along[0], Call) and along[0].function == "cos"
 
 
 def _write_circle_equation(point: str, circle: Call, instance: Instance) -> Row:
@@ -249,7 +257,7 @@ def explain_foot(step: Step, instance: Instance) -> tuple[Block, ...]:
     share = dot((minus(place[0], base[0]), minus(place[1], base[1])), along)
     return (
         instance.say(Message("solution.sentences", first=sentence, next=distance)),
-        Display(_solve_along_line(step.point, base, along, share, instance)),
+        Display(_solve_along_line(step.point, (base, along), share, instance)),
     )
 
 

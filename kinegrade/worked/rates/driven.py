@@ -25,8 +25,7 @@ from kinegrade.worked.senses import (
     state_rotation_sense,
     state_sense_along,
 )
-from kinegrade.worked.vectors.deductions import UNITS
-from kinegrade.worked.vectors.vectors import name_by_role, name_point_vector
+from kinegrade.worked.vectors.vectors import UNITS, name_by_role, name_point_vector
 
 
 def state_imposed(law: Imposed, relation: Relation, case: Case, level: Level) -> Statement:

@@ -15,7 +15,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import ZERO, add_terms
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.numbers import round_number
+from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.rates.kinds import describe_track
 from kinegrade.worked.rates.speeds import (
     Statement,
@@ -29,6 +29,7 @@ from kinegrade.worked.rates.speeds import (
 from kinegrade.worked.senses import describe_direction
 from kinegrade.worked.vectors.known_vectors import find_positive_sense, find_stated_sense
 from kinegrade.worked.vectors.stage import measure_along_direction
+from kinegrade.worked.vectors.vectors import UNITS
 
 
 def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) -> Statement:
@@ -107,9 +108,10 @@ def solve_rolling(
     term = find_term(relation.turning[0][0], case)
     sign = _find_slip_sign(roll, relation, case)
     other = find_rotation_value(roll.of, case, level)
-    radius, track = round_number(roll.circle.radius), round_number(other)
+    unit = UNITS[level, True]
+    radius, track = measure(roll.circle.radius, "m"), measure(other, unit)
     if unknown == term.rate:
-        turned = round_number(find_rotation_value(roll.body, case, level))
+        turned = measure(find_rotation_value(roll.body, case, level), unit)
         if turned == ZERO and not double(other):
             return
         rotation = turned - track if double(other) else turned
@@ -117,7 +119,8 @@ def solve_rolling(
         yield Equation(name_speed(term, case, level), equate(right))
     elif unknown == make_turning(roll.body):
         stated = find_stated_sense(term, case) * sign
-        known = round_number(measure_along_direction(term, case, level) * stated)
+        speed = measure_along_direction(term, case, level) * stated
+        known = measure(speed, UNITS[level, False])
         if known != ZERO:
             turned_by = (known.size / radius).signed(known.sign)
             right = add_terms((track, turned_by) if double(other) else (turned_by,))

@@ -18,13 +18,13 @@ from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.senses import state_rotation_sense, state_sense_along
-from kinegrade.worked.vectors.deductions import UNITS, state_rotation_result
+from kinegrade.worked.vectors.deductions import state_rotation_result
 from kinegrade.worked.vectors.known_vectors import find_positive_sense, find_stated_sense
 from kinegrade.worked.vectors.stage import measure_along_direction
-from kinegrade.worked.vectors.vectors import name_by_role, name_point_vector
+from kinegrade.worked.vectors.vectors import UNITS, name_by_role, name_point_vector
 
 
 @dataclass(frozen=True)
@@ -105,4 +105,4 @@ def state_expression(tree: Expression, case: Case) -> Formula:
 
 def state_radius(circle: Call | None, radius: Any, case: Case) -> Formula:
     """The radius of a circle in the template's symbols; its number where the template has none."""
-    return state_expression(circle.arguments[1], case) if circle else round_number(radius)
+    return state_expression(circle.arguments[1], case) if circle else measure(radius, "m")

@@ -14,7 +14,7 @@ from kinegrade.worked.formulas.atoms import ZERO, Symbol
 from kinegrade.worked.formulas.equation import Equation, Link, equate, print_links
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length, size
-from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.couplers import Coupler, explain_base_speed
@@ -69,15 +69,15 @@ def _state_pole(coupler: Coupler, letter: Symbol, case: Case) -> Iterator[Equati
         yield Equation(letters[name], state_number(arm, "m"))
     omega = abs(case.naming.omega(coupler.body))
     speed = name_value(coupler.equation, coupler.base, case)
-    value = round_number(length(coupler.base.value, case.arithmetic))
-    ratios = speed / letters[base], value / round_number(arms[base])
+    value = measure(length(coupler.base.value, case.arithmetic), "m/s")
+    ratios = speed / letters[base], value / measure(arms[base], "m")
     yield Equation(omega, equate(*ratios))
     yield state_rotation_result(make_turning(coupler.body), case, "velocity")
     case.findings.sized.add(name_point_vector(point, "velocity", case))
-    turned = round_number(abs(case.motion.omega(coupler.body)))
+    turned = measure(abs(case.motion.omega(coupler.body)), "rad/s")
     how = equate(
         letters[point].dot(omega),
-        round_number(arms[point]).dot(turned),
+        measure(arms[point], "m").dot(turned),
     )
     yield from _state_found_speed(coupler, how, case)
 

@@ -15,7 +15,7 @@ from kinegrade.worked.formulas.atoms import AXES, OTHER, AxisName
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import name_coordinate, read_symbol
 from kinegrade.worked.vectors.points import find_point, find_vector
 from kinegrade.worked.vectors.summands import PLACES, name_component
@@ -85,8 +85,8 @@ def _state_coordinate(
     )
     across = velocity[PLACES[other]]
     numbers = _move(
-        round_number(case.motion.points[base][PLACES[axis]]),
-        round_number(across) / round_number(rate),
+        measure(case.motion.points[base][PLACES[axis]], "m"),
+        measure(across, "m/s") / measure(rate, "rad/s"),
         sign,
     )
     links = equate(symbols, numbers) if double(across) else equate(symbols)

@@ -24,11 +24,11 @@ from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import AXES, ZERO, VectorSymbol, add_squares
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import double, length
-from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.rates.scalars import explain_scalar_step, state_relation
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
-from kinegrade.worked.vectors.deductions import UNITS, explain_deduction
+from kinegrade.worked.vectors.deductions import explain_deduction
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.magnitudes import (
     describe_direction,
@@ -39,7 +39,13 @@ from kinegrade.worked.vectors.points import find_point
 from kinegrade.worked.vectors.projection import find_deductions
 from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.summands import name_component
-from kinegrade.worked.vectors.vectors import name_part, name_place, name_point_vector, vanishes
+from kinegrade.worked.vectors.vectors import (
+    UNITS,
+    name_part,
+    name_place,
+    name_point_vector,
+    vanishes,
+)
 
 
 def find_stage(step: Step, case: Case, level: Level, known: Collection[Rate]) -> Stage:
@@ -102,7 +108,8 @@ def _explain_earlier_vectors(equation: VectorEquation, case: Case) -> Iterator[B
         letters = _name_together(equation, part, case)
         yield from find_point(part.together, letters, case, equation.level)
         fact = case.findings.facts[make_key(part.together, equation.level)]
-        if fact.by_components and all(map(double, fact.value)):
+        told = fact.symbol in case.findings.sized
+        if fact.by_components and all(map(double, fact.value)) and not told:
             case.findings.sized.add(fact.symbol)
             yield case.show(_state_size(fact, equation.level, case))
 
@@ -110,8 +117,9 @@ def _explain_earlier_vectors(equation: VectorEquation, case: Case) -> Iterator[B
 def _state_size(fact: Fact, level: Level, case: Case) -> Equation:
     """The magnitude of a vector known by its components, and its direction."""
     symbols = add_squares(name_component(fact.symbol, axis) for axis in AXES)
-    numbers = add_squares(map(round_number, fact.value))
-    size = state_number(length(fact.value, case.arithmetic), UNITS[level, False])
+    unit = UNITS[level, False]
+    numbers = add_squares(measure(part, unit) for part in fact.value)
+    size = state_number(length(fact.value, case.arithmetic), unit)
     links = (*equate(symbols, numbers), *size)
     return Equation(fact.symbol, links, state_way(fact.value, case))
 

@@ -13,9 +13,10 @@ from kinegrade.worked.formulas.atoms import OTHER, TWO, AxisName, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.numbers import round_number
+from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.formulas.symbols import name_coordinate
 from kinegrade.worked.vectors.summands import PLACES, Summand, add_summands, name_component
+from kinegrade.worked.vectors.vectors import UNITS
 
 
 def state_carried_component(
@@ -38,7 +39,8 @@ def state_carried_component(
     value = find_term_value(term, case.motion, level)[place]
     if base is not None:
         symbol, vector = base
-        known = Summand("+", name_component(symbol, axis), (round_number(vector[place]),))
+        size = measure(vector[place], UNITS[level, False])
+        known = Summand("+", name_component(symbol, axis), (size,))
         summands, value = [known, *summands], vector[place] + value
     return add_summands(name_component(name, axis), summands, value, level)
 
@@ -57,13 +59,13 @@ def _list_turning_summands(
         yield Summand(
             signs[axis],
             letters * _state_arm(other, term, case),
-            (round_number(value), round_number(term.vector[PLACES[other]])),
+            (measure(value, UNITS[level, True]), measure(term.vector[PLACES[other]], "m")),
         )
     if level == "acceleration" and double(rate):
         yield Summand(
             "-",
             case.naming.omega(body) ** TWO * _state_arm(axis, term, case),
-            (round_number(rate), round_number(term.vector[PLACES[axis]])),
+            (measure(rate, "rad/s"), measure(term.vector[PLACES[axis]], "m")),
             squared=True,
         )
 

@@ -4,7 +4,7 @@ as decimals.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator
 
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
@@ -25,15 +25,9 @@ from kinegrade.worked.senses import state_rotation_sense, state_sense_along
 from kinegrade.worked.vectors.magnitudes import find_track_ends
 from kinegrade.worked.vectors.projection import Deduction, Projection
 from kinegrade.worked.vectors.stage import Stage, measure_along_direction
-from kinegrade.worked.vectors.vectors import name_arm, name_part, name_value
+from kinegrade.worked.vectors.vectors import UNITS, name_arm, name_part, name_value
 
 _AXES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.projection-y")}
-UNITS: Mapping[tuple[Level, bool], str] = {  # by whether it is a rotation
-    ("velocity", False): "m/s",
-    ("acceleration", False): "m/s^2",
-    ("velocity", True): "rad/s",
-    ("acceleration", True): "rad/s^2",
-}
 
 
 def explain_deduction(

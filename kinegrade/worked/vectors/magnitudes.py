@@ -13,12 +13,13 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.case import Case, write_row
 from kinegrade.worked.formulas.atoms import TWO
-from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import NEGLIGIBLE, bearing, length
-from kinegrade.worked.formulas.numbers import round_number, state_angle
+from kinegrade.worked.formulas.numbers import state_angle, state_number
 from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.vectors.vectors import (
+    UNITS,
     name_arm,
     name_by_role,
     name_point_vector,
@@ -31,10 +32,10 @@ def describe_magnitude(equation: VectorEquation, part: Part, case: Case) -> str:
     formula = state_magnitude(equation, part, case)
     if part.unknown:
         return f"? $({case.text(formula)})$" if formula else "?"
-    number = round_number(length(part.value, case.arithmetic))
+    *_, number = state_number(length(part.value, case.arithmetic), UNITS[equation.level, False])
     if formula is None:
-        return f"${case.text(number)}$"
-    return case.tell(Equation(formula, equate(number)))
+        return f"${case.text(number.right)}$"
+    return case.tell(Equation(formula, (number,)))
 
 
 def state_magnitude(equation: VectorEquation, part: Part, case: Case) -> Formula | None:

@@ -21,7 +21,7 @@ from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import AXES, TWO, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import double, length
-from kinegrade.worked.formulas.numbers import round_number, state_number
+from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.vectors.carried import state_carried_component
@@ -123,8 +123,8 @@ def _explain_circling(term: Term, name: VectorSymbol, case: Case) -> Generator[B
     yield case.say(Message("solution.known-circle", point=point, centre=centre))
     normal = term.normal(case.motion.rates)
     tangential = term.coefficient() * case.motion.changes[term.rate]
-    speed = round_number(length(term.velocity(case.motion.rates), case.arithmetic))
-    radius = round_number(length(term.vector, case.arithmetic))
+    speed = measure(length(term.velocity(case.motion.rates), case.arithmetic), "m/s")
+    radius = measure(length(term.vector, case.arithmetic), "m")
     letters = join_letters(map(case.naming.letter, (term.base, term.point)))
     symbols = name_point_vector(term.point, "velocity", case) ** TWO / letters
     first, second = replace(name, part="n"), replace(name, part="t")

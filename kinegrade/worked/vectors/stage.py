@@ -14,10 +14,10 @@ from kinegrade.worked.formulas.atoms import ONE, ZERO, add_terms
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import length
-from kinegrade.worked.formulas.numbers import round_number, state_angle
+from kinegrade.worked.formulas.numbers import measure, state_angle
 from kinegrade.worked.vectors.magnitudes import state_magnitude
 from kinegrade.worked.vectors.projection import Projection, Share
-from kinegrade.worked.vectors.vectors import name_value
+from kinegrade.worked.vectors.vectors import UNITS, name_value
 
 
 @dataclass(frozen=True)
@@ -65,12 +65,13 @@ class Stage:
         """The magnitude of a share without its cosine. An unknown one stays a symbol in numbers
         too, with its numeric factor.
         """
+        unit = UNITS[self.level, False]
         if part.unknown is None or part.term is None:
             if solved is None:
                 return name_value(equation, part, self.case)
-            return round_number(length(part.value, self.case.arithmetic))
+            return measure(length(part.value, self.case.arithmetic), unit)
         if solved is not None and part.unknown in solved:
-            return round_number(measure_along_direction(part.term, self.case, self.level))
+            return measure(measure_along_direction(part.term, self.case, self.level), unit)
         return self._state_unknown(equation, part, part.term, solved is not None)
 
     def _state_unknown(
@@ -81,7 +82,7 @@ class Stage:
         if len(self.occurrences(term.rate)) == 1:
             return symbol
         if in_numbers and term.kind == "rotation":
-            arm = round_number(length(term.vector, self.case.arithmetic))
+            arm = measure(length(term.vector, self.case.arithmetic), "m")
             return arm * self.case.naming.turning(term.rate.body, self.level)
         if in_numbers:
             return symbol

@@ -9,11 +9,11 @@ from typing import Any, Literal
 from kinegrade.mechanics.relations import add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.worked.formulas.atoms import TWO, ZERO, AxisName, Number, VectorSymbol, add_terms
+from kinegrade.worked.formulas.atoms import TWO, ZERO, AxisName, VectorSymbol, add_terms
 from kinegrade.worked.formulas.equation import Equation, lead_to
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.numbers import round_number, state_number
-from kinegrade.worked.vectors.deductions import UNITS
+from kinegrade.worked.formulas.numbers import measure, state_number
+from kinegrade.worked.vectors.vectors import UNITS
 
 PLACES: dict[AxisName, int] = {"x": 0, "y": 1}
 
@@ -24,7 +24,7 @@ class Summand:
 
     sign: Literal["+", "-"]
     symbol: Formula
-    numbers: tuple[Number, ...]
+    numbers: tuple[Formula, ...]
     squared: bool = False  # whether the first number is squared
 
     @property
@@ -74,10 +74,10 @@ def add_components(
     sign: Literal["+", "-"] = "+",
 ) -> Equation:
     """One component of a sum of vectors, or of what remains of the first without the others."""
-    place = PLACES[axis]
+    place, unit = PLACES[axis], UNITS[level, False]
     summands = [
         Summand(
-            sign if number else "+", name_component(symbol, axis), (round_number(value[place]),)
+            sign if number else "+", name_component(symbol, axis), (measure(value[place], unit),)
         )
         for number, (symbol, value) in enumerate(parts)
     ]

@@ -17,6 +17,12 @@ from kinegrade.worked.formulas.symbols import join_letters, prime
 from kinegrade.worked.vectors.known_vectors import find_path_term, is_stated_negative
 
 LETTERS: Mapping[Level, Literal["v", "a"]] = {"velocity": "v", "acceleration": "a"}
+UNITS: Mapping[tuple[Level, bool], str] = {  # by whether it is a rotation
+    ("velocity", False): "m/s",
+    ("acceleration", False): "m/s^2",
+    ("velocity", True): "rad/s",
+    ("acceleration", True): "rad/s^2",
+}
 _ROLES: Mapping[Role, str] = {"transport": "e", "relative": "r", "coriolis": "C"}
 
 

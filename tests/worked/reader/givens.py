@@ -1,0 +1,38 @@
+"""What the reader of a worked solution has in hand: the statement and its figure."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+
+from kinegrade.problem.as_stated import restate
+from kinegrade.problem.solution import Solution
+from tests.worked.reader.amounts import Amount, make_exact
+from tests.worked.reader.formula_reader import read_unit
+
+LETTER = re.compile(r"[A-Z](?:'|_\{\d\}|_\d)*")
+
+
+def read_givens(solution: Solution) -> Iterator[tuple[str, Amount]]:
+    """The symbols of the statement with their values, which are exact."""
+    stated = restate(solution)
+    for name, quantity in stated.parameters.items():
+        symbol = re.sub(r"_(\w)(?!\w)", r"_{\1}", stated.template.parameters[name].symbol)
+        if quantity.measure.degrees:
+            yield symbol.replace(" ", ""), make_exact(math.radians(quantity.value))
+            continue
+        unit = read_unit(quantity.unit)
+        value = quantity.value * unit.value
+        yield symbol.replace(" ", ""), make_exact(value, unit.metres, unit.seconds)
+
+
+def find_letters(solution: Solution) -> frozenset[str]:
+    """The letters of points that the statement and the asks name."""
+    template = solution.template
+    wordings = [wording for wordings in template.words.texts.values() for wording in wordings]
+    texts = [template.words.statement.in_language("en")]
+    texts += [wording.text.in_language("en") for wording in wordings]
+    texts += [ask.symbol for ask in template.asks.values()]
+    found = {letter for text in texts for letter in LETTER.findall(text)}
+    return frozenset(re.sub(r"_(\w)$", r"_{\1}", letter) for letter in found)

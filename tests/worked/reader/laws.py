@@ -1,0 +1,184 @@
+"""Laws of a printed solution, proved from its document alone: it is read as a student reads it,
+with the givens of the statement, its figure and a pencil.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence, Set
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+from kinegrade.language.math.tree import Fenced, Row
+from kinegrade.problem.solution import Solution
+from kinegrade.worked.case import write_row
+from kinegrade.worked.document import Block
+from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
+from tests.worked.reader.equations import Line, Said, Side, read_page
+from tests.worked.reader.forms import (
+    find_angles,
+    find_arguments,
+    find_located_points,
+    is_decimal,
+    is_long,
+)
+from tests.worked.reader.formula_reader import (
+    find_symbols,
+    name_magnitude,
+    name_symbol,
+    read_formula,
+)
+from tests.worked.reader.givens import find_letters, read_givens
+
+Law: TypeAlias = Literal["equal", "rounded", "settled", "short", "unit", "symbol", "angle", "point"]
+LAWS: dict[Law, str] = {
+    "equal": "a sign of equality joins equal values, to within what rounding can do",
+    "rounded": "a rounded decimal stands after an approximate sign",
+    "settled": "what is exact stands after a sign of equality",
+    "short": "an exact form has less than 30 signs, its whole numbers at most 4 digits",
+    "unit": "every number has its unit",
+    "symbol": "every symbol is given, found before, or found next",
+    "angle": "every angle is given, found before, or what an angle in symbols amounts to",
+    "point": "every point with coordinates is one of the statement or the figure",
+}
+NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees
+NEXT = 10  # lines after which an unknown of an equation has been found
+CLOSE = 1e-9
+Values: TypeAlias = Sequence[tuple[Side, Amount]]
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A law that a line breaks."""
+
+    law: Law
+    line: str
+
+
+@dataclass
+class _Known:
+    """What a reader of the page knows at a line: what symbols are worth, which others have been
+    named, and angles in degrees.
+    """
+
+    amounts: dict[str, Amount]
+    letters: Set[str]
+    named: set[str] = field(default_factory=set)
+    angles: list[float] = field(default_factory=list)
+
+    def worth(self, symbol: str) -> Amount:
+        if symbol not in self.amounts:
+            raise Unreadable(symbol)
+        return self.amounts[symbol]
+
+    def learn(self, symbol: str, amount: Amount) -> None:
+        self.amounts[symbol] = amount
+        self.angles.append(abs(math.degrees(amount.value)) if amount.is_pure else math.nan)
+
+
+def find_faults(blocks: Iterable[Block], solution: Solution) -> Iterator[Fault]:
+    """All that is wrong with a page, line by line."""
+    known = _Known({}, find_letters(solution))
+    for symbol, amount in read_givens(solution):
+        known.learn(symbol, amount)
+    parts = list(read_page(blocks))
+    for place, part in enumerate(parts):
+        match part:
+            case Said(row):
+                yield from _judge_angles(row, write_row(row), known.angles)
+                known.named.add(name_symbol(row))
+            case Line():
+                after = parts[place : place + NEXT]
+                sought = {_name_left(one) for one in after if isinstance(one, Line)}
+                yield from _judge_line(part, sought, known)
+
+
+def _name_left(line: Line) -> str:
+    """What an equation is about: the symbol on its left, or the one whose magnitude stands there."""
+    match line.left:
+        case (Fenced("|", row, _),):
+            return name_magnitude(row)
+        case _:
+            return name_symbol(line.left)
+
+
+def _judge_line(line: Line, sought: Set[str], known: _Known) -> Iterator[Fault]:
+    """The faults of one equation; what it finds is known from then on."""
+    rows = (line.left, *(side.row for side in line.sides))
+    angles = [*known.angles, *(abs(angle) for row in rows for angle in _add_angles(row, known))]
+    for row in rows:
+        if is_long(row):
+            yield Fault("short", line.text)
+        if not is_decimal(row):
+            yield from _judge_angles(row, line.text, angles)
+        for symbol in find_symbols(row):
+            if not {symbol, f"|{symbol}|"} & {*known.amounts, *known.named, *sought}:
+                yield Fault("symbol", f"{symbol} in {line.text}")
+        for point in find_located_points(row):
+            if point not in known.letters:
+                yield Fault("point", f"{point} in {line.text}")
+    values: list[tuple[Side, Amount]] = []
+    for side in line.sides:
+        try:
+            values.append((side, read_formula(side.row, known.worth)))
+        except MixedUnits:
+            yield Fault("unit", line.text)
+        except Unreadable:
+            continue
+    yield from _judge_values(line, values)
+    _learn(line, values, known)
+
+
+def _learn(line: Line, values: Values, known: _Known) -> None:
+    """What stands alone on the left is known by the end of its equation."""
+    left = _name_left(line)
+    known.named.add(left)
+    if not values or values[-1][0] is not line.sides[-1]:
+        return
+    if any(side.relation == r"\propto" for side in line.sides):
+        return
+    end = values[-1][1]
+    precise = next((one.precise for _, one in values if one.precise is not None), None)
+    known.learn(left, Amount(end.value, end.room, precise, end.metres, end.seconds))
+
+
+def _judge_values(line: Line, values: Values) -> Iterator[Fault]:
+    """Whether the sides are equal, and whether their signs say what is rounded."""
+    for side, amount in values[:-1]:
+        end = values[-1][1]
+        if side.relation == r"\propto":
+            continue
+        if not amount.has_unit_of(end):
+            yield Fault("unit", line.text)
+        elif abs(amount.value - end.value) > amount.room + end.room + CLOSE * (1 + abs(end.value)):
+            yield Fault("equal", line.text)
+    before = [amount.precise for _, amount in values if amount.precise is not None]
+    for side, amount in values:
+        if is_decimal(side.row) and before:
+            yield from _judge_decimal(side, amount, before[0], line)
+
+
+def _judge_decimal(side: Side, amount: Amount, precise: float, line: Line) -> Iterator[Fault]:
+    """Whether the sign before a decimal says whether it is rounded."""
+    same = abs(precise - amount.value) <= CLOSE * abs(amount.value) + 1e-12
+    if side.relation == "=" and not same:
+        yield Fault("rounded", line.text)
+    if side.relation == r"\approx" and same:
+        yield Fault("settled", line.text)
+
+
+def _judge_angles(row: Row, text: str, angles: Iterable[float]) -> Iterator[Fault]:
+    """Whether every angle is one of those known."""
+    known = (*NATURAL, *angles)
+    for angle in find_angles(row):
+        if not any(abs(angle - one) < 0.011 for one in known):
+            yield Fault("angle", f"{angle:g} in {text}")
+
+
+def _add_angles(row: Row, known: _Known) -> Iterator[float]:
+    """What the sums of angles in sines and cosines amount to, in degrees."""
+    for argument in find_arguments(row):
+        try:
+            yield math.degrees(read_formula(argument, known.worth).value)
+        except (Unreadable, MixedUnits):
+            continue

@@ -1,0 +1,73 @@
+"""Every worked solution obeys the laws of print, read from its document alone; the reader of it is
+tried with pages that break each law.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from kinegrade.language import Language
+from kinegrade.language.math.reading import read_math
+from kinegrade.problem.template.library.library import find_template_names
+from kinegrade.worked.document import Block, Display, Prose
+from tests.worked.draws import drawn, kept
+from tests.worked.reader.known import KNOWN
+from tests.worked.reader.laws import LAWS, Law, find_faults
+
+
+@cache
+def _broken(name: str, language: Language = "en") -> dict[Law, list[str]]:
+    """The laws that the solutions of a template break, each with the lines that do."""
+    found: dict[Law, list[str]] = {}
+    for place, solution in enumerate(drawn(name)):
+        for fault in find_faults(kept(name, place, language=language), solution):
+            found.setdefault(fault.law, []).append(fault.line)
+    return found
+
+
+@pytest.mark.parametrize("name", find_template_names())
+def test_a_solution_obeys_the_laws_of_print(name: str) -> None:
+    broken = {law: lines for law, lines in _broken(name).items() if name not in KNOWN[law]}
+    assert not broken
+
+
+@pytest.mark.parametrize("language", ["zh", "de"])
+@pytest.mark.parametrize("name", find_template_names()[3::10])
+def test_it_does_so_in_every_language(name: str, language: Language) -> None:
+    assert set(_broken(name, language)) == set(_broken(name))
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_no_template_is_excused_without_need(law: Law) -> None:
+    assert [name for name in KNOWN[law] if law not in _broken(name)] == []
+
+
+WRONG: dict[Law, tuple[Block, ...]] = {
+    "equal": (Display((read_math(r"r = 2\,\unit{m}", ""), read_math(r"b = r = 3\,\unit{m}", ""))),),
+    "rounded": (Display((read_math(r"s = \frac{\sqrt{3}}{2} = 0.8660", ""),)),),
+    "settled": (Display((read_math(r"s = \frac{1}{2} \approx 0.5", ""),)),),
+    "short": (Display((read_math(r"s = \sqrt{2739201267} \approx 52337", ""),)),),
+    "unit": (Display((read_math(r"s = 1 + 2\,\unit{m}", ""),)),),
+    "symbol": (Display((read_math(r"s = 2q", ""),)),),
+    "angle": (Prose(r"Projected on the axis at $330^\circ$"),),
+    "point": (Display((read_math(r"x_{X} = 2\,\unit{m}", ""),)),),
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_a_page_that_breaks_a_law_is_found(law: Law) -> None:
+    solution = drawn("slider-crank")[0]
+    assert law in {fault.law for fault in find_faults(WRONG[law], solution)}
+
+
+def test_a_page_without_faults_has_none() -> None:
+    lines = (
+        r"s = r\cos\varphi = 1\,\unit{m} \cdot \cos 60^\circ = 0.5\,\unit{m}",
+        r"h = r\sin\varphi = \frac{\sqrt{3}}{2}\,\unit{m} \approx 0.8660\,\unit{m}",
+        r"\psi = 90^\circ - \varphi = 30^\circ",
+        r"u = s\cos(\varphi + \psi) = 0.5\,\unit{m} \cdot \cos 90^\circ = 0",
+    )
+    page = Display(tuple(read_math(line, "") for line in lines))
+    assert list(find_faults((page,), drawn("slider-crank")[0])) == []
