@@ -7,25 +7,30 @@ can no longer read a template, only its words are lost: identifiers replace them
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.language import Language
+from kinegrade.problem.printed_givens import find_printed_givens
+from kinegrade.problem.template.signs import write_sign
+from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import require_language
 from kinegrade.students.mistaking.mistake_names import describe_mistakes
 
 
 @dataclass(frozen=True)
 class ExamWording:
-    """Titles by question and meanings by answer column (prose), symbols (math), sentences of
-    mistakes (plain).
+    """Titles by question, meanings and sign conventions by answer column (prose), symbols (math),
+    units of printed givens, sentences of mistakes (plain).
     """
 
     titles: Mapping[str, str] = field(default_factory=dict)
     meanings: Mapping[str, str] = field(default_factory=dict)
     symbols: Mapping[str, str] = field(default_factory=dict)
     parameters: Mapping[tuple[str, str], str] = field(default_factory=dict)
+    conventions: Mapping[str, str] = field(default_factory=dict)
+    givens: Mapping[tuple[str, str], str] = field(default_factory=dict)
     mistakes: Mapping[str, str] = field(default_factory=dict)
 
 
@@ -50,5 +55,19 @@ def read_exam_wording(exam: ExamFolder, language: Language) -> ExamWording:
             for question, template in templates.items()
             for name, parameter in template.parameters.items()
         },
+        {column: write_sign(ask.sign, language) for column, ask in asks.items()},
+        dict(_list_givens(exam, templates)),
         describe_mistakes(language),
     )
+
+
+def _list_givens(
+    exam: ExamFolder, templates: Mapping[str, Template]
+) -> Iterator[tuple[tuple[str, str], str]]:
+    """The unit of each drawn number that a paper prints, by question and name."""
+    for question, template in templates.items():
+        asks = [ask.ask for ask in exam.asks if ask.question == question]
+        printed = find_printed_givens(template, [name for name in asks if name in template.asks])
+        for name, parameter in template.parameters.items():
+            if name in printed:
+                yield (question, name), parameter.unit.text

@@ -30,5 +30,13 @@ class Wording(Protocol):
         """Math by question and name of a drawn number."""
 
     @property
+    def conventions(self) -> Mapping[str, str]:
+        """Prose by column of the answer sheet: the sign convention."""
+
+    @property
+    def givens(self) -> Mapping[tuple[str, str], str]:
+        """The unit of each drawn number that is printed, by question and name."""
+
+    @property
     def mistakes(self) -> Mapping[str, str]:
         """A plain-text sentence by identifier of a known mistake."""

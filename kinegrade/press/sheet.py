@@ -168,15 +168,17 @@ class SolutionSheet:
 
 @dataclass(frozen=True)
 class FeedbackRow:
-    """One ask. `remark` is prose for the student, `guess` is whether the remark is a guess;
-    `reason` is the note made on reading the cell.
-    """
+    """One ask: `allowed` is how far off it may be, `reason` the note made on reading the cell."""
 
     symbol: str  # math
     meaning: str  # prose
-    typed: str  # plain, as are the next four
-    read_as: str  # how it was read; "" where nothing was, or exactly what was typed
-    right: str
+    sign: str  # prose
+    typed: str  # plain
+    read_as: str  # plain: how it was read; "" where nothing was, or exactly what was typed
+    exact: str  # math
+    right: str  # plain, as are the next four
+    allowed: str
+    mark: str
     verdict: str
     points: str
     remark: str  # prose
@@ -191,6 +193,7 @@ class FeedbackQuestion:
     heading: str  # plain
     title: str  # prose
     points: str  # plain, "4 / 7"
+    givens: str  # prose: the numbers drawn for this paper
     rows: tuple[FeedbackRow, ...]
 
 

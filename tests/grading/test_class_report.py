@@ -29,7 +29,7 @@ WORDING = ExamWording(
     {"q1.v_B": "speed of $B$"},
     {"q1.v_B": "v_{B}"},
     {("q1", "r"): "r_{1}"},
-    {"wrong-pole": "The pole lies elsewhere."},
+    mistakes={"wrong-pole": "The pole lies elsewhere."},
 )
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import csv
 import json
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Literal
@@ -23,8 +24,13 @@ from kinegrade.press.html.feedback import write_feedback_html
 from kinegrade.press.markdown.feedback import write_feedback_markdown
 from kinegrade.press.sheet import FeedbackRow, FeedbackSheet
 from kinegrade.reports.classes.tally import tally
-from kinegrade.reports.feedback.feedback import make_feedback_sheets, write_right
+from kinegrade.reports.feedback.feedback import make_feedback_sheets
 from kinegrade.reports.feedback.folder import FeedbackWishes, Text, write_feedback
+from kinegrade.reports.feedback.right_answers import (
+    write_allowed,
+    write_closed_form,
+    write_decimal,
+)
 from kinegrade.reports.paper_record import PaperRecords, RightAnswer
 from tests.grading.marked_folder import RIGHT, Page, mark_class
 
@@ -108,29 +114,99 @@ def test_what_rounding_may_lead_to_is_put_down_to_it(
 @pytest.mark.parametrize(
     ("exact", "decimal", "unit", "expected"),
     [
-        ("13/4", "3.25", "rad/s", "3.25\u202frad/s"),
-        ("2*sqrt(3)/3", "1.1547005383792515", "m/s^2", "2√3/3 ≈ 1.1547\u202fm/s²"),
-        ("10/3", "3.3333333333333333", "1", "10/3 ≈ 3.33333"),
-        (None, "-0.000123456789", "deg", "≈ −0.000123457°"),
-        ("sqrt(3)*" + "sqrt(2 + sqrt(5))*" * 9 + "2", "1.23456789", "m", "≈ 1.23457\u202fm"),
-        ("acos(1/3)", "70.528779", "deg", "≈ 70.5288°"),
-        ("60000000000", "60000000000", "m", "6E+10\u202fm"),
+        ("13/4", "3.25", "rad/s", ("", "3.25\u202frad/s")),
+        (
+            "2*sqrt(3)/3",
+            "1.1547005383792515",
+            "m/s^2",
+            (r"\frac{2 \sqrt{3}}{3}", "≈ 1.1547\u202fm/s²"),
+        ),
+        ("10/3", "3.3333333333333333", "1", (r"\frac{10}{3}", "≈ 3.33333")),
+        ("-2*pi/3", "-2.0943951023931953", "rad", (r"-\frac{2 \pi}{3}", "≈ −2.0944\u202frad")),
+        (
+            "-3*sqrt(2)/40 + 2",
+            "1.8939339828220178",
+            "m",
+            (r"2 - \frac{3 \sqrt{2}}{40}", "≈ 1.89393\u202fm"),
+        ),
+        (None, "-0.000123456789", "deg", ("", "≈ −0.000123457°")),
+        ("sqrt(3)*" + "sqrt(2 + sqrt(5))*" * 9 + "2", "1.23456789", "m", ("", "≈ 1.23457\u202fm")),
+        ("acos(1/3)", "70.528779", "deg", ("", "≈ 70.5288°")),
+        ("60000000000", "60000000000", "m", ("", "6E+10\u202fm")),
     ],
 )
 def test_a_right_answer_is_exact_where_that_is_short(
-    exact: str, decimal: str, unit: str, expected: str
+    exact: str, decimal: str, unit: str, expected: tuple[str, str]
 ) -> None:
-    assert write_right(RightAnswer(Fraction(decimal), exact, unit, Fraction(0))) == expected
+    right = RightAnswer(Fraction(decimal), exact, unit, Fraction(0))
+    assert (write_closed_form(right), write_decimal(right)) == expected
+
+
+@pytest.mark.parametrize(
+    ("allowed", "written"),
+    [("0.0259", "±0.025\u202fm/s"), ("0.3", "±0.3\u202fm/s"), ("1/3", "±0.33\u202fm/s"), ("0", "")],
+)
+def test_what_is_allowed_is_never_rounded_up(allowed: str, written: str) -> None:
+    assert write_allowed(RightAnswer(Fraction(2), None, "m/s", Fraction(allowed))) == written
+
+
+@pytest.mark.parametrize(
+    ("typed", "said", "guess"),
+    [
+        ("2.04", "The size is off by 18 % of the right one.", False),
+        ("-2.04", "The size is off by 18 % of the right one. The sign is opposite as well.", False),
+        ("7.5", "The size is about 4.3 times the right one.", False),
+        ("0", "The right value is not zero.", False),
+        ("3.4641", "This is twice the right value: perhaps a factor 2 too many", True),
+    ],
+)
+def test_every_wrong_number_gets_a_remark(
+    tmp_path: Path, typed: str, said: str, guess: bool
+) -> None:
+    (sheet,) = sheets(tmp_path, (typed, "", ""))
+    row = sheet.questions[0].rows[0]
+    assert (row.mark, row.verdict, row.guess, sheet.guesses) == ("✗", "wrong", guess, guess)
+    assert row.remark.startswith(said)
+
+
+def test_a_row_says_by_a_shape_whether_it_earned_its_points(tmp_path: Path) -> None:
+    (sheet,) = sheets(tmp_path, (RIGHT[0], "", "?"))
+    marks = [row.mark for question in sheet.questions for row in question.rows]
+    assert marks == ["✓", "–", "✗"]
+    page, text = write_feedback_html(sheet), write_feedback_markdown(sheet)
+    for mark in marks:
+        assert f"<strong>{mark}</strong>" in page
+        assert f"| {mark} **" in text
+
+
+def test_a_sheet_tells_the_numbers_the_sign_and_the_tolerance(tmp_path: Path) -> None:
+    wording = replace(
+        WORDING,
+        conventions={"q1.v_B": "positive to the right"},
+        parameters={("q1", "r"): "r"},
+        givens={("q1", "r"): "m", ("q1", "gone"): "m"},
+    )
+    exam, marks = mark_class(tmp_path, {"7": RIGHT}, parameters=lambda student: {"r": 0.2})
+    ((_, sheet),) = make_feedback_sheets(MarksFolder(marks), open_exam(exam), wording, "en")  # type: ignore[arg-type]
+    question = sheet.questions[0]
+    assert question.givens == "$r = 0.2$\u202fm"
+    assert question.rows[0].sign == "positive to the right"
+    page, text = write_feedback_html(sheet), write_feedback_markdown(sheet)
+    for shown in ("positive to the right", question.rows[0].allowed):
+        assert shown in page
+        assert shown in text
+    assert "Your numbers: $r = 0.2$\u202fm" in text
 
 
 def test_a_sheet_says_what_was_typed_how_it_was_read_what_is_right_and_why(tmp_path: Path) -> None:
     (sheet,) = sheets(tmp_path, ("-1,732 m/s", "7 m/s", " "))
     first, second = sheet.questions
     v_b, omega = first.rows
-    assert (v_b.typed, v_b.read_as, v_b.right, v_b.verdict, v_b.points) == (
+    assert (v_b.typed, v_b.read_as, v_b.exact, v_b.right, v_b.verdict, v_b.points) == (
         "-1,732 m/s",
         "read as −1.732\u202fm/s",
-        "√3 ≈ 1.73205\u202fm/s",
+        r"\sqrt{3}",
+        "≈ 1.73205\u202fm/s",
         "wrong",
         "0 / 4",
     )
@@ -156,7 +232,7 @@ def test_numbers_have_the_decimal_mark_of_the_language(
     (sheet,) = sheets(tmp_path, ("1.760 m/s", "0", "-0.125"))
     (first, _), (second,) = (question.rows for question in sheet.questions)
     assert (first.typed, first.read_as) == ("1.760 m/s", "read as 1,760\u202fm/s")
-    assert (first.right, sheet.total) == ("√3 ≈ 1,73205\u202fm/s", "5,5 / 9,5")
+    assert (first.right, sheet.total) == ("≈ 1,73205\u202fm/s", "5,5 / 9,5")
     assert "off by 1,6 % where" in first.remark
     assert (second.right, second.points) == ("−0,125\u202fm/s²", "2,5 / 2,5")
 
@@ -244,7 +320,7 @@ def test_a_total_that_was_kept_is_told(tmp_path: Path) -> None:
 
 
 def test_questions_follow_as_on_the_paper(tmp_path: Path) -> None:
-    exam, marks = mark_class(tmp_path, {"7": RIGHT})
+    exam, marks = mark_class(tmp_path, {"7": RIGHT}, parameters=lambda student: {"r": 0.2})
     record = json.loads((exam / "key.jsonl").read_text(encoding="utf-8"))
     (exam / "key.jsonl").write_text(
         json.dumps(record | {"printed": ["q2", "q1"]}), encoding="utf-8"
@@ -401,7 +477,7 @@ def test_marks_of_another_exam_are_refused(tmp_path: Path) -> None:
 def test_marks_of_another_exam_with_the_same_students_are_refused_by_feedback_and_report(
     tmp_path: Path,
 ) -> None:
-    exam, marks = mark_class(tmp_path, {"7": RIGHT})
+    exam, marks = mark_class(tmp_path, {"7": RIGHT}, parameters=lambda student: {"r": 0.2})
     file = marks / "marks.csv"
     file.write_text(
         file.read_text(encoding="utf-8").replace("7,q1,v_B", "7,q1,v_Z"), encoding="utf-8"
@@ -470,7 +546,7 @@ def test_what_was_made_safe_for_spreadsheets_is_shown_as_it_was_typed(tmp_path: 
     "line", ["{", "[]", '{"student": "7"}', '{"student": "7", "questions": [{}]}']
 )
 def test_a_broken_key_is_told(tmp_path: Path, line: str) -> None:
-    exam, marks = mark_class(tmp_path, {"7": RIGHT})
+    exam, marks = mark_class(tmp_path, {"7": RIGHT}, parameters=lambda student: {"r": 0.2})
     (exam / "key.jsonl").write_text(line + "\n", encoding="utf-8")
     with pytest.raises(ExamError, match=r"key.jsonl.* is broken .* - restore the exam folder"):
         list(make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
@@ -482,7 +558,7 @@ def test_a_broken_key_is_told(tmp_path: Path, line: str) -> None:
 
 
 def test_a_broken_exam_is_told(tmp_path: Path) -> None:
-    exam, marks = mark_class(tmp_path, {"7": RIGHT})
+    exam, marks = mark_class(tmp_path, {"7": RIGHT}, parameters=lambda student: {"r": 0.2})
     (exam / "exam.json").write_text('{"students": 3}', encoding="utf-8")
     with pytest.raises(
         ExamError, match=r"exam.json: format: missing - .* - restore the exam folder"

@@ -61,6 +61,9 @@ def _write_question(question: FeedbackQuestion, words: Mapping[str, str]) -> Ite
     title = f" · {question.title}" if question.title else ""
     yield f"## {_write_plain(question.heading)}{title} ({question.points})"
     yield ""
+    if question.givens:
+        yield f"{words['givens']}: {question.givens}"
+        yield ""
     yield _write_cells([words[column] for column in _COLUMNS])
     yield "|---|---|---|---|---:|"
     yield from (_write_cells(_write_row(row, words["none"])) for row in question.rows)
@@ -77,12 +80,18 @@ def _write_row(row: FeedbackRow, none: str) -> Sequence[str]:
         else (f"**{_write_plain(row.verdict)}**")
     )
     return (
-        f"${row.symbol}$ {row.meaning}".rstrip(),
+        " · ".join(filter(None, (f"${row.symbol}$ {row.meaning}".rstrip(), row.sign))),
         f"{typed}{read}",
-        _write_plain(row.right),
-        verdict,
+        _write_right(row),
+        f"{row.mark} {verdict}",
         row.points,
     )
+
+
+def _write_right(row: FeedbackRow) -> str:
+    exact = f"${row.exact}$" if row.exact else ""
+    allowed = f"({row.allowed})" if row.allowed else ""
+    return " ".join(filter(None, (exact, _write_plain(row.right), allowed)))
 
 
 def _write_cells(cells: Sequence[str]) -> str:

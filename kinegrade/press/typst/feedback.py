@@ -19,7 +19,7 @@ from kinegrade.press.sheet import FeedbackQuestion, FeedbackRow, FeedbackSheet, 
 from kinegrade.press.typst.layout_call import Sheet, write_formula, write_layout_call
 from kinegrade.press.typst.press import TypstPress
 
-_ROW_TEXTS = ("typed", "read_as", "right", "verdict", "points", "reason")
+_ROW_TEXTS = ("typed", "read_as", "right", "allowed", "mark", "verdict", "points", "reason")
 _SHEET_TEXTS = ("course", "title", "date", "student", "name", "code", "total")
 
 
@@ -75,6 +75,11 @@ def _write_feedback_source(
 def _write_question(question: FeedbackQuestion, missing: frozenset[str]) -> Sheet:
     parts = gather(
         title=lambda: write_line(question.title, locate_part(question.heading, "title")),
+        givens=lambda: (
+            write_line(question.givens, locate_part(question.heading, "givens"))
+            if question.givens
+            else None
+        ),
         rows=lambda: convert_each(
             lambda row: _write_row(row, question.heading, missing), question.rows
         ),
@@ -86,6 +91,8 @@ def _write_row(row: FeedbackRow, where: Location, missing: frozenset[str]) -> Sh
     parts = gather(
         symbol=lambda: write_formula(row.symbol, locate_part(where, "symbol")),
         meaning=lambda: write_line(row.meaning, locate_part(where, "meaning")),
+        sign=lambda: write_line(row.sign, locate_part(where, "sign")) if row.sign else None,
+        exact=lambda: write_formula(row.exact, locate_part(where, "symbol")) if row.exact else None,
         remark=lambda: write_line(row.remark, locate_part(where, "remark")) if row.remark else None,
     )
     return parts | _texts(row, _ROW_TEXTS, missing)

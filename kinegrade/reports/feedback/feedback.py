@@ -7,10 +7,10 @@ Markdown and PDF.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import groupby
+from math import isnan, nan
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.contents import HEAD
@@ -19,22 +19,26 @@ from kinegrade.exam.folder.records import Candidate
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
-from kinegrade.language.math.units import write_unit
+from kinegrade.language.decimal_mark import write_decimals_of_math
 from kinegrade.language.message import Fault, Message, Quoted, Text
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.numbers.amounts import bound_rounding, write_amount
-from kinegrade.numbers.decimals import round_to_decimal
 from kinegrade.press.sheet import FeedbackQuestion, FeedbackRow, FeedbackSheet
 from kinegrade.question_numbers import find_other_number
 from kinegrade.reports.feedback.remarks import make_remark, name_verdict
-from kinegrade.reports.paper_record import PaperRecord, PaperRecords, RightAnswer
+from kinegrade.reports.feedback.right_answers import (
+    write_allowed,
+    write_closed_form,
+    write_decimal,
+    write_with_unit,
+)
+from kinegrade.reports.paper_record import PaperRecord, PaperRecords
 
 _LONGEST_TYPED = 80  # characters: the rest of a longer cell adds nothing
-_LONGEST_EXACT = 32
-_SHOWN_DIGITS = 6
-_CLOSED_FORM = re.compile(r"(?:[-+*/() 0-9]|sqrt|pi)+")
+_GIVEN_DIGITS = 6
+_FULL, _PART, _NOTHING, _UNDECIDED = "✓", "(✓)", "✗", "–"  # told apart without colour
 
 
 def make_feedback_sheets(
@@ -96,7 +100,24 @@ def _make_questions(
         out_of = sum((answer.out_of for answer in asked), Fraction(0))
         rows = tuple(_make_feedback_row(answer, paper, wording, catalogue) for answer in asked)
         share = _write_share(points, out_of, catalogue)
-        yield FeedbackQuestion(heading, wording.titles.get(question, ""), share, rows)
+        givens = ", ".join(_list_givens(question, paper, wording, catalogue))
+        yield FeedbackQuestion(heading, wording.titles.get(question, ""), share, givens, rows)
+
+
+def _list_givens(
+    question: str, paper: PaperRecord, wording: Wording, catalogue: Catalogue
+) -> Iterator[str]:
+    """The numbers of a question as they were printed, each as prose; none where its asks were put
+    with different ones.
+    """
+    for (asked, name), unit in wording.givens.items():
+        number = paper.parameters.get((asked, name), nan)
+        if asked == question and not isnan(number):
+            shown = f"{number:.{_GIVEN_DIGITS}g}"
+            relation = "=" if float(shown) == number else r"\approx"
+            symbol = wording.parameters.get((asked, name), name)
+            formula = _mark_formula(f"{symbol} {relation} {shown}", catalogue)
+            yield write_with_unit(f"${formula}$", unit)
 
 
 def _head_question(question: str, number: int) -> Message:
@@ -116,13 +137,17 @@ def _make_feedback_row(
     return FeedbackRow(
         wording.symbols.get(answer.column, rf"\mathrm{{{answer.ask.replace('_', ' ')}}}"),
         wording.meanings.get(answer.column, ""),
+        wording.conventions.get(answer.column, ""),
         _cut(answer.typed),
         catalogue.write(_describe_reading(answer, catalogue)),
-        _mark_decimals(write_right(right), catalogue) if right else "",
+        _mark_formula(write_closed_form(right), catalogue) if right else "",
+        _mark_decimals(write_decimal(right), catalogue) if right else "",
+        _mark_decimals(write_allowed(right), catalogue) if right else "",
+        _choose_mark(answer),
         catalogue.write(name_verdict(answer.verdict)),
         _write_share(answer.points, answer.out_of, catalogue),
         prose,
-        bool(prose) and answer.verdict == "wrong",
+        remark.guess,
         remark.note,
     )
 
@@ -136,50 +161,25 @@ def _mark_decimals(number: str, catalogue: Catalogue) -> str:
     return number.replace(".", catalogue.decimal_mark)
 
 
+def _mark_formula(latex: str, catalogue: Catalogue) -> str:
+    """A formula with the decimal mark of the language."""
+    return write_decimals_of_math(latex, catalogue.language)
+
+
+def _choose_mark(answer: MarkedAnswer) -> str:
+    """The sign beside the verdict: whether all points were given, some, or none."""
+    if answer.verdict in ("blank", "void"):
+        return _UNDECIDED
+    if answer.points >= answer.out_of:
+        return _FULL
+    return _PART if answer.points > 0 else _NOTHING
+
+
 def _describe_reading(answer: MarkedAnswer, catalogue: Catalogue) -> Text:
     if answer.read_as in ("", answer.typed.strip()):
         return ""
-    number = _write_with_unit(answer.read_as, answer.unit).replace("-", "−")
+    number = write_with_unit(answer.read_as, answer.unit).replace("-", "−")
     return Message("feedback.read-as", number=_mark_decimals(number, catalogue))
-
-
-def write_right(right: RightAnswer) -> str:
-    """`exact = decimal unit`: the exact value where it is short, "≈" where the decimal is
-    rounded.
-
-    >>> write_right(RightAnswer(Fraction("1.154700538379"), "2*sqrt(3)/3", "m/s", Fraction(0)))
-    '2√3/3 ≈ 1.1547\u202fm/s'
-    """
-    value = round_to_decimal(right.value, _SHOWN_DIGITS)
-    decimal = f"{value:f}" if -6 < value.adjusted() < 9 else str(value)
-    same = Fraction(decimal) == right.value
-    exact = _write_exact(right.exact or "")
-    whole = _write_with_unit(decimal.replace("-", "−"), right.unit)
-    if same or not exact:
-        return whole if same else f"≈ {whole}"
-    return f"{exact} ≈ {whole}"
-
-
-def _write_exact(expression: str) -> str:
-    """A closed form as it is written by hand; "" if it is long.
-
-    >>> _write_exact("-3*sqrt(2)/40 + 2*pi"), _write_exact("sqrt(2 - sqrt(3))")
-    ('−3√2/40 + 2π', '√(2 − √3)')
-    """
-    if len(expression) > _LONGEST_EXACT or not _CLOSED_FORM.fullmatch(expression):
-        return ""
-    rooted = re.sub(r"sqrt\(([0-9]+)\)", r"√\1", expression).replace("sqrt", "√").replace("pi", "π")
-    return re.sub(r"\*(?=[√π(])", "", rooted).replace("*", "·").replace("-", "−")
-
-
-def _write_with_unit(number: str, unit: str) -> str:
-    """A number and its unit.
-
-    >>> _write_with_unit("30", "deg"), _write_with_unit("2", "m/s^2"), _write_with_unit("2", "1")
-    ('30°', '2\u202fm/s²', '2')
-    """
-    shown = write_unit(unit, pure="")
-    return f"{number}{shown}" if shown in ("", "°") else f"{number}\u202f{shown}"
 
 
 def _write_share(points: Fraction, out_of: Fraction, catalogue: Catalogue) -> str:

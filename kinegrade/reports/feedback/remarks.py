@@ -41,17 +41,19 @@ _EXPLAINED: Mapping[str, Message] = {
     "another paper": Message("feedback.another-paper"),
     "void": Message("feedback.void"),
 }
+_MANY = 3  # times the right value: from there on a percentage says little
 _WITH_NOTE = ("wrong unit", "unreadable")  # their notes on reading the cell are for the student too
 
 
 @dataclass(frozen=True)
 class Remark:
     """`prose` explains the verdict, "" where it needs no explanation; `note` is plain text: the
-    note made on reading the cell.
+    note made on reading the cell. A `guess` goes by the number alone.
     """
 
     prose: Text = ""
     note: str = ""
+    guess: bool = False
 
 
 def name_verdict(verdict: str) -> Text:
@@ -65,7 +67,7 @@ def make_remark(answer: MarkedAnswer, paper: PaperRecord, wording: Wording) -> R
         case "mistake":
             return Remark(_list_mistakes(answer, wording))
         case "wrong":
-            return Remark(_find_hint(answer, paper, wording))
+            return _explain_wrong(answer, paper, wording)
         case "right" | "blank":
             return Remark()
         case "void" if answer.out_of:
@@ -88,12 +90,35 @@ def _join_either(first: Text, second: Text) -> Message:
     return Message("feedback.either-mistake", first=first, second=second)
 
 
-def _find_hint(answer: MarkedAnswer, paper: PaperRecord, wording: Wording) -> Text:
+def _explain_wrong(answer: MarkedAnswer, paper: PaperRecord, wording: Wording) -> Remark:
+    """What the number suggests, or else how far off it is."""
     found, right = hint_of(answer, paper), paper.answers.get(answer.column)
-    if found is None or right is None:
+    if right is None:
+        return Remark()
+    hint = "" if found is None else _describe_hint(found, answer, right, wording)
+    if found is None or not hint:
+        return Remark(_measure_error(answer, right))
+    return Remark(_turn(hint) if found.reversed_sign else hint, guess=True)
+
+
+def _measure_error(answer: MarkedAnswer, right: RightAnswer) -> Text:
+    """How far off a wrong number is, by its size and its sign; "" where nothing was read."""
+    if not answer.read_as:
         return ""
-    hint = _describe_hint(found, answer, right, wording)
-    return Message("feedback.turned-as-well", hint=hint) if hint and found.reversed_sign else hint
+    value = read_number(answer.read_as)
+    if not right.value or not value:
+        return Message("feedback.not-zero" if value else "feedback.zero")
+    ratio = value / right.value
+    said = (
+        Message("feedback.off-by", difference=write_percent(abs(abs(ratio) - 1)))
+        if abs(ratio) < _MANY
+        else Message("feedback.off-times", factor=Decimal(f"{float(abs(ratio)):.2g}"))
+    )
+    return _turn(said) if ratio < 0 else said
+
+
+def _turn(said: Text) -> Message:
+    return Message("feedback.turned-as-well", hint=said)
 
 
 def _describe_hint(found: Hint, answer: MarkedAnswer, right: RightAnswer, wording: Wording) -> Text:

@@ -64,7 +64,7 @@ def test_its_feedback_is_written(
     sheet = (tmp_path / "FEEDBACK" / "sheets" / file).read_bytes()
     if form == "md":
         assert "# Resit: Feedback\n" in sheet.decode()
-        assert "49/40 + 49√5/200 ≈ 1.77284\u202fm/s" in sheet.decode()
+        assert r"$\frac{49}{40} + \frac{49 \sqrt{5}}{200}$ ≈ 1.77284" in sheet.decode()
         assert "Paper: **WJPK-SNPQ**" in sheet.decode()
 
 
