@@ -104,6 +104,7 @@ class AskLine:
     facility: str
     bar: Bar
     discrimination: str
+    interval: str  # of its confidence
     answers: StackedBar
     verdicts: str
     note: str

@@ -141,6 +141,20 @@ def test_an_ask_in_which_strong_papers_do_worse_is_pointed_out(tmp_path: Path) -
     assert say("page.few") not in page.text
 
 
+@pytest.mark.parametrize(
+    ("count", "said", "interval"),
+    [(8, "low-by-chance", "−0.70 to 0.70"), (80, "flat", "−0.22 to 0.22")],
+)
+def test_a_low_discrimination_is_judged_by_its_confidence(
+    tmp_path: Path, count: int, said: str, interval: str
+) -> None:
+    rows = [(*first, last) for first in (("1.732", "0"), ("9", "9")) for last in ("-0.125", "9")]
+    page = Page(report(tmp_path, in_turns(count, *rows)))
+    judged = {key: say(key) in page.text for key in ("low-by-chance", "flat", "negative")}
+    assert judged == {key: key == said for key in judged}
+    assert interval in page.text
+
+
 def test_an_ask_that_everybody_got_is_easy_and_one_that_nobody_got_is_hard(tmp_path: Path) -> None:
     page = Page(report(tmp_path, in_turns(5, ("1.732", "9", "-0.125"), ("1.732", "9", "9"))))
     assert (page.text.count("easy"), page.text.count(" hard")) == (

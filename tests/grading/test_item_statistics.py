@@ -21,6 +21,7 @@ from kinegrade.reports.classes.item_statistics import (
     correlate,
     find_discriminations,
     find_facilities,
+    find_interval,
     find_reliability,
     make_histogram,
     summarise,
@@ -55,6 +56,14 @@ def test_discrimination_leaves_the_ask_itself_out_of_the_total() -> None:
 def test_what_too_few_or_too_equal_students_cannot_tell_is_none(points: np.ndarray) -> None:
     assert find_discriminations(points) == (None, None)
     assert find_reliability(points) is None
+
+
+def test_an_interval_of_confidence_is_that_of_the_tables() -> None:
+    low, high = find_interval(0.5, 28) or (0.0, 0.0)  # Fisher's z: 0.5493 ± 0.392
+    assert (low, high) == pytest.approx((0.156, 0.736), abs=5e-4)
+    assert find_interval(-0.5, 28) == pytest.approx((-high, -low))
+    assert find_interval(1.0, 28) == pytest.approx((1.0, 1.0))
+    assert find_interval(0.5, 3) is None
 
 
 def test_asks_that_agree_are_reliable_and_asks_that_do_not_are_not() -> None:

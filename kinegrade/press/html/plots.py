@@ -54,7 +54,9 @@ def write_plot(plot: Plot) -> Markup:
 
 
 def _write_histogram(plot: HistogramPlot) -> Markup:
-    """Columns; a triangle marks the median, a circle the mean."""
+    """Columns; a triangle marks the median, below it a circle the mean, as the two are often
+    equal.
+    """
     distribution, figures = plot.histogram, plot.figures
     top, height, axis = 22.0, 150.0, _Axis()
     base, most = top + height, max(1, *distribution.counts)
@@ -66,18 +68,18 @@ def _write_histogram(plot: HistogramPlot) -> Markup:
     ]
     median, mean = axis.at(figures.median), axis.at(figures.mean)
     parts.append(f'<path class="mark" d="M{median:.1f} {base + 20:.1f}l5 9h-10z"/>')
-    parts.append(f'<circle class="mark" cx="{mean:.1f}" cy="{base + 25:.1f}" r="3.6" fill="none"/>')
-    parts.append(_write_text(axis.left + axis.width, base + 46, plot.across, "end"))
-    parts.append(_write_text(axis.left, base + 46, plot.marks, "start"))
+    parts.append(f'<circle class="mark" cx="{mean:.1f}" cy="{base + 37:.1f}" r="3.6" fill="none"/>')
+    parts.append(_write_text(axis.left + axis.width, base + 58, plot.across, "end"))
+    parts.append(_write_text(axis.left, base + 58, plot.marks, "start"))
     parts.append(_write_text(4, 11, plot.upward, "start"))
-    return _write_svg(_WIDTH, base + 52, parts, plot.across)
+    return _write_svg(_WIDTH, base + 64, parts, plot.across)
 
 
 def _write_boxes(plot: BoxPlot) -> Markup:
-    """For each group a box from the lower to the upper quartile, a bar at the median, a circle at
-    the mean.
+    """For each group a box from the lower to the upper quartile, a bar at the median, a circle
+    below it at the mean.
     """
-    row, axis = 34.0, _Axis(110.0, _WIDTH - 110.0 - _RIGHT)
+    row, axis = 38.0, _Axis(110.0, _WIDTH - 110.0 - _RIGHT)
     base = row * len(plot.groups) + 6
     parts = [
         part
@@ -147,7 +149,7 @@ def _write_box(name: str, figures: Summary, axis: _Axis, middle: float) -> list[
         f'<rect class="box" x="{lower:.1f}" y="{middle - 9:.1f}" '
         f'width="{max(1.0, upper - lower):.1f}" height="18"/>',
         _write_line(median, middle - 9, median, middle + 9, "median"),
-        f'<circle class="mark" cx="{axis.at(figures.mean):.1f}" cy="{middle:.1f}" r="3.6" '
+        f'<circle class="mark" cx="{axis.at(figures.mean):.1f}" cy="{middle + 14.5:.1f}" r="3.6" '
         'fill="none"/>',
     ]
 

@@ -12,7 +12,11 @@ from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Listing, Message, list_plainly, list_statements
 from kinegrade.press.class_sheet import AskLine, Bar, StackedBar
 from kinegrade.reports.classes.figures import write_decimal, write_plain, write_share
-from kinegrade.reports.classes.item_statistics import find_discriminations, find_facilities
+from kinegrade.reports.classes.item_statistics import (
+    find_discriminations,
+    find_facilities,
+    find_interval,
+)
 from kinegrade.reports.classes.tally import ClassTally
 from kinegrade.reports.classes.words import (
     explain_verdict,
@@ -21,7 +25,7 @@ from kinegrade.reports.classes.words import (
     name_verdict,
 )
 
-_HARD, _EASY, _FLAT = 0.3, 0.9, 0.1
+_HARD, _EASY, _FLAT, _USUAL = 0.3, 0.9, 0.1, 0.3
 _WIDTH = 70.0  # pixels of the bar of a facility
 _VERDICTS = (
     "right",
@@ -43,7 +47,7 @@ def list_asks(counts: ClassTally, wording: Wording, catalogue: Catalogue) -> Ite
     """One line for each ask."""
     facilities = find_facilities(counts.points, counts.out_of)
     discriminations = find_discriminations(counts.points)
-    before = ""
+    before, students = "", len(counts.answered)
     for place, column in enumerate(counts.columns):
         facility, discrimination = facilities[place], discriminations[place]
         question, share = column.split(".")[0], write_share(facility, catalogue)
@@ -58,9 +62,10 @@ def list_asks(counts: ClassTally, wording: Wording, catalogue: Catalogue) -> Ite
             share,
             Bar(facility or 0.0, "column", share, _WIDTH, track=True),
             write_decimal(discrimination, catalogue),
+            _write_interval(discrimination, students, catalogue),
             StackedBar(_share_out(counts.verdicts[column]), verdicts),
             verdicts,
-            catalogue.write(_note(facility, discrimination, len(counts.answered))),
+            catalogue.write(_note(facility, discrimination, students)),
         )
         before = question
 
@@ -97,14 +102,30 @@ def _in_order(verdicts: Counter[str]) -> list[tuple[str, int]]:
     ]
 
 
+def _write_interval(discrimination: float | None, students: int, catalogue: Catalogue) -> str:
+    """Where the discrimination lies with 95 % confidence; "" where that is not known."""
+    interval = None if discrimination is None else find_interval(discrimination, students)
+    if interval is None:
+        return ""
+    low, high = (write_decimal(end, catalogue) for end in interval)
+    return catalogue.write(Message("report.interval", low=low, high=high))
+
+
 def _note(facility: float | None, discrimination: float | None, students: int) -> Listing:
-    """What is worth a look; a correlation within two standard errors of zero counts as none."""
+    """What is worth a look."""
     notes: list[Message] = []
     if facility is not None and facility < _HARD:
         notes.append(Message("report.hard"))
     if facility is not None and facility > _EASY:
         notes.append(Message("report.easy"))
     if discrimination is not None and discrimination < _FLAT:
-        negative = discrimination < -2 / students**0.5
-        notes.append(Message("report.negative" if negative else "report.flat"))
+        notes.append(_judge_low(discrimination, students))
     return list_statements(notes)
+
+
+def _judge_low(discrimination: float, students: int) -> Message:
+    """What a low discrimination means, as far as so many students tell."""
+    _, high = find_interval(discrimination, students) or (-1.0, 1.0)
+    if high < 0:
+        return Message("report.negative")
+    return Message("report.flat" if high < _USUAL else "report.low-by-chance")

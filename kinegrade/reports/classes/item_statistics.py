@@ -8,6 +8,7 @@ students is None.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import atanh, sqrt, tanh
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +17,8 @@ from kinegrade.press.class_sheet import Histogram, Summary
 
 Points = npt.NDArray[np.float64]
 _FEWEST = 3  # students: a correlation of two is always 1 or -1
+_Z95 = 1.96  # standard deviations on either side that hold 95 % of a normal distribution
+_CERTAIN = 1 - 1e-9  # a correlation that counts as 1
 _FINE, _COARSE = 10, 20  # per cent: the width of a bin of the histogram
 _FEW = 25  # students: smaller classes get coarse bins
 
@@ -87,6 +90,20 @@ def correlate(first: Points, second: Points) -> float | None:
         1e-9 * float(np.abs(first).max(initial=0) * np.abs(second).max(initial=0)) * len(first)
     )
     return float((one * other).sum() / scale) if scale > smallest else None
+
+
+def find_interval(correlation: float, students: int) -> tuple[float, float] | None:
+    """Between what values a correlation lies with 95 % confidence, by Fisher's z; None for too few
+    students.
+
+    >>> [round(end, 2) for end in find_interval(0.1, 60) or ()]
+    [-0.16, 0.35]
+    """
+    if students <= _FEWEST:
+        return None
+    middle = atanh(min(max(correlation, -_CERTAIN), _CERTAIN))
+    reach = _Z95 / sqrt(students - _FEWEST)
+    return tanh(middle - reach), tanh(middle + reach)
 
 
 def find_reliability(points: Points) -> float | None:
