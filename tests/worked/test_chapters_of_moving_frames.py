@@ -77,7 +77,8 @@ def test_a_composition_of_velocities() -> None:
             drops out:
         v_{\mathrm{e}} &= v_{\mathrm{a}}\cos 36.87^\circ = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
             6.4\,\unit{m/s}
-        \omega &= \frac{v_{\mathrm{e}}}{OA} = 1.28\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        \omega &= \frac{v_{\mathrm{e}}}{OA} = \frac{6.4\,\unit{m/s}}{5\,\unit{m}} =
+            1.28\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
 
@@ -107,16 +108,17 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         Projected on the axis at $216.87^\circ$, normal to
             $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$, which so drops out:
         a_{\mathrm{a}}^{\mathrm{n}}\cos 36.87^\circ &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{r}}
-        16\,\unit{m/s^2} \cdot \cos 36.87^\circ &= 8.192\,\unit{m/s^2} - a_{\mathrm{r}}
-        a_{\mathrm{r}} &= -4.608\,\unit{m/s^2}\quad(\text{from }B\text{ to }O)
+        a_{\mathrm{r}} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{a}}^{\mathrm{n}}\cos 36.87^\circ
+            = 8.192\,\unit{m/s^2} - 16\,\unit{m/s^2} \cdot \cos 36.87^\circ
+        &= -4.608\,\unit{m/s^2}\quad(\text{from }B\text{ to }O)
         Projected on the axis at $126.87^\circ$, normal to $\boldsymbol{a}_{\mathrm{r}}$, which so
             drops out:
         a_{\mathrm{a}}^{\mathrm{n}}\cos 53.13^\circ &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{C}}
-        16\,\unit{m/s^2} \cdot \cos 53.13^\circ &= a_{\mathrm{e}}^{\mathrm{t}} + 12.29\,\unit{m/s^2}
-        a_{\mathrm{e}}^{\mathrm{t}} &= -2.688\,\unit{m/s^2}\quad\text{(opposite to the direction
-            assumed)}
-        \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} =
-            -0.5376\,\unit{rad/s^2}\quad\text{(clockwise)}
+        a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{C}} + a_{\mathrm{a}}^{\mathrm{n}}\cos 53.13^\circ
+            = -12.29\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \cos 53.13^\circ
+        &= -2.688\,\unit{m/s^2}\quad\text{(opposite to the direction assumed)}
+        \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} = \frac{-2.688\,\unit{m/s^2}}{5\,\unit{m}}
+            = -0.5376\,\unit{rad/s^2}\quad\text{(clockwise)}
         """
     )
 

@@ -41,14 +41,15 @@ def test_velocities_by_a_base_point() -> None:
         Projected on the axis at $143.13^\circ$, normal to $\boldsymbol{v}_{AB}$, which so drops
             out:
         v_{A}\cos 53.13^\circ &= -v_{B}\cos 36.87^\circ
-        v_{A}\cos 53.13^\circ &= -2\,\unit{m/s} \cdot \cos 36.87^\circ
-        v_{A} &= -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
+        v_{A} &= -\frac{v_{B}\cos 36.87^\circ}{\cos 53.13^\circ} = -\frac{2\,\unit{m/s} \cdot \cos
+            36.87^\circ}{\cos 53.13^\circ}
+        &= -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
         Projected on the axis at $180^\circ$, normal to $\boldsymbol{v}_{A}$, which so drops out:
         0 &= -v_{B} + v_{AB}\cos 53.13^\circ
-        0 &= -2\,\unit{m/s} + v_{AB}\cos 53.13^\circ
-        v_{AB} &= \frac{10}{3}\,\unit{m/s} \approx 3.333\,\unit{m/s}
-        \omega &= \frac{v_{AB}}{BA} = \frac{2}{3}\,\unit{rad/s} \approx
-            0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        v_{AB} &= \frac{v_{B}}{\cos 53.13^\circ} = \frac{2\,\unit{m/s}}{\cos 53.13^\circ} =
+            \frac{10}{3}\,\unit{m/s} \approx 3.333\,\unit{m/s}
+        \omega &= \frac{v_{AB}}{BA} = \frac{3.333\,\unit{m/s}}{5\,\unit{m}} =
+            \frac{2}{3}\,\unit{rad/s} \approx 0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
 
@@ -62,8 +63,9 @@ def test_velocities_by_the_projection_theorem() -> None:
         Velocity projection theorem: the velocities of $B$ and $A$ of $AB$ have equal projections on
             the line $BA$.
         v_{A}\cos 53.13^\circ &= -v_{B}\cos 36.87^\circ
-        v_{A}\cos 53.13^\circ &= -2\,\unit{m/s} \cdot \cos 36.87^\circ
-        v_{A} &= -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
+        v_{A} &= -\frac{v_{B}\cos 36.87^\circ}{\cos 53.13^\circ} = -\frac{2\,\unit{m/s} \cdot \cos
+            36.87^\circ}{\cos 53.13^\circ}
+        &= -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
         Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
             that of the rotation about $B$.
         [ ] \boldsymbol{v}_{A} | ? | $\parallel y$, $90^\circ$
@@ -71,10 +73,10 @@ def test_velocities_by_the_projection_theorem() -> None:
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA$, $233.13^\circ$
         Projected on the axis at $180^\circ$, normal to $\boldsymbol{v}_{A}$, which so drops out:
         0 &= -v_{B} + v_{AB}\cos 53.13^\circ
-        0 &= -2\,\unit{m/s} + v_{AB}\cos 53.13^\circ
-        v_{AB} &= \frac{10}{3}\,\unit{m/s} \approx 3.333\,\unit{m/s}
-        \omega_{AB} &= \frac{v_{AB}}{BA} = \frac{2}{3}\,\unit{rad/s} \approx
-            0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        v_{AB} &= \frac{v_{B}}{\cos 53.13^\circ} = \frac{2\,\unit{m/s}}{\cos 53.13^\circ} =
+            \frac{10}{3}\,\unit{m/s} \approx 3.333\,\unit{m/s}
+        \omega_{AB} &= \frac{v_{AB}}{BA} = \frac{3.333\,\unit{m/s}}{5\,\unit{m}} =
+            \frac{2}{3}\,\unit{rad/s} \approx 0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
 
@@ -192,12 +194,14 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         Projected on the axis at $323.13^\circ$, normal to $\boldsymbol{a}_{BA}^{\mathrm{t}}$, which
             so drops out:
         a_{B}\cos 36.87^\circ &= a_{A}^{\mathrm{n}}\cos 53.13^\circ
-        a_{B}\cos 36.87^\circ &= 12\,\unit{m/s^2} \cdot \cos 53.13^\circ
-        a_{B} &= 9\,\unit{m/s^2}\quad\text{(to the right)}
+        a_{B} &= \frac{a_{A}^{\mathrm{n}}\cos 53.13^\circ}{\cos 36.87^\circ} =
+            \frac{12\,\unit{m/s^2} \cdot \cos 53.13^\circ}{\cos 36.87^\circ} =
+            9\,\unit{m/s^2}\quad\text{(to the right)}
         Projected on the $y$ axis, normal to $\boldsymbol{a}_{B}$, which so drops out:
         0 &= -a_{A}^{\mathrm{n}} + a_{BA}^{\mathrm{t}}\cos 36.87^\circ
-        0 &= -12\,\unit{m/s^2} + a_{BA}^{\mathrm{t}}\cos 36.87^\circ
-        a_{BA}^{\mathrm{t}} &= 15\,\unit{m/s^2}
-        \alpha &= \frac{a_{BA}^{\mathrm{t}}}{AB} = 3\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
+        a_{BA}^{\mathrm{t}} &= \frac{a_{A}^{\mathrm{n}}}{\cos 36.87^\circ} =
+            \frac{12\,\unit{m/s^2}}{\cos 36.87^\circ} = 15\,\unit{m/s^2}
+        \alpha &= \frac{a_{BA}^{\mathrm{t}}}{AB} = \frac{15\,\unit{m/s^2}}{5\,\unit{m}} =
+            3\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
         """
     )

@@ -220,8 +220,7 @@ def test_gears_with_fixed_axes() -> None:
         Here $\boldsymbol{v}_{\mathrm{a}} = 0$.
         Projected on the $y$ axis:
         0 &= v_{\mathrm{e}} + v_{\mathrm{r}}
-        0 &= 8\,\unit{m/s} + v_{\mathrm{r}}
-        v_{\mathrm{r}} &= -8\,\unit{m/s}\quad\text{(downwards)}
+        v_{\mathrm{r}} &= -v_{\mathrm{e}} = -8\,\unit{m/s}\quad\text{(downwards)}
         ## 3. Pinion rolls without slipping on the gear
         There is no slip at the contact, so the motion of $C$ along its path and the rotation of
             pinion relative to the gear are linked:

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import Level, Part
@@ -20,7 +19,7 @@ from kinegrade.worked.formulas.equation import (
 )
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
-from kinegrade.worked.formulas.numbers import state_angle, state_number
+from kinegrade.worked.formulas.numbers import measure, state_angle, state_number
 from kinegrade.worked.senses import state_rotation_sense, state_sense_along
 from kinegrade.worked.vectors.magnitudes import find_track_ends
 from kinegrade.worked.vectors.projection import Deduction, Projection
@@ -58,30 +57,21 @@ def _state_projection(
 def show_solution(
     stage: Stage, projection: Projection, solved: Collection[Rate], rate: Rate
 ) -> Display:
-    """A projection with one unknown and its result; as one chain where the unknown stands alone on
-    a side.
-    """
+    """A projection with one unknown, solved for it in symbols, then in numbers, and its result."""
     first, *others = _state_results(stage, rate)
-    symbols, numbers = (
-        _turn_toward(first.left, stage.project(projection, rates)) for rates in (None, solved)
-    )
-    if symbols is None:
+    symbols, numbers = (stage.solve(projection, rate, rates) for rates in (None, solved))
+    if symbols is None or numbers is None:
         return stage.case.show(*_state_projection(stage, projection, solved), first, *others)
-    working = (symbols,) if numbers is None else (symbols, numbers)
-    links = lead_to(first.left, working, first.links)
-    mark = stage.case.mark
-    lines: tuple[Row, ...] = Equation(first.left, links, first.aside).break_lines(mark)
-    return Display((*lines, *(other.print_line(mark) for other in others)))
-
-
-def _turn_toward(sought: Formula, projection: Equation) -> Formula | None:
-    """What a projection says is equal to the formula sought, None where that does not stand alone
-    on a side.
-    """
-    (link,) = projection.links
-    if projection.left == sought:
-        return link.right
-    return projection.left if link.right == sought else None
+    links = lead_to(first.left, (symbols, numbers), first.links)
+    mark, stated = stage.case.mark, stage.project(projection, None)
+    alone = first.left in (stated.left, stated.links[0].right)
+    return Display(
+        (
+            *(() if alone else (stated.print_line(mark),)),
+            *Equation(first.left, links, first.aside).break_lines(mark),
+            *(other.print_line(mark) for other in others),
+        )
+    )
 
 
 def _announce_axis(stage: Stage, projection: Projection) -> Message:
@@ -109,10 +99,19 @@ def _state_results(stage: Stage, rate: Rate) -> Iterator[Equation]:
         symbol = name_value(equation, part, case)
         yield _state_vector_value(symbol, part, case, level)
         if turning:
-            ratio = symbol / name_arm(part, case)
-            yield state_rotation_result(rate, case, level, equate(ratio))
+            yield state_rotation_result(rate, case, level, _divide_by_arm(symbol, part, stage))
     elif turning:
         yield state_rotation_result(rate, case, level)
+
+
+def _divide_by_arm(symbol: Formula, part: Part, stage: Stage) -> tuple[Link, ...]:
+    """A rotation as the speed over the arm, in symbols and, unless it is zero, in numbers."""
+    ratio = symbol / name_arm(part, stage.case)
+    if part.term is None or not double(length(part.value, stage.case.arithmetic)):
+        return equate(ratio)
+    speed = measure_along_direction(part.term, stage.case, stage.level)
+    arm = measure(length(part.term.vector, stage.case.arithmetic), "m")
+    return equate(ratio, measure(speed, UNITS[stage.level, False]) / arm)
 
 
 def state_rotation_result(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -51,13 +51,45 @@ class Stage:
         self, equation: VectorEquation, shares: Sequence[Share], solved: Collection[Rate] | None
     ) -> Formula:
         """One side of a projection."""
-        terms = []
+        return add_terms(self._list_terms(equation, shares, 1, solved))
+
+    def solve(
+        self, projection: Projection, rate: Rate, solved: Collection[Rate] | None
+    ) -> Formula | None:
+        """What a projection says of its one unknown vector, in symbols or in numbers; None where
+        that stands in several places.
+        """
+        sought = [
+            (sign, share)
+            for sign, side in ((1, projection.left), (-1, projection.right))
+            for share in side
+            if share.part.unknown == rate
+        ]
+        if len(sought) != 1 or len(self.occurrences(rate)) != 1:
+            return None
+        ((side, share),) = sought
+        turned = -side * share.sign
+        left = [one for one in projection.left if one.part.unknown != rate]
+        right = [one for one in projection.right if one.part.unknown != rate]
+        terms = [
+            *self._list_terms(projection.equation, right, -turned, solved),
+            *self._list_terms(projection.equation, left, turned, solved),
+        ]
+        return divide_by_cosine(add_terms(terms), share.angle)
+
+    def _list_terms(
+        self,
+        equation: VectorEquation,
+        shares: Sequence[Share],
+        sign: int,
+        solved: Collection[Rate] | None,
+    ) -> Iterator[Formula]:
+        """The shares of one side, each with its cosine and, where `sign` is negative, turned."""
         for share in shares:
             amount = self._state_share(equation, share.part, solved)
             if amount != ZERO:
                 term = multiply_by_cosine(amount.size, share.angle)
-                terms.append(term.signed(amount.sign * share.sign))
-        return add_terms(terms)
+                yield term.signed(sign * amount.sign * share.sign)
 
     def _state_share(
         self, equation: VectorEquation, part: Part, solved: Collection[Rate] | None
@@ -99,6 +131,13 @@ def multiply_by_cosine(size: Formula, angle: float) -> Formula:
         return size
     cosine = Function("cos", state_angle(angle))
     return cosine if size == ONE else size * cosine
+
+
+def divide_by_cosine(size: Formula, angle: float) -> Formula:
+    """A formula over the cosine of an angle in degrees, a minus sign before the fraction."""
+    if angle == 0 or size == ZERO:
+        return size
+    return (size.size / Function("cos", state_angle(angle))).signed(size.sign)
 
 
 def measure_along_direction(term: Term, case: Case, level: Level) -> Any:
