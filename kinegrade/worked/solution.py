@@ -29,6 +29,7 @@ from kinegrade.worked.rates.scalars import imposes_single_rate
 from kinegrade.worked.steps.couplers import name_method
 from kinegrade.worked.steps.methods import explain_by_method
 from kinegrade.worked.steps.pictures import draw_stage
+from kinegrade.worked.steps.polygons import find_common_scale
 from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step
 from kinegrade.worked.vectors.facts import note_equation
@@ -119,15 +120,28 @@ def _write_level_chapter(
         yield _write_step_title(number, Message("solution.title-given"), case)
         for step in imposed:
             yield from explain_step(step, find_stage(step, case, level, set()))
+    stages = _find_stages(steps, case, level, known)
+    scale = find_common_scale(stages.values())
     for step in steps:
-        if step in imposed:
-            continue
-        if not _holds_still(step, case):
+        if step in stages:
             number += 1
-            yield from _write_numbered_step(number, step, find_stage(step, case, level, known))
+            yield from _write_numbered_step(number, step, stages[step], scale)
         known |= set(step.unknowns)
         yield from answers.follow(known)
     yield from answers.follow(None)
+
+
+def _find_stages(
+    steps: Sequence[Step], case: Case, level: Level, given: Collection[Rate]
+) -> dict[Step, Stage]:
+    """The steps that find what neither is given nor has been said of bodies that do not turn."""
+    known, stages = set(given), {}
+    for step in steps:
+        if not known.issuperset(step.unknowns):
+            if not _holds_still(step, case):
+                stages[step] = find_stage(step, case, level, frozenset(known))
+            known |= set(step.unknowns)
+    return stages
 
 
 def _find_level(ask: Ask, case: Case) -> Level:
@@ -136,12 +150,16 @@ def _find_level(ask: Ask, case: Case) -> Level:
     return "acceleration" if changes else "velocity"
 
 
-def _write_numbered_step(number: int, step: Step, stage: Stage) -> Iterator[Block]:
-    """One step under its title: the equations, their results, the pictures."""
+def _write_numbered_step(
+    number: int, step: Step, stage: Stage, scale: float | None
+) -> Iterator[Block]:
+    """One step under its title: the equations, their results, the pictures to that scale."""
     by_method = tuple(explain_by_method(step, stage))
     title = (name_method(stage) if by_method else None) or name_step(step, stage)
     yield _write_step_title(number, title, stage.case)
-    yield from _place_pictures(by_method or tuple(explain_step(step, stage)), draw_stage(stage))
+    yield from _place_pictures(
+        by_method or tuple(explain_step(step, stage)), draw_stage(stage, scale)
+    )
     for equation in stage.equations:
         note_equation(equation, stage.case)
 

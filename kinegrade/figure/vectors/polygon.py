@@ -56,14 +56,16 @@ def draw_polygon(
     in an order in which none runs along another; where there is no such order they are drawn side
     by side, with thin lines to their true positions. `vertices` are letters (LaTeX math) for the
     tips of vectors from the origin. The scale of the scene is millimetres per m/s (or m/s^2), a
-    round number, at most `scale`. The figure is within PICTURE of `plain_mechanism`.
+    round number: `scale`, that of other polygons, unless this one would be too large or too small.
+    The figure is within PICTURE of `plain_mechanism`.
     """
     across, upward = _measure_spans(left, right)
     if across + upward == 0.0:
         return make_scene(_compose(left, right, vertices, 1.0), 1.0)
     left, right = _arrange(left, right)
     largest = find_scale(left, right)
-    scale = largest if scale is None else min(scale, largest)
+    common = min(scale or largest, largest)
+    scale = common if max(across, upward) * common >= _LEAST else largest
     scene = make_scene(_compose(left, right, vertices, scale), scale)
     while not _fits(scene) and max(across, upward) * scale > _LEAST:
         scale = _round_down(scale * 0.99)

@@ -1,35 +1,35 @@
-"""The pictures of a step: the mechanism with its vectors, the polygon of the equation, the
-construction of a pole.
+"""The pictures of a step: the mechanism with its vectors, beside it the polygon of the equation;
+the construction of a pole.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from decimal import Decimal
 
 from kinegrade.figure.vectors.mechanism import PointArrow, draw_with_vectors
 from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construction
-from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
 from kinegrade.language.math.tree import Text, list_nodes
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import Rate, make_turning
-from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.problem.template.hints import Turning
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Picture, Pictures
-from kinegrade.worked.formulas.atoms import Symbol
-from kinegrade.worked.formulas.measures import NEGLIGIBLE
-from kinegrade.worked.formulas.symbols import prime
 from kinegrade.worked.steps.couplers import choose_method, find_coupler
 from kinegrade.worked.steps.poles import name_pole
+from kinegrade.worked.steps.polygons import (
+    draw_equation,
+    is_seen,
+    make_floats,
+    spans_polygon,
+)
 from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.vectors import name_part
 
 
-def draw_stage(stage: Stage) -> Iterator[Pictures]:
-    """The pictures of a step: the mechanism with its vectors and the polygon, or the construction
-    of a pole; none where no vectors are added.
+def draw_stage(stage: Stage, scale: float | None = None) -> Iterator[Pictures]:
+    """The pictures of a step: the mechanism with its vectors and the polygon to that scale, or the
+    construction of a pole; none where no vectors are added.
     """
     coupler = find_coupler(stage)
     if coupler is not None and choose_method(coupler, stage.case) == "pole":
@@ -38,15 +38,10 @@ def draw_stage(stage: Stage) -> Iterator[Pictures]:
         )
         yield Pictures((_draw_pole(coupler.body, rays, stage.case),))
         return
-    added = [equation for equation in stage.equations if _spans(equation)]
+    added = [equation for equation in stage.equations if spans_polygon(equation)]
     if added:
-        polygons = (_draw_equation(equation, stage) for equation in added)
+        polygons = (draw_equation(equation, stage, scale) for equation in added)
         yield Pictures((_draw_vectors(stage.equations, stage), *polygons))
-
-
-def _spans(equation: VectorEquation) -> bool:
-    """Whether the vectors of an equation make a polygon, rather than the same vector twice."""
-    return sum(_is_seen(part.value) for part in equation.parts) > 2
 
 
 def _draw_vectors(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
@@ -75,12 +70,12 @@ def _find_point_arrows(
 ) -> Iterator[PointArrow]:
     """The parts that do not vanish, each at its point."""
     for part in parts:
-        if _is_seen(part.value):
-            at = _make_floats(case.motion.points[part.point])
+        if is_seen(part.value):
+            at = make_floats(case.motion.points[part.point])
             yield PointArrow(
                 case.text(name_part(equation, part, case)),
                 at,
-                _make_floats(part.value),
+                make_floats(part.value),
                 part.unknown is None,
             )
 
@@ -107,57 +102,11 @@ def _is_short(rate: Rate, level: Level, case: Case) -> bool:
     return not any(isinstance(node, Text) for node in list_nodes(symbol.row))
 
 
-def _draw_equation(equation: VectorEquation, stage: Stage) -> Picture:
-    """The polygon of a vector equation, to a scale that its caption states."""
-    case = stage.case
-    left, right = (_list_arrows(side, equation, case) for side in (equation.left, equation.right))
-    scene = draw_polygon(left, right, _name_vertices(equation, case))
-    scale = Decimal(f"{1 / scene.scale:.3g}")
-    return Picture(scene, case.write(Message(f"solution.polygon-{stage.level}", scale=scale)))
-
-
-def _list_arrows(side: Iterable[Part], equation: VectorEquation, case: Case) -> list[Arrow]:
-    return [
-        Arrow(
-            case.text(name_part(equation, part, case)),
-            _make_floats(part.value),
-            part.unknown is None,
-        )
-        for part in side
-        if _is_seen(part.value)
-    ]
-
-
-def _name_vertices(equation: VectorEquation, case: Case) -> dict[str, Vector]:
-    """The letters of the points of whose velocities or accelerations the tips are corners of the
-    polygon: of a base point, of the point of a moving frame, of the point itself.
-    """
-    vertices: dict[str, Vector] = {}
-    for side in (equation.left, equation.right):
-        reached = Vector(0.0, 0.0)
-        for part in side:
-            if part.role == "rotation" and part.base:
-                vertices.setdefault(_write_small(case.naming.letter(part.base), case), reached)
-            if part.role == "relative":
-                shared = prime(case.naming.letter(part.point))
-                vertices.setdefault(_write_small(shared, case), reached)
-            reached = reached + _make_floats(part.value)
-        if side and not side[-1].coincident:
-            vertices.setdefault(_write_small(case.naming.letter(side[-1].point), case), reached)
-    return vertices
-
-
-def _write_small(letter: Symbol, case: Case) -> str:
-    """A point's letter as a small one, as corners of polygons have."""
-    text = case.text(letter)
-    return text[:1].lower() + text[1:]
-
-
 def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
     """The construction of a pole from the velocities of points of the body."""
     mechanism = case.motion.frames.mechanism.map(float)
     still = case.arithmetic.is_zero(case.motion.omega(body))
-    at = None if still else _make_floats(case.motion.pole(body, case.arithmetic))
+    at = None if still else make_floats(case.motion.pole(body, case.arithmetic))
     rotation = next(iter(_find_turnings([make_turning(body)], case, "velocity")), None)
     pole = Pole(case.naming.point(name_pole(body, case)), at)
     scene = draw_pole_construction(mechanism, case.template.figure, pole, rays, rotation)
@@ -168,13 +117,3 @@ def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
 def _name_picture(level: Level, case: Case) -> str:
     """The caption of a picture of the mechanism with its vectors."""
     return case.write(Message(f"solution.picture-vectors-{level}"))
-
-
-def _make_floats(vector: Vector) -> Vector:
-    """A vector in doubles."""
-    return Vector(float(vector.x), float(vector.y))
-
-
-def _is_seen(vector: Vector) -> bool:
-    """Whether a vector is large enough to draw, and not the rounding error of a zero."""
-    return max(abs(float(vector.x)), abs(float(vector.y))) > NEGLIGIBLE

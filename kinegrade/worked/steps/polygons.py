@@ -1,0 +1,94 @@
+"""The polygons of vector equations, with the letters of points at their corners."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from decimal import Decimal
+
+from kinegrade.figure.vectors.polygon import Arrow, draw_polygon, find_scale
+from kinegrade.language.message import Message
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Part, VectorEquation
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Picture
+from kinegrade.worked.formulas.atoms import Symbol
+from kinegrade.worked.formulas.measures import NEGLIGIBLE
+from kinegrade.worked.formulas.symbols import prime
+from kinegrade.worked.vectors.stage import Stage
+from kinegrade.worked.vectors.vectors import name_part
+
+
+def find_common_scale(stages: Iterable[Stage]) -> float | None:
+    """The scale to which all polygons of the steps fit; None where there are none."""
+    scales = [
+        find_scale(*_list_sides(equation, stage.case))
+        for stage in stages
+        for equation in stage.equations
+        if spans_polygon(equation)
+    ]
+    return min(scales, default=None)
+
+
+def spans_polygon(equation: VectorEquation) -> bool:
+    """Whether the vectors of an equation make a polygon, rather than the same vector twice."""
+    return sum(is_seen(part.value) for part in equation.parts) > 2
+
+
+def draw_equation(equation: VectorEquation, stage: Stage, scale: float | None) -> Picture:
+    """The polygon of a vector equation, to a scale that its caption states."""
+    case = stage.case
+    scene = draw_polygon(*_list_sides(equation, case), _name_vertices(equation, case), scale)
+    unit = Decimal(f"{1 / scene.scale:.3g}")
+    return Picture(scene, case.write(Message(f"solution.polygon-{stage.level}", scale=unit)))
+
+
+def _list_sides(equation: VectorEquation, case: Case) -> tuple[list[Arrow], list[Arrow]]:
+    left, right = (_list_arrows(side, equation, case) for side in (equation.left, equation.right))
+    return left, right
+
+
+def _list_arrows(side: Iterable[Part], equation: VectorEquation, case: Case) -> list[Arrow]:
+    return [
+        Arrow(
+            case.text(name_part(equation, part, case)),
+            make_floats(part.value),
+            part.unknown is None,
+        )
+        for part in side
+        if is_seen(part.value)
+    ]
+
+
+def _name_vertices(equation: VectorEquation, case: Case) -> dict[str, Vector]:
+    """The letters of the points of whose velocities or accelerations the tips are corners of the
+    polygon: of a base point, of the point of a moving frame, of the point itself.
+    """
+    vertices: dict[str, Vector] = {}
+    for side in (equation.left, equation.right):
+        reached = Vector(0.0, 0.0)
+        for part in side:
+            if part.role == "rotation" and part.base:
+                vertices.setdefault(_write_small(case.naming.letter(part.base), case), reached)
+            if part.role == "relative":
+                shared = prime(case.naming.letter(part.point))
+                vertices.setdefault(_write_small(shared, case), reached)
+            reached = reached + make_floats(part.value)
+        if side and not side[-1].coincident:
+            vertices.setdefault(_write_small(case.naming.letter(side[-1].point), case), reached)
+    return vertices
+
+
+def _write_small(letter: Symbol, case: Case) -> str:
+    """A point's letter as a small one, as corners of polygons have."""
+    text = case.text(letter)
+    return text[:1].lower() + text[1:]
+
+
+def make_floats(vector: Vector) -> Vector:
+    """A vector in doubles."""
+    return Vector(float(vector.x), float(vector.y))
+
+
+def is_seen(vector: Vector) -> bool:
+    """Whether a vector is large enough to draw, and not the rounding error of a zero."""
+    return max(abs(float(vector.x)), abs(float(vector.y))) > NEGLIGIBLE
