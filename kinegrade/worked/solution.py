@@ -26,7 +26,8 @@ from kinegrade.worked.document import Block, Heading, TermTable, WorkedSolution
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.rates.kinds import describe_motions
 from kinegrade.worked.rates.scalars import imposes_single_rate
-from kinegrade.worked.steps.couplers import name_method
+from kinegrade.worked.steps.couplers import find_coupler, name_method
+from kinegrade.worked.steps.ideas import explain_idea
 from kinegrade.worked.steps.methods import explain_by_method
 from kinegrade.worked.steps.pictures import draw_stage
 from kinegrade.worked.steps.polygons import find_common_scale
@@ -47,20 +48,34 @@ def write_worked_solution(
     case = Case(stated, language, method or stated.template.about.method)
     asked = tuple(stated.template.asks[name] for name in asks)
     boxes = AnswerBoxes.around(asked, case)
-    return WorkedSolution(tuple(boxes.frame(_write_blocks(case, asked, boxes))))
+    told = boxes.frame(_write_blocks(case, asked, boxes))
+    return WorkedSolution((*_note_idle_method(method, asked, case), *told))
+
+
+def _note_idle_method(method: Method | None, asked: Sequence[Ask], case: Case) -> Iterator[Block]:
+    """That the method asked for applies to no step."""
+    velocities, _ = select_steps(case.motion, collect_needs(case, asked))
+    stages = _find_stages(velocities, case, "velocity", frozenset())
+    if method is not None and not any(map(find_coupler, stages.values())):
+        yield case.say(Message("solution.method-idle"))
 
 
 def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Iterator[Block]:
     """The chapters in order, each answer as soon as all that it needs is found."""
+    still = tuple(ask for ask in asked if is_positional(ask))
+    moving = tuple(ask for ask in asked if ask not in still)
+    velocities, accelerations = select_steps(case.motion, collect_needs(case, moving))
+    given = [step for step in velocities if _is_given(step, case)]
+    stages = _find_stages(velocities, case, "velocity", _list_found(given))
+    yield from explain_idea(given, stages.items(), asked, case)
+    if accelerations:
+        yield case.say(Message("solution.idea-accelerations"))
     if case.motion.rates:
         yield Heading(case.write(Message("solution.kinds")), 1)
         yield from describe_motions(case)
     yield from _write_position_chapter(case)
-    still = tuple(ask for ask in asked if is_positional(ask))
     yield from explain_pose_answers(case, (ask.name for ask in still))
     yield from boxes.state_missing(still)
-    moving = tuple(ask for ask in asked if ask not in still)
-    velocities, accelerations = select_steps(case.motion, collect_needs(case, moving))
     if velocities:
         yield Heading(case.write(Message("solution.velocities")), 1)
         yield case.say(Message("solution.positive"))
@@ -113,7 +128,7 @@ def _write_level_chapter(
     the given motions come first and count as one step.
     """
     imposed = [step for step in steps if _is_given(step, case)]
-    known: set[Rate] = {rate for step in imposed for rate in step.unknowns}
+    known = set(_list_found(imposed))
     number = 0
     if imposed:
         number = 1
@@ -142,6 +157,11 @@ def _find_stages(
                 stages[step] = find_stage(step, case, level, frozenset(known))
             known |= set(step.unknowns)
     return stages
+
+
+def _list_found(steps: Iterable[Step]) -> frozenset[Rate]:
+    """The rates that steps give."""
+    return frozenset(rate for step in steps for rate in step.unknowns)
 
 
 def _find_level(ask: Ask, case: Case) -> Level:

@@ -9,7 +9,6 @@ from kinegrade.language.message import Message, list_statements
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.mechanism import Body, Mechanism
-from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.shapes import Circle, Line
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
@@ -37,11 +36,6 @@ def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
     roll = next((roll for roll in rolls if roll and roll.body == body.name), None)
     if roll is not None:
         return Message("solution.rolls", body=name, other=describe_track(roll, case))
-    still = make_turning(body.name) in case.motion.rates and case.arithmetic.is_zero(
-        case.motion.omega(body.name)
-    )
-    if still:
-        return Message("solution.plane-instant", body=name)
     return Message("solution.plane", body=name)
 
 

@@ -1,0 +1,118 @@
+"""The idea of a solution, before its steps: what is known and sought, which point or frame is
+chosen and why.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import assert_never
+
+from kinegrade.language.message import Listing, Message, list_all
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import (
+    EqualBeltSpeed,
+    EqualPitchSpeed,
+    EqualRotation,
+    GuidedPoint,
+    ImposedCircling,
+    ImposedMotion,
+    ImposedRotation,
+    Law,
+    NoSlip,
+    SharedPoint,
+)
+from kinegrade.mechanics.plan import Step
+from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.template.template import Ask
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block, Heading
+from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
+from kinegrade.worked.steps.titles import select_scalars
+from kinegrade.worked.vectors.stage import Stage
+
+
+def explain_idea(
+    given: Sequence[Step], stages: Iterable[tuple[Step, Stage]], asked: Sequence[Ask], case: Case
+) -> Iterator[Block]:
+    """The known and the sought, and for each way of finding velocities why it serves."""
+    yield Heading(case.write(Message("solution.idea")), 1)
+    reasons = dict.fromkeys(
+        reason for step, stage in stages for reason in _find_reasons(step, stage)
+    )
+    if not any(any(find_motion_calls(ask.quantity)) for ask in asked):
+        reasons[Message("solution.idea-pose")] = None
+    yield case.say(_join((_name_task(given, asked, case), *reasons)))
+
+
+def _join(sentences: Sequence[Message]) -> Message:
+    first, *others = sentences
+    for following in others:
+        first = Message("solution.sentences", first=first, next=following)
+    return first
+
+
+def _name_task(given: Sequence[Step], asked: Sequence[Ask], case: Case) -> Message:
+    sought = _list_symbols(asked)
+    laws = (case.motion.frames.relations[step.relations[0]].source for step in given)
+    known = [name for law in laws if law is not None for name in _name_given(law, case)]
+    if not known:
+        return Message("solution.idea-sought", sought=sought)
+    return Message("solution.idea-known", known=list_all(known), sought=sought)
+
+
+def _list_symbols(asked: Sequence[Ask]) -> Listing:
+    return list_all(dict.fromkeys(f"${ask.symbol}$" for ask in asked))
+
+
+def _name_given(law: Law, case: Case) -> Iterator[Message]:
+    """The motion that a driver imposes."""
+    match law:
+        case ImposedRotation(body=body, of=of) if of == GROUND:
+            yield Message("solution.rotation-of", body=case.naming.body(body))
+        case ImposedRotation(body=body, of=of):
+            name, other = map(case.naming.body, (body, of))
+            yield Message("solution.rotation-relative-to", body=name, other=other)
+        case ImposedMotion(point=point) | ImposedCircling(point=point):
+            yield Message("solution.motion-along-path", centre=case.naming.point(point))
+        case SharedPoint() | GuidedPoint() | EqualRotation():
+            return
+        case NoSlip() | EqualPitchSpeed() | EqualBeltSpeed():
+            return
+        case _:
+            assert_never(law)
+
+
+def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
+    """Why the equations of a step serve; nothing for those that only carry a motion on."""
+    case, coupler = stage.case, find_coupler(stage)
+    for relation in select_scalars(step, case):
+        roll = relation.source.find_rolling() if relation.source else None
+        if roll:
+            yield Message("solution.idea-roll", body=case.naming.body(roll.body))
+    if coupler is not None:
+        yield _explain_choice(coupler, case)
+    elif len(stage.equations) > 1:
+        yield Message("solution.idea-together")
+    elif stage.equations and len(stage.equations[0].unknowns) == 2:
+        yield from _explain_frames(stage)
+
+
+def _explain_choice(coupler: Coupler, case: Case) -> Message:
+    """Why two points of a body serve, by the method that is taken."""
+    return Message(
+        f"solution.choice-{choose_method(coupler, case)}",
+        body=case.naming.body(coupler.body),
+        base=case.naming.point(coupler.base.point),
+        point=case.naming.point(coupler.point.point),
+    )
+
+
+def _explain_frames(stage: Stage) -> Iterator[Message]:
+    """Why a moving frame serves, or two."""
+    case, compositions = stage.case, stage.equations[0].compositions
+    point = case.naming.point(compositions[0].point) if compositions else ""
+    frames = [case.naming.body(part.frame) for part in compositions]
+    if len(frames) == 1:
+        yield Message("solution.idea-composed", point=point, frame=frames[0])
+    elif frames and len({part.point for part in compositions}) == 1:
+        yield Message("solution.idea-composed-twice", point=point, frames=list_all(frames))

@@ -1,0 +1,91 @@
+"""The idea before the steps: what is known and sought, and why the point or frame is chosen."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.template import METHODS, Method
+from kinegrade.worked.document import Heading, Prose
+from kinegrade.worked.solution import write_worked_solution
+from tests.worked.draws import kept
+
+IDLE = "The method asked for changes nothing here"
+
+
+def read_idea(name: str, method: Method | None = None) -> str:
+    """The first paragraph below the heading, at the published values."""
+    solution = solve_template(load_template(name), {})
+    asked = load_template(name).asked()
+    blocks = write_worked_solution(solution, asked, "en", method).blocks
+    said = blocks[blocks.index(Heading("The idea", 1)) + 1]
+    return said.text if isinstance(said, Prose) else ""
+
+
+@pytest.mark.parametrize("name", find_template_names())
+def test_every_solution_says_what_is_sought_before_all_else(name: str) -> None:
+    first, said, *_ = kept(name)
+    assert first == Heading("The idea", 1)
+    assert isinstance(said, Prose)
+    symbols = {ask.symbol for ask in load_template(name).asks.values()}
+    assert all(f"${symbol}$" in said.text for symbol in symbols)
+
+
+@pytest.mark.parametrize(
+    ("method", "reason"),
+    [
+        (
+            "base-point",
+            "$A$ and $B$ are points of $AB$; the velocity of $A$ can be found and that of $B$ has "
+            "a known direction. So $A$ is taken as base point, and only two magnitudes are "
+            "unknown.",
+        ),
+        (
+            "projection",
+            "$A$ and $B$ are points of $AB$; the velocity of $A$ can be found and that of $B$ has "
+            "a known direction. Their projections on $AB$ are equal, and this gives the velocity "
+            "of $B$ alone.",
+        ),
+        (
+            "pole",
+            "The velocities of the points $A$ and $B$ of $AB$ have known directions, and the "
+            "normals to them lead to its pole.",
+        ),
+    ],
+)
+def test_the_reason_is_that_of_the_method(method: Method, reason: str) -> None:
+    assert read_idea("slider-crank", method) == (
+        r"Known: the rotation of $OA$. Sought: $v_{B}$, $\omega_{AB}$, $\alpha_{AB}$ and $a_{B}$. "
+        + reason
+    )
+
+
+def test_a_moving_frame_has_its_reason() -> None:
+    idea = read_idea("pin-in-disc-slot-and-rod")
+    assert "Seen from the disc and the rod, $M$ moves along a known path each time." in idea
+
+
+def test_a_problem_of_positions_names_its_way() -> None:
+    assert read_idea("pose-four-bar-coupler").endswith(
+        "First come the coordinates of the points; lengths and angles follow from them."
+    )
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_method_that_changes_nothing_says_so(method: Method) -> None:
+    template = load_template("pin-in-disc-slot-and-rod")
+    solution = solve_template(template, {})
+    told = write_worked_solution(solution, template.asked(), "en", method).blocks
+    plain = write_worked_solution(solution, template.asked(), "en").blocks
+    first, *others = told
+    assert isinstance(first, Prose)
+    assert first.text.startswith(IDLE)
+    assert tuple(others) == plain
+
+
+def test_a_method_that_applies_says_nothing_of_it() -> None:
+    assert not any(
+        isinstance(block, Prose) and block.text.startswith(IDLE)
+        for block in kept("slider-crank", 0, "pole")
+    )
