@@ -156,7 +156,8 @@ def _place_frames_and_angles(
         layout = add_right_angle(layout, at, points, drawing)
     sides = [find_sides(at, angle, drawing) for angle in hints.angles]
     legs = [draw_least_legs(at, *each) for each in zip(hints.angles, sides, strict=True)]
-    layout = add_frames(layout, at, hints, [line for lines in legs for line in lines])
+    sparing = [line for lines in legs for line in lines]
+    layout = add_frames(layout, at, hints, drawing, sparing)
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [line for lines in legs[number:] for line in lines]
         for arcs in mark_angles(at, angle, sides[number - 1]):

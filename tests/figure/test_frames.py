@@ -11,15 +11,20 @@ from math import hypot
 import pytest
 
 from kinegrade.figure.marks.frames import add_frames
+from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.scene import BOLD, THIN, Bow, Disc, Outline, Scene, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
+from kinegrade.mechanics.joints import GROUND, Line, Slide
+from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, Axes, BodyFrame, FigureHints, Length
 from tests.figure.clear import faults, heads, lines
-from tests.figure.mechanisms import slider_crank
+from tests.figure.mechanisms import RIGHT, UP, slider_crank
 from tests.figure.more_mechanisms import sliding_plate
+
+EMPTY = Drawing((), (), (), (), (), ())
 
 
 def draw_crank(phi: float = 60, **marks: object) -> Scene:
@@ -68,11 +73,40 @@ def test_the_frame_of_a_body_has_y_a_quarter_turn_after_x(along: str, x: float, 
     assert (named.x, named.y) == (pytest.approx(0.5), pytest.approx(3**0.5 / 2))
 
 
-def test_an_axis_along_a_bar_stands_beside_it() -> None:
+def test_an_axis_along_a_bar_begins_at_its_origin_and_ends_beyond_the_bar() -> None:
     scene = draw_crank(frames=(BodyFrame("x_1", "y_1", "O", "O", "A"),))
     tip, crank = heads(scene)[0].corners[0], lines(scene, BOLD)[0]
     along = (crank[1] - crank[0]) / hypot(*(crank[1] - crank[0]))
-    assert abs(along.cross(tip - crank[0])) > BOLD.width
+    assert abs(along.cross(tip - crank[0])) < 1e-6
+    assert (tip - crank[1]).dot(along) == pytest.approx(7.0)
+
+
+def test_an_axis_along_bare_ground_runs_on_beyond_it() -> None:
+    points = {"O": Vector(0.0, 0.0), "A": Vector(0.4, 0.0), "B": Vector(0.0, 0.3)}
+    joints = (
+        Slide("A", "AB", Line(points["O"], RIGHT), GROUND),
+        Slide("B", "AB", Line(points["O"], UP), GROUND),
+    )
+    rod = Mechanism(points, (Body("AB", ("A", "B")),), joints, ())
+    scene = sketch(rod, FigureHints(shapes={"AB": "bare"}, axes="origin", labels={"O": "O"}))
+    (floor,) = (line for line in lines(scene, FIRM) if line[0].y == line[1].y)
+    tip = heads(scene)[0].corners[0]
+    assert tip.y == pytest.approx(floor[1].y)
+    assert tip.x - max(floor[0].x, floor[1].x) == pytest.approx(7.0)
+
+
+def test_an_axis_that_is_the_leg_of_an_angle_reaches_beyond_its_arc() -> None:
+    frame = BodyFrame("x_1", "y_1", "A", "O", "A")
+    mechanism, _ = slider_crank(0.2, 1.75, 15)
+    beyond = {**mechanism.points, "X": mechanism.points["A"] * 1.2}
+    angle = Angle(r"\varphi", "A", "right", "X")
+    scene = sketch(
+        replace(mechanism, points=beyond),
+        FigureHints(frames=(frame,), angles=(angle,), labels={"X": None}),
+    )
+    (arc,) = (part for part in scene.primitives if isinstance(part, Bow) and part.pen == THIN)
+    tip = heads(scene)[0].corners[0]
+    assert hypot(*(tip - arc.centre)) > arc.radius + 1.0
 
 
 @pytest.mark.parametrize(
@@ -117,7 +151,7 @@ def test_the_letter_of_an_axis_keeps_clear_of_a_line_that_is_still_to_come() -> 
     leg = Strokes(((at["A"], at["B"]),), THIN)
     letters = {}
     for sparing in ((), (leg,)):
-        layout = add_frames(Layout.of(()), at, hints, sparing)
+        layout = add_frames(Layout.of(()), at, hints, EMPTY, sparing)
         letters[sparing] = next(label for label in layout.labels if label.symbol == "x_1")
     drawn = Obstacles.of((leg,))
     covered = [drawn.under_box(*each.centre, each.width, each.height) for each in letters.values()]

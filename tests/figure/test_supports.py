@@ -152,23 +152,30 @@ def test_a_block_is_seen_around_what_is_pinned_to_it(through: bool, use: str) ->
     assert rail.level > rail.block.width / 2
 
 
-def trammel(a: Vector, b: Vector, *names: str) -> tuple[Rail, ...]:
+def trammel(a: Vector, b: Vector, *names: str, shape: str = "bare") -> tuple[Rail, ...]:
     """The rails of a rod AB on the floor and at the wall, with these points at the corner."""
     points = {"A": a, "B": b, **dict.fromkeys(names, ORIGIN)}
     joints = (
         Slide("A", "AB", Line(ORIGIN, RIGHT), GROUND),
         Slide("B", "AB", Line(ORIGIN, UP), GROUND),
     )
-    return find_rails(anatomy_of(Mechanism(points, (Body("AB", ("A", "B")),), joints, ())))
+    mechanism = Mechanism(points, (Body("AB", ("A", "B")),), joints, ())
+    drawn, hints = hinted(mechanism, shapes={"AB": shape} if shape else {})
+    return find_rails(Anatomy.of(scale_to_paper(drawn, 100.0), hints))
 
 
-def test_a_floor_and_a_wall_meet_in_a_corner_at_a_marked_point() -> None:
+def test_the_grounds_of_bare_ends_meet_in_a_corner_at_a_marked_point() -> None:
     floor, wall = trammel(Vector(0.4, 0.0), Vector(0.0, 0.3), "O")
-    assert length(floor.start - wall.start) < 1e-9
-    assert floor.start.x < 0 > floor.start.y
+    assert floor.start == wall.start == ORIGIN
 
 
-@pytest.mark.parametrize(("shapes", "blocks", "reach"), [({}, 2, 1.7), ({"AB": "bare"}, 0, 0.6)])
+def test_the_guides_of_blocks_cross_without_a_corner() -> None:
+    floor, wall = trammel(Vector(0.4, 0.0), Vector(0.0, 0.3), "O", shape="")
+    assert floor.start.x == pytest.approx(32.5)
+    assert wall.start.y == pytest.approx(22.5)
+
+
+@pytest.mark.parametrize(("shapes", "blocks", "reach"), [({}, 2, 1.7), ({"AB": "bare"}, 0, 0.0)])
 def test_a_bare_end_slides_on_the_ground_itself(
     shapes: dict[str, str], blocks: int, reach: float
 ) -> None:

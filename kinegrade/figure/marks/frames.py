@@ -4,19 +4,21 @@ the axes of a body, as two arrows with their letters.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import assert_never
 
+from kinegrade.figure.marks.drawn import measure_drawn
+from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark, direction
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around
-from kinegrade.figure.plane import unit
+from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes, find_common_box
 from kinegrade.figure.symbols import HEAD_LENGTH, PIN, draw_arrowhead
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.template.hints import BodyFrame, FigureHints
+from kinegrade.problem.template.hints import Angle, BodyFrame, FigureHints
 
 _ORIGIN, _RIGHT = Vector(0.0, 0.0), Vector(1.0, 0.0)
 # Millimetres, of the axes at the origin, of those of a body, and of those aside
@@ -25,26 +27,64 @@ _LENGTHS, _BODY_LENGTHS, _ASIDE = (
     (12.0, 9.0, 14.0, 7.5),
     7.0,
 )
+_LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of an angle
+_BEYOND_BAR = (7.0, 8.5, 10.0)  # millimetres of an axis beyond the bar or the ground that it is on
 _ASIDES = (0.0, 1.6, -1.6)  # millimetres, of an axis along a bar from the bar's middle
 # For a millimetre aside: rather on the edge of a plate, from the origin, than beside it; a bar
 # would hide the arrowhead
 _BESIDE = 10.0
+_CLEAR = 3.0  # millimetres about that square that are free as well
 _ROOM = 11.0  # millimetres, of the square that the axes aside take with their letters
 _TIP = 4.5  # millimetres of an axis that should lie clear of everything
 
+# The symbol of an axis, its origin, its direction and the lengths it may have
+_NamedAxis = tuple[str, Vector, Vector, tuple[float, ...]]
+
 
 def add_frames(
-    layout: Layout, at: Mapping[str, Vector], hints: FigureHints, sparing: Sequence[Primitive]
+    layout: Layout,
+    at: Mapping[str, Vector],
+    hints: FigureHints,
+    drawing: Drawing,
+    sparing: Sequence[Primitive],
 ) -> Layout:
     """The layout with the axes that stand at points: those of bodies, then x and y at the
-    origin; their letters keep clear of lines that are still to come.
+    origin; their letters keep clear of lines that are still to come. An axis along a bar or the
+    ground runs on beyond it; one that is the leg of an angle reaches beyond its arc.
     """
-    for frame in hints.frames:
-        place, symbols = _find_place(at, frame), (frame.x, frame.y)
-        layout = _add_frame(layout, place, symbols, _BODY_LENGTHS, sparing=sparing)
+    axes = [axis for frame in hints.frames for axis in _name_axes(*_find_place(at, frame), frame)]
     if hints.axes == "origin":
-        layout = _add_frame(layout, (_ORIGIN, _RIGHT), ("x", "y"), _LENGTHS, sparing=sparing)
+        axes += [("x", _ORIGIN, _RIGHT, _LENGTHS), ("y", _ORIGIN, _RIGHT.turned(), _LENGTHS)]
+    for symbol, origin, toward, usual in axes:
+        long = _LEG_LENGTHS if _is_leg(at, hints.angles, origin, toward) else ()
+        drawn = measure_drawn(origin, toward, drawing)
+        beyond = tuple(drawn + more - PIN for more in _BEYOND_BAR if drawn)
+        sizes = (*long, *usual, *beyond)
+        ways = list(_list_axes(origin + toward * PIN, toward, symbol, sizes))
+        layout = layout.marked(ways, sparing)
     return layout
+
+
+def _name_axes(origin: Vector, along: Vector, frame: BodyFrame) -> tuple[_NamedAxis, _NamedAxis]:
+    """The axes of a body's frame."""
+    return (
+        (frame.x, origin, along, _BODY_LENGTHS),
+        (frame.y, origin, along.turned(), _BODY_LENGTHS),
+    )
+
+
+def _is_leg(
+    at: Mapping[str, Vector], angles: Iterable[Angle], origin: Vector, toward: Vector
+) -> bool:
+    """Whether a body's axis is a side of an angle that is not a side of the paper."""
+    for angle in angles:
+        vertex = at[angle.at]
+        sides = (at[name] - vertex for name in (angle.start, angle.end) if name in at)
+        if length(vertex - origin) < NEAR and any(
+            length(unit(side) - toward) < NEAR for side in sides
+        ):
+            return True
+    return False
 
 
 def add_axes_aside(layout: Layout, hints: FigureHints) -> Layout:
@@ -53,7 +93,8 @@ def add_axes_aside(layout: Layout, hints: FigureHints) -> Layout:
     """
     if hints.axes == "aside":
         corner = _find_free_corner(layout)
-        layout = _add_frame(layout, (corner, _RIGHT), ("x", "y"), (_ASIDE,), gap=0.0)
+        for symbol, toward in (("x", _RIGHT), ("y", _RIGHT.turned())):
+            layout = layout.marked([_Axis(corner, toward, _ASIDE, symbol, 0.0)])
     return layout
 
 
@@ -61,9 +102,9 @@ def _find_free_corner(layout: Layout) -> Vector:
     """Where the origin of a small frame has room for both axes and their letters."""
     box = find_common_box(layout.primitives)
     far = box.left + box.width - _ROOM, box.bottom + box.height - _ROOM
-    middle = Vector(_ROOM / 2, _ROOM / 2)
+    middle, room = Vector(_ROOM / 2, _ROOM / 2), _ROOM + 2 * _CLEAR
     for corner in (Vector(x, y) for y in (box.bottom, far[1]) for x in (box.left, far[0])):
-        if not layout.obstacles.under_box(*(corner + middle), _ROOM, _ROOM):
+        if not layout.obstacles.under_box(*(corner + middle), room, room):
             return corner
     return Vector(box.left - _ASIDE, box.bottom)
 
@@ -78,22 +119,6 @@ def _find_place(at: Mapping[str, Vector], frame: BodyFrame) -> tuple[Vector, Vec
             return at[frame.at], -along.turned()
         case _:
             assert_never(frame.along)
-
-
-def _add_frame(
-    layout: Layout,
-    place: tuple[Vector, Vector],
-    symbols: tuple[str, str],
-    lengths: tuple[float, ...],
-    *,
-    gap: float = PIN,
-    sparing: Sequence[Primitive] = (),
-) -> Layout:
-    origin, along = place
-    for symbol, toward in zip(symbols, (along, along.turned()), strict=True):
-        axes = list(_list_axes(origin + toward * gap, toward, symbol, lengths))
-        layout = layout.marked(axes, sparing)
-    return layout
 
 
 def _list_axes(

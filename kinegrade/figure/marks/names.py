@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -12,16 +13,18 @@ from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
+from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
 from kinegrade.figure.plane import NEAR, length, on_line, polar, unit
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.template.hints import FigureHints
+from kinegrade.problem.template.hints import Angle, FigureHints
 
 # Cost of a letter that may be read as that of another point: between a thin and a firm line
 _MISTAKEN = 20.0
+_NEAR_SPOTS = 48  # spots for a letter of which those outside an angle at its point come first
 _INSIDE = 0.95  # share of a radius: nearer to the rim a letter may stand on either side
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
 
@@ -46,7 +49,11 @@ def label_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> 
     for name in _find_named_points(mechanism, hints, drawing):
         symbol = hints.labels.get(name, write_point_symbol(name))
         if symbol:
-            yield _label_point(symbol, mechanism.points[name], drawing, places)
+            yield _keep_out_of_angles(
+                _label_point(symbol, mechanism.points[name], drawing, places),
+                mechanism.points,
+                [angle for angle in hints.angles if angle.at == name],
+            )
     for name, end in ends:
         yield _label_point(write_point_symbol(name), end, drawing, places)
 
@@ -62,6 +69,23 @@ def _label_point(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]
             spots = spots[np.argsort(beyond, kind="stable")]
     others = [place for place in places if length(place - at) > NEAR]
     return Wish(symbol, spots, demerits=_MISTAKEN * rate_nearness(symbol, spots, [at], others))
+
+
+def _keep_out_of_angles(wish: Wish, at: Mapping[str, Vector], angles: Iterable[Angle]) -> Wish:
+    """The letter of a vertex first outside its angles, in which it would seem to name them, as
+    long as it stands near.
+    """
+    within = np.zeros(len(wish.spots))
+    for angle in angles:
+        vertex = at[angle.at]
+        sides = [unit(direction(at, vertex, name)) for name in (angle.start, angle.end)]
+        middle = unit(sides[0] + sides[1])
+        steps = wish.spots - np.array(vertex)
+        within[steps @ np.array(middle) > np.hypot(*steps.T) * middle.dot(sides[0])] = 1
+    within[_NEAR_SPOTS:] = 2
+    order = np.argsort(within, kind="stable")
+    demerits = None if wish.demerits is None else wish.demerits[order]
+    return replace(wish, spots=wish.spots[order], demerits=demerits)
 
 
 def label_bodies(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from kinegrade.figure.marks.drawn import measure_drawn
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, is_slender
 from kinegrade.figure.placing.mark import direction
@@ -56,18 +57,13 @@ def find_sides(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple
         legs.append(
             Side(
                 angle_of(way),
-                max(ground, _measure_drawn(vertex, way, drawing)),
+                max(ground, measure_drawn(vertex, way, drawing)),
                 length(at[name] - vertex) if name in at else 0.0,
                 _is_broad(vertex, way, drawing),
                 lag,
             )
         )
     return tuple(legs)
-
-
-def _measure_drawn(vertex: Vector, toward: Vector, drawing: Drawing) -> float:
-    """How far a bar is drawn from a point on it in a direction; 0 when none is."""
-    return max((reach for _, reach in _list_bars_along(vertex, toward, drawing)), default=0.0)
 
 
 def _is_broad(vertex: Vector, toward: Vector, drawing: Drawing) -> bool:

@@ -20,7 +20,7 @@ from kinegrade.mechanics.vector import Vector
 
 _REACH = 7.5  # millimetres of a rail on either side of its block
 _SEEN = 2.0  # at least beyond a block: it is seen to run on, even behind a bar
-_BARE = BOLD.width / 2  # from the axis of a guide where the end of a bar slides without a block
+_BARE = 0.0  # from the axis of a guide where a bare end slides: the ground is the guide
 _CLEAR = 0.3  # millimetres between a rail and a bar
 _CORNER = 4.5  # millimetres from a block to a corner at least
 _Leaving = tuple[Vector, float]  # the unit vector of a bar that leaves a point, and half its width
@@ -41,6 +41,11 @@ class Rail:
     level: float
     block: BlockSize | None
     beyond: tuple[Vector, Vector] | None = None
+
+    @property
+    def bare(self) -> bool:
+        """Whether the end of a bar slides there without a block."""
+        return self.block is None
 
     @property
     def surface(self) -> Line:
@@ -72,7 +77,7 @@ def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:
     at = anatomy.mechanism.points[name]
     block = choose_block_size(at, anatomy.parts) if pinned else None
     half = (block.length if block else BLOCK_LENGTH) / 2
-    level = (block.width / 2 if block else _BARE) + FIRM.width / 2
+    level = block.width / 2 + FIRM.width / 2 if block else _BARE
     leaving = list(_list_leaving(anatomy, name))
     sides = _order_sides(anatomy.mechanism, at, along)
     reaches = [_find_reaches(along, side, leaving, level) for side in sides]
@@ -137,9 +142,11 @@ def _find_free_points(points: Mapping[str, Vector], symbols: Sequence[Symbol]) -
 
 
 def _extend(rail: Rail, others: Sequence[Rail], marked: Sequence[Vector]) -> Rail:
-    """The rail up to the corner with another, where a marked point is the end of both guides."""
+    """The ground on which a bare end slides up to the corner with another, where a marked point is
+    the end of both; the guides of blocks cross there without a wall.
+    """
     for other in others:
-        if not _enclose(rail, other):
+        if not (rail.bare and other.bare and _enclose(rail, other)):
             continue
         crossing = meet(Line(rail.at, rail.along), Line(other.at, other.along))
         if any(length(crossing - at) < NEAR * (1 + length(at)) for at in marked):

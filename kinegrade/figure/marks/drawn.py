@@ -1,0 +1,37 @@
+"""How far a straight part of the mechanism, or bare ground, is drawn along a direction."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod
+from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.plane import NEAR, on_line, unit
+from kinegrade.mechanics.joints import Line
+from kinegrade.mechanics.vector import Vector
+
+_BEGINS = 1.0  # millimetres from a point within which what is drawn has to begin
+
+
+def measure_drawn(at: Vector, toward: Vector, drawing: Drawing) -> float:
+    """How far, in millimetres, a bar or the ground is drawn from a point on it in a direction (a
+    unit vector); 0 when none is.
+    """
+    reaches = [0.0]
+    for start, end in _list_lines(drawing):
+        steps = [(end - at).dot(toward), (start - at).dot(toward)]
+        along = abs(unit(end - start).cross(toward)) < NEAR
+        if along and min(steps) < _BEGINS and on_line(at, Line(start, end - start)):
+            reaches += steps
+    return max(reaches)
+
+
+def _list_lines(drawing: Drawing) -> Iterator[Segment]:
+    """The axes of bars, and the ground on which bare ends slide."""
+    for part in drawing.parts:
+        if isinstance(part, Bar | Rod):
+            yield part.start, part.end
+    for rail in drawing.rails:
+        if rail.bare:
+            yield rail.start, rail.end
