@@ -54,8 +54,8 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard)
 FAR = {
     "syntax nodes": 437_000,
-    "lines of code": 47_300,
-    "syntax nodes a line": 9.22,
+    "lines of code": 47_400,
+    "syntax nodes a line": 9.24,
     "modules of more than 250 lines": 12,
 }
 COPIED = """

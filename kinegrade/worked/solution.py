@@ -26,6 +26,7 @@ from kinegrade.worked.document import Block, Heading, TermTable, WorkedSolution
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.rates.kinds import describe_motions
 from kinegrade.worked.rates.scalars import imposes_single_rate
+from kinegrade.worked.steps.checks import check_last
 from kinegrade.worked.steps.couplers import find_coupler, name_method
 from kinegrade.worked.steps.ideas import explain_idea
 from kinegrade.worked.steps.methods import explain_by_method
@@ -144,6 +145,7 @@ def _write_level_chapter(
         known |= set(step.unknowns)
         yield from answers.follow(known)
     yield from answers.follow(None)
+    yield from check_last(stages)
 
 
 def _find_stages(

@@ -48,7 +48,7 @@ def read_chapter(
     title: str, solution: Solution, method: Method | None = None, language: Language = "en"
 ) -> str:
     """The text below a heading, up to the next heading of its level or a higher one; without
-    pictures and boxes.
+    pictures, boxes and checks.
     """
     text = _read_lines(solution, method, language)
     start = text.index(title)
@@ -76,7 +76,8 @@ def _read_lines(solution: Solution, method: Method | None, language: Language) -
 
 
 def _tidy(told: list[str]) -> str:
-    return "\n".join(" ".join(line.split()) for line in told if "[picture" not in line)
+    left_out = ("    [picture", "Check by ")
+    return "\n".join(" ".join(line.split()) for line in told if not line.startswith(left_out))
 
 
 def as_read(text: str) -> str:

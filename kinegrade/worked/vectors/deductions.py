@@ -76,14 +76,14 @@ def show_solution(
 
 def _announce_axis(stage: Stage, projection: Projection) -> Message:
     """On which axis the equation is projected, and why."""
-    axis = _name_axis(projection.axis, stage.case)
+    axis = name_axis(projection.axis, stage.case)
     if projection.dropped is None:
         return Message("solution.project-along", axis=axis)
     dropped = name_part(projection.equation, projection.dropped, stage.case, bold=True)
     return Message("solution.project-drop", axis=axis, dropped=stage.case.text(dropped))
 
 
-def _name_axis(angle: float, case: Case) -> Message:
+def name_axis(angle: float, case: Case) -> Message:
     """The axis at an angle in degrees."""
     slanting = Message("solution.projection-at", angle=case.text(state_angle(angle)))
     return _AXES.get(angle) or slanting
