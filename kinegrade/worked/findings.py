@@ -51,7 +51,8 @@ class Findings:
     """What a solution has found so far, filled in as it is written.
 
     `numbers` are those of the relative motions where a step has several, by the rate of each;
-    `sized` the symbols of vectors known by components whose magnitude has been given as well.
+    `inclined` the lines whose angle with the x axis has been found; `sized` the symbols of vectors
+    known by components whose magnitude has been given as well.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -60,3 +61,4 @@ class Findings:
     circles: set[str] = field(default_factory=set)
     numbers: dict[Rate, Row] = field(default_factory=dict)
     sized: set[VectorSymbol] = field(default_factory=set)
+    inclined: set[tuple[str, str]] = field(default_factory=set)

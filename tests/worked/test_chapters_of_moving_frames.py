@@ -66,16 +66,21 @@ def test_a_composition_of_velocities() -> None:
             velocities
             $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
         [ ] \boldsymbol{v}_{\mathrm{a}} | $O_{1}A \cdot \omega_{O_{1}A} = 8\,\unit{m/s}$ | $\perp
-            O_{1}A$, $90^\circ$
-        [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA$, $126.87^\circ$
-        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel OB$, $36.87^\circ$
-        Projected on the axis at $36.87^\circ$, normal to $\boldsymbol{v}_{\mathrm{e}}$, which so
-            drops out:
-        v_{\mathrm{r}} &= v_{\mathrm{a}}\cos 53.13^\circ = 8\,\unit{m/s} \cdot \cos 53.13^\circ =
+            O_{1}A$
+        [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA$
+        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel OB$
+        $OA$ makes the acute angle $\psi_{OA}$ with the $x$ axis:
+        \tan\psi_{OA} &= \frac{y_{A}}{x_{A}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
+        \psi_{OA} &\approx 36.87^\circ
+        Projected on the direction from $O$ to $A$, normal to $\boldsymbol{v}_{\mathrm{e}}$, which
+            so drops out:
+        v_{\mathrm{r}} &= v_{\mathrm{a}}\sin\psi_{OA} = 8\,\unit{m/s} \cdot \sin 36.87^\circ =
             4.8\,\unit{m/s}\quad(\text{from }O\text{ to }B)
-        Projected on the axis at $126.87^\circ$, normal to $\boldsymbol{v}_{\mathrm{r}}$, which so
-            drops out:
-        v_{\mathrm{e}} &= v_{\mathrm{a}}\cos 36.87^\circ = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
+        $OB$ makes the acute angle $\psi_{OB}$ with the $x$ axis:
+        \tan\psi_{OB} &= \frac{y_{B}}{x_{B}} = \frac{6\,\unit{m}}{8\,\unit{m}} = 0.75
+        \psi_{OB} &\approx 36.87^\circ
+        Projected on the normal to $\boldsymbol{v}_{\mathrm{r}}$, which so drops out:
+        v_{\mathrm{e}} &= v_{\mathrm{a}}\cos\psi_{OB} = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
             6.4\,\unit{m/s}
         \omega &= \frac{v_{\mathrm{e}}}{OA} = \frac{6.4\,\unit{m/s}}{5\,\unit{m}} =
             1.28\,\unit{rad/s}\quad\text{(counter-clockwise)}
@@ -96,26 +101,24 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
             $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\bold\
             symbol{a}_{\mathrm{C}}$:
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $O_{1}A \cdot \omega_{O_{1}A}^{2} =
-            16\,\unit{m/s^2}$ | $A \to O_{1}$, $180^\circ$
+            16\,\unit{m/s^2}$ | $A \to O_{1}$
         [=] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{n}} | $OA \cdot \omega^{2} = 8.192\,\unit{m/s^2}$ |
-            $A \to O$, $216.87^\circ$
-        [+] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}} | ? $(OA \cdot \alpha)$ | $\perp OA$,
-            $126.87^\circ$
-        [+] \boldsymbol{a}_{\mathrm{r}} | ? | $\parallel OB$, $36.87^\circ$
+            $A \to O$
+        [+] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}} | ? $(OA \cdot \alpha)$ | $\perp OA$
+        [+] \boldsymbol{a}_{\mathrm{r}} | ? | $\parallel OB$
         [+] \boldsymbol{a}_{\mathrm{C}} | $2\omega\,v_{\mathrm{r}} = 12.288\,\unit{m/s^2}$ | $\perp
-            v_{\mathrm{r}}$, $126.87^\circ$
+            v_{\mathrm{r}}$
         At this instant $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
-        Projected on the axis at $216.87^\circ$, normal to
+        Projected on the direction from $A$ to $O$, normal to
             $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$, which so drops out:
-        a_{\mathrm{a}}^{\mathrm{n}}\cos 36.87^\circ &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{r}}
-        a_{\mathrm{r}} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{a}}^{\mathrm{n}}\cos 36.87^\circ
-            = 8.192\,\unit{m/s^2} - 16\,\unit{m/s^2} \cdot \cos 36.87^\circ
+        a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{r}}
+        a_{\mathrm{r}} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} =
+            8.192\,\unit{m/s^2} - 16\,\unit{m/s^2} \cdot \cos 36.87^\circ
         &= -4.608\,\unit{m/s^2}\quad(\text{from }B\text{ to }O)
-        Projected on the axis at $126.87^\circ$, normal to $\boldsymbol{a}_{\mathrm{r}}$, which so
-            drops out:
-        a_{\mathrm{a}}^{\mathrm{n}}\cos 53.13^\circ &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{C}}
-        a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{C}} + a_{\mathrm{a}}^{\mathrm{n}}\cos 53.13^\circ
-            = -12.29\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \cos 53.13^\circ
+        Projected on the normal to $\boldsymbol{a}_{\mathrm{r}}$, which so drops out:
+        a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OB} &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{C}}
+        a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{C}} + a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OB} =
+            -12.29\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \sin 36.87^\circ
         &= -2.688\,\unit{m/s^2}\quad\text{(opposite to the direction assumed)}
         \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} = \frac{-2.688\,\unit{m/s^2}}{5\,\unit{m}}
             = -0.5376\,\unit{rad/s^2}\quad\text{(clockwise)}
@@ -133,17 +136,20 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         Moving point: $C$ (of the crank $OC$); moving frame: fixed to block. Composition of
             velocities
             $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
-        [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC$,
-            $143.13^\circ$
-        [=] \boldsymbol{v}_{D} | ? | $\parallel x$, $0^\circ$
-        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel y$, $90^\circ$
+        [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC$
+        [=] \boldsymbol{v}_{D} | ? | $\parallel x$
+        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel y$
         Here $\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{D}$.
         Block translates: all its points have the same velocity.
+        $OC$ makes the acute angle $\psi_{OC}$ with the $x$ axis:
+        \tan\psi_{OC} &= \frac{y_{C}}{x_{C}} = \frac{4\,\unit{m}}{3\,\unit{m}} = \frac{4}{3} \approx
+            1.333
+        \psi_{OC} &\approx 53.13^\circ
         Projected on the $x$ axis, normal to $\boldsymbol{v}_{\mathrm{r}}$, which so drops out:
-        v_{D} &= -v_{\mathrm{a}}\cos 36.87^\circ = -10\,\unit{m/s} \cdot \cos 36.87^\circ =
+        v_{D} &= -v_{\mathrm{a}}\sin\psi_{OC} = -10\,\unit{m/s} \cdot \sin 53.13^\circ =
             -8\,\unit{m/s}\quad\text{(to the left)}
         Projected on the $y$ axis, normal to $\boldsymbol{v}_{D}$, which so drops out:
-        v_{\mathrm{r}} &= v_{\mathrm{a}}\cos 53.13^\circ = 10\,\unit{m/s} \cdot \cos 53.13^\circ =
+        v_{\mathrm{r}} &= v_{\mathrm{a}}\cos\psi_{OC} = 10\,\unit{m/s} \cdot \cos 53.13^\circ =
             6\,\unit{m/s}\quad\text{(upwards)}
         """
     )
@@ -161,19 +167,19 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
             $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\bold\
             symbol{a}_{\mathrm{C}}$:
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20\,\unit{m/s^2}$
-            | $C \to O$, $233.13^\circ$
-        [=] \boldsymbol{a}_{D} | ? | $\parallel x$, $0^\circ$
-        [+] \boldsymbol{a}_{\mathrm{r}} | ? | $\parallel y$, $90^\circ$
+            | $C \to O$
+        [=] \boldsymbol{a}_{D} | ? | $\parallel x$
+        [+] \boldsymbol{a}_{\mathrm{r}} | ? | $\parallel y$
         Here $\boldsymbol{a}_{\mathrm{e}} = \boldsymbol{a}_{D}$.
         Block translates: all its points have the same acceleration, and there is no Coriolis
             acceleration.
         At this instant $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
         Projected on the $x$ axis, normal to $\boldsymbol{a}_{\mathrm{r}}$, which so drops out:
-        a_{D} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos 53.13^\circ = -20\,\unit{m/s^2} \cdot \cos
+        a_{D} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OC} = -20\,\unit{m/s^2} \cdot \cos
             53.13^\circ = -12\,\unit{m/s^2}\quad\text{(to the left)}
         Projected on the $y$ axis, normal to $\boldsymbol{a}_{D}$, which so drops out:
-        a_{\mathrm{r}} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos 36.87^\circ = -20\,\unit{m/s^2} \cdot
-            \cos 36.87^\circ = -16\,\unit{m/s^2}\quad\text{(downwards)}
+        a_{\mathrm{r}} &= -a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OC} = -20\,\unit{m/s^2} \cdot \sin
+            53.13^\circ = -16\,\unit{m/s^2}\quad\text{(downwards)}
         """
     )
 

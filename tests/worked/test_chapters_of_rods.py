@@ -35,18 +35,21 @@ def test_velocities_by_a_base_point() -> None:
         r"""
         Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
             that of the rotation about $B$.
-        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$, $90^\circ$
-        [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$, $0^\circ$
-        [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$, $233.13^\circ$
-        Projected on the axis at $143.13^\circ$, normal to $\boldsymbol{v}_{AB}$, which so drops
+        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
+        [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$
+        [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
+        $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
+        \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
+        \psi_{BA} &\approx 36.87^\circ
+        Projected on the direction from $B$ to $A$, normal to $\boldsymbol{v}_{AB}$, which so drops
             out:
-        v_{A}\cos 53.13^\circ &= -v_{B}\cos 36.87^\circ
-        v_{A} &= -\frac{v_{B}\cos 36.87^\circ}{\cos 53.13^\circ} = -\frac{2\,\unit{m/s} \cdot \cos
-            36.87^\circ}{\cos 53.13^\circ}
-        &= -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
-        Projected on the axis at $180^\circ$, normal to $\boldsymbol{v}_{A}$, which so drops out:
-        0 &= -v_{B} + v_{AB}\cos 53.13^\circ
-        v_{AB} &= \frac{v_{B}}{\cos 53.13^\circ} = \frac{2\,\unit{m/s}}{\cos 53.13^\circ} =
+        v_{A}\sin\psi_{BA} &= -v_{B}\cos\psi_{BA}
+        v_{A} &= -\frac{v_{B}\cos\psi_{BA}}{\sin\psi_{BA}} = -\frac{2\,\unit{m/s} \cdot \cos
+            36.87^\circ}{\sin 36.87^\circ} = -\frac{8}{3}\,\unit{m/s} \approx
+            -2.667\,\unit{m/s}\quad\text{(downwards)}
+        Projected on the normal to $\boldsymbol{v}_{A}$, which so drops out:
+        0 &= -v_{B} + v_{AB}\sin\psi_{BA}
+        v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} =
             \frac{10}{3}\,\unit{m/s} \approx 3.333\,\unit{m/s}
         \omega &= \frac{v_{AB}}{BA} = \frac{3.333\,\unit{m/s}}{5\,\unit{m}} =
             \frac{2}{3}\,\unit{rad/s} \approx 0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
@@ -62,18 +65,21 @@ def test_velocities_by_the_projection_theorem() -> None:
         r"""
         Velocity projection theorem: the velocities of $B$ and $A$ of $AB$ have equal projections on
             the line $BA$.
-        v_{A}\cos 53.13^\circ &= -v_{B}\cos 36.87^\circ
-        v_{A} &= -\frac{v_{B}\cos 36.87^\circ}{\cos 53.13^\circ} = -\frac{2\,\unit{m/s} \cdot \cos
-            36.87^\circ}{\cos 53.13^\circ}
-        &= -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
+        v_{A}\sin\psi_{BA} &= -v_{B}\cos\psi_{BA}
+        v_{A} &= -\frac{v_{B}\cos\psi_{BA}}{\sin\psi_{BA}} = -\frac{2\,\unit{m/s} \cdot \cos
+            36.87^\circ}{\sin 36.87^\circ} = -\frac{8}{3}\,\unit{m/s} \approx
+            -2.667\,\unit{m/s}\quad\text{(downwards)}
         Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
             that of the rotation about $B$.
-        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$, $90^\circ$
-        [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$, $0^\circ$
-        [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA$, $233.13^\circ$
-        Projected on the axis at $180^\circ$, normal to $\boldsymbol{v}_{A}$, which so drops out:
-        0 &= -v_{B} + v_{AB}\cos 53.13^\circ
-        v_{AB} &= \frac{v_{B}}{\cos 53.13^\circ} = \frac{2\,\unit{m/s}}{\cos 53.13^\circ} =
+        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
+        [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$
+        [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA$
+        $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
+        \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
+        \psi_{BA} &\approx 36.87^\circ
+        Projected on the normal to $\boldsymbol{v}_{A}$, which so drops out:
+        0 &= -v_{B} + v_{AB}\sin\psi_{BA}
+        v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} =
             \frac{10}{3}\,\unit{m/s} \approx 3.333\,\unit{m/s}
         \omega_{AB} &= \frac{v_{AB}}{BA} = \frac{3.333\,\unit{m/s}}{5\,\unit{m}} =
             \frac{2}{3}\,\unit{rad/s} \approx 0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
@@ -123,15 +129,18 @@ def test_a_rod_whose_end_stands_still() -> None:
         r"""
         Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
             that of the rotation about $B$.
-        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$, $90^\circ$
-        [=] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$, $233.13^\circ$
+        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
+        [=] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
         At this instant $v_{B} = 0$.
-        Projected on the axis at $143.13^\circ$, normal to $\boldsymbol{v}_{AB}$, which so drops
+        $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
+        \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
+        \psi_{BA} &\approx 36.87^\circ
+        Projected on the direction from $B$ to $A$, normal to $\boldsymbol{v}_{AB}$, which so drops
             out:
-        v_{A}\cos 53.13^\circ &= 0
+        v_{A}\sin\psi_{BA} &= 0
         v_{A} &= 0
-        Projected on the axis at $180^\circ$, normal to $\boldsymbol{v}_{A}$, which so drops out:
-        0 &= v_{AB}\cos 53.13^\circ
+        Projected on the normal to $\boldsymbol{v}_{A}$, which so drops out:
+        0 &= v_{AB}\sin\psi_{BA}
         v_{AB} &= 0
         \omega &= \frac{v_{AB}}{BA} = 0
         """
@@ -186,20 +195,22 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         ## 2. $AB$: base point $A$
         Base point method for $AB$: the acceleration of $B$ is that of the base point $A$ plus the
             normal and tangential accelerations of the rotation about $A$.
-        [ ] \boldsymbol{a}_{B} | ? | $\parallel x$, $0^\circ$
+        [ ] \boldsymbol{a}_{B} | ? | $\parallel x$
         [=] \boldsymbol{a}_{A}^{\mathrm{n}} | $OA \cdot \omega_{OA}^{2} = 12\,\unit{m/s^2}$ | $A \to
-            O$, $270^\circ$
-        [+] \boldsymbol{a}_{BA}^{\mathrm{t}} | ? $(AB \cdot \alpha)$ | $\perp AB$, $53.13^\circ$
+            O$
+        [+] \boldsymbol{a}_{BA}^{\mathrm{t}} | ? $(AB \cdot \alpha)$ | $\perp AB$
         At this instant $a_{A}^{\mathrm{t}} = 0$, $a_{BA}^{\mathrm{n}} = 0$.
-        Projected on the axis at $323.13^\circ$, normal to $\boldsymbol{a}_{BA}^{\mathrm{t}}$, which
-            so drops out:
-        a_{B}\cos 36.87^\circ &= a_{A}^{\mathrm{n}}\cos 53.13^\circ
-        a_{B} &= \frac{a_{A}^{\mathrm{n}}\cos 53.13^\circ}{\cos 36.87^\circ} =
-            \frac{12\,\unit{m/s^2} \cdot \cos 53.13^\circ}{\cos 36.87^\circ} =
-            9\,\unit{m/s^2}\quad\text{(to the right)}
+        $AB$ makes the acute angle $\psi_{AB}$ with the $x$ axis:
+        \tan\psi_{AB} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
+        \psi_{AB} &\approx 36.87^\circ
+        Projected on the direction from $A$ to $B$, normal to $\boldsymbol{a}_{BA}^{\mathrm{t}}$,
+            which so drops out:
+        a_{B}\cos\psi_{AB} &= a_{A}^{\mathrm{n}}\sin\psi_{AB}
+        a_{B} &= \frac{a_{A}^{\mathrm{n}}\sin\psi_{AB}}{\cos\psi_{AB}} = \frac{12\,\unit{m/s^2}
+            \cdot \sin 36.87^\circ}{\cos 36.87^\circ} = 9\,\unit{m/s^2}\quad\text{(to the right)}
         Projected on the $y$ axis, normal to $\boldsymbol{a}_{B}$, which so drops out:
-        0 &= -a_{A}^{\mathrm{n}} + a_{BA}^{\mathrm{t}}\cos 36.87^\circ
-        a_{BA}^{\mathrm{t}} &= \frac{a_{A}^{\mathrm{n}}}{\cos 36.87^\circ} =
+        0 &= -a_{A}^{\mathrm{n}} + a_{BA}^{\mathrm{t}}\cos\psi_{AB}
+        a_{BA}^{\mathrm{t}} &= \frac{a_{A}^{\mathrm{n}}}{\cos\psi_{AB}} =
             \frac{12\,\unit{m/s^2}}{\cos 36.87^\circ} = 15\,\unit{m/s^2}
         \alpha &= \frac{a_{BA}^{\mathrm{t}}}{AB} = \frac{15\,\unit{m/s^2}}{5\,\unit{m}} =
             3\,\unit{rad/s^2}\quad\text{(counter-clockwise)}

@@ -214,9 +214,8 @@ def test_gears_with_fixed_axes() -> None:
         Moving point: $C$ (of pinion); moving frame: fixed to the gear. Composition of velocities
             $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
         [ ] 0 | |
-        [=] \boldsymbol{v}_{\mathrm{e}} | $OC \cdot \omega_{O} = 8\,\unit{m/s}$ | $\perp OC$,
-            $90^\circ$
-        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\perp OC$, $90^\circ$
+        [=] \boldsymbol{v}_{\mathrm{e}} | $OC \cdot \omega_{O} = 8\,\unit{m/s}$ | $\perp OC$
+        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\perp OC$
         Here $\boldsymbol{v}_{\mathrm{a}} = 0$.
         Projected on the $y$ axis:
         0 &= v_{\mathrm{e}} + v_{\mathrm{r}}

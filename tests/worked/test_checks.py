@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 
 import pytest
+from tests.worked.printed_values import worth
 
 from kinegrade.problem.template.library.library import find_template_names
 from kinegrade.worked.document import Prose
 from tests.worked.draws import drawn, kept
-from tests.worked.printed_values import worth
 
 CHECK = re.compile(r"^Check by the projection on (.*), which has not been used: \$(.*)\$\.$")
 

@@ -11,11 +11,10 @@ from kinegrade.mechanics.plan import Step
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.equation import Equation, approximate
 from kinegrade.worked.steps.couplers import choose_method, find_coupler
-from kinegrade.worked.vectors.deductions import name_axis
+from kinegrade.worked.vectors.deductions import AXIS_NAMES
 from kinegrade.worked.vectors.projection import Projection, find_deductions
 from kinegrade.worked.vectors.stage import Stage
 
-_AXES = (0.0, 90.0)
 _SAME = 1e-6  # degrees within which two axes are one
 
 
@@ -29,7 +28,7 @@ def check_last(stages: Mapping[Step, Stage]) -> Iterator[Block]:
             sides = stage.project(projection, step.unknowns)
             equation = Equation(sides.links[0].right, approximate(sides.left))
             told = stage.case.tell(equation)
-            axis = name_axis(projection.axis, stage.case)
+            axis = AXIS_NAMES[projection.axis]
             yield stage.case.say(Message("solution.check", axis=axis, equation=told))
             return
 
@@ -45,7 +44,7 @@ def _find_unused(step: Step, stage: Stage) -> Projection | None:
     (equation,) = stage.equations
     deductions = find_deductions(stage.equations, (), step.unknowns)
     used = [one.axis for deduction in deductions for one in deduction.projections]
-    unused = (Projection(equation, axis, None) for axis in _AXES if not _is_among(axis, used))
+    unused = (Projection(equation, axis, None) for axis in AXIS_NAMES if not _is_among(axis, used))
     return next((one for one in unused if one.left and one.right), None)
 
 

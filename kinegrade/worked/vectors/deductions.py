@@ -18,15 +18,21 @@ from kinegrade.worked.formulas.equation import (
     lead_to,
 )
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import double, length
-from kinegrade.worked.formulas.numbers import measure, state_angle, state_number
+from kinegrade.worked.formulas.measures import bearing, double, length
+from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.senses import state_rotation_sense, state_sense_along
+from kinegrade.worked.vectors.inclinations import find_ends, introduce_angle
 from kinegrade.worked.vectors.magnitudes import find_track_ends
 from kinegrade.worked.vectors.projection import Deduction, Projection
-from kinegrade.worked.vectors.stage import Stage, measure_along_direction
+from kinegrade.worked.vectors.stage import (
+    Stage,
+    find_share_cosine,
+    measure_along_direction,
+)
 from kinegrade.worked.vectors.vectors import UNITS, name_arm, name_part, name_value
 
-_AXES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.projection-y")}
+_RIGHT_ANGLE = 90.0
+AXIS_NAMES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.projection-y")}
 
 
 def explain_deduction(
@@ -35,6 +41,7 @@ def explain_deduction(
     """A deduction in words and equations; relations between rates have been written before."""
     case, single = stage.case, len(deduction.unknowns) == 1 and not deduction.scalars
     for projection in deduction.projections:
+        yield from _introduce_angles(stage, projection)
         yield case.say(_announce_axis(stage, projection))
         if single:
             yield show_solution(stage, projection, solved, deduction.unknowns[0])
@@ -44,6 +51,16 @@ def explain_deduction(
         yield case.say(Message("solution.together"))
         results = (result for rate in deduction.unknowns for result in _state_results(stage, rate))
         yield case.show(*results)
+
+
+def _introduce_angles(stage: Stage, projection: Projection) -> Iterator[Block]:
+    """The angles that a projection uses and that have not been found before."""
+    for share in (*projection.left, *projection.right):
+        if not share.angle or find_share_cosine(projection, share, stage.case) is None:
+            continue
+        for part in (projection.dropped, share.part):
+            if part is not None:
+                yield from introduce_angle(part, stage.case)
 
 
 def _state_projection(
@@ -76,17 +93,37 @@ def show_solution(
 
 def _announce_axis(stage: Stage, projection: Projection) -> Message:
     """On which axis the equation is projected, and why."""
-    axis = name_axis(projection.axis, stage.case)
-    if projection.dropped is None:
+    case, part = stage.case, projection.dropped
+    if part is None:
+        axis = AXIS_NAMES.get(projection.axis) or _name_direction_of_part(projection, case)
         return Message("solution.project-along", axis=axis)
-    dropped = name_part(projection.equation, projection.dropped, stage.case, bold=True)
-    return Message("solution.project-drop", axis=axis, dropped=stage.case.text(dropped))
+    dropped = case.text(name_part(projection.equation, part, case, bold=True))
+    known = AXIS_NAMES.get(projection.axis) or _name_line(projection.axis, part, case)
+    if known is None:
+        return Message("solution.project-normal", dropped=dropped)
+    return Message("solution.project-drop", axis=known, dropped=dropped)
 
 
-def name_axis(angle: float, case: Case) -> Message:
-    """The axis at an angle in degrees."""
-    slanting = Message("solution.projection-at", angle=case.text(state_angle(angle)))
-    return _AXES.get(angle) or slanting
+def _name_direction_of_part(projection: Projection, case: Case) -> Message:
+    """The direction of the part along the axis, which is the one that is sought."""
+    along = (share.part for share in (*projection.left, *projection.right) if not share.angle)
+    vector = name_part(projection.equation, next(along), case, bold=True)
+    return Message("solution.projection-of", vector=case.text(vector))
+
+
+def _name_line(axis: float, dropped: Part, case: Case) -> Message | None:
+    """The axis as the direction from one point to another, to which a rotating part is normal; None
+    for other parts.
+    """
+    ends = find_ends(dropped, case)
+    if ends is None or dropped.term is None or dropped.term.kind == "sliding":
+        return None
+    start, end = (case.motion.points[point] for point in ends)
+    turned = abs((bearing(end - start) - axis + 180) % 360 - 180)
+    first, last = ends if turned < _RIGHT_ANGLE else (ends[1], ends[0])
+    return Message(
+        "solution.projection-line", start=case.naming.point(first), end=case.naming.point(last)
+    )
 
 
 def _state_results(stage: Stage, rate: Rate) -> Iterator[Equation]:

@@ -113,12 +113,12 @@ def _find_omega(case: Case, body: str) -> Any:
 
 
 def describe_direction(equation: VectorEquation, part: Part, case: Case) -> str:
-    """The direction of a part in prose: how it lies, and its angle from +x; of an unknown part its
-    positive sense.
+    """The direction of a part in prose: how it lies; where no line is named, its angle from +x, of
+    an unknown part that of its positive sense.
     """
-    angle = case.text(state_angle(bearing(find_heading(part))))
     how = _find_orientation(equation, part, case)
-    return f"${write_row(how)}$, ${angle}$" if how else f"${angle}$"
+    angle = case.text(state_angle(bearing(find_heading(part))))
+    return f"${write_row(how)}$" if how else f"${angle}$"
 
 
 def find_heading(part: Part) -> Vector:

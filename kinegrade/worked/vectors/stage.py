@@ -15,6 +15,13 @@ from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import measure, state_angle
+from kinegrade.worked.vectors.inclinations import (
+    Cosine,
+    Inclination,
+    find_cosine,
+    find_inclination,
+    name_direction,
+)
 from kinegrade.worked.vectors.magnitudes import state_magnitude
 from kinegrade.worked.vectors.projection import Projection, Share
 from kinegrade.worked.vectors.vectors import UNITS, name_value
@@ -42,16 +49,10 @@ class Stage:
         rates that are solved.
         """
         left, right = (
-            self._add_shares(projection.equation, side, solved)
+            add_terms(self._list_terms(projection, side, 1, solved))
             for side in (projection.left, projection.right)
         )
         return Equation(left, equate(right))
-
-    def _add_shares(
-        self, equation: VectorEquation, shares: Sequence[Share], solved: Collection[Rate] | None
-    ) -> Formula:
-        """One side of a projection."""
-        return add_terms(self._list_terms(equation, shares, 1, solved))
 
     def solve(
         self, projection: Projection, rate: Rate, solved: Collection[Rate] | None
@@ -68,28 +69,39 @@ class Stage:
         if len(sought) != 1 or len(self.occurrences(rate)) != 1:
             return None
         ((side, share),) = sought
-        turned = -side * share.sign
         left = [one for one in projection.left if one.part.unknown != rate]
         right = [one for one in projection.right if one.part.unknown != rate]
         terms = [
-            *self._list_terms(projection.equation, right, -turned, solved),
-            *self._list_terms(projection.equation, left, turned, solved),
+            *self._list_terms(projection, right, -side, solved),
+            *self._list_terms(projection, left, side, solved),
         ]
-        return divide_by_cosine(add_terms(terms), share.angle)
+        sign, cosine = self._state_cosine(projection, share, solved is not None)
+        total = add_terms(term.signed(-sign) for term in terms)
+        return divide_by(total, cosine)
 
     def _list_terms(
         self,
-        equation: VectorEquation,
+        projection: Projection,
         shares: Sequence[Share],
         sign: int,
         solved: Collection[Rate] | None,
     ) -> Iterator[Formula]:
         """The shares of one side, each with its cosine and, where `sign` is negative, turned."""
         for share in shares:
-            amount = self._state_share(equation, share.part, solved)
+            amount = self._state_share(projection.equation, share.part, solved)
             if amount != ZERO:
-                term = multiply_by_cosine(amount.size, share.angle)
-                yield term.signed(sign * amount.sign * share.sign)
+                turned, cosine = self._state_cosine(projection, share, solved is not None)
+                term = amount.size if cosine == ONE else amount.size * cosine
+                yield term.signed(sign * amount.sign * turned)
+
+    def _state_cosine(
+        self, projection: Projection, share: Share, in_numbers: bool
+    ) -> tuple[int, Formula]:
+        """The sign and the cosine with which a part counts: of named angles where it has them."""
+        named = find_share_cosine(projection, share, self.case) if share.angle else None
+        if named is None:
+            return share.sign, multiply_by_cosine(ONE, share.angle)
+        return named.sign, named.state(in_numbers)
 
     def _state_share(
         self, equation: VectorEquation, part: Part, solved: Collection[Rate] | None
@@ -133,11 +145,25 @@ def multiply_by_cosine(size: Formula, angle: float) -> Formula:
     return cosine if size == ONE else size * cosine
 
 
-def divide_by_cosine(size: Formula, angle: float) -> Formula:
-    """A formula over the cosine of an angle in degrees, a minus sign before the fraction."""
-    if angle == 0 or size == ZERO:
+def divide_by(size: Formula, cosine: Formula) -> Formula:
+    """A formula over a cosine, a minus sign before the fraction."""
+    if size == ZERO or cosine == ONE:
         return size
-    return (size.size / Function("cos", state_angle(angle))).signed(size.sign)
+    return (size.size / cosine).signed(size.sign)
+
+
+def find_share_cosine(projection: Projection, share: Share, case: Case) -> Cosine | None:
+    """The cosine of a part's angle with the axis, where both have named directions."""
+    heading = find_inclination(share.part, case)
+    axis = find_axis(projection, case)
+    return None if heading is None or axis is None else find_cosine(heading, axis)
+
+
+def find_axis(projection: Projection, case: Case) -> Inclination | None:
+    """The axis as a named direction: by the unknown normal to it, else by a part along it."""
+    along = (share.part for share in (*projection.left, *projection.right) if not share.angle)
+    part = projection.dropped or next(along, None)
+    return None if part is None else name_direction(projection.axis, part, case)
 
 
 def measure_along_direction(term: Term, case: Case, level: Level) -> Any:

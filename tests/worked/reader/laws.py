@@ -105,12 +105,12 @@ def _name_left(line: Line) -> str:
 def _judge_line(line: Line, sought: Set[str], known: _Known) -> Iterator[Fault]:
     """The faults of one equation; what it finds is known from then on."""
     rows = (line.left, *(side.row for side in line.sides))
-    angles = [*known.angles, *(abs(angle) for row in rows for angle in _add_angles(row, known))]
+    known.angles += [abs(angle) for row in rows for angle in _add_angles(row, known)]
     for row in rows:
         if is_long(row):
             yield Fault("short", line.text)
         if not is_decimal(row):
-            yield from _judge_angles(row, line.text, angles)
+            yield from _judge_angles(row, line.text, known.angles)
         for symbol in find_symbols(row):
             if not {symbol, f"|{symbol}|"} & {*known.amounts, *known.named, *sought}:
                 yield Fault("symbol", f"{symbol} in {line.text}")

@@ -1,0 +1,185 @@
+"""Directions by named angles: what a direction makes with the x axis, by an angle of the statement
+or by one that is derived from the coordinates of two points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal, TypeAlias, assert_never
+
+from kinegrade.expressions.tree import Call, Expression, Name, Operation
+from kinegrade.language.message import Message
+from kinegrade.mechanics.vector_equation import Part
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block, Display
+from kinegrade.worked.formulas.atoms import TWO, Symbol, add_terms
+from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.measures import bearing, tidy
+from kinegrade.worked.formulas.numbers import state_angle
+from kinegrade.worked.formulas.symbols import index_letter, join_letters
+from kinegrade.worked.positions.algebra import ZERO, minus, over
+from kinegrade.worked.positions.instance import DEGREE, PURE, make_instance
+from kinegrade.worked.vectors.magnitudes import find_heading, find_track_ends
+from kinegrade.worked.vectors.stated_angles import find_stated_angle
+
+_RIGHT = 90.0
+_CLOSE = 1e-6  # degrees
+_ACUTE = "psi"  # the letter of a derived angle
+_Ratio: TypeAlias = Literal["sin", "cos"]
+_TURNED: tuple[tuple[int, _Ratio], ...] = ((1, "cos"), (-1, "sin"), (-1, "cos"), (1, "sin"))
+
+
+@dataclass(frozen=True)
+class Inclination:
+    """A direction as sign times a named angle plus right angles, counter-clockwise from +x.
+
+    `angle` is None for a direction along an axis; `value` is that of the angle, in degrees.
+    """
+
+    sign: int
+    angle: Formula | None
+    value: float
+    quarters: int
+
+
+@dataclass(frozen=True)
+class Cosine:
+    """The cosine of the angle between two directions, as a sine or cosine of named angles."""
+
+    sign: int
+    function: _Ratio
+    angle: Formula
+    value: float
+
+    def state(self, in_numbers: bool) -> Formula:
+        """The function without its sign, of the angle in symbols or in degrees."""
+        return Function(self.function, state_angle(self.value) if in_numbers else self.angle)
+
+
+def find_cosine(heading: Inclination, axis: Inclination) -> Cosine | None:
+    """The cosine of the angle between two directions; None where that is a right angle or none."""
+    terms = [
+        (sign, one)
+        for sign, one in ((heading.sign, heading), (-axis.sign, axis))
+        if one.angle is not None
+    ]
+    value = tidy(sum(sign * one.value for sign, one in terms))
+    if value < 0:
+        return find_cosine(_mirror(heading), _mirror(axis))
+    angle = _add_angles([(sign, one.angle) for sign, one in terms if one.angle is not None])
+    if angle is None:
+        return None
+    sign, function = _TURNED[(heading.quarters - axis.quarters) % 4]
+    return Cosine(sign, function, angle, value)
+
+
+def _mirror(one: Inclination) -> Inclination:
+    """The direction reflected in the x axis, whose cosines are the same."""
+    return Inclination(-one.sign, one.angle, one.value, -one.quarters)
+
+
+def _add_angles(terms: list[tuple[int, Formula]]) -> Formula | None:
+    """A sum of angles, those that count positive first; None where nothing is left."""
+    if len(terms) == 2 and terms[0][1] == terms[1][1]:
+        same = terms[0][0] == terms[1][0]
+        return (TWO * terms[0][1]).signed(terms[0][0]) if same else None
+    ordered = sorted(terms, key=lambda term: -term[0])
+    return add_terms(angle.signed(sign) for sign, angle in ordered) if terms else None
+
+
+def find_inclination(part: Part, case: Case) -> Inclination | None:
+    """The direction of a part, its positive one where it is unknown; None where no angle is
+    named.
+    """
+    return name_direction(bearing(find_heading(part)), part, case)
+
+
+def name_direction(direction: float, part: Part, case: Case) -> Inclination | None:
+    """A direction along or normal to the line that belongs to a part."""
+    if _is_right(direction):
+        return Inclination(1, None, 0.0, round(direction / _RIGHT))
+    line = _find_line(part, case)
+    if line is None:
+        return None
+    angle, sign, value = line
+    quarters = (direction - sign * value) / _RIGHT
+    if abs(quarters - round(quarters)) > _CLOSE:
+        return None
+    return Inclination(sign, angle, value, round(quarters))
+
+
+def _is_right(direction: float) -> bool:
+    return abs(direction / _RIGHT - round(direction / _RIGHT)) < _CLOSE
+
+
+def find_ends(part: Part, case: Case) -> tuple[str, str] | None:
+    """The two points of the line along or normal to which a part lies."""
+    term = part.term
+    if term is None:
+        return None
+    match term.kind:
+        case "sliding":
+            return find_track_ends(term, case)
+        case "rotation" | "arc":
+            return (term.base, term.point)
+        case _:
+            assert_never(term.kind)
+
+
+def _find_line(part: Part, case: Case) -> tuple[Formula, int, float] | None:
+    """The named angle of a part's line, the sign with which it counts, and its value."""
+    ends = find_ends(part, case)
+    if ends is None or not set(ends) <= set(case.motion.points):
+        return None
+    start, end = (case.motion.points[point] for point in ends)
+    value = bearing(end - start)
+    stated = find_stated_angle(ends, case)
+    if stated is not None:
+        return stated
+    acute = min(value % 180, 180 - value % 180)
+    return name_acute(ends, case), 1 if value % 180 < _RIGHT else -1, tidy(acute)
+
+
+def name_acute(ends: tuple[str, str], case: Case) -> Symbol:
+    """The acute angle between a line and the x axis, psi_AB."""
+    return index_letter(_ACUTE, join_letters(map(case.naming.letter, ends)).row)
+
+
+def introduce_angle(part: Part, case: Case) -> Iterator[Block]:
+    """Where the angle of a part's line comes from, unless that is given or has been said."""
+    ends = find_ends(part, case)
+    found = find_inclination(part, case)
+    if ends is None or found is None or found.angle != name_acute(ends, case):
+        return
+    if ends in case.findings.inclined:
+        return
+    case.findings.inclined.add(ends)
+    instance = make_instance(case)
+    pair = instance.axes.pair(Operation("-", Name(ends[1]), Name(ends[0])))
+    if pair is None:
+        return
+    symbol = name_acute(ends, case)
+    rise, run = (_make_positive(one, instance.sign(one)) for one in (pair[1], pair[0]))
+    name = instance.free("inclination")
+    slope = over(rise, run)
+    further = instance.named(name, symbol, instance.value(Call("atan", (slope,))))
+    line = case.text(join_letters(map(case.naming.letter, ends)))
+    angle = case.text(symbol)
+    yield case.say(Message("solution.inclination", line=line, angle=angle))
+    tangent = Function("tan", symbol)
+    yield Display(
+        (
+            *instance.equation(tangent, slope, PURE),
+            *further.equation(symbol, Name(name), DEGREE),
+        )
+    )
+
+
+def _make_positive(tree: Expression, sign: int) -> Expression:
+    """A difference of coordinates, taken the way in which it is positive."""
+    if sign >= 0:
+        return tree
+    if isinstance(tree, Operation) and tree.sign == "-":
+        return minus(tree.right, tree.left)
+    return minus(ZERO, tree)

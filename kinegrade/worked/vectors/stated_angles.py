@@ -1,0 +1,82 @@
+"""Directions that a template states by an angle of its givens: from one point to another that is
+constructed on a ray from it.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Mapping
+from math import degrees, nan, pi
+from typing import assert_never
+
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
+from kinegrade.numbers.angle import Angle
+from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.leaves import count_quarter_turns, formulate
+from kinegrade.worked.formulas.measures import tidy
+from kinegrade.worked.formulas.symbols import collect_symbols
+from kinegrade.worked.positions.construction_steps import list_steps
+
+_WORK: Mapping[str, Callable[[float, float], float]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+    "**": operator.pow,
+}
+
+
+def find_stated_angle(ends: tuple[str, str], case: Case) -> tuple[Formula, int, float] | None:
+    """The angle that states the line through two points: in symbols and without right angles, the
+    sign with which it counts counter-clockwise from +x, and its degrees; None where none does.
+    """
+    angles = (_read_polar(step.point, step.tree, ends) for step in list_steps(case.template))
+    angle = next((one for one in angles if one is not None), None)
+    if angle is None:
+        return None
+    sign, plain = _drop_right_angles(angle)
+    symbols = formulate(collect_symbols(case.template)).state(plain, True)
+    return symbols, sign, tidy(degrees(_evaluate(plain, case)))
+
+
+def _read_polar(point: str, tree: Expression, ends: tuple[str, str]) -> Expression | None:
+    """The angle of a point's construction, where that is from one end to the other and the angle is
+    made of givens alone.
+    """
+    if not isinstance(tree, Call) or tree.function != "polar":
+        return None
+    base, _, angle = tree.arguments
+    if {point, base.name if isinstance(base, Name) else ""} != {*ends}:
+        return None
+    return None if any(isinstance(part, Call) for part in walk(angle)) else angle
+
+
+def _drop_right_angles(angle: Expression) -> tuple[int, Expression]:
+    """What remains of a sum without right angles, and the sign with which it counts."""
+    if not isinstance(angle, Operation) or angle.sign not in ("+", "-"):
+        return 1, angle
+    if count_quarter_turns(angle.right) is not None:
+        return _drop_right_angles(angle.left)
+    if count_quarter_turns(angle.left) is None:
+        return 1, angle
+    sign, rest = _drop_right_angles(angle.right)
+    return sign * {"+": 1, "-": -1}[angle.sign], rest
+
+
+def _evaluate(angle: Expression, case: Case) -> float:
+    """An angle made of givens, in radians."""
+    match angle:
+        case Name("pi"):
+            return pi
+        case Name(name):
+            value = case.solution.assembly.values[name]
+            return float(value.ball() if isinstance(value, Angle) else value)
+        case Number(value=value):
+            return float(value)
+        case Operation(sign=sign, left=left, right=right):
+            return _WORK[sign](_evaluate(left, case), _evaluate(right, case))
+        case Call():
+            return nan
+        case _:
+            assert_never(angle)
