@@ -78,7 +78,7 @@ def test_an_axis_along_a_bar_begins_at_its_origin_and_ends_beyond_the_bar() -> N
     tip, crank = heads(scene)[0].corners[0], lines(scene, BOLD)[0]
     along = (crank[1] - crank[0]) / hypot(*(crank[1] - crank[0]))
     assert abs(along.cross(tip - crank[0])) < 1e-6
-    assert (tip - crank[1]).dot(along) == pytest.approx(7.0)
+    assert (tip - crank[1]).dot(along) == pytest.approx(6.0)
 
 
 def test_an_axis_along_bare_ground_runs_on_beyond_it() -> None:
@@ -92,7 +92,7 @@ def test_an_axis_along_bare_ground_runs_on_beyond_it() -> None:
     (floor,) = (line for line in lines(scene, FIRM) if line[0].y == line[1].y)
     tip = heads(scene)[0].corners[0]
     assert tip.y == pytest.approx(floor[1].y)
-    assert tip.x - max(floor[0].x, floor[1].x) == pytest.approx(7.0)
+    assert tip.x - max(floor[0].x, floor[1].x) == pytest.approx(6.0)
 
 
 def test_an_axis_that_is_the_leg_of_an_angle_reaches_beyond_its_arc() -> None:

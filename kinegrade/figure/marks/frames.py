@@ -28,7 +28,7 @@ _LENGTHS, _BODY_LENGTHS, _ASIDE = (
     7.0,
 )
 _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of an angle
-_BEYOND_BAR = (7.0, 8.5, 10.0)  # millimetres of an axis beyond the bar or the ground that it is on
+_BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
 _ASIDES = (0.0, 1.6, -1.6)  # millimetres, of an axis along a bar from the bar's middle
 # For a millimetre aside: rather on the edge of a plate, from the origin, than beside it; a bar
 # would hide the arrowhead

@@ -74,7 +74,7 @@ class _Surroundings:
     def rate(self, arrow: _MovingArrow) -> _MovingArrow:
         """The arrow with its demerit here; the way to one in the ground is past the hatching."""
         worse, past = 0.0, arrow.past
-        if self.angles.along(arrow.path(), arrow.shared) > 0:
+        if self.angles.lines and self.angles.along(arrow.path(), arrow.shared) > 0:
             worse += _ACROSS_ARC
         for rail in self.rails:
             slides = length(rail.at - arrow.point) < NEAR

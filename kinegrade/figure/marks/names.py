@@ -49,11 +49,9 @@ def label_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> 
     for name in _find_named_points(mechanism, hints, drawing):
         symbol = hints.labels.get(name, write_point_symbol(name))
         if symbol:
-            yield _keep_out_of_angles(
-                _label_point(symbol, mechanism.points[name], drawing, places),
-                mechanism.points,
-                [angle for angle in hints.angles if angle.at == name],
-            )
+            wish = _label_point(symbol, mechanism.points[name], drawing, places)
+            angles = [angle for angle in hints.angles if angle.at == name]
+            yield _keep_out_of_angles(wish, mechanism.points, angles) if angles else wish
     for name, end in ends:
         yield _label_point(write_point_symbol(name), end, drawing, places)
 
