@@ -17,7 +17,7 @@ from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.motions import add_motions
 from kinegrade.figure.marks.names import label_bodies, label_points
-from kinegrade.figure.marks.radii import mark_radii
+from kinegrade.figure.marks.radii import add_radius
 from kinegrade.figure.marks.right_angles import add_right_angle
 from kinegrade.figure.marks.rotations import add_rotations
 from kinegrade.figure.marks.sides import find_sides
@@ -131,7 +131,7 @@ def _compose(
             case _:
                 assert_never(stage)
     for radius in hints.radii:
-        layout = layout.marked(mark_radii(paper.points, drawing.rims, radius, layout.obstacles))
+        layout = add_radius(layout, paper.points, drawing.rims, radius)
     layout = add_axes_aside(layout, hints)
     return layout.written(label_bodies(paper, hints, drawing))
 

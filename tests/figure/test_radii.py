@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import acos, degrees
 
 from kinegrade.figure.joints.symbol import Rim
-from kinegrade.figure.marks.radii import mark_radii
+from kinegrade.figure.marks.radii import add_radius
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.plane import angle_of, length, nearest_of, unit
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Disc, Primitive, Strokes
+from kinegrade.figure.plane import angle_of, length, nearest_of, shorter_way, unit
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Radius
 from tests.figure.clear import heads
@@ -29,7 +30,7 @@ def mark(rims: Sequence[Rim], drawn: Sequence[Primitive] = (), *, at: Vector = F
     circles = [Disc(rim.at, rim.radius, FIRM) for rim in rims]
     layout = Layout.of((*circles, *drawn))
     hint = Radius("R", rims[0].centre)
-    return layout.marked(mark_radii({"O": ORIGIN, "P": at}, tuple(rims), hint, layout.obstacles))
+    return add_radius(layout, {"O": ORIGIN, "P": at}, tuple(rims), hint)
 
 
 def find_tip(layout: Layout) -> Vector:
@@ -76,3 +77,31 @@ def test_an_arrow_from_outside_does_not_end_on_a_bar() -> None:
     across = unit(preferred).turned() * 3.0
     bar = Strokes(((preferred * 1.1 - across, preferred * 1.1 + across),), BOLD)
     assert turned(mark([make_rim(ORIGIN, 5.0)], [bar]), preferred) > BESIDE
+
+
+def test_an_arrow_does_not_lie_between_the_sides_of_an_angle_at_its_centre() -> None:
+    preferred = angle_of(find_tip(mark([make_rim(ORIGIN, 20.0)])))
+    for sweep in (1.2, -1.2):
+        arc = Bow(ORIGIN, 5.0, preferred - sweep / 2, sweep, THIN)
+        tip = find_tip(mark([make_rim(ORIGIN, 20.0)], [arc]))
+        assert abs(shorter_way(angle_of(tip) - preferred)) > 0.6
+
+
+def test_an_arrow_comes_from_outside_where_everything_is_in_its_way_within() -> None:
+    spokes = [polar(6.0, turn) for turn in range(0, 360, 5)]
+    fence = Strokes(tuple((spoke, spoke * 1.05) for spoke in spokes), FIRM)
+    layout = mark([make_rim(ORIGIN, 20.0)], [fence])
+    [head], [label] = heads(layout), layout.labels
+    assert head.corners[1].squared() > 20.0**2
+    assert label.centre.squared() > 20.0**2
+
+
+def test_the_head_of_an_arrow_stands_on_white_among_teeth() -> None:
+    halos = {}
+    for kind in ("wheel", "gear"):
+        layout = mark([replace(make_rim(ORIGIN, 20.0), kind=kind)])
+        halos[kind] = [each for each in layout.lines if isinstance(each, Outline)][:-1]
+    assert halos["wheel"] == []
+    [halo] = halos["gear"]
+    assert halo.fill == "white"
+    assert max(length(corner) for corner in halo.corners) > 20.0

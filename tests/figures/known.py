@@ -20,10 +20,8 @@ class KnownFlaw:
 KNOWN: Mapping[str, KnownFlaw] = {
     "crank-rocker-towed-wheel": KnownFlaw("E far from its point", "the wheel has no room inside"),
     "guided-rack-and-gear": KnownFlaw("C touches a line", "its dot lies among the teeth"),
-    "pose-cam-tappet": KnownFlaw("x touches a line", "the axis has the leg of an angle beside it"),
     "ring-gear-planet-relative-spin": KnownFlaw("O2 far from its point", "the planet is small"),
     "rod-sliding-on-driven-wheel": KnownFlaw("O1 far from its point", "two arrows are at its pin"),
-    "triangle-pose-three-frames": KnownFlaw("x1 touches a line", "the leg of an angle is there"),
 }
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import cos, pi
 
@@ -10,22 +10,26 @@ import numpy as np
 
 from kinegrade.errors import TemplateError, suggest
 from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside
 from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, polar, unit
-from kinegrade.figure.scene import THIN, Primitive, Strokes
+from kinegrade.figure.scene import THIN, Bow, Outline, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
 from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Radius
 
 _SMALL_RADIUS = 8.0  # millimetres: a smaller circle has its radius marked from outside
 _PREFERRED = tuple(turn * pi for turn in (0.75, 0.25, -0.75, -0.25, 0.5, 1.0, 0.0, -0.5))
 _PAST, _SEEN = 1.0, 4.0  # millimetres from a centre to a line past it, and to its farther end
-_LEANING, _LEAST_ANGLE = 6.0, cos(pi / 13)  # cost of an arrow nearer than that to another line
+_LEANING, _LEAST_ANGLE = 6.0, cos(pi / 10)  # cost of an arrow nearer than that to another line
 # Cost of an arrow across another wheel, and of one towards a centre that is in its own circle
 _ACROSS, _TOWARD_CENTRE = 15.0, 1.5
+_WITHIN_ANGLE = 12.0  # cost of an arrow between the sides of an angle, as if it were one of them
+_INWARD = 9.0  # cost of an arrow at a large circle from outside, less than one firm line
 _AT_POINT = 3.0  # cost of a tip that hides a point on the rim
 _ALONG_ARC = (
     0.06,
@@ -39,38 +43,70 @@ _ALONG_ARC = (
     0.36,
     0.64,
 )  # parts of an arc from its start
+_HALO = 0.6  # millimetres of white about an arrowhead among teeth or hatching
 _TOUCHING = 0.99  # share of a radius: nearer is within the circle
 _SHIFTS = tuple(shift * pi / 24 for shift in (0, 2, -2))
 
 
-def mark_radii(
-    at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius, drawn: Obstacles
-) -> list[Mark]:
-    """The radius of a circle: for a cam to the contact, for other circles wherever there is room,
-    beside other wheels and at an angle to the lines that are drawn from the centre.
+def add_radius(
+    layout: Layout, at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius
+) -> Layout:
+    """The layout with the radius of a circle: for a cam to the contact, for other circles wherever
+    there is room, beside other wheels, at an angle to the lines that are drawn from the centre, and
+    not across the arc of an angle there.
 
     Raises TemplateError when no circle of the mechanism has that centre.
     """
     rim = _find_rim(found, hint, at[hint.through] if hint.through else None)
-    arc = rim.find_arc()
-    angles = [turn + shift for shift in _SHIFTS for turn in _PREFERRED]
-    if arc:
-        angles = [arc[0] + share * arc[1] for share in _ALONG_ARC]
-    if rim.kind == "cam":
-        angles = [angle_of(rim.touch - rim.at)]
-    others = [other for other in found if length(other.at - rim.at) > NEAR]
-    lines = _list_lines_from(rim.at, drawn)
+    lines = _list_lines_from(rim.at, layout.obstacles)
+    arcs = [each for each in layout.lines if isinstance(each, Bow) and each.pen == THIN]
+    sectors = [arc for arc in arcs if length(arc.centre - rim.at) < NEAR]
     marks: list[Mark] = []
-    for toward in map(polar, angles):
-        demerit = _LEANING * any(toward.dot(line) > _LEAST_ANGLE for line in lines)
+    for angle in _list_angles(rim):
+        toward = polar(angle)
+        leaning = _LEANING * any(toward.dot(line) > _LEAST_ANGLE for line in lines)
         if rim.radius < _SMALL_RADIUS:
-            marks.append(_FromOutside(rim.at, rim.radius, toward, hint.symbol, demerit))
+            marks.append(_FromOutside(rim.at, rim.radius, toward, hint.symbol, leaning))
             continue
-        tip = rim.at + toward * rim.radius
-        demerit += _AT_POINT * any(length(point - tip) < 2 * HEAD_LENGTH for point in at.values())
-        arrow = _FromCentre(rim.at, rim.radius, toward, hint.symbol, demerit, tuple(others))
-        marks.append(replace(arrow, demerit=demerit + arrow.rate_meetings()))
-    return marks
+        demerit = leaning + _WITHIN_ANGLE * any(_lies_within(angle, arc) for arc in sectors)
+        marks.append(_draw_from_centre(rim, found, at.values(), hint.symbol, (toward, demerit)))
+        if not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
+            inward = leaning + _INWARD
+            marks.append(_FromOutside(rim.at, rim.radius, toward, hint.symbol, inward))
+    return layout.marked(marks)
+
+
+def _list_angles(rim: Rim) -> list[float]:
+    """The directions that the arrow of a circle may have, the preferred ones first."""
+    if rim.kind == "cam":
+        return [angle_of(rim.touch - rim.at)]
+    arc = rim.find_arc()
+    if arc:
+        return [arc[0] + share * arc[1] for share in _ALONG_ARC]
+    return [turn + shift for shift in _SHIFTS for turn in _PREFERRED]
+
+
+def _draw_from_centre(
+    rim: Rim,
+    found: Iterable[Rim],
+    points: Iterable[Vector],
+    symbol: str,
+    rated: tuple[Vector, float],
+) -> _FromCentre:
+    """The arrow in a direction, whose demerit grows where it meets points and other circles."""
+    toward, demerit = rated
+    tip = rim.at + toward * rim.radius
+    hides = any(length(point - tip) < 2 * HEAD_LENGTH for point in points)
+    others = tuple(other for other in found if length(other.at - rim.at) > NEAR)
+    rough = rim.kind == "gear" or rim.body == GROUND
+    arrow = _FromCentre(rim.at, rim.radius, toward, symbol, demerit, others, rough)
+    return replace(arrow, demerit=demerit + _AT_POINT * hides + arrow.rate_meetings())
+
+
+def _lies_within(angle: float, arc: Bow) -> bool:
+    """Whether a direction (radians) lies between the sides of an angle, by its arc."""
+    turned = angle - arc.start if arc.sweep > 0 else arc.start - angle
+    return turned % (2 * pi) < abs(arc.sweep)
 
 
 def _list_lines_from(centre: Vector, drawn: Obstacles) -> list[Vector]:
@@ -123,6 +159,7 @@ class _FromCentre:
     symbol: str
     demerit: float
     others: tuple[Rim, ...]
+    rough: bool
     shared: bool = False
 
     def rate_meetings(self) -> float:
@@ -154,9 +191,16 @@ class _FromCentre:
         return Wish(self.symbol, spots[np.argsort(within, kind="stable")])
 
     def primitives(self) -> tuple[Primitive, ...]:
-        """A thin line and its arrowhead."""
+        """A thin line and its arrowhead, on white where there are teeth or hatching."""
         shaft = (self.centre + self.toward * 1.3, self._end() - self.toward * HEAD_LENGTH * 0.8)
-        return (Strokes((shaft,), THIN), draw_arrowhead(self._end(), self.toward))
+        arrow = (Strokes((shaft,), THIN), draw_arrowhead(self._end(), self.toward))
+        return (self._draw_halo(), *arrow) if self.rough else arrow
+
+    def _draw_halo(self) -> Outline:
+        back = self._end() - self.toward * (HEAD_LENGTH + _HALO)
+        across = self.toward.turned() * (HEAD_LENGTH / 4 + _HALO)
+        corners = (self._end() + self.toward * _HALO, back + across, back - across)
+        return Outline(corners, None, "white")
 
     def _end(self) -> Vector:
         return self.centre + self.toward * self.radius
