@@ -105,3 +105,10 @@ def test_the_head_of_an_arrow_stands_on_white_among_teeth() -> None:
     [halo] = halos["gear"]
     assert halo.fill == "white"
     assert max(length(corner) for corner in halo.corners) > 20.0
+
+
+def test_the_tip_of_an_arrow_keeps_clear_of_an_arrow_along_the_rim() -> None:
+    preferred = find_tip(mark([make_rim(ORIGIN, 20.0)]))
+    along = Bow(ORIGIN, 18.9, angle_of(preferred) - 0.1, 0.2, FIRM)
+    layout = mark([make_rim(ORIGIN, 20.0)], [along])
+    assert turned(layout, preferred) > 10.0

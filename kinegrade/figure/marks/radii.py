@@ -175,8 +175,10 @@ class _FromCentre:
         return worse
 
     def path(self) -> tuple[Segment, ...]:
-        """The middle of the arrow, which touches centre and rim in any case."""
-        clear = min(1.5, self.radius / 2)
+        """The arrow without its ends, which touch the centre and the rim in any case, or teeth or
+        another circle there.
+        """
+        clear = 1.5 if self.rough or self.others else 0.5
         return (
             (self.centre + self.toward * 2.0, self.centre + self.toward * (self.radius - clear)),
         )

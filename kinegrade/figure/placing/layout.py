@@ -18,11 +18,14 @@ from kinegrade.figure.placing.place import (
     is_covered,
     measure_crowding,
     place_label,
+    trace_leader,
 )
-from kinegrade.figure.scene import Label, Primitive
+from kinegrade.figure.scene import THIN, Label, Primitive, Strokes
 
 # Alternatives of a mark that are judged together: usually one of the first is accepted
 _BATCHES = (4, 12, 36)
+
+_HARD = 20.0  # cost from which on a leader would cross too much to be of use
 
 
 @dataclass(frozen=True)
@@ -58,10 +61,15 @@ class Layout:
         return replace(self, lines=(*self.lines, *primitives), obstacles=obstacles)
 
     def written(self, wishes: Iterable[Wish]) -> Layout:
-        """The layout with a label for each wish, in order."""
+        """The layout with a label for each wish, in order, and a leader where one is needed."""
         layout = self
         for wish in wishes:
-            layout = layout._labelled(place_label(wish, layout.obstacles))
+            placed = place_label(wish, layout.obstacles)
+            leader = trace_leader(placed.label, wish.names) if wish.names else None
+            crossed = layout.obstacles.along((leader,), shared=True) if leader else 0.0
+            layout = layout._labelled(placed)
+            if leader and crossed < _HARD:
+                layout = layout.drawn((Strokes((leader,), THIN),))
         return layout
 
     def marked(self, alternatives: Sequence[Mark], sparing: Sequence[Primitive] = ()) -> Layout:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import inf, pi
+from math import hypot, inf, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,8 @@ _FARTHER = 0.04
 _LABEL_WEIGHT = 3.0  # a symbol on a line is worse than a line across a line
 _AMBIGUOUS = 0.4  # millimetres by which a letter has to be nearer to its point than to any other
 _FAULT = 0.5  # cost of a spot from which on there is a fault: less than covering a thin line
+# Millimetres from which on a letter has a leader, and of paper at its two ends
+_STANDS_OFF, _BEFORE, _SHORT_OF = 3.3, 0.2, 1.3
 _AT_ONCE = 16  # spots checked together; nearly always one of the first is free
 _TURNS = np.array((2, 6, -2, -6, 4, -4, 0, 8, 1, 3, 5, 7, -1, -3, -5, -7)) * (pi / 8)
 _TOWARD = np.stack((np.cos(_TURNS), np.sin(_TURNS)), axis=1).round(9)
@@ -40,13 +42,14 @@ class Wish:
     the point it belongs to.
 
     When none of its spots is free, any other spot around that point is allowed. A spot may have a
-    demerit as well.
+    demerit as well. A letter far from the point that it `names` gets a leader.
     """
 
     symbol: str
     spots: Floats
     at: Vector | None = None
     demerits: Floats | None = None
+    names: Vector | None = None
 
 
 @dataclass(frozen=True)
@@ -69,6 +72,21 @@ def place_label(wish: Wish, obstacles: Obstacles) -> Placed:
     centre = Vector(*spots[spot].tolist())
     label = Label(wish.symbol, centre, *measure_symbol(wish.symbol))
     return Placed(label, cost - _FARTHER * spot >= _FAULT)
+
+
+def trace_leader(label: Label, point: Vector) -> tuple[Vector, Vector] | None:
+    """The thin line from a label that stands off to just before its point; None where it is near
+    enough to be read as that point's.
+    """
+    across, upward = point - label.centre
+    wide, high = label.width / 2, label.height / 2
+    gap = hypot(max(abs(across) - wide, 0.0), max(abs(upward) - high, 0.0))
+    if gap < _STANDS_OFF:
+        return None
+    share = min(wide / max(abs(across), 1e-9), high / max(abs(upward), 1e-9))
+    toward = (point - label.centre) / hypot(across, upward)
+    start = label.centre + (point - label.centre) * share + toward * _BEFORE
+    return start, point - toward * _SHORT_OF
 
 
 def is_covered(label: Label, obstacles: Obstacles) -> bool:

@@ -1,0 +1,35 @@
+"""A letter that stands off from its point is led to it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.place import Wish
+from kinegrade.figure.scene import BOLD, THIN, Strokes
+from kinegrade.mechanics.vector import Vector
+
+POINT = Vector(0.0, 0.0)
+
+
+def write(distance: float, *drawn: Strokes) -> list[tuple[Vector, Vector]]:
+    """The thin lines of a letter E whose only place is so many millimetres to the right."""
+    wish = Wish("E", np.array([[distance, 0.0]]), names=POINT)
+    layout = Layout.of(drawn).written((wish,))
+    thin = [each for each in layout.lines if isinstance(each, Strokes) and each.pen == THIN]
+    return [line for strokes in thin for line in strokes.lines]
+
+
+def test_a_letter_at_its_point_has_no_leader() -> None:
+    assert write(3.0) == []
+
+
+def test_a_leader_goes_from_a_letter_that_stands_off_to_just_before_its_point() -> None:
+    [(start, end)] = write(7.0)
+    assert (start.y, end.y) == (0.0, 0.0)
+    assert 1.0 < end.x < 1.6
+    assert 5.0 < start.x < 6.5
+
+
+def test_no_leader_crosses_a_bar() -> None:
+    assert write(7.0, Strokes(((Vector(3.0, -5.0), Vector(3.0, 5.0)),), BOLD)) == []
