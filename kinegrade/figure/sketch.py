@@ -133,7 +133,7 @@ def _compose(
     for radius in hints.radii:
         layout = add_radius(layout, paper.points, drawing.rims, radius)
     layout = add_axes_aside(layout, hints)
-    return layout.written(label_bodies(paper, hints, drawing))
+    return layout.written(label_bodies(paper, hints, drawing, layout.labels))
 
 
 def _place_lengths(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import pi
 
@@ -13,9 +13,11 @@ from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
+from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.mark import direction
-from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
+from kinegrade.figure.placing.place import Floats, Wish, list_spots_around, rate_nearness
 from kinegrade.figure.plane import NEAR, length, on_line, polar, unit
+from kinegrade.figure.scene import Label
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
@@ -25,6 +27,8 @@ from kinegrade.problem.template.hints import Angle, FigureHints
 # Cost of a letter that may be read as that of another point: between a thin and a firm line
 _MISTAKEN = 20.0
 _NEAR_SPOTS = 48  # spots for a letter of which those outside an angle at its point come first
+# Cost of the name of a body beside another letter, less than a fault; millimetres between words
+_ONE_WORD, _SPACE = 0.45, 2.5
 _INSIDE = 0.95  # share of a radius: nearer to the rim a letter may stand on either side
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
 
@@ -87,14 +91,30 @@ def _keep_out_of_angles(wish: Wish, at: Mapping[str, Vector], angles: Iterable[A
     return replace(wish, spots=wish.spots[order], demerits=demerits)
 
 
-def label_bodies(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
-    """The labels of bodies, which may stand anywhere in or next to them.
+def label_bodies(
+    mechanism: Mechanism, hints: FigureHints, drawing: Drawing, written: Sequence[Label]
+) -> Iterator[Wish]:
+    """The labels of bodies, which may stand anywhere in or next to them, rather not beside what is
+    written already: the two would read as one word.
 
     Raises TemplateError for the label of a body of which nothing is drawn.
     """
     for body, symbol in hints.labels.items():
         if symbol and body not in mechanism.points:
-            yield _label_body(body, symbol, drawing)
+            wish = _label_body(body, symbol, drawing)
+            yield replace(wish, demerits=_ONE_WORD * _find_beside(wish, written))
+
+
+def _find_beside(wish: Wish, written: Sequence[Label]) -> Floats:
+    """For each spot of a wish 1 where a letter stands close to its left or right, else 0."""
+    beside = np.zeros(len(wish.spots))
+    width, height = measure_symbol(wish.symbol)
+    for label in written:
+        steps = np.abs(wish.spots - np.array(label.centre))
+        level = steps[:, 1] < (height + label.height) / 2
+        close = steps[:, 0] < (width + label.width) / 2 + _SPACE
+        beside = np.maximum(beside, level & close)
+    return beside
 
 
 def _find_free_direction(at: Vector, drawing: Drawing) -> Vector | None:

@@ -123,4 +123,4 @@ def _compose(
     named = tuple(label_points(paper, plain.hints, drawing))
     layout = add_symbols(layout.written(named), placed)
     layout = add_rotations(layout, paper, turnings, drawing, named)
-    return layout.written(label_bodies(paper, plain.hints, drawing))
+    return layout.written(label_bodies(paper, plain.hints, drawing, layout.labels))

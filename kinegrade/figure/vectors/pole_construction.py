@@ -98,7 +98,7 @@ class _Construction:
         layout = add_symbols(layout, placed)
         if self.rotation:
             layout = layout.marked(_mark_rotation_about(self.place(scale), self.rotation, placed))
-        return layout.written(label_bodies(paper, plain.hints, drawing))
+        return layout.written(label_bodies(paper, plain.hints, drawing, layout.labels))
 
     def place(self, scale: float) -> Vector:
         """The pole on paper; only for a pole that is not at infinity."""
