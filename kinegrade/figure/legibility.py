@@ -7,6 +7,7 @@ from __future__ import annotations
 from itertools import combinations
 from math import hypot, inf
 
+from kinegrade.figure.marks.dimensions import find_measured_direction
 from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, measure_span
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.sketch import Sketcher, sketch
@@ -46,8 +47,10 @@ def _measure_smallest_part(mechanism: Mechanism, hints: FigureHints) -> float:
     symbol, or the least radius.
     """
     pairs = {pair for body in mechanism.bodies for pair in combinations(body.points, 2)}
-    pairs |= {(given.start, given.end) for given in hints.lengths}
     at = mechanism.points
     sizes = [hypot(*(at[start] - at[end])) for start, end in pairs]
+    for given in hints.lengths:
+        start, end = at[given.start], at[given.end]
+        sizes.append(abs((end - start).dot(find_measured_direction(given.along, start, end))))
     sizes += [circle.radius for joint in mechanism.joints for circle in joint.list_circles()]
     return min((size for size in sizes if size > _NOTHING), default=inf)

@@ -6,14 +6,14 @@ from dataclasses import replace
 
 import pytest
 
-from kinegrade.figure.legibility import find_illegible
+from kinegrade.figure.legibility import SMALLEST, find_illegible
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.template.hints import FigureHints
-from tests.figure.mechanisms import slider_crank
+from tests.figure.mechanisms import hinted, slider_crank
 
 
 def explain(ratio: float, **changes: object) -> str:
@@ -44,6 +44,19 @@ def test_an_ordinary_figure_is_legible() -> None:
 )
 def test_a_figure_is_refused_for_a_reason(changes: dict[str, object], reason: str) -> None:
     assert explain(2.0, **changes) == reason
+
+
+@pytest.mark.parametrize(("along", "least"), [("horizontal", 0.05), ("vertical", 0.0866)])
+def test_a_projected_length_counts_as_far_as_it_is_drawn(along: str, least: float) -> None:
+    length = {"symbol": "h", "from": "O", "to": "A", "along": along}
+    mechanism, hints = hinted(slider_crank(0.1, 2.0, 60)[0], lengths=[length])
+
+    def draw(shown: Mechanism, marked: FigureHints) -> Scene:
+        return replace(sketch(shown, marked), scale=scale, crowded=())
+
+    for share, refused in ((0.99, True), (1.01, False)):
+        scale = share * SMALLEST / least
+        assert (find_illegible(mechanism, hints, draw) is not None) is refused
 
 
 def test_what_is_too_small_on_any_paper_is_not_drawn() -> None:

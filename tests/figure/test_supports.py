@@ -152,6 +152,18 @@ def test_a_block_is_seen_around_what_is_pinned_to_it(through: bool, use: str) ->
     assert rail.level > rail.block.width / 2
 
 
+@pytest.mark.parametrize(
+    ("away", "level", "end"), [(0.1, 0.0, 5.8), (0.1, 0.07, 7.5), (0.2, 0.0, 7.5)]
+)
+def test_a_floor_ends_before_the_stand_of_a_pin(away: float, level: float, end: float) -> None:
+    points = {"B": ORIGIN, "A": Vector(-0.3, 0.1), "O": Vector(away, level)}
+    points["C"] = points["O"] + UP * 0.3
+    joints = (Slide("B", "AB", Line(ORIGIN, RIGHT), GROUND), Pin("O", ("OC", GROUND)))
+    bodies = (Body("AB", ("A", "B")), Body("OC", ("O", "C")))
+    (rail,) = find_rails(anatomy_of(Mechanism(points, bodies, joints, ())))
+    assert (rail.start.x, rail.end.x) == (-7.5, pytest.approx(end))
+
+
 def trammel(a: Vector, b: Vector, *names: str, shape: str = "bare") -> tuple[Rail, ...]:
     """The rails of a rod AB on the floor and at the wall, with these points at the corner."""
     points = {"A": a, "B": b, **dict.fromkeys(names, ORIGIN)}

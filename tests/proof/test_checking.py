@@ -100,6 +100,17 @@ def test_a_result_that_no_field_holds_must_be_stated_otherwise() -> None:
     )
 
 
+def test_a_source_that_leaves_an_angle_open_is_proved_at_those_that_a_field_holds() -> None:
+    text = load_template("rolling-wheel-pin-slotted-rocker").file.text
+    some = text.replace('draw = "30 .. 90 step 10"', "draw = [50, 60]")
+    assert some != text
+    assert all_said(check(read_template("wheel", some), sample=2).faults) == []
+    wrong = some.replace('"v_O*(1 + cos(phi))"', '"v_O*(1 - cos(phi))"')
+    fault = all_said(check(read_template("wheel", wrong), sample=2).faults)[0]
+    assert ", phi = 60, " in fault
+    assert "v_rel = v_O*(1 - cos(phi)), but the engine gives " in fault
+
+
 def test_a_formula_that_no_field_holds_at_its_values_proves_nothing() -> None:
     inexact = crank(
         (

@@ -39,8 +39,8 @@ _CLOSE = 6.0  # demerit of a dimension line close beside another
 _DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
 
-def _measure(along: Projection | None, start: Vector, end: Vector) -> Vector:
-    """The direction in which a distance is measured."""
+def find_measured_direction(along: Projection | None, start: Vector, end: Vector) -> Vector:
+    """The unit vector along which a distance is measured."""
     match along:
         case "horizontal":
             return Vector(1.0, 0.0)
@@ -77,7 +77,7 @@ def _list_dimensions(
     at: Mapping[str, Vector], hint: Length, drawn: Obstacles, ground: Obstacles
 ) -> list[DimensionLine]:
     start, end = at[hint.start], at[hint.end]
-    measured = _measure(hint.along, start, end)
+    measured = find_measured_direction(hint.along, start, end)
     backwards = hint.signed and measured.dot(end - start) < 0
     symbol = rf"\left|{hint.symbol}\right|" if backwards else hint.symbol
     gaps = {

@@ -22,6 +22,8 @@ _REACH = 7.5  # millimetres of a rail on either side of its block
 _SEEN = 2.0  # at least beyond a block: it is seen to run on, even behind a bar
 _BARE = 0.0  # from the axis of a guide where a bare end slides: the ground is the guide
 _CLEAR = 0.3  # millimetres between a rail and a bar
+_HALF_STAND = 4.2  # millimetres along a rail between a pin and the end of the rail
+_LEVEL_OF_STANDS = 6.0  # millimetres between a guide and a pin whose stand may be in its way
 _CORNER = 4.5  # millimetres from a block to a corner at least
 _Leaving = tuple[Vector, float]  # the unit vector of a bar that leaves a point, and half its width
 
@@ -80,10 +82,11 @@ def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:
     level = block.width / 2 + FIRM.width / 2 if block else _BARE
     leaving = list(_list_leaving(anatomy, name))
     sides = _order_sides(anatomy.mechanism, at, along)
-    reaches = [_find_reaches(along, side, leaving, level) for side in sides]
+    most = _find_room_between_stands(anatomy, name, along)
+    reaches = [_find_reaches(along, side, leaving, level, most) for side in sides]
     narrowest = [min(back, ahead) for back, ahead in reaches]
     usual = 1 if narrowest[1] >= half > narrowest[0] else 0
-    passing = max(narrowest) < _REACH
+    passing = all(reach != most for reach in reaches)
     least = -_REACH if passing else half + _SEEN
     ends = [
         (
@@ -122,11 +125,28 @@ def _list_leaving(anatomy: Anatomy, name: str) -> Iterator[_Leaving]:
             yield from ((unit(step), BOLD.width / 2) for step in steps if length(step) > NEAR)
 
 
+def _find_room_between_stands(anatomy: Anatomy, name: str, along: Vector) -> tuple[float, float]:
+    """How far a rail may reach backward and forward before it runs into the stand of a pin."""
+    at, reaches = anatomy.mechanism.points[name], [_REACH, _REACH]
+    for pin in find_fixed_pins(anatomy.symbols):
+        step = anatomy.mechanism.points[pin] - at
+        if pin != name and abs(step.cross(along)) < _LEVEL_OF_STANDS:
+            ahead = step.dot(along)
+            reaches[ahead > 0] = min(reaches[ahead > 0], abs(ahead) - _HALF_STAND)
+    return reaches[0], reaches[1]
+
+
 def _find_reaches(
-    along: Vector, side: Vector, leaving: Sequence[_Leaving], level: float
+    along: Vector,
+    side: Vector,
+    leaving: Sequence[_Leaving],
+    level: float,
+    most: tuple[float, float],
 ) -> tuple[float, float]:
-    """How far a rail may reach backward and forward before a bar crosses it."""
-    reaches = [_REACH, _REACH]
+    """How far a rail may reach backward and forward, not further than `most`, before a bar
+    crosses it.
+    """
+    reaches = list(most)
     for direction, half in leaving:
         down, ahead = direction.dot(side), direction.dot(along)
         if down > NEAR:
