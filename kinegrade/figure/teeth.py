@@ -14,7 +14,7 @@ _PITCH = 4.0  # from tooth to tooth
 _LEAST = 8  # teeth of a gear
 _BESIDE_EYE = 3.4  # from the pin at the end of a rack to its first tooth
 _TAPER = 4.2  # of the back of a rack that narrows towards such a pin
-TOOTH_TIP, TOOTH_ROOT = 0.85, 1.25  # from the pitch line, into the partner and into the material
+TOOTH_TIP, TOOTH_ROOT = 0.7, 1.05  # from the pitch line, into the partner and into the material
 # Corners of a tooth: along the pitch line in parts of the pitch, and outward from it; narrow, so
 # that paper is seen between the flanks of two gears
 _CORNERS = ((-0.25, -TOOTH_ROOT), (-0.09, TOOTH_TIP), (0.09, TOOTH_TIP), (0.25, -TOOTH_ROOT))
