@@ -126,3 +126,11 @@ def test_no_letter_finds_a_place_between_teeth() -> None:
     for tip, root in zip(planet.corners[1::4], planet.corners[3::4], strict=True):
         for x, y in (tip, root):
             assert obstacles.under_box(x, y, 0.1, 0.1) > 0
+
+
+def test_no_letter_finds_a_place_on_the_back_of_a_rack() -> None:
+    rack, *_ = contours(rack_and_gear())[::-1]
+    obstacles, (end, start) = Obstacles.of([rack]), (rack.corners[-1], rack.corners[0])
+    for share in (0.1, 0.5, 0.9):
+        x, y = start + (end - start) * share
+        assert obstacles.under_box(x, y, 0.1, 0.1) > 0

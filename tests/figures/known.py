@@ -19,7 +19,6 @@ class KnownFlaw:
 
 KNOWN: Mapping[str, KnownFlaw] = {
     "crank-rocker-towed-wheel": KnownFlaw("E far from its point", "the wheel has no room inside"),
-    "guided-rack-and-gear": KnownFlaw("C touches a line", "its dot lies among the teeth"),
     "ring-gear-planet-relative-spin": KnownFlaw("O2 far from its point", "the planet is small"),
     "rod-sliding-on-driven-wheel": KnownFlaw("O1 far from its point", "two arrows are at its pin"),
 }

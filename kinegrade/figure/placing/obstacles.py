@@ -221,14 +221,16 @@ def _make_segments(primitive: Strokes | Outline | Bow) -> list[Boxed]:
     return [_make_line(start, end, width / 2, cost) for start, end in _split(primitive)]
 
 
-def _make_band(teeth: Sequence[Vector]) -> list[Boxed]:
+def _make_band(contour: Sequence[Vector]) -> list[Boxed]:
     """Teeth as a band of their height along the middles of their flanks: a quarter as many lines as
-    they have, and no place between them.
+    they have, and no place between them; with the back of a rack.
     """
     half = (TOOTH_TIP + TOOTH_ROOT) / 2
-    flanks = [(teeth[place] + teeth[place + 1]) / 2 for place in range(0, len(teeth), 4)]
-    steps = zip(flanks, flanks[1:] + flanks[:1], strict=True)
-    return [_make_line(start, end, half, COST_FIRM) for start, end in steps]
+    flanks = [(contour[place] + contour[place + 1]) / 2 for place in range(0, len(contour), 4)]
+    band = [_make_line(*step, half, COST_FIRM) for step in pairwise(flanks)]
+    closing = _make_line(flanks[-1], flanks[0], half, COST_FIRM)
+    back = _make_line(contour[-1], contour[0], TOOTHED.width / 2, COST_FIRM)
+    return [*band, closing, back]
 
 
 def _split(primitive: Strokes | Outline | Bow) -> Iterable[Segment]:
