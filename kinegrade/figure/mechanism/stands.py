@@ -15,9 +15,7 @@ from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDis
 from kinegrade.figure.plane import SIDE_VECTORS, angle_of, length, nearest_of, shorter_way
 from kinegrade.figure.scene import BOLD, Primitive
 from kinegrade.figure.symbols import (
-    STAND,
-    TALL_STAND,
-    TALLEST_STAND,
+    STANDS,
     draw_knife_edge,
     draw_pivot,
     find_half_base,
@@ -25,7 +23,7 @@ from kinegrade.figure.symbols import (
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.vector import Vector
 
-_CLEAR = 0.2  # millimetres between the hatching and a bar
+_CLEAR = 0.4  # millimetres between the hatching and a bar
 _AROUND = 1.6  # millimetres around the upright of a stand that keep clear of other bodies
 _INSIDE = 8.5  # millimetres of radius at which a stand is clear of the hatching of a fixed wheel
 
@@ -53,7 +51,7 @@ def choose_upright(at: Vector, anatomy: Anatomy) -> Vector:
     way there.
     """
     turning = any(length(sleeve.point - at) < 1.0 for sleeve in anatomy.sleeves)
-    usual = TALL_STAND if turning else STAND
+    usual = STANDS[1] if turning else STANDS[0]
 
     def hindrance(upright: Vector) -> float:
         bars = sum(_measure_part(part, at, upright) for part in anatomy.parts)
@@ -61,8 +59,8 @@ def choose_upright(at: Vector, anatomy: Anatomy) -> Vector:
         return round(bars + rims, 6)
 
     down, *others = (SIDE_VECTORS[name] for name in ("down", "up", "left", "right"))
-    uprights = (down * usual, down * TALLEST_STAND, *(side * usual for side in others))
-    return min(uprights, key=hindrance)
+    lower = [down * height for height in STANDS if height >= usual]
+    return min((*lower, *(side * usual for side in others)), key=hindrance)
 
 
 def _measure_part(part: Part, at: Vector, upright: Vector) -> float:
