@@ -38,7 +38,7 @@ def test_the_name_of_a_wheel_does_not_stand_beside_another_letter() -> None:
     centre = Vector(0.0, 0.0)
     rim = Rim("W", "O", centre, 15.0, "wheel", False, centre, centre)
     mechanism = Mechanism({"O": centre}, (Body("W", ("O",)),), (), ())
-    hints, drawing = FigureHints(labels={"W": "1"}), Drawing((), (), (rim,), (), ())
+    hints, drawing = FigureHints(labels={"W": "1"}), Drawing((), (), (rim,), (), (), ())
     [alone] = Layout.of(()).written(label_bodies(mechanism, hints, drawing, ())).labels
     letter = Label("O", alone.centre - Vector(4.0, 0.0), 2.5, 2.5)
     [moved] = Layout.of(()).written(label_bodies(mechanism, hints, drawing, (letter,))).labels

@@ -132,7 +132,7 @@ def find_extension_angles(
         start, end = at[hint.start], at[hint.end]
         ends_here = min(length(start - point), length(end - point)) < NEAR
         if ends_here and (hint.along or find_join(drawn, start, end, _DRAWN_GAP) != "whole"):
-            across = angle_of(_measure(hint.along, start, end).turned())
+            across = angle_of(find_measured_direction(hint.along, start, end).turned())
             found += [across, across - pi]
     return tuple(found)
 

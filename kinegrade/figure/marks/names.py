@@ -70,7 +70,7 @@ def _label_point(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]
             beyond = np.hypot(*(spots - np.array(rim.at)).T) > rim.radius
             spots = spots[np.argsort(beyond, kind="stable")]
     others = [place for place in places if length(place - at) > NEAR]
-    demerits = _MISTAKEN * rate_nearness(symbol, spots, at, others)
+    demerits = _MISTAKEN * rate_nearness(symbol, spots, [at], others)
     return Wish(symbol, spots, demerits=demerits, names=at)
 
 
