@@ -3,38 +3,82 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 
 import pytest
-from tests.worked.printed_values import worth
 
+from kinegrade.language.math.reading import read_math
 from kinegrade.problem.template.library.library import find_template_names
 from kinegrade.worked.document import Prose
 from tests.worked.draws import drawn, kept
+from tests.worked.reader.amounts import Amount, Unreadable
+from tests.worked.reader.formula_reader import read_formula
 
-CHECK = re.compile(r"^Check by the projection on (.*), which has not been used: \$(.*)\$\.$")
+CHECK = re.compile(
+    r"^Check by the projection on (?P<axis>.*), which has not been used: "
+    r"left side \$(?P<left>.*)\$, right side \$(?P<right>.*)\$; they agree\.$"
+)
+RELATION = re.compile(r"=|\\approx")
 
 
-def read_checks(name: str, place: int = 0) -> list[tuple[str, str]]:
-    """The axis and the equation of each check."""
+@dataclass(frozen=True)
+class Check:
+    """The axis, and each side with its value."""
+
+    axis: str
+    left: str
+    right: str
+
+
+def read_checks(name: str, place: int = 0) -> list[Check]:
     texts = [block.text for block in kept(name, place) if isinstance(block, Prose)]
-    return [(found[1], found[2]) for text in texts if (found := CHECK.match(text))]
+    return [Check(**found.groupdict()) for text in texts if (found := CHECK.match(text))]
+
+
+def read_side(side: str) -> list[Amount]:
+    """What a side is worth as it is printed: the sum, and the value said of it."""
+    return [read_formula(read_math(part.strip(), "test"), refuse) for part in RELATION.split(side)]
+
+
+def refuse(symbol: str) -> Amount:
+    """A check has no symbols."""
+    raise Unreadable(symbol)
 
 
 def test_a_rod_is_checked_along_the_axis_that_is_left() -> None:
-    assert read_checks("slider-crank")[0] == (
+    assert read_checks("slider-crank")[0] == Check(
         "the $x$ axis",
-        r"\cos 30^\circ + 0.5774\cos 60^\circ \approx 1.155",
+        r"1.155\,\unit{m/s}",
+        r"1\,\unit{m/s} \cdot \sin 60^\circ + 0.5774\,\unit{m/s} \cdot \sin 30^\circ"
+        r" \approx 1.155\,\unit{m/s}",
     )
 
 
 @pytest.mark.parametrize("name", find_template_names())
-def test_both_sides_of_a_check_agree(name: str) -> None:
+def test_all_that_a_check_says_of_both_sides_agrees(name: str) -> None:
     for place in range(len(drawn(name))):
-        for _, equation in read_checks(name, place):
-            left, right = (worth(side, {}) for side in equation.split(r"\approx"))
-            assert left.value == pytest.approx(right.value, abs=left.room + right.room + 1e-9)
+        for check in read_checks(name, place):
+            said = [*read_side(check.left), *read_side(check.right)]
+            for one in said[1:]:
+                assert one.value == pytest.approx(said[0].value, abs=said[0].room + one.room + 1e-9)
+
+
+@pytest.mark.parametrize("name", find_template_names())
+def test_a_check_ends_with_the_same_value_on_both_sides(name: str) -> None:
+    for check in read_checks(name):
+        left, right = (RELATION.split(side)[-1].strip() for side in (check.left, check.right))
+        assert left == right
 
 
 def test_most_templates_have_a_check() -> None:
     checked = [name for name in find_template_names() if read_checks(name)]
     assert len(checked) > 15
+
+
+def test_a_check_that_nobody_reads_at_a_glance_is_left_out() -> None:
+    (only,) = read_checks("five-bar-two-driven-cranks", 1)
+    assert r"\unit{m/s}" in only.left
+
+
+def test_a_check_by_an_angle_that_nothing_has_introduced_is_left_out() -> None:
+    assert not any(r"\unit{m/s}" in one.left for one in read_checks("two-rods-driven-ends"))

@@ -97,8 +97,9 @@ def find_inclination(part: Part, case: Case) -> Inclination | None:
 
 def name_direction(direction: float, part: Part, case: Case) -> Inclination | None:
     """A direction along or normal to the line that belongs to a part."""
-    if _is_right(direction):
-        return Inclination(1, None, 0.0, round(direction / _RIGHT))
+    axis = name_axis(direction)
+    if axis is not None:
+        return axis
     line = _find_line(part, case)
     if line is None:
         return None
@@ -109,8 +110,11 @@ def name_direction(direction: float, part: Part, case: Case) -> Inclination | No
     return Inclination(sign, angle, value, round(quarters))
 
 
-def _is_right(direction: float) -> bool:
-    return abs(direction / _RIGHT - round(direction / _RIGHT)) < _CLOSE
+def name_axis(direction: float) -> Inclination | None:
+    """A direction along an axis, in degrees from +x; None for an oblique one."""
+    quarters = round(direction / _RIGHT)
+    along = abs(direction / _RIGHT - quarters) < _CLOSE
+    return Inclination(1, None, 0.0, quarters) if along else None
 
 
 def find_ends(part: Part, case: Case) -> tuple[str, str] | None:
@@ -144,6 +148,16 @@ def _find_line(part: Part, case: Case) -> tuple[Formula, int, float] | None:
 def name_acute(ends: tuple[str, str], case: Case) -> Symbol:
     """The acute angle between a line and the x axis, psi_AB."""
     return index_letter(_ACUTE, join_letters(map(case.naming.letter, ends)).row)
+
+
+def is_angle_known(part: Part, case: Case) -> bool:
+    """Whether a part's direction is along an axis, or by an angle that is given or has been
+    introduced.
+    """
+    ends, found = find_ends(part, case), find_inclination(part, case)
+    if ends is None or found is None:
+        return False
+    return found.angle != name_acute(ends, case) or ends in case.findings.inclined
 
 
 def introduce_angle(part: Part, case: Case) -> Iterator[Block]:

@@ -20,6 +20,7 @@ from kinegrade.worked.vectors.inclinations import (
     Inclination,
     find_cosine,
     find_inclination,
+    name_axis,
     name_direction,
 )
 from kinegrade.worked.vectors.magnitudes import state_magnitude
@@ -160,10 +161,14 @@ def find_share_cosine(projection: Projection, share: Share, case: Case) -> Cosin
 
 
 def find_axis(projection: Projection, case: Case) -> Inclination | None:
-    """The axis as a named direction: by the unknown normal to it, else by a part along it."""
+    """The axis as a named direction: itself, or by the unknown normal to it, else by a part along
+    it.
+    """
     along = (share.part for share in (*projection.left, *projection.right) if not share.angle)
     part = projection.dropped or next(along, None)
-    return None if part is None else name_direction(projection.axis, part, case)
+    if part is None:
+        return name_axis(projection.axis)
+    return name_direction(projection.axis, part, case)
 
 
 def measure_along_direction(term: Term, case: Case, level: Level) -> Any:

@@ -83,7 +83,6 @@ KNOWN: Mapping[Law, frozenset[str]] = {
             "planetary-gear-external-rim-velocities",
             "pole-sleeve-slider-rod",
             "rod-ground-and-incline",
-            "rod-sliding-on-driven-wheel",
             "roller-rolling-on-rotating-bar",
             "rolling-wheel-pin-slotted-rocker",
             "stone-crusher",
