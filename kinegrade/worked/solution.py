@@ -140,8 +140,9 @@ def _write_level_chapter(
     scale = find_common_scale(stages.values())
     for step in steps:
         if step in stages:
-            number += 1
-            yield from _write_numbered_step(number, step, stages[step], scale)
+            told = tuple(_write_numbered_step(number + 1, step, stages[step], scale))
+            number += bool(told)
+            yield from told
         known |= set(step.unknowns)
         yield from answers.follow(known)
     yield from answers.follow(None)
@@ -175,13 +176,15 @@ def _find_level(ask: Ask, case: Case) -> Level:
 def _write_numbered_step(
     number: int, step: Step, stage: Stage, scale: float | None
 ) -> Iterator[Block]:
-    """One step under its title: the equations, their results, the pictures to that scale."""
+    """One step under its title: the equations, their results, the pictures to that scale; nothing
+    where an earlier answer has told all of it.
+    """
     by_method = tuple(explain_by_method(step, stage))
     title = (name_method(stage) if by_method else None) or name_step(step, stage)
-    yield _write_step_title(number, title, stage.case)
-    yield from _place_pictures(
-        by_method or tuple(explain_step(step, stage)), draw_stage(stage, scale)
-    )
+    blocks = by_method or tuple(explain_step(step, stage))
+    if blocks:
+        yield _write_step_title(number, title, stage.case)
+        yield from _place_pictures(blocks, draw_stage(stage, scale))
     for equation in stage.equations:
         note_equation(equation, stage.case)
 

@@ -192,8 +192,7 @@ def test_a_relative_vector_that_is_asked_for() -> None:
         $A$ is a point of the carrier $OA$, which turns about $O$:
         v_{A} &= OA \cdot \omega_{OA} = 6\,\unit{m/s}\quad\text{(upwards)}
         $B$ is a point of link, base point $A$:
-        v_{B,x} &= v_{A,x} - \omega_{AB}(y_{B} - y_{A}) = -(-3\,\unit{rad/s}) \cdot 1\,\unit{m} =
-            3\,\unit{m/s}
+        v_{B,x} &= v_{A,x} - \omega_{AB}\,y_{B} = -(-3\,\unit{rad/s}) \cdot 1\,\unit{m} = 3\,\unit{m/s}
         v_{B,y} &= v_{A,y} + \omega_{AB}(x_{B} - x_{A}) = 6\,\unit{m/s}
         The point of the carrier $OA$ that coincides with $B$ turns about $O$:
         v_{B(OA)} &= OB \cdot \omega_{OA} = 2\sqrt{10}\,\unit{m/s} \approx 6.325\,\unit{m/s},\quad
@@ -214,13 +213,12 @@ def test_an_acceleration_about_a_base_point_that_moves_itself() -> None:
     assert not find_untold(
         r"""
         $A$ is a point of the carrier $OA$, which turns about $O$:
-        a_{A,x} &= -\omega_{OA}^{2}(x_{A} - x_{O}) = -(2\,\unit{rad/s})^{2} \cdot 3\,\unit{m} =
-            -12\,\unit{m/s^2}
-        a_{A,y} &= -\omega_{OA}^{2}(y_{A} - y_{O}) = 0
+        a_{A,x} &= -\omega_{OA}^{2}\,x_{A} = -(2\,\unit{rad/s})^{2} \cdot 3\,\unit{m} = -12\,\unit{m/s^2}
+        a_{A,y} &= 0
         $B$ is a point of link, base point $A$:
         a_{B,x} &= a_{A,x} - \omega_{AB}^{2}(x_{B} - x_{A}) = -12\,\unit{m/s^2}
-        a_{B,y} &= a_{A,y} - \omega_{AB}^{2}(y_{B} - y_{A}) = -(-3\,\unit{rad/s})^{2} \cdot
-            1\,\unit{m} = -9\,\unit{m/s^2}
+        a_{B,y} &= a_{A,y} - \omega_{AB}^{2}\,y_{B} = -(-3\,\unit{rad/s})^{2} \cdot 1\,\unit{m} =
+            -9\,\unit{m/s^2}
         a_{B} &= \sqrt{a_{B,x}^{2} + a_{B,y}^{2}} = \sqrt{(-12\,\unit{m/s^2})^{2} +
             (-9\,\unit{m/s^2})^{2}} = 15\,\unit{m/s^2}
         """,

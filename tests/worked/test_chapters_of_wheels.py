@@ -83,15 +83,12 @@ def test_the_points_of_a_rolling_wheel() -> None:
         r"""
         $P$ is a point of the wheel, base point $C$:
         v_{P,x} &= v_{C,x} - \omega_{CD}(y_{P} - y_{C}) = 6\,\unit{m/s}
-        v_{P,y} &= v_{C,y} + \omega_{CD}(x_{P} - x_{C}) = -3\,\unit{rad/s} \cdot 2\,\unit{m} =
-            -6\,\unit{m/s}
+        v_{P,y} &= v_{C,y} + \omega_{CD}\,x_{P} = -3\,\unit{rad/s} \cdot 2\,\unit{m} = -6\,\unit{m/s}
         v_{P} &= \sqrt{v_{P,x}^{2} + v_{P,y}^{2}} = \sqrt{(6\,\unit{m/s})^{2} +
             (-6\,\unit{m/s})^{2}} = 6\sqrt{2}\,\unit{m/s} \approx 8.485\,\unit{m/s}
         $D$ is a point of the wheel, base point $C$:
-        a_{D,x} &= a_{C,x} - \alpha_{CD}(y_{D} - y_{C}) - \omega_{CD}^{2}(x_{D} - x_{C}) =
-            2\,\unit{m/s^2} - (-1\,\unit{rad/s^2}) \cdot (-2\,\unit{m}) = 0
-        a_{D,y} &= a_{C,y} + \alpha_{CD}(x_{D} - x_{C}) - \omega_{CD}^{2}(y_{D} - y_{C}) =
-            -(-3\,\unit{rad/s})^{2} \cdot (-2\,\unit{m}) = 18\,\unit{m/s^2}
+        a_{D,x} &= a_{C,x} - \alpha_{CD}(y_{D} - y_{C}) = 2\,\unit{m/s^2} - (-1\,\unit{rad/s^2}) \cdot (-2\,\unit{m}) = 0
+        a_{D,y} &= a_{C,y} - \omega_{CD}^{2}(y_{D} - y_{C}) = -(-3\,\unit{rad/s})^{2} \cdot (-2\,\unit{m}) = 18\,\unit{m/s^2}
         a_{D} &= a_{D,y} = 18\,\unit{m/s^2}
         """,
         solution,

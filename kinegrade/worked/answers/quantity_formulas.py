@@ -30,14 +30,16 @@ from kinegrade.worked.formulas.atoms import (
     add_terms,
 )
 from kinegrade.worked.formulas.atoms import Number as Numeral
-from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import bearing, double, length, tidy
 from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
+from kinegrade.worked.vectors.inclinations import is_line_found
 from kinegrade.worked.vectors.stage import multiply_by_cosine
 from kinegrade.worked.vectors.summands import name_component
 from kinegrade.worked.vectors.vectors import UNITS
 
+_QUARTER = 90.0  # degrees
 _RIGHT = 1e-7  # degrees from a right angle that count as a right angle
 _MEASURES = frozenset({"magnitude", "x", "y", "along", "angle", "between"})
 _AXES: tuple[tuple[AxisName, Vector], ...] = (("x", Vector(1, 0)), ("y", Vector(0, 1)))
@@ -134,13 +136,26 @@ def _project(fact: Fact, direction: Vector, case: Case) -> Working:
         angle = abs((bearing(piece.positive) - axis + 180) % 360 - 180)
         if abs(angle - 90) > _RIGHT and double(piece.positive.squared()):
             sign, acute = (1 if angle < 90 else -1), tidy(min(angle, 180 - angle))
-            symbols.append(multiply_by_cosine(piece.symbol, acute).signed(sign))
+            symbols.append(_turn_to_axis(piece.symbol, piece, acute, case).signed(sign))
             number = _state_signed(piece, case)
             if number != ZERO:
-                cosine = multiply_by_cosine(number.size, acute)
-                numbers.append(cosine.signed(sign * number.sign))
+                share = _turn_to_axis(number.size, piece, acute, case)
+                numbers.append(share.signed(sign * number.sign))
     shown = add_terms(numbers)
     return Working(add_terms(symbols), None if shown.is_decimal else shown)
+
+
+def _turn_to_axis(size: Formula, piece: Piece, angle: float, case: Case) -> Formula:
+    """A size times the cosine of a piece's angle with a direction, in degrees. For the components
+    of a vector, x and y, a sine and a cosine of one angle: that of a line that has been found, else
+    that of the direction with the x axis.
+    """
+    rest = tidy(_QUARTER - angle)
+    found, other = (is_line_found(one, case) for one in (angle, rest))
+    by_sine = other if found != other else piece.symbol.axis == "y"
+    if piece.symbol.axis and by_sine and angle:
+        return size * Function("sin", state_angle(rest))
+    return multiply_by_cosine(size, angle)
 
 
 def _list_components(fact: Fact) -> tuple[Piece, ...]:

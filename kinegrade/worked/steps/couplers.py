@@ -19,6 +19,7 @@ from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.senses import state_way
+from kinegrade.worked.vectors.facts import has_been_told
 from kinegrade.worked.vectors.known_vectors import is_stated_negative
 from kinegrade.worked.vectors.magnitudes import state_magnitude
 from kinegrade.worked.vectors.stage import Stage
@@ -104,8 +105,10 @@ def find_coupler(stage: Stage) -> Coupler | None:
 
 def explain_base_speed(coupler: Coupler, case: Case) -> Iterator[Block]:
     """The speed of the point whose velocity is known, where it follows from a rotation about a
-    fixed axis.
+    fixed axis and has not been told.
     """
+    if has_been_told(coupler.base, case, "velocity"):
+        return
     formula = state_magnitude(coupler.equation, coupler.base, case)
     term = coupler.base.term
     if formula and term and not is_stated_negative(term, case, "velocity"):

@@ -29,7 +29,7 @@ from kinegrade.worked.rates.scalars import explain_scalar_step, state_relation
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
 from kinegrade.worked.vectors.deductions import explain_deduction
-from kinegrade.worked.vectors.facts import make_key
+from kinegrade.worked.vectors.facts import has_been_told, make_key
 from kinegrade.worked.vectors.magnitudes import (
     describe_direction,
     describe_magnitude,
@@ -151,11 +151,13 @@ def _same_path(equation: VectorEquation) -> bool:
 
 
 def _explain_agreement(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """The known motion of the point that both sides describe."""
-    yield case.say(introduce_equation(equation, case))
+    """The known motion of the point that both sides describe, unless that has been told."""
     known = next(
         side for side in (equation.left, equation.right) if not any(part.unknown for part in side)
     )
+    if all(has_been_told(part, case, equation.level) for part in known):
+        return
+    yield case.say(introduce_equation(equation, case))
     yield case.show(*(_state_known(equation, part, case) for part in known))
 
 

@@ -15,6 +15,9 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.formulas.symbols import name_coordinate
+from kinegrade.worked.positions.algebra import ZERO
+from kinegrade.worked.positions.axes import Axes, choose_axes
+from kinegrade.worked.positions.construction_steps import list_steps
 from kinegrade.worked.vectors.summands import PLACES, Summand, add_summands, name_component
 from kinegrade.worked.vectors.vectors import UNITS
 
@@ -49,30 +52,36 @@ def _list_turning_summands(
     axis: AxisName, term: Term, case: Case, level: Level
 ) -> Iterator[Summand]:
     """The terms that the rotation about a base point adds to a component; none where the rotation
-    is zero.
+    is zero, or the arm by the choice of the axes.
     """
     other = OTHER[axis]
     signs: Mapping[AxisName, Literal["+", "-"]] = {"x": "-", "y": "+"}
     rate, body = case.motion.rates[term.rate], term.rate.body
     letters, value = case.naming.turning(body, level), case.rates(level)[term.rate]
-    if double(value):
+    axes = choose_axes(list_steps(case.template))
+    across, along = (_state_arm(one, term, axes, case) for one in (other, axis))
+    if double(value) and across is not None:
         yield Summand(
             signs[axis],
-            letters * _state_arm(other, term, case),
+            letters * across,
             (measure(value, UNITS[level, True]), measure(term.vector[PLACES[other]], "m")),
         )
-    if level == "acceleration" and double(rate):
+    if level == "acceleration" and double(rate) and along is not None:
         yield Summand(
             "-",
-            case.naming.omega(body) ** TWO * _state_arm(axis, term, case),
+            case.naming.omega(body) ** TWO * along,
             (measure(rate, "rad/s"), measure(term.vector[PLACES[axis]], "m")),
             squared=True,
         )
 
 
-def _state_arm(axis: AxisName, term: Term, case: Case) -> Formula:
-    """A coordinate of a point from its base point."""
+def _state_arm(axis: AxisName, term: Term, axes: Axes, case: Case) -> Formula | None:
+    """A coordinate of a point from its base point, the latter left out where the choice of the axes
+    makes it zero; None where it makes both zero.
+    """
     point, base = (
         name_coordinate(axis, case.naming.letter(name)) for name in (term.point, term.base)
     )
-    return point - base
+    if axes.coordinate(axis, term.base) != ZERO:
+        return point - base
+    return None if axes.coordinate(axis, term.point) == ZERO else point

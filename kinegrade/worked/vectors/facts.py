@@ -71,6 +71,14 @@ def _find_sense(part: Part, case: Case) -> Vector:
     return find_positive_sense(part.term, case)
 
 
+def has_been_told(part: Part, case: Case, level: Level) -> bool:
+    """Whether the magnitude and the direction of a part have been found before, under the symbol
+    that it has alone.
+    """
+    fact = case.findings.facts.get(make_key((part.term,), level)) if part.term else None
+    return fact is not None and not fact.by_components
+
+
 def make_key(chain: Chain, level: Level) -> Key:
     """The key under which a chain's vector is kept."""
     return level, list_ways(chain)

@@ -160,6 +160,13 @@ def is_angle_known(part: Part, case: Case) -> bool:
     return found.angle != name_acute(ends, case) or ends in case.findings.inclined
 
 
+def is_line_found(angle: float, case: Case) -> bool:
+    """Whether a line has been introduced that makes this acute angle with x, in degrees."""
+    points = case.motion.points
+    lines = (bearing(points[end] - points[start]) % 180 for start, end in case.findings.inclined)
+    return any(abs(min(line, 180 - line) - angle) < _CLOSE for line in lines)
+
+
 def introduce_angle(part: Part, case: Case) -> Iterator[Block]:
     """Where the angle of a part's line comes from, unless that is given or has been said."""
     ends = find_ends(part, case)

@@ -73,17 +73,12 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     # directions by their angle from x
     "angle": frozenset(
         (
-            "bar-through-swivelling-sleeve",
             "crank-bar-through-sleeve-with-arm",
-            "eccentric-cam-offset-follower",
             "extended-rod-driving-rocker",
             "flat-faced-follower-curvature-radius",
-            "pin-in-two-rings",
             "planetary-gear-external-rim-accelerations",
             "planetary-gear-external-rim-velocities",
-            "pole-sleeve-slider-rod",
             "rod-ground-and-incline",
-            "roller-rolling-on-rotating-bar",
             "rolling-wheel-pin-slotted-rocker",
             "stone-crusher",
             "two-wheels-on-cylinder",
