@@ -19,7 +19,7 @@ from kinegrade.problem.quantities.reader import MotionReader
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.sentences import JointSentence
 from kinegrade.problem.template.template import Method, Template
-from kinegrade.worked.document import Display, Prose, say
+from kinegrade.worked.document import Display, Prose, say, write_sentence
 from kinegrade.worked.findings import Findings
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
@@ -80,7 +80,7 @@ class Case:
 
     def write(self, message: Message) -> str:
         """What a message says in the language of the solution."""
-        return open_catalogue(self.language).write(message)
+        return write_sentence(message, self.language)
 
     def say(self, message: Message) -> Prose:
         """A paragraph that says a message."""

@@ -8,14 +8,18 @@ plain is printed as it is. Decimals have the mark of the language.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, assert_never
 
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
+
+_CHINESE_START = re.compile(r"^([\u4e00-\u9fff])")
+_CHINESE_END = re.compile(r"([\u4e00-\u9fff])$")
 
 
 @dataclass(frozen=True)
@@ -35,7 +39,33 @@ class Prose:
 
 def say(message: Message, language: Language) -> Prose:
     """A paragraph that says a message."""
-    return Prose(open_catalogue(language).write(message))
+    return Prose(write_sentence(message, language))
+
+
+def write_sentence(message: Message, language: Language) -> str:
+    """What a message says; in Chinese with spaces between words and formulas."""
+    text = open_catalogue(language).write(message)
+    match language:
+        case "zh":
+            return _space_formulas(text)
+        case "en" | "de":
+            return text
+        case _:
+            assert_never(language)
+
+
+def _space_formulas(text: str) -> str:
+    """A space wherever a Chinese character stands next to a formula.
+
+    >>> _space_formulas("投影到$x$轴（$y$ 轴除外）")
+    '投影到 $x$ 轴（$y$ 轴除外）'
+    """
+    words = text.split("$")[::2]
+    formulas = text.split("$")[1::2]
+    spaced = [_CHINESE_END.sub(r"\1 ", one) for one in words[:-1]] + words[-1:]
+    spaced[1:] = [_CHINESE_START.sub(r" \1", one) for one in spaced[1:]]
+    joined = (f"{before}${formula}$" for before, formula in zip(spaced, formulas, strict=False))
+    return "".join(joined) + spaced[-1]
 
 
 @dataclass(frozen=True)
