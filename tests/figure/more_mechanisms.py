@@ -40,7 +40,7 @@ def ellipse_trammel() -> Case:
     )
     bodies = (Body("OD", ("O", "D")), Body("AB", ("A", "D", "B")))
     mechanism = Mechanism(points, bodies, joints, (Rotation("OD", 2.0, 0.0),))
-    return hinted(mechanism, arrows=[{"symbol": r"\omega", "turns": "OD"}], axes=True)
+    return hinted(mechanism, arrows=[{"symbol": r"\omega", "turns": "OD"}], axes="aside")
 
 
 def towed_wheel() -> Case:

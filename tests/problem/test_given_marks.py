@@ -75,6 +75,11 @@ def test_components_have_a_small_frame_and_coordinates_axes_at_the_origin() -> N
     assert axes_for(SPEED, ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "omega*r" }')) is None
 
 
+def test_the_author_may_want_axes_at_the_origin_or_aside() -> None:
+    assert axes_for(("[asks]", '[figure]\naxes = "origin"\n[asks]')) == "origin"
+    assert axes_for(("[asks]", '[figure]\naxes = "aside"\n[asks]'), asked=[]) == "aside"
+
+
 def test_a_given_coordinate_has_axes_at_the_origin_unless_it_is_not_printed() -> None:
     negative = ('draw = [0, "1/2", 3]', 'draw = [0, "-1/2", 3]')
     assert axes_for(negative, asked=[]) == "origin"

@@ -52,7 +52,7 @@ def test_a_full_table_reads_as_written() -> None:
         ]
         labels = { A = "A_1", B = false, OA = "1" }
         shapes = { AB = "bent" }
-        axes = true
+        axes = "aside"
         frames = [
             { at = "A", to = "B", x = "x_1", y = "y_1" },
             { at = "B", from = "O", to = "up", along = "y", x = "x_2", y = "y_2" },
@@ -98,7 +98,7 @@ def test_all_faults_come_at_once() -> None:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("axes = 1", ["axes: 1 - expected true or false"]),
+        ("axes = 1", ["axes: 1 - expected origin or aside"]),
         ("labels = []", ["labels: a list - expected a table like { O = 'O_1' }"]),
         (
             "labels = { Q = 'x' }",

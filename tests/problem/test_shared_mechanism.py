@@ -131,7 +131,7 @@ def test_own_entries_win_by_name_and_a_parameter_key_by_key() -> None:
 def test_own_lists_follow_the_shared_ones_and_the_figure_is_laid_over_key_by_key() -> None:
     own = (
         ('mechanism = "arm"', 'mechanism = "arm"\nconditions = ["h < r"]'),
-        ("[asks]", '[figure]\naxes = true\nlabels = { O = "C" }\n[asks]'),
+        ("[asks]", '[figure]\naxes = "aside"\nlabels = { O = "C" }\n[asks]'),
     )
     template = sharing(own)
     assert [condition.text for condition in template.scheme.conditions] == [
@@ -169,7 +169,7 @@ def test_own_lists_follow_the_shared_ones_and_the_figure_is_laid_over_key_by_key
         ),
         (
             ('labels = { P = "P" }', "axes = 1"),
-            "mechanisms/arm.toml:19: figure.axes: 1 - expected true or false",
+            "mechanisms/arm.toml:19: figure.axes: 1 - expected origin or aside",
         ),
         (
             ("h     = { unit", "h     = { unti"),
@@ -198,7 +198,7 @@ def test_a_fault_of_the_mechanism_is_reported_with_its_file(shared: Change, repo
         ),
         (
             ("[asks]", "[figure]\naxes = 1\n[asks]"),
-            "crank.toml:17: figure.axes: 1 - expected true or false",
+            "crank.toml:17: figure.axes: 1 - expected origin or aside",
         ),
         (
             ("[asks]", "[figure]\nlabels = 1\n[asks]"),

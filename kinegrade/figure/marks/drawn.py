@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.plane import NEAR, on_line, unit
@@ -15,8 +17,8 @@ _BEGINS = 1.0  # millimetres from a point within which what is drawn has to begi
 
 
 def measure_drawn(at: Vector, toward: Vector, drawing: Drawing) -> float:
-    """How far, in millimetres, a bar or the ground is drawn from a point on it in a direction (a
-    unit vector); 0 when none is.
+    """How far, in millimetres, a bar, an edge of a plate or the ground is drawn from a point on it
+    in a direction (a unit vector); 0 when none is.
     """
     reaches = [0.0]
     for start, end in _list_lines(drawing):
@@ -28,10 +30,12 @@ def measure_drawn(at: Vector, toward: Vector, drawing: Drawing) -> float:
 
 
 def _list_lines(drawing: Drawing) -> Iterator[Segment]:
-    """The axes of bars, and the ground on which bare ends slide."""
+    """The axes of bars, the edges of plates, and the ground on which bare ends slide."""
     for part in drawing.parts:
         if isinstance(part, Bar | Rod):
             yield part.start, part.end
+        elif isinstance(part, Plate):
+            yield from pairwise((*part.corners, part.corners[0]))
     for rail in drawing.rails:
         if rail.bare:
             yield rail.start, rail.end

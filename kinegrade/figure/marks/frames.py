@@ -29,10 +29,6 @@ _LENGTHS, _BODY_LENGTHS, _ASIDE = (
 )
 _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of an angle
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
-_ASIDES = (0.0, 1.6, -1.6)  # millimetres, of an axis along a bar from the bar's middle
-# For a millimetre aside: rather on the edge of a plate, from the origin, than beside it; a bar
-# would hide the arrowhead
-_BESIDE = 10.0
 _CLEAR = 3.0  # millimetres about that square that are free as well
 _ROOM = 11.0  # millimetres, of the square that the axes aside take with their letters
 _TIP = 4.5  # millimetres of an axis that should lie clear of everything
@@ -59,7 +55,7 @@ def add_frames(
         long = _LEG_LENGTHS if _is_leg(at, hints.angles, origin, toward) else ()
         drawn = measure_drawn(origin, toward, drawing)
         beyond = tuple(drawn + more - PIN for more in _BEYOND_BAR if drawn)
-        sizes = (*long, *usual, *beyond)
+        sizes = (*(size for size in (*long, *usual) if size > drawn), *beyond)
         ways = list(_list_axes(origin + toward * PIN, toward, symbol, sizes))
         layout = layout.marked(ways, sparing)
     return layout
@@ -124,16 +120,9 @@ def _find_place(at: Mapping[str, Vector], frame: BodyFrame) -> tuple[Vector, Vec
 def _list_axes(
     start: Vector, toward: Vector, symbol: str, lengths: tuple[float, ...]
 ) -> Iterator[Mark]:
-    """An axis in each length, the preferred one first; beside a bar that would hide it."""
-    for aside in _ASIDES:
-        for rank, size in enumerate(lengths):
-            yield _Axis(
-                start + toward.turned() * aside,
-                toward,
-                size,
-                symbol,
-                0.5 * rank + _BESIDE * abs(aside),
-            )
+    """An axis in each length, the preferred one first."""
+    for rank, size in enumerate(lengths):
+        yield _Axis(start, toward, size, symbol, 0.5 * rank)
 
 
 @dataclass(frozen=True)

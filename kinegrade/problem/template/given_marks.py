@@ -56,7 +56,9 @@ def mark_givens(
 def _place_axes(
     template: Template, printed: Set[str] | None, asked: Collection[str]
 ) -> Axes | None:
-    """At the origin for coordinates that are given or asked, aside for components of vectors."""
+    """At the origin for coordinates that are given or asked and where the author wants them, aside
+    for components of vectors.
+    """
     givens = template.parameters.items()
     along_axes = [ask for name in asked if (ask := template.asks[name]).sign in ALONG_AXES]
     if any(ask.unit.is_length for ask in along_axes) or any(
@@ -65,7 +67,7 @@ def _place_axes(
         if printed is None or name in printed
     ):
         return "origin"
-    return "aside" if along_axes else template.figure.axes
+    return template.figure.axes or ("aside" if along_axes else None)
 
 
 def _list_hidden_symbols(template: Template, printed: Set[str] | None) -> Set[Row]:

@@ -38,6 +38,7 @@ SIDES: tuple[_Side, ...] = ("right", "up", "left", "down")
 SHAPES: tuple[Shape, ...] = get_args(Shape)
 LEVELS: tuple[Level, ...] = ("velocity", "acceleration")
 AXES: tuple[Axis, ...] = ("x", "y")
+PLACES_OF_AXES: tuple[Axes, ...] = get_args(Axes)
 PROJECTIONS: tuple[Projection, ...] = ("horizontal", "vertical")
 
 

@@ -8,12 +8,13 @@ from typing import TypeVar
 
 from kinegrade.errors import FieldError
 from kinegrade.files.fields.table import Table
-from kinegrade.files.fields.values import Read, choice, flag, found
+from kinegrade.files.fields.values import Read, choice, found
 from kinegrade.language.message import Message, Quoted
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.template.hints import (
     AXES,
     LEVELS,
+    PLACES_OF_AXES,
     PROJECTIONS,
     SENSES,
     SHAPES,
@@ -82,7 +83,7 @@ def read_figure(table: Table, names: Names) -> FigureHints:
         labels=_read_labels(figure, names),
         shapes=_read_shapes(figure, names),
         frames=_read_marks(figure, "frames", _read_frame, names),
-        axes="aside" if figure.optional("axes", flag) else None,
+        axes=figure.optional("axes", choice(PLACES_OF_AXES)),
     )
 
 

@@ -138,8 +138,8 @@ FIGURE = (
     "shapes",
     #: Frames fixed to bodies, as two arrows with their letters.
     "frames",
-    #: `true` to draw the axes x and y where nothing that is asked or given calls for them. Where
-    #: coordinates do they stand at the origin, where components do as a small frame aside.
+    #: Where the axes x and y stand: `"origin"`, or `"aside"` as a small frame. Where nothing is
+    #: said, coordinates that are asked or given call for the first, components for the second.
     "axes",
 )
 LENGTH = (
