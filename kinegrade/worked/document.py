@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import Literal, assert_never
+from typing import Literal
 
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
@@ -43,15 +43,8 @@ def say(message: Message, language: Language) -> Prose:
 
 
 def write_sentence(message: Message, language: Language) -> str:
-    """What a message says; in Chinese with spaces between words and formulas."""
-    text = open_catalogue(language).write(message)
-    match language:
-        case "zh":
-            return _space_formulas(text)
-        case "en" | "de":
-            return text
-        case _:
-            assert_never(language)
+    """What a message says, with spaces between Chinese words and formulas."""
+    return _space_formulas(open_catalogue(language).write(message))
 
 
 def _space_formulas(text: str) -> str:

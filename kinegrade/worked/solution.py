@@ -125,17 +125,14 @@ class _Answers:
 def _write_level_chapter(
     steps: Sequence[Step], case: Case, level: Level, answers: _Answers
 ) -> Iterator[Block]:
-    """The steps of velocities, or of accelerations, numbered, each with the answers that follow;
-    the given motions come first and count as one step.
+    """The given motions, then the steps of velocities, or of accelerations, numbered, each with the
+    answers that follow.
     """
     imposed = [step for step in steps if _is_given(step, case)]
     known = set(_list_found(imposed))
     number = 0
-    if imposed:
-        number = 1
-        yield _write_step_title(number, Message("solution.title-given"), case)
-        for step in imposed:
-            yield from explain_step(step, find_stage(step, case, level, set()))
+    for step in imposed:
+        yield from explain_step(step, find_stage(step, case, level, set()))
     stages = _find_stages(steps, case, level, known)
     scale = find_common_scale(stages.values())
     for step in steps:

@@ -36,7 +36,7 @@ pulley = "C"
 
 def test_an_open_belt_between_fixed_pulleys() -> None:
     solution = solve_small(FIXED, alpha="alpha(pulley2) in rad/s^2")
-    title = "## 2. A belt joins pulley 2 and pulley 1"
+    title = "## 1. A belt joins pulley 2 and pulley 1"
     chapter = read_chapter("# Velocities", solution)
     assert chapter.partition(f"{title}\n")[2] == as_read(
         r"""
@@ -59,7 +59,7 @@ def test_an_open_belt_between_fixed_pulleys() -> None:
 def test_a_crossed_belt_about_a_fixed_pulley() -> None:
     # omega - 2 = -3/2 (0 - 2)
     solution = solve_small(CARRIED, omega="omega(pulley) in rad/s")
-    assert read_chapter("## 2. A belt joins the pulley and the ground", solution) == as_read(
+    assert read_chapter("## 1. A belt joins the pulley and the ground", solution) == as_read(
         r"""
         Seen from the carrier $OC$ both rims always move with the speed of the belt. The belt is
             crossed, so the pulleys turn in opposite senses:

@@ -58,10 +58,9 @@ def test_a_composition_of_velocities() -> None:
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
             are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
             positive in the direction assumed for it; a known one stands for its magnitude.
-        ## 1. The given motion
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        ## 2. Composition of motions: moving point $A$, moving frame on $OB$
+        ## 1. Composition of motions: moving point $A$, moving frame on $OB$
         Moving point: $A$ (of the crank $O_{1}A$); moving frame: fixed to $OB$. Composition of
             velocities
             $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
@@ -93,10 +92,9 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
     solution = solve_small(SLOT, alpha="alpha(OB) in rad/s^2")
     assert read_chapter("# Accelerations", solution) == as_read(
         r"""
-        ## 1. The given motion
         Given: the angular acceleration of the crank $O_{1}A$.
         \alpha_{O_{1}A} &= 0
-        ## 2. Composition of motions: moving point $A$, moving frame on $OB$
+        ## 1. Composition of motions: moving point $A$, moving frame on $OB$
         Moving point $A$, moving frame fixed to $OB$. Composition of accelerations
             $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\bold\
             symbol{a}_{\mathrm{C}}$:
@@ -130,7 +128,7 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
     # v_a = 10 at right angles to OC, whose slope is 4 in 3
     solution = solve_small(YOKE, v_D="x(velocity(D)) in m/s")
     assert read_chapter(
-        "## 2. Composition of motions: moving point $C$, moving frame on block", solution
+        "## 1. Composition of motions: moving point $C$, moving frame on block", solution
     ) == as_read(
         r"""
         Moving point: $C$ (of the crank $OC$); moving frame: fixed to block. Composition of
@@ -159,10 +157,9 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
     solution = solve_small(YOKE, a_D="x(acceleration(D)) in m/s^2")
     assert read_chapter("# Accelerations", solution) == as_read(
         r"""
-        ## 1. The given motion
         Given: the angular acceleration of the crank $OC$.
         \alpha_{OC} &= 0
-        ## 2. Composition of motions: moving point $C$, moving frame on block
+        ## 1. Composition of motions: moving point $C$, moving frame on block
         Moving point $C$, moving frame fixed to block. Composition of accelerations
             $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\bold\
             symbol{a}_{\mathrm{C}}$:

@@ -31,7 +31,7 @@ AB = "A B"
 def test_velocities_by_a_base_point() -> None:
     # A ladder of 5 m: v_B = 2, so v_A = -2 * 4/3 and omega = 2/3 about the point above B
     solution = solve_small(LADDER, v_A="y(velocity(A)) in m/s", omega="omega(AB) in rad/s")
-    assert read_chapter("## 2. $AB$: base point $B$", solution) == as_read(
+    assert read_chapter("## 1. $AB$: base point $B$", solution) == as_read(
         r"""
         Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
             that of the rotation about $B$.
@@ -60,7 +60,7 @@ def test_velocities_by_a_base_point() -> None:
 def test_velocities_by_the_projection_theorem() -> None:
     solution = solve_small(LADDER, v_A="y(velocity(A)) in m/s")
     assert read_chapter(
-        "## 2. $AB$: velocity projection theorem", solution, "projection"
+        "## 1. $AB$: velocity projection theorem", solution, "projection"
     ) == as_read(
         r"""
         Velocity projection theorem: the velocities of $B$ and $A$ of $AB$ have equal projections on
@@ -90,7 +90,7 @@ def test_velocities_by_the_projection_theorem() -> None:
 def test_velocities_by_the_instantaneous_centre() -> None:
     solution = solve_small(LADDER, v_A="y(velocity(A)) in m/s", omega="omega(AB) in rad/s")
     assert read_chapter(
-        "## 2. $AB$: instantaneous centre of velocity", solution, "pole"
+        "## 1. $AB$: instantaneous centre of velocity", solution, "pole"
     ) == as_read(
         r"""
         Instantaneous centre of $AB$: the normals to the velocities of $B$ and $A$ meet in the pole
@@ -125,7 +125,7 @@ def test_a_rod_whose_end_stands_still() -> None:
     solution = solve_small(
         LADDER.replace('"2"', '"0"'), v_A="y(velocity(A)) in m/s", omega="omega(AB) in rad/s"
     )
-    assert read_chapter("## 2. $AB$: base point $B$", solution) == as_read(
+    assert read_chapter("## 1. $AB$: base point $B$", solution) == as_read(
         r"""
         Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
             that of the rotation about $B$.
@@ -155,10 +155,9 @@ def test_a_rod_in_instantaneous_translation() -> None:
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
             are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
             positive in the direction assumed for it; a known one stands for its magnitude.
-        ## 1. The given motion
         Given: the angular velocity of $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        ## 2. $AB$: instantaneous centre of velocity
+        ## 1. $AB$: instantaneous centre of velocity
         The normals to the velocities of $A$ and $B$ are parallel: the pole of $AB$ is at
             infinity, the body is in instantaneous translation and all its points have the same
             velocity.
@@ -189,10 +188,9 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
     )
     assert read_chapter("# Accelerations", solution) == as_read(
         r"""
-        ## 1. The given motion
         Given: the angular acceleration of $OA$.
         \alpha_{OA} &= 0
-        ## 2. $AB$: base point $A$
+        ## 1. $AB$: base point $A$
         Base point method for $AB$: the acceleration of $B$ is that of the base point $A$ plus the
             normal and tangential accelerations of the rotation about $A$.
         [ ] \boldsymbol{a}_{B} | ? | $\parallel x$

@@ -66,12 +66,11 @@ def test_meshing_seen_from_the_carrier() -> None:
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
             are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
             positive in the direction assumed for it; a known one stands for its magnitude.
-        ## 1. The given motion
         Given: the angular velocity of the carrier $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         Given: the angular velocity of the sun gear.
         \omega_{O} &= -3\,\unit{rad/s}\quad\text{(clockwise)}
-        ## 2. The planet gear meshes with the sun gear
+        ## 1. The planet gear meshes with the sun gear
         Seen from the carrier $OA$ the pitch circles have equal speeds at the contact:
         1 \cdot (\omega - \omega_{OA}) &= -2(\omega_{O} - \omega_{OA})
         \omega &= 12\,\unit{rad/s}\quad\text{(counter-clockwise)}
@@ -83,12 +82,11 @@ def test_meshing_of_angular_accelerations() -> None:
     solution = solve_small(PLANETS, alpha="alpha(planet) in rad/s^2")
     assert read_chapter("# Accelerations", solution) == as_read(
         r"""
-        ## 1. The given motion
         Given: the angular acceleration of the carrier $OA$.
         \alpha_{OA} &= 0
         Given: the angular acceleration of the sun gear.
         \alpha_{O} &= 4\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
-        ## 2. The planet gear meshes with the sun gear
+        ## 1. The planet gear meshes with the sun gear
         Seen from the carrier $OA$ the pitch circles have equal speeds at the contact:
         1 \cdot (\alpha - \alpha_{OA}) &= -2(\alpha_{O} - \alpha_{OA})
         \alpha &= -8\,\unit{rad/s^2}\quad\text{(clockwise)}
@@ -114,10 +112,9 @@ def test_a_given_relative_rate() -> None:
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
             are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
             positive in the direction assumed for it; a known one stands for its magnitude.
-        ## 1. The given motion
         Given: the angular velocity of the carrier $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        ## 2. The given motion
+        ## 1. The given motion
         Given: the angular velocity of link relative to the carrier $OA$.
         \omega - \omega_{OA} &= -5\,\unit{rad/s}\quad\text{(clockwise)}
         \omega &= -3\,\unit{rad/s}\quad\text{(clockwise)}
@@ -128,7 +125,7 @@ def test_a_given_relative_rate() -> None:
 def test_a_rod_that_turns_with_its_sleeve() -> None:
     # The sleeve's rate, not that of the crank
     solution = solve_small(SLEEVE, omega="omega(rod) in rad/s")
-    assert read_chapter("## 3. The rod turns with the sleeve", solution) == as_read(
+    assert read_chapter("## 2. The rod turns with the sleeve", solution) == as_read(
         r"""
         The rod does not turn relative to the sleeve, so their angular velocities are equal:
         \omega &= \omega_{O} = 0.56\,\unit{rad/s}\quad\text{(counter-clockwise)}

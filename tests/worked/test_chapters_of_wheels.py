@@ -60,10 +60,9 @@ def test_rolling_on_a_line() -> None:
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
             are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
             positive in the direction assumed for it; a known one stands for its magnitude.
-        ## 1. The given motion
         Given: the velocity of $C$, positive to the right.
         v_{C} &= 6\,\unit{m/s}\quad\text{(to the right)}
-        ## 2. The wheel rolls without slipping on the ground
+        ## 1. The wheel rolls without slipping on the ground
         The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
             the motion of $C$ along its path ($v_{C}$ positive to the right) and the rotation of the
             wheel are linked:
@@ -99,7 +98,7 @@ def test_rolling_on_a_circle() -> None:
     # C is above the contact: it goes to the left, counter-clockwise about O
     solution = solve_small(ON_A_CIRCLE, v_C="magnitude(velocity(C)) in m/s")
     assert read_chapter(
-        "## 2. The wheel rolls without slipping on a fixed circle", solution
+        "## 1. The wheel rolls without slipping on a fixed circle", solution
     ) == as_read(
         r"""
         The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
@@ -124,10 +123,9 @@ def test_rolling_inside_a_circle() -> None:
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
             are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
             positive in the direction assumed for it; a known one stands for its magnitude.
-        ## 1. The given motion
         Given: the angular velocity of the wheel.
         \omega_{CD} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        ## 2. The wheel rolls without slipping on a fixed circle
+        ## 1. The wheel rolls without slipping on a fixed circle
         The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
             the motion of $C$ along its path ($v_{C}$ positive counter-clockwise about $O$) and the
             rotation of the wheel are linked:
@@ -164,10 +162,9 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
             are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
             positive in the direction assumed for it; a known one stands for its magnitude.
-        ## 1. The given motion
         Given: the velocity of $A$ on its circle about $O$, positive counter-clockwise.
         v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise)}
-        ## 2. The wheel rolls without slipping on a fixed circle
+        ## 1. The wheel rolls without slipping on a fixed circle
         The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
             the motion of $A$ along its path ($v_{A}$ positive counter-clockwise about $O$) and the
             rotation of the wheel are linked:
@@ -182,11 +179,10 @@ def test_the_given_tangential_acceleration() -> None:
     solution = solve_small(DRIVEN_ROUND, alpha="alpha(W) in rad/s^2")
     assert read_chapter("# Accelerations", solution) == as_read(
         r"""
-        ## 1. The given motion
         Given: the tangential acceleration of $A$ on its circle about $O$, positive
             counter-clockwise.
         a_{A}^{\mathrm{t}} &= 3\,\unit{m/s^2}\quad\text{(counter-clockwise)}
-        ## 2. The wheel rolls without slipping on a fixed circle
+        ## 1. The wheel rolls without slipping on a fixed circle
         There is no slip at the contact, so the motion of $A$ along its path ($a_{A}^{\mathrm{t}}$
             positive counter-clockwise about $O$) and the rotation of the wheel are linked:
         a_{A}^{\mathrm{t}} &= -1 \cdot \alpha
@@ -204,10 +200,9 @@ def test_gears_with_fixed_axes() -> None:
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
             are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
             positive in the direction assumed for it; a known one stands for its magnitude.
-        ## 1. The given motion
         Given: the angular velocity of the gear.
         \omega_{O} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        ## 2. Composition of motions: moving point $C$, moving frame on the gear
+        ## 1. Composition of motions: moving point $C$, moving frame on the gear
         Moving point: $C$ (of pinion); moving frame: fixed to the gear. Composition of velocities
             $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
         [ ] 0 | |
@@ -217,7 +212,7 @@ def test_gears_with_fixed_axes() -> None:
         Projected on the $y$ axis:
         0 &= v_{\mathrm{e}} + v_{\mathrm{r}}
         v_{\mathrm{r}} &= -v_{\mathrm{e}} = -8\,\unit{m/s}\quad\text{(downwards)}
-        ## 3. Pinion rolls without slipping on the gear
+        ## 2. Pinion rolls without slipping on the gear
         There is no slip at the contact, so the motion of $C$ along its path and the rotation of
             pinion relative to the gear are linked:
         v_{\mathrm{r}} &= 1 \cdot (\omega - \omega_{O})

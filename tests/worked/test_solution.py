@@ -238,7 +238,7 @@ def test_a_vector_equation_has_its_table_and_its_pictures() -> None:
     step = next(
         place
         for place, block in enumerate(blocks)
-        if block == Heading("2. $AB$: base point $A$", 2)
+        if block == Heading("1. $AB$: base point $A$", 2)
     )
     pictures = next(block for block in blocks[step:] if isinstance(block, Pictures))
     assert [picture.caption for picture in pictures.pictures] == [
@@ -250,9 +250,9 @@ def test_a_vector_equation_has_its_table_and_its_pictures() -> None:
 @pytest.mark.parametrize(
     ("method", "title"),
     [
-        ("base-point", "2. $AB$: base point $A$"),
-        ("projection", "2. $AB$: velocity projection theorem"),
-        ("pole", "2. $AB$: instantaneous centre of velocity"),
+        ("base-point", "1. $AB$: base point $A$"),
+        ("projection", "1. $AB$: velocity projection theorem"),
+        ("pole", "1. $AB$: instantaneous centre of velocity"),
     ],
 )
 def test_the_method_is_chosen_by_whoever_sets_the_exam(method: Method, title: str) -> None:
@@ -268,7 +268,7 @@ def test_the_method_is_chosen_by_whoever_sets_the_exam(method: Method, title: st
 def test_the_author_of_a_template_chooses_the_method() -> None:
     text = load_template("slider-crank").file.text
     template = read_template("crank", f'method = "pole"\n{text}')
-    assert Heading("2. $AB$: instantaneous centre of velocity", 2) in told(
+    assert Heading("1. $AB$: instantaneous centre of velocity", 2) in told(
         solve_template(template, {})
     )
     with pytest.raises(
