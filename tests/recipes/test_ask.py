@@ -45,7 +45,7 @@ q_x = { quantity = "x(acceleration_pole(AB) - B)", unit = "m", sign = "+x", mean
 q_y = { quantity = "y(acceleration_pole(AB) - B)", unit = "m", sign = "+y", means = { en = "up $BQ$", zh = "$BQ$ y" } }
 """
 BANK = 'title = "T"\ncourse = "C"\n[[questions]]\ntemplate = "crank.toml"\nasks = { omega_AB = 1, x_Q = 2 }\n'
-REPEATED = ("--reproducible", "words", "--jobs", 1)
+REPEATED = ("--reproducible", "words", "--jobs", 1, "--solutions")
 VERDICTS = ["right", "right", "mistake", "follow-through"]  # the last follows from the one before
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import cos, pi
+from typing import assert_never
 
 import numpy as np
 
@@ -78,12 +79,16 @@ def add_radius(
 
 def _list_angles(rim: Rim) -> list[float]:
     """The directions that the arrow of a circle may have, the preferred ones first."""
-    if rim.kind == "cam":
-        return [angle_of(rim.touch - rim.at)]
-    arc = rim.find_arc()
-    if arc:
-        return [arc[0] + share * arc[1] for share in _ALONG_ARC]
-    return [turn + shift for shift in _SHIFTS for turn in _PREFERRED]
+    match rim.kind:
+        case "cam":
+            return [angle_of(rim.touch - rim.at)]
+        case "wheel" | "gear" | "slot" | "edge":
+            arc = rim.find_arc()
+            if arc:
+                return [arc[0] + share * arc[1] for share in _ALONG_ARC]
+            return [turn + shift for shift in _SHIFTS for turn in _PREFERRED]
+        case _:
+            assert_never(rim.kind)
 
 
 def _draw_from_centre(

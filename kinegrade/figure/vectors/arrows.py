@@ -78,14 +78,16 @@ class VectorArrow:
         )
 
     def wish_at_tip(self, others: Iterable[VectorArrow]) -> Wish:
-        """The symbol around the tip of the arrow, or beside the half near its tip, nearer to it
-        than to any other.
+        """The symbol around the tip of the arrow, or beside its half near the tip, at last beside
+        the other half, nearer to it than to any other.
         """
         start, end = self.line
-        half = list_spots_beside(self.symbol, (start + end) / 2, end, gaps=(0.5, 1.4))
-        return self._wish(
-            np.concatenate((self._about_tip()[:8], half, self._about_tip()[8:])), others
+        middle, about = (start + end) / 2, self._about_tip()
+        near, far = (
+            list_spots_beside(self.symbol, *half, gaps=(0.5, 1.4))
+            for half in ((middle, end), (start, middle))
         )
+        return self._wish(np.concatenate((about[:8], near, about[8:], far)), others)
 
     def _about_tip(self) -> Floats:
         start, end = self.line

@@ -5,8 +5,9 @@ curved arrows.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from kinegrade.figure.marks.names import label_bodies, label_points
 from kinegrade.figure.marks.rotations import add_rotations
@@ -62,12 +63,15 @@ def draw_with_vectors(
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
     plain = BareMechanism.of(mechanism, hints, (arrow.at for arrow in arrows))
-    return fit_scene(
-        lambda scale: _compose(plain, arrows, turnings, scale),
-        plain.first_scale(),
-        plain.span,
-        PICTURE,
-    )
+    first = _fit(partial(_compose, plain, arrows, turnings, symbols_first=False), plain)
+    if not first.crowded:
+        return first
+    other = _fit(partial(_compose, plain, arrows, turnings, symbols_first=True), plain)
+    return min(first, other, key=lambda scene: len(scene.crowded))
+
+
+def _fit(compose: Callable[[float], Layout], plain: BareMechanism) -> Scene:
+    return fit_scene(compose, plain.first_scale(), plain.span, PICTURE)
 
 
 def place_arrows(
@@ -112,15 +116,21 @@ def add_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
 
 
 def _compose(
-    plain: BareMechanism, arrows: Sequence[PointArrow], turnings: Sequence[Turning], scale: float
+    plain: BareMechanism,
+    arrows: Sequence[PointArrow],
+    turnings: Sequence[Turning],
+    scale: float,
+    *,
+    symbols_first: bool,
 ) -> Layout:
     """The mechanism and its arrows, then the labels with the fewest possible places first: letters,
-    symbols, names of bodies.
+    symbols, names of bodies; symbols before letters where these leave them no place.
     """
     paper, drawing = plain.at(scale)
     placed = place_arrows(arrows, scale, drawing)
     layout = add_arrows(Layout.of(drawing.primitives), placed, drawing)
     named = tuple(label_points(paper, plain.hints, drawing))
-    layout = add_symbols(layout.written(named), placed)
+    early, late = ((), named) if symbols_first else (named, ())
+    layout = add_symbols(layout.written(early), placed).written(late)
     layout = add_rotations(layout, paper, turnings, drawing, named)
     return layout.written(label_bodies(paper, plain.hints, drawing, layout.labels))
