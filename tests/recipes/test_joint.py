@@ -246,7 +246,7 @@ STEPS = (
     Step("Its name in the room", add_name, '"II turns twice with I": no such joint', check),
     Step("Its step in worked solutions", add_statement, "DoubledRotation(", solve),
     Step("How it is drawn", add_symbol, "Doubling(", show),
-    Step("Its words", add_words, "no entry solution.title-doubling", solve),
+    Step("Its words", add_words, "no entry solution.doubling", solve),
     Step("Its proof", add_proof, "Doubling(", prove),
 )
 
