@@ -50,7 +50,9 @@ def write_worked_solution(
     asked = tuple(stated.template.asks[name] for name in asks)
     boxes = AnswerBoxes.around(asked, case)
     told = boxes.frame(_write_blocks(case, asked, boxes))
-    return WorkedSolution((*_note_idle_method(method, asked, case), *told))
+    # Centrodes are worked out at other poses too: in the precision of this one
+    with case.arithmetic.context():
+        return WorkedSolution((*_note_idle_method(method, asked, case), *told))
 
 
 def _note_idle_method(method: Method | None, asked: Sequence[Ask], case: Case) -> Iterator[Block]:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from math import cos, hypot, radians
+from math import cos, hypot, radians, sin
 
 import numpy as np
 import pytest
@@ -157,6 +157,16 @@ def test_no_symbol_is_its_own_opposite(name: str) -> None:
 def test_nothing_is_told_twice(name: str) -> None:
     lines = [line for line in displayed(kept(name)) if not line.startswith("&") and "/s" in line]
     assert len(lines) == len(set(lines))
+
+
+def test_a_centrode_is_told_at_angles_that_no_exact_field_holds() -> None:
+    template = load_template("rod-ground-incline-fixed-centrode")
+    solution = solve_template(template, {"l": "1", "theta": "20", "gamma": "100"}, ["rho"])
+    assert not solution.arithmetic.exact
+    (radius,) = boxed(write_worked_solution(solution, ["rho"], "en").blocks)
+    assert read_formula(read_math(radius, "worked"), know_nothing).value == pytest.approx(
+        1 / sin(radians(100)), abs=5e-4
+    )
 
 
 @pytest.mark.parametrize("name", moving_templates())
