@@ -32,6 +32,22 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Let one worker run the tests that share what is made once for their module."""
+    for item in items:
+        if isinstance(item, pytest.Function) and _shares(item):
+            item.add_marker(pytest.mark.xdist_group(item.module.__name__))
+
+
+def _shares(item: pytest.Function) -> bool:
+    """Whether a test uses a fixture of its module, and is in no other group."""
+    if item.get_closest_marker("xdist_group") is not None:
+        return False
+    definitions = item._fixtureinfo.name2fixturedefs.values()
+    return any(one.scope == "module" for each in definitions for one in each)
+
+
 def pytest_runtest_setup(item: pytest.Item) -> None:
     """Fail a test that needs TeX where there is none: a test that is skipped proves nothing."""
     if item.get_closest_marker("needs_tex") is None:

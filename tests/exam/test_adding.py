@@ -105,7 +105,7 @@ def folder(tmp_path: Path, unchanged: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def unchanged(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return generated(write(tmp_path_factory.mktemp("unchanged")), *WORDS, "--solutions")
+    return generated(write(tmp_path_factory.mktemp("unchanged")), *WORDS)
 
 
 REWRITTEN = {
@@ -294,9 +294,7 @@ def test_marks_made_before_are_still_good(folder: Path) -> None:
     added(folder)
     report = kinegrade("report", exam, marks, "-o", folder / "report.html")
     assert report.exit_code == 0, report.stderr
-    feedback = kinegrade(
-        "feedback", exam, marks, "-o", folder / "FEEDBACK", "--format", "md", "--solutions"
-    )
+    feedback = kinegrade("feedback", exam, marks, "-o", folder / "FEEDBACK", "--format", "md")
     assert feedback.exit_code in (0, 1), feedback.stderr
     assert "3 sheets" in feedback.stderr
 
@@ -408,6 +406,7 @@ def test_what_the_exam_says_is_not_said_again(folder: Path, option: str) -> None
 
 @pytest.mark.parametrize("name", ["papers.pdf", "solutions.pdf"])
 def test_a_book_that_is_missing_is_refused(folder: Path, name: str) -> None:
+    assert kinegrade("solutions", folder / "EXAM").exit_code == 0
     (folder / "EXAM" / name).unlink()
     (line,) = refused(folder)
     assert line.startswith(f"EXAM/{name}: is missing - expected the {name[:-4]} of all students")

@@ -16,6 +16,7 @@ from kinegrade.exam.printing.class_printing import CHUNK, MOST, split_class
 from tests.problem.crank import crank_text
 from tests.small_class import contents, generate, key_lines
 
+pytestmark = pytest.mark.xdist_group("class printing")  # one worker sets the class, once
 TWO_CHUNKS = "student,name\n" + "".join(
     f"{number},Student {number}\n" for number in range(2 * CHUNK + 1)
 )
@@ -37,19 +38,30 @@ draw = { h = [1], r = "1 .. 8 step 1", omega = "1 .. 8 step 1" }
 """
 
 
+def write(folder: Path) -> Path:
+    """A class that is large enough for two processes."""
+    (folder / "roster.csv").write_text(TWO_CHUNKS, encoding="utf-8")
+    (folder / "bank.toml").write_text(BANK, encoding="utf-8")
+    (folder / "crank.toml").write_text(crank_text(), encoding="utf-8")
+    return folder
+
+
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """A class that is large enough for two processes."""
-    (tmp_path / "roster.csv").write_text(TWO_CHUNKS, encoding="utf-8")
-    (tmp_path / "bank.toml").write_text(BANK, encoding="utf-8")
-    (tmp_path / "crank.toml").write_text(crank_text(), encoding="utf-8")
-    return tmp_path
+    return write(tmp_path)
 
 
-def test_two_processes_write_the_same_bytes_as_one(folder: Path) -> None:
-    assert generate(folder, "ONE", "--jobs", "1").exit_code == 0
+@pytest.fixture(scope="module")
+def one(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+    """What a single process writes."""
+    place = write(tmp_path_factory.mktemp("one"))
+    assert generate(place, "ONE", "--jobs", "1").exit_code == 0
+    return contents(place / "ONE")
+
+
+def test_two_processes_write_the_same_bytes_as_one(folder: Path, one: dict[str, bytes]) -> None:
     assert generate(folder, "TWO", "--jobs", "2").exit_code == 0
-    assert contents(folder / "TWO") == contents(folder / "ONE")
+    assert contents(folder / "TWO") == one
 
 
 @pytest.mark.parametrize("count", [1, CHUNK, CHUNK + 1, 300, 1001])
@@ -66,9 +78,8 @@ def test_the_parts_are_the_class_and_become_smaller(count: int, workers: int) ->
 # Of a library: copies where there are none, else processes afresh
 @pytest.mark.parametrize("threads", ["1", "2"])
 def test_copies_of_a_process_without_threads_write_the_same_bytes(
-    folder: Path, threads: str
+    folder: Path, one: dict[str, bytes], threads: str
 ) -> None:
-    assert generate(folder, "ONE", "--jobs", "1").exit_code == 0
     command = [
         sys.executable,
         "-W",
@@ -97,7 +108,7 @@ def test_copies_of_a_process_without_threads_write_the_same_bytes(
             "OPENBLAS_NUM_THREADS": threads,
         },
     )
-    assert contents(folder / "TWO") == contents(folder / "ONE")
+    assert contents(folder / "TWO") == one
 
 
 def test_versions_are_drawn_in_every_process_and_counted_once(folder: Path) -> None:

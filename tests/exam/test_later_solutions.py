@@ -13,9 +13,18 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
+from kinegrade.exam.printing.class_printing import CHUNK
 from tests.small_class import contents, generate, kinegrade, write_class
 
 Damage = Callable[[Path], None]
+SHORT = """title = "Quiz"
+course = "Mechanics"
+
+[[questions]]
+template = "crank.toml"
+draw = { h = [0], r = [1, 2, 3], omega = [2, 3, 4] }
+asks = { v_y = 1 }
+"""
 STEMS = ["007", "0012", "a%2Fb", "%3D2"]
 
 
@@ -44,29 +53,21 @@ def refusal(exam: Path, *options: str) -> str:
     return line
 
 
-@pytest.mark.parametrize("jobs", ["1", "2"])
-def test_all_are_those_of_generate_byte_for_byte(
-    solved: dict[str, bytes], exam: Path, jobs: str
-) -> None:
-    result = kinegrade("solutions", exam, "--jobs", jobs)
+def test_all_are_those_of_generate_byte_for_byte(solved: dict[str, bytes], exam: Path) -> None:
+    result = kinegrade("solutions", exam)
     assert (result.exit_code, result.stdout) == (0, "")
     assert "EXAM: the worked solutions of 4 students; kinegrade feedback " in result.stderr
     assert contents(exam) == solved
 
 
-@pytest.mark.parametrize("jobs", ["1", "2"])
-def test_several_processes_write_the_same(tmp_path: Path, jobs: str) -> None:
+def test_several_processes_write_the_same(tmp_path: Path) -> None:
     folder = write_class(tmp_path)
-    rows = [f"s{number},Student {number}\n" for number in range(41)]
+    rows = [f"s{number},Student {number}\n" for number in range(2 * CHUNK)]
     (folder / "roster.csv").write_text(f"student,name\n{''.join(rows)}", encoding="utf-8")
-    bank = (folder / "bank.toml").read_text(encoding="utf-8")
-    bank = bank.replace('"bar-through-swivelling-sleeve"', '"slider-crank"')
-    bank = bank.replace("omega_AB = 3, alpha_AB = 4", "omega_AB = 3")
-    (folder / "bank.toml").write_text(bank, encoding="utf-8")
-    for name in ("WITH", "LATER"):
-        options = ("--solutions",) if name == "WITH" else ()
-        assert generate(folder, name, *options).exit_code in (0, 1)
-    assert kinegrade("solutions", folder / "LATER", "--jobs", jobs).exit_code == 0
+    (folder / "bank.toml").write_text(SHORT, encoding="utf-8")
+    assert generate(folder, "WITH", "--solutions").exit_code == 1  # some have the same numbers
+    assert generate(folder, "LATER").exit_code == 1
+    assert kinegrade("solutions", folder / "LATER", "--jobs", "2").exit_code == 0
     assert contents(folder / "LATER") == contents(folder / "WITH")
 
 

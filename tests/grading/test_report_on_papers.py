@@ -6,8 +6,9 @@ from __future__ import annotations
 
 import re
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -29,8 +30,10 @@ from tests.by_hand.school import (
     make_exam,
 )
 
+pytestmark = pytest.mark.xdist_group("report on papers")  # one worker sets the exam, once
 TEMPLATES = ("slider-crank", "pole-four-bar-coupler")
 STUDENTS = 32
+Places = Mapping[str, list[int]]
 Hard = Callable[[int], bool]  # of the place among papers from the easiest to the hardest
 
 
@@ -38,6 +41,19 @@ Hard = Callable[[int], bool]  # of the place among papers from the easiest to th
 def exam(tmp_path_factory: pytest.TempPathFactory) -> Exam:
     folder = tmp_path_factory.mktemp("papers") / "class"
     return make_exam(folder, TEMPLATES, STUDENTS, FOUR_FIGURES, "papers")
+
+
+@pytest.fixture(scope="module")
+def places(exam: Exam) -> Places:
+    """For each question the places of the papers, from the easiest to the hardest."""
+    predicted = predict_kept(KeptExam(open_exam(exam.folder)))
+    return {
+        question.number: sorted(
+            range(STUDENTS),
+            key=lambda place: predicted[exam.papers[place].student][question.number],
+        )
+        for question in exam.papers[0].questions
+    }
 
 
 def said(key: str) -> str:
@@ -77,43 +93,46 @@ def miss(question: Question) -> Answers:
     }
 
 
-def fail(exam: Exam, hard: Hard) -> Typed:
+def fail(places: Places, hard: Hard) -> Typed:
     """A class that misses a question where its place among the papers is hard."""
-    predicted = predict_kept(KeptExam(open_exam(exam.folder)))
 
     def typed(paper: Paper, question: Question) -> Answers:
-        others = [predicted[each.student][question.number] for each in exam.papers]
-        place = sorted(range(STUDENTS), key=others.__getitem__).index(paper.place)
+        place = places[question.number].index(paper.place)
         return miss(question) if hard(place) else question.right
 
     return typed
 
 
+class Found(NamedTuple):
+    """What the report says, between which bounds the correlation is, and the advantage of the
+    papers predicted easiest over the hardest, in per cent.
+    """
+
+    conclusion: str
+    correlation: tuple[float, float]
+    advantage: tuple[int, int]
+
+
 @pytest.mark.parametrize(
-    ("hard", "conclusion", "correlation", "advantage"),
+    ("hard", "expected"),
     [
-        (lambda place: place >= STUDENTS / 2, "prediction-held", (0.4, 1.0), (30, 100)),
-        (lambda place: place < STUDENTS / 2, "prediction-reversed", (-1.0, -0.4), (-100, -30)),
-        (lambda place: place % 2 == 0, "prediction-not-seen", (-0.3, 0.3), (-50, 50)),
+        (lambda place: place >= STUDENTS / 2, Found("prediction-held", (0.4, 1.0), (30, 100))),
+        (lambda place: place < STUDENTS / 2, Found("prediction-reversed", (-1, -0.4), (-100, -30))),
+        (lambda place: place % 2 == 0, Found("prediction-not-seen", (-0.3, 0.3), (-50, 50))),
     ],
 )
 def test_what_was_predicted_is_held_against_the_points_lost(
-    exam: Exam,
-    hard: Hard,
-    conclusion: str,
-    correlation: tuple[float, float],
-    advantage: tuple[int, int],
+    exam: Exam, places: Places, hard: Hard, expected: Found
 ) -> None:
-    """The advantage is that of the papers predicted easiest over the hardest, in per cent."""
-    html = report(exam.folder, answered(exam, fail(exam, hard))[1])
-    assert said(conclusion) in html
+    html = report(exam.folder, answered(exam, fail(places, hard))[1])
+    assert said(expected.conclusion) in html
     for number in (1, 2):
         predicted, *thirds, found, _, _ = read_row(html, f"Question {number}")
         shares = [int(re.findall(r"\d+", third)[0]) for third in thirds if third]
         assert re.fullmatch(r"\d+\.\d\d ± \d\.\d\d", predicted)
-        lowest, highest = correlation
+        lowest, highest = expected.correlation
         assert lowest <= float(found.replace("−", "-")) <= highest
-        assert advantage[0] <= shares[0] - shares[-1] <= advantage[1]
+        assert expected.advantage[0] <= shares[0] - shares[-1] <= expected.advantage[1]
     assert len(read_row(html, said("whole-paper"))) == 7
     assert not lost_to_rounding(html)
 
@@ -150,8 +169,10 @@ def test_an_exam_that_asks_for_three_figures_finds_two_too_coarse(
             assert two[student][column] >= 9.99 * bound
 
 
-def test_nothing_is_said_where_the_folder_no_longer_says_it(exam: Exam, tmp_path: Path) -> None:
-    _, marks = answered(exam, fail(exam, lambda place: place >= STUDENTS / 2))
+def test_nothing_is_said_where_the_folder_no_longer_says_it(
+    exam: Exam, places: Places, tmp_path: Path
+) -> None:
+    _, marks = answered(exam, fail(places, lambda place: place >= STUDENTS / 2))
     shutil.copytree(exam.folder, tmp_path / "EXAM")
     for file in (tmp_path / "EXAM" / "templates").rglob("slider-crank.toml"):
         file.write_text("schema = 99\n", encoding="utf-8")

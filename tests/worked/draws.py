@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import lru_cache
 
 from kinegrade.language import Language
 from kinegrade.problem.solving import Solution, solve_template
@@ -16,7 +16,7 @@ from tests.problem.draws import drawn as draws_of
 DRAWS = 1
 
 
-@cache
+@lru_cache(maxsize=2)  # a template after another: see conftest.py
 def drawn(name: str) -> tuple[Solution, ...]:
     """The published instance and a drawn one, solved for all asks that an exam may put."""
     template = load_template(name)
@@ -30,7 +30,7 @@ def told(
     return write_worked_solution(solution, solution.template.asks, language, method).blocks
 
 
-@cache
+@lru_cache(maxsize=16)
 def kept(
     name: str, place: int = 0, method: Method | None = None, language: Language = "en"
 ) -> tuple[Block, ...]:

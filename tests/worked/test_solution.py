@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache
+from functools import lru_cache
 from math import cos, hypot, radians, sin
 
 import numpy as np
@@ -48,7 +48,7 @@ TIDY = 1e-7  # angles are whole where they are so to within 1e-7 degrees
 Told = tuple[Stage, tuple[Relation, ...], tuple[str, ...]]
 
 
-@cache
+@lru_cache(maxsize=2)
 def stages(name: str, place: int) -> tuple[Told, ...]:
     """Every step that the answers of one drawn instance need, with its scalar relations and what it
     gives.
@@ -103,12 +103,12 @@ def measure_in_si(answer: Quantity) -> float:
     return float(answer.decimal(12)) * factor
 
 
-@cache
+@lru_cache(maxsize=2000)
 def typeset(latex: str) -> None:
     write_typst_math(latex, "worked")
 
 
-@cache
+@lru_cache(maxsize=2000)
 def set_in_prose(text: str) -> None:
     assert not re.search(r"<\w+>", text)
     write_prose(text, "worked")
