@@ -52,7 +52,8 @@ class Findings:
 
     `numbers` are those of the relative motions where a step has several, by the rate of each;
     `inclined` the lines whose angle with the x axis has been found; `sized` the symbols of vectors
-    known by components whose magnitude has been given as well.
+    known by components whose magnitude has been given as well; `directed` the Coriolis
+    accelerations whose direction has been said.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -62,3 +63,4 @@ class Findings:
     numbers: dict[Rate, Row] = field(default_factory=dict)
     sized: set[VectorSymbol] = field(default_factory=set)
     inclined: set[tuple[str, str]] = field(default_factory=set)
+    directed: set[VectorSymbol] = field(default_factory=set)

@@ -64,6 +64,7 @@ def test_a_composition_of_velocities() -> None:
         Moving point: $A$ (of the crank $O_{1}A$); moving frame: fixed to $OB$. Composition of
             velocities
             $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
+            absolute, transport (of the point of $OB$ that is at $A$) and relative (seen from $OB$).
         [ ] \boldsymbol{v}_{\mathrm{a}} | $O_{1}A \cdot \omega_{O_{1}A} = 8\,\unit{m/s}$ | $\perp
             O_{1}A$
         [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA$
@@ -107,6 +108,9 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         [+] \boldsymbol{a}_{\mathrm{C}} | $2\omega\,v_{\mathrm{r}} = 12.288\,\unit{m/s^2}$ | $\perp
             v_{\mathrm{r}}$
         At this instant $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
+        Right-hand rule: $\boldsymbol{a}_{\mathrm{C}}$ has the direction of
+            $\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ counter-clockwise, with
+            $\omega$.
         Projected on the direction from $A$ to $O$, normal to
             $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$, which so drops out:
         a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{r}}
@@ -134,6 +138,8 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         Moving point: $C$ (of the crank $OC$); moving frame: fixed to block. Composition of
             velocities
             $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
+            absolute, transport (of the point of block that is at $C$) and relative (seen from
+            block).
         [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC$
         [=] \boldsymbol{v}_{D} | ? | $\parallel x$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel y$

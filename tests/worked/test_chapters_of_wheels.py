@@ -205,6 +205,8 @@ def test_gears_with_fixed_axes() -> None:
         ## 1. Composition of motions: moving point $C$, moving frame on the gear
         Moving point: $C$ (of pinion); moving frame: fixed to the gear. Composition of velocities
             $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
+            absolute, transport (of the point of the gear that is at $C$) and relative (seen from
+            the gear).
         [ ] 0 | |
         [=] \boldsymbol{v}_{\mathrm{e}} | $OC \cdot \omega_{O} = 8\,\unit{m/s}$ | $\perp OC$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\perp OC$

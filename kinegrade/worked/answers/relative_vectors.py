@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import chain
 from typing import Literal, NamedTuple
 
@@ -22,6 +23,7 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
 from kinegrade.worked.senses import state_way
+from kinegrade.worked.vectors.coriolis import Turned, explain_directions
 from kinegrade.worked.vectors.points import list_relative_parts
 from kinegrade.worked.vectors.summands import add_components
 from kinegrade.worked.vectors.vectors import name_by_role
@@ -110,6 +112,8 @@ def _find_coriolis(motion: Relative, case: Case) -> Found:
     omega = abs(name_rotation(motion.frame, case, "velocity"))
     links = equate(TWO * omega * abs(relative.symbol))
     if any(map(double, value)):
+        bold = replace(name, bold=True), replace(relative.symbol, bold=True)
+        yield from explain_directions((Turned(*bold, motion.frame),), case)
         turned = abs(measure(find_rotation_value(motion.frame, case, "velocity"), "rad/s"))
         speed = measure(length(relative.value, case.arithmetic), "m/s")
         links += equate(TWO.dot(turned).dot(speed))

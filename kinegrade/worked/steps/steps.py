@@ -28,6 +28,7 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.rates.scalars import explain_scalar_step, state_relation
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
+from kinegrade.worked.vectors.coriolis import explain_directions, list_turned
 from kinegrade.worked.vectors.deductions import explain_deduction
 from kinegrade.worked.vectors.facts import has_been_told, make_key
 from kinegrade.worked.vectors.magnitudes import (
@@ -75,6 +76,7 @@ def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
         yield case.say(introduce_equation(equation, case))
         yield make_term_table(equation, case)
         yield from explain_remarks(equation, case)
+    yield from explain_directions(list_turned(stage), case)
     for relation in scalars:
         statement = state_relation(relation, case, stage.level)
         yield case.say(statement.reason)

@@ -1,0 +1,62 @@
+"""The directions of Coriolis accelerations by the right-hand rule, each said once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from kinegrade.language.message import Message, list_statements
+from kinegrade.mechanics.rates import make_turning
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block
+from kinegrade.worked.formulas.atoms import VectorSymbol
+from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.senses import name_rotation_sense
+from kinegrade.worked.vectors.stage import Stage
+from kinegrade.worked.vectors.vectors import (
+    name_by_role,
+    name_part,
+    number_composition,
+    vanishes,
+)
+
+
+class Turned(NamedTuple):
+    """A Coriolis acceleration: its symbol, that of the relative velocity, and the moving frame."""
+
+    coriolis: VectorSymbol
+    relative: VectorSymbol
+    frame: str
+
+
+def list_turned(stage: Stage) -> Iterator[Turned]:
+    """The Coriolis accelerations of a step that do not vanish."""
+    for equation in stage.equations:
+        for part in equation.parts:
+            if part.role == "coriolis" and not vanishes(part):
+                number = number_composition(equation, part)
+                relative = name_by_role("r", "velocity", number, bold=True)
+                coriolis = name_part(equation, part, stage.case, bold=True)
+                yield Turned(coriolis, relative, part.frame)
+
+
+def explain_directions(turned: Iterable[Turned], case: Case) -> Iterator[Block]:
+    """The relative velocity turned through a right angle as the frame turns, for each acceleration
+    of which that has not been said.
+    """
+    new = [one for one in turned if one.coriolis not in case.findings.directed]
+    if new:
+        case.findings.directed.update(one.coriolis for one in new)
+        directions = list_statements(_describe_direction(one, case) for one in new)
+        yield case.say(Message("solution.coriolis-rule", directions=directions))
+
+
+def _describe_direction(one: Turned, case: Case) -> Message:
+    omega = double(case.motion.rates[make_turning(one.frame)])
+    return Message(
+        "solution.coriolis-direction",
+        coriolis=case.text(one.coriolis),
+        relative=case.text(one.relative),
+        sense=name_rotation_sense(omega > 0),
+        omega=case.text(case.naming.omega(one.frame)),
+    )
