@@ -50,7 +50,7 @@ class Fact:
 class Findings:
     """What a solution has found so far, filled in as it is written.
 
-    `numbers` are those of the relative motions where a step has several, by the rate of each;
+    `relatives` are the indices of the relative motions, each given by point, body and frame;
     `inclined` the lines whose angle with the x axis has been found; `sized` the symbols of vectors
     known by components whose magnitude has been given as well; `directed` the Coriolis
     accelerations whose direction has been said.
@@ -60,7 +60,7 @@ class Findings:
     answered: dict[Expression, Fact] = field(default_factory=dict)
     poles: dict[str, str] = field(default_factory=dict)
     circles: set[str] = field(default_factory=set)
-    numbers: dict[Rate, Row] = field(default_factory=dict)
+    relatives: dict[tuple[str, str, str], Row] = field(default_factory=dict)
     sized: set[VectorSymbol] = field(default_factory=set)
     inclined: set[tuple[str, str]] = field(default_factory=set)
     directed: set[VectorSymbol] = field(default_factory=set)

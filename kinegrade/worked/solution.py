@@ -36,6 +36,7 @@ from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step
 from kinegrade.worked.vectors.facts import note_equation
 from kinegrade.worked.vectors.needed_rates import NOTHING, Needs, find_needs, select_steps
+from kinegrade.worked.vectors.relatives import claim_plain_symbols
 from kinegrade.worked.vectors.stage import Stage
 
 
@@ -48,6 +49,7 @@ def write_worked_solution(
     stated = restate(solution)
     case = Case(stated, language, method or stated.template.about.method)
     asked = tuple(stated.template.asks[name] for name in asks)
+    claim_plain_symbols(asked, case)
     boxes = AnswerBoxes.around(asked, case)
     told = boxes.frame(_write_blocks(case, asked, boxes))
     # Centrodes are worked out at other poses too: in the precision of this one

@@ -201,8 +201,8 @@ def test_a_relative_vector_that_is_asked_for() -> None:
         v_{B(OA)} &= OB \cdot \omega_{OA} = 2\sqrt{10}\,\unit{m/s} \approx 6.325\,\unit{m/s},\quad
             108.43^\circ
         Now the moving frame is the carrier $OA$:
-            $\boldsymbol{v}_{\mathrm{r}}=\boldsymbol{v}_{\mathrm{a}}-\boldsymbol{v}_{\mathrm{e}}$ is
-            the velocity of $B$ relative to it.
+            $\boldsymbol{v}_{\mathrm{r}} = \boldsymbol{v}_{B} - \boldsymbol{v}_{B(OA)}$ is the
+            velocity of $B$ relative to it.
         v_{\mathrm{r},x} &= v_{B,x} - v_{B(OA),x} = 3\,\unit{m/s} - (-2\,\unit{m/s}) = 5\,\unit{m/s}
         v_{\mathrm{r},y} &= v_{B,y} - v_{B(OA),y} = 6\,\unit{m/s} - 6\,\unit{m/s} = 0
         v_{r} &= v_{\mathrm{r},x} = 5\,\unit{m/s}

@@ -1,9 +1,11 @@
-"""Words of the composition of motions are defined where they are first used."""
+"""Words and symbols of the composition of motions: each is defined where it is first used, and
+stands for one thing.
+"""
 
 from __future__ import annotations
 
 from tests.worked.draws import kept
-from tests.worked.telling import proses
+from tests.worked.telling import displayed, proses
 
 
 def find_rules(name: str) -> list[str]:
@@ -28,3 +30,16 @@ def test_the_directions_of_two_frames_are_said_in_one_sentence() -> None:
         r"$\boldsymbol{v}_{\mathrm{r}2}$ turned through $90^\circ$ counter-clockwise, with "
         r"$\omega_{CMD}$."
     )
+
+
+def test_two_relative_motions_have_two_symbols() -> None:
+    # v_r is asked for, of A relative to the cam; the step finds that of K relative to the follower
+    told = displayed(kept("flat-faced-follower-curvature-radius"))
+    starts = {line.split("&", maxsplit=1)[0].strip() for line in told}
+    assert {r"v_{\mathrm{r}K}", r"v_{\mathrm{r},x}", r"a_{\mathrm{r}K}"} <= starts
+    assert r"v_{\mathrm{r}}" not in starts
+
+
+def test_the_only_relative_motion_has_no_index() -> None:
+    told = displayed(kept("bar-through-swivelling-sleeve"))
+    assert any(line.startswith(r"v_{\mathrm{r}} ") for line in told)

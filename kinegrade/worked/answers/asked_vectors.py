@@ -14,7 +14,6 @@ from kinegrade.problem.kinds.kinds import Arrow
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.worked.answers.point_vectors import Found, explain_point_vector, keep_fact
 from kinegrade.worked.answers.relative_vectors import (
-    Relative,
     explain_coriolis,
     explain_normal,
     explain_relative,
@@ -24,6 +23,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import AXES
+from kinegrade.worked.vectors.relatives import Relative
 from kinegrade.worked.vectors.summands import add_components
 
 

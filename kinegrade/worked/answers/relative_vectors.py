@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain
-from typing import Literal, NamedTuple
+from typing import Literal
 
-from kinegrade.expressions.tree import Call, Name
-from kinegrade.language.math.tree import Row
+from kinegrade.expressions.tree import Call
 from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term, add_vectors
 from kinegrade.mechanics.vector import Vector
@@ -15,7 +15,7 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.answers.point_vectors import Found, explain_point_vector, keep_fact
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact, Piece
-from kinegrade.worked.formulas.atoms import AXES, TWO, VectorSymbol
+from kinegrade.worked.formulas.atoms import AXES, TWO, VectorSymbol, add_terms
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
@@ -25,21 +25,9 @@ from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.vectors.coriolis import Turned, explain_directions
 from kinegrade.worked.vectors.points import list_relative_parts
+from kinegrade.worked.vectors.relatives import Relative, find_relative, index_relative
 from kinegrade.worked.vectors.summands import add_components
 from kinegrade.worked.vectors.vectors import name_by_role
-
-
-class Relative(NamedTuple):
-    """The motion of a point of a body relative to another body, the frame."""
-
-    point: str
-    body: str
-    frame: str
-
-    @property
-    def names(self) -> tuple[Name, Name, Name]:
-        """The arguments that functions of relative motions take."""
-        return Name(self.point), Name(self.body), Name(self.frame)
 
 
 def explain_relative(motion: Relative, level: Level, case: Case) -> Found:
@@ -47,7 +35,7 @@ def explain_relative(motion: Relative, level: Level, case: Case) -> Found:
     vector without the transport one.
     """
     term = _find_track(motion, case)
-    name = name_by_role("r", level, _find_number(term, case))
+    name = name_by_role("r", level, index_relative(motion, case))
     if term is None:
         return (yield from _explain_rest(motion, name, level, case))
     if level == "velocity" or term.kind == "sliding":
@@ -56,23 +44,17 @@ def explain_relative(motion: Relative, level: Level, case: Case) -> Found:
     parts = [
         (symbol, value)
         for symbol, value in list_relative_parts(term, case, level)
-        if symbol != name_by_role("C", level, _find_number(term, case))
+        if symbol != name_by_role("C", level, index_relative(motion, case))
     ]
     yield case.show(*(add_components(axis, name, parts, level) for axis in AXES))
     return Fact(name, add_vectors(value for _, value in parts), True)
-
-
-def _find_number(term: Term | None, case: Case) -> Row:
-    """The number of a relative motion, where its step has several."""
-    return case.findings.numbers.get(term.rate, ()) if term else ()
 
 
 def _find_track(motion: Relative, case: Case) -> Term | None:
     """The term of a point that is guided in the frame, None where no joint guides it."""
     relations = case.motion.frames.relations
     for term in chain.from_iterable((*one.left, *one.right) for one in relations):
-        moving = (term.rate.point, term.rate.body, term.frame)
-        if term.rate.is_guided and moving == motion:
+        if term.rate.is_guided and find_relative(term) == motion:
             return term
     return None
 
@@ -90,10 +72,18 @@ def _explain_rest(motion: Relative, name: VectorSymbol, level: Level, case: Case
             f"solution.relative-left-{level}",
             point=case.naming.point(motion.point),
             frame=case.naming.body(motion.frame),
+            difference=case.tell(_state_difference(name, parts)),
         )
     )
     yield case.show(*(add_components(axis, name, parts, level, "-") for axis in AXES))
     return Fact(name, absolute.value - add_vectors(value for _, value in parts[1:]), True)
+
+
+def _state_difference(name: VectorSymbol, parts: Sequence[tuple[VectorSymbol, Vector]]) -> Equation:
+    """A relative vector as what remains of the absolute one, in vectors."""
+    absolute, *others = (replace(symbol, bold=True) for symbol, _ in parts)
+    rest = add_terms((absolute, *(-symbol for symbol in others)))
+    return Equation(replace(name, bold=True), equate(rest))
 
 
 def explain_coriolis(motion: Relative, case: Case) -> Found:
@@ -107,8 +97,7 @@ def _find_coriolis(motion: Relative, case: Case) -> Found:
     found = explain_relative(motion, "velocity", case)
     relative = yield from keep_fact(asked, found, case)
     value = case.motion.coriolis(*motion)
-    term = _find_track(motion, case)
-    name = name_by_role("C", "acceleration", _find_number(term, case))
+    name = name_by_role("C", "acceleration", index_relative(motion, case))
     omega = abs(name_rotation(motion.frame, case, "velocity"))
     links = equate(TWO * omega * abs(relative.symbol))
     if any(map(double, value)):

@@ -23,6 +23,7 @@ from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.senses import state_rotation_sense, state_sense_along
 from kinegrade.worked.vectors.deductions import state_rotation_result
 from kinegrade.worked.vectors.known_vectors import find_positive_sense, find_stated_sense
+from kinegrade.worked.vectors.relatives import find_relative, index_relative
 from kinegrade.worked.vectors.stage import measure_along_direction
 from kinegrade.worked.vectors.vectors import UNITS, name_by_role, name_point_vector
 
@@ -77,7 +78,10 @@ def name_speed(term: Term, case: Case, level: Level) -> VectorSymbol:
     """The symbol of a guided point's algebraic speed, or of its change."""
     circling = level == "acceleration" and term.kind == "arc"
     if term.frame != GROUND:
-        return replace(name_by_role("r", level, ()), part="t" if circling else "")
+        return replace(
+            name_by_role("r", level, index_relative(find_relative(term), case)),
+            part="t" if circling else "",
+        )
     return replace(name_point_vector(term.point, level, case), part="t" if circling else "")
 
 

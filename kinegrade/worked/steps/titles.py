@@ -110,23 +110,27 @@ def introduce_equation(equation: VectorEquation, case: Case) -> Message:
 
 def _introduce_composition(equation: VectorEquation, relative: Part, case: Case) -> Message:
     """The composition of the motions of a point relative to a moving frame."""
+    number = number_composition(equation, relative, case)
+    vectors = [name_by_role(role, equation.level, number, bold=True) for role in "erC"]
+    transport, seen, coriolis = map(case.text, vectors)
     point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
+    places: dict[str, Text] = {
+        "point": point,
+        "frame": frame,
+        "transport": transport,
+        "relative": seen,
+    }
     match equation.level:
         case "velocity":
-            return _introduce_velocities(equation.relation, point, frame, case)
+            source = equation.relation.source
+            body = source.find_guided_body() if source is not None else None
+            if body is None:
+                return Message("solution.composed-velocity-of-fixed-point", **places)
+            return Message("solution.composed-velocity", body=case.naming.body(body), **places)
         case "acceleration":
-            return Message("solution.composed-acceleration", point=point, frame=frame)
+            return Message("solution.composed-acceleration", coriolis=coriolis, **places)
         case _:
             assert_never(equation.level)
-
-
-def _introduce_velocities(relation: Relation, point: Text, frame: Text, case: Case) -> Message:
-    """The composition of the velocities of a guided point, or of a fixed one."""
-    body = relation.source.find_guided_body() if relation.source is not None else None
-    if body is None:
-        return Message("solution.composed-velocity-of-fixed-point", point=point, frame=frame)
-    owner = case.naming.body(body)
-    return Message("solution.composed-velocity", point=point, frame=frame, body=owner)
 
 
 def _introduce_chained_bases(
@@ -192,7 +196,7 @@ def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
         else (equation.right, equation.left)
     )
     transport = [part for part in side if part.role not in ("relative", "coriolis")]
-    number = number_composition(equation, relative)
+    number = number_composition(equation, relative, case)
     for role, parts in (("a", other), ("e", transport)):
         symbols = tuple(
             name_part(equation, part, case, bold=True) for part in parts if not vanishes(part)
@@ -200,5 +204,7 @@ def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
         if not parts or not all(
             part.role == "transport" or is_composed(equation, part) for part in parts
         ):
-            symbol = name_by_role(role, equation.level, number, bold=True)
+            # of a single composition the absolute vector has no index, whatever the others have
+            index = () if role == "a" and equation.among == 1 else number
+            symbol = name_by_role(role, equation.level, index, bold=True)
             yield case.tell(Equation(symbol, equate(add_terms(symbols))))

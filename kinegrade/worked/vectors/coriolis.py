@@ -34,7 +34,7 @@ def list_turned(stage: Stage) -> Iterator[Turned]:
     for equation in stage.equations:
         for part in equation.parts:
             if part.role == "coriolis" and not vanishes(part):
-                number = number_composition(equation, part)
+                number = number_composition(equation, part, stage.case)
                 relative = name_by_role("r", "velocity", number, bold=True)
                 coriolis = name_part(equation, part, stage.case, bold=True)
                 yield Turned(coriolis, relative, part.frame)

@@ -12,17 +12,13 @@ from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation, is_
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact, Key, Piece
 from kinegrade.worked.vectors.known_vectors import find_positive_sense, list_ways
-from kinegrade.worked.vectors.vectors import name_part, name_point_vector, number_composition
+from kinegrade.worked.vectors.vectors import name_part, name_point_vector
 
 
 def note_equation(equation: VectorEquation, case: Case) -> None:
     """Record what a solved equation gives: the vector that stands alone on one side, which is that
-    of both chains, the vectors of points fixed only to the ground, and the numbers of its relative
-    motions.
+    of both chains, and the vectors of points fixed only to the ground.
     """
-    for part in equation.compositions:
-        if part.term is not None:
-            case.findings.numbers[part.term.rate] = number_composition(equation, part)
     relation = equation.relation
     whole = next((side for side in (equation.left, equation.right) if is_whole(side)), None)
     if whole is not None:

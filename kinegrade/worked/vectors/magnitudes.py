@@ -45,7 +45,7 @@ def state_magnitude(equation: VectorEquation, part: Part, case: Case) -> Formula
         return None
     match part.role:
         case "coriolis":
-            relative = name_by_role("r", "velocity", number_composition(equation, part))
+            relative = name_by_role("r", "velocity", number_composition(equation, part, case))
             omega = _find_omega(case, term.frame)
             speed = case.motion.rates[term.rate]
             turned = _take_size(case.naming.omega(term.frame), omega)
@@ -95,7 +95,7 @@ def _name_speed(equation: VectorEquation, part: Part, case: Case) -> Formula:
     """The speed on a circular path: v_r, or v_A on a fixed circle."""
     match part.role:
         case "relative":
-            return name_by_role("r", "velocity", number_composition(equation, part))
+            return name_by_role("r", "velocity", number_composition(equation, part, case))
         case "absolute" | "transport" | "rotation" | "coriolis":
             return name_point_vector(part.point, "velocity", case)
         case _:
@@ -130,7 +130,7 @@ def _find_orientation(equation: VectorEquation, part: Part, case: Case) -> Row:
     """How a part lies, nothing where only its angle describes it."""
     match part.role:
         case "coriolis":
-            relative = name_by_role("r", "velocity", number_composition(equation, part))
+            relative = name_by_role("r", "velocity", number_composition(equation, part, case))
             return (Sign(r"\perp"), *relative.print())
         case "absolute" | "transport" | "relative" | "rotation":
             return _find_alignment(part, case)

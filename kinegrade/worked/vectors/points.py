@@ -27,6 +27,7 @@ from kinegrade.worked.senses import state_way
 from kinegrade.worked.vectors.carried import state_carried_component
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
+from kinegrade.worked.vectors.relatives import find_relative, index_relative
 from kinegrade.worked.vectors.summands import add_components
 from kinegrade.worked.vectors.vectors import name_by_role, name_point_vector
 
@@ -156,7 +157,7 @@ def _explain_composed(
     parts added.
     """
     last, before = chain[-1], chain[:-1]
-    number = case.findings.numbers.get(last.rate, ())
+    number = index_relative(find_relative(last), case)
     transport = name_by_role("e", level, number)
     yield from find_point(before, transport, case, level)
     yield case.say(
@@ -177,7 +178,7 @@ def list_relative_parts(
     term: Term, case: Case, level: Level
 ) -> Iterator[tuple[VectorSymbol, Vector]]:
     """The relative and Coriolis parts of a term, by their symbols."""
-    number = case.findings.numbers.get(term.rate, ())
+    number = index_relative(find_relative(term), case)
     for part in list_term_parts(term, case.motion, tuple(case.motion.rates), level):
         yield _name_relative_part(part, level, number), part.value
 

@@ -15,6 +15,7 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import NEGLIGIBLE
 from kinegrade.worked.formulas.symbols import join_letters, prime
 from kinegrade.worked.vectors.known_vectors import find_path_term, is_stated_negative
+from kinegrade.worked.vectors.relatives import find_relative, index_relative
 
 LETTERS: Mapping[Level, Literal["v", "a"]] = {"velocity": "v", "acceleration": "a"}
 UNITS: Mapping[tuple[Level, bool], str] = {  # by whether it is a rotation
@@ -51,7 +52,7 @@ def _find_subscript(equation: VectorEquation, part: Part, case: Case) -> Row:
     """
     match part.role:
         case "transport" | "relative" | "coriolis":
-            number = number_composition(equation, part)
+            number = number_composition(equation, part, case)
             return name_by_role(_ROLES[part.role], equation.level, number).lower
         case "absolute" if is_composed(equation, part):
             return name_by_role("a", equation.level, ()).lower
@@ -96,11 +97,19 @@ def is_composed(equation: VectorEquation, part: Part) -> bool:
     return whole and equation.among == 1 and any(one in other for one in equation.compositions)
 
 
-def number_composition(equation: VectorEquation, part: Part) -> Row:
-    """The number of a part's composition where there are several, else nothing."""
-    if equation.among <= 1:
-        return ()
-    return (Number(str(equation.first + part.composition + 1)),)
+def number_composition(equation: VectorEquation, part: Part, case: Case) -> Row:
+    """The number of a part's composition where there are several, else what tells it from other
+    relative motions of the problem.
+    """
+    motion = next(
+        find_relative(one.term)
+        for one in equation.compositions
+        if one.composition == part.composition and one.term is not None
+    )
+    if equation.among > 1:
+        number = (Number(str(equation.first + part.composition + 1)),)
+        return case.findings.relatives.setdefault(motion, number)
+    return index_relative(motion, case)
 
 
 def name_value(equation: VectorEquation, part: Part, case: Case) -> Formula:

@@ -9,18 +9,9 @@ from collections.abc import Mapping
 from tests.worked.reader.laws import Law
 
 KNOWN: Mapping[Law, frozenset[str]] = {
-    # trailing zeros are dropped, or rounded numbers put in lose a digit
-    "equal": frozenset(
-        (
-            "flat-faced-follower-curvature-radius",
-            "flat-faced-follower-eccentric-circle",
-            "rod-sliding-on-driven-wheel",
-            "roller-rolling-on-rotating-bar",
-            "two-wheels-on-cylinder",
-        )
-    ),
-    # values in doubles, and magnitudes in tables, are stated as exact
-    "rounded": frozenset(("roller-rolling-on-rotating-bar",)),
+    # rounded numbers put in lose a digit
+    "equal": frozenset(("two-wheels-on-cylinder",)),
+    "rounded": frozenset(),
     "settled": frozenset(),
     "short": frozenset(),
     "unit": frozenset(),
