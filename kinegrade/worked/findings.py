@@ -10,7 +10,7 @@ from kinegrade.language.math.tree import Row
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.worked.formulas.atoms import VectorSymbol
+from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
 
 Key: TypeAlias = tuple[Level, tuple[tuple[Rate, str, str], ...]]
 
@@ -53,7 +53,8 @@ class Findings:
     `relatives` are the indices of the relative motions, each given by point, body and frame;
     `inclined` the lines whose angle with the x axis has been found; `sized` the symbols of vectors
     known by components whose magnitude has been given as well; `directed` the Coriolis
-    accelerations whose direction has been said.
+    accelerations whose direction has been said; `arms` the distances of two points that have been
+    worked out.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -64,3 +65,4 @@ class Findings:
     sized: set[VectorSymbol] = field(default_factory=set)
     inclined: set[tuple[str, str]] = field(default_factory=set)
     directed: set[VectorSymbol] = field(default_factory=set)
+    arms: dict[frozenset[str], Symbol] = field(default_factory=dict)

@@ -38,6 +38,8 @@ def test_velocities_by_a_base_point() -> None:
         [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
+        Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
+            5\,\unit{m}$.
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
         \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{BA} &\approx 36.87^\circ
@@ -74,6 +76,8 @@ def test_velocities_by_the_projection_theorem() -> None:
         [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA$
+        Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
+            5\,\unit{m}$.
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
         \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{BA} &\approx 36.87^\circ
@@ -131,6 +135,8 @@ def test_a_rod_whose_end_stands_still() -> None:
             that of the rotation about $B$.
         [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
         [=] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
+        Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
+            5\,\unit{m}$.
         At this instant $v_{B} = 0$.
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
         \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
@@ -197,6 +203,8 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         [=] \boldsymbol{a}_{A}^{\mathrm{n}} | $OA \cdot \omega_{OA}^{2} = 12\,\unit{m/s^2}$ | $A \to
             O$
         [+] \boldsymbol{a}_{BA}^{\mathrm{t}} | ? $(AB \cdot \alpha)$ | $\perp AB$
+        Here $OA = y_{A} = 3\,\unit{m}$, $AB = \sqrt{x_{B}^{2} + y_{A}^{2}} =
+            \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         At this instant $a_{A}^{\mathrm{t}} = 0$, $a_{BA}^{\mathrm{n}} = 0$.
         $AB$ makes the acute angle $\psi_{AB}$ with the $x$ axis:
         \tan\psi_{AB} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75

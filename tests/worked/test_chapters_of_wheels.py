@@ -210,7 +210,7 @@ def test_gears_with_fixed_axes() -> None:
         [ ] 0 | |
         [=] \boldsymbol{v}_{\mathrm{e}} | $OC \cdot \omega_{O} = 8\,\unit{m/s}$ | $\perp OC$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\perp OC$
-        Here $\boldsymbol{v}_{\mathrm{a}} = 0$.
+        Here $\boldsymbol{v}_{\mathrm{a}} = 0$, $OC = x_{C} = 4\,\unit{m}$.
         Projected on the $y$ axis:
         0 &= v_{\mathrm{e}} + v_{\mathrm{r}}
         v_{\mathrm{r}} &= -v_{\mathrm{e}} = -8\,\unit{m/s}\quad\text{(downwards)}

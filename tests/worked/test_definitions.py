@@ -43,3 +43,19 @@ def test_two_relative_motions_have_two_symbols() -> None:
 def test_the_only_relative_motion_has_no_index() -> None:
     told = displayed(kept("bar-through-swivelling-sleeve"))
     assert any(line.startswith(r"v_{\mathrm{r}} ") for line in told)
+
+
+def test_an_arm_has_the_symbol_of_the_statement_or_is_worked_out_once() -> None:
+    # OA is r_1 + r_2 in the planetary gear, and r itself in the slider-crank
+    told = displayed(kept("planetary-gear-external-rim-velocities"))
+    assert [line for line in told if line.startswith("OA &=")] == [
+        r"OA &= r_{1} + r_{2} = 0.1\,\unit{m} + 0.08\,\unit{m} = 0.18\,\unit{m}"
+    ]
+    assert not any(line.startswith("OA &=") for line in displayed(kept("slider-crank")))
+
+
+def test_a_coordinate_that_is_zero_is_not_put_in() -> None:
+    # d = 1.9 m and x_B = 0: no "(1.9 m - 0)"
+    told = displayed(kept("pose-four-bar-coupler"))
+    (side,) = (line for line in told if line.startswith("BD &="))
+    assert r"\sqrt{(1.9\,\unit{m})^{2} + (0.8\,\unit{m})^{2}}" in side

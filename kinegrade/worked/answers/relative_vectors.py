@@ -20,9 +20,9 @@ from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
 from kinegrade.worked.senses import state_way
+from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.coriolis import Turned, explain_directions
 from kinegrade.worked.vectors.points import list_relative_parts
 from kinegrade.worked.vectors.relatives import Relative, find_relative, index_relative
@@ -144,7 +144,10 @@ def _explain_about_base(
     name = VectorSymbol("a", (*point.row, *base.row), part)
     size = measure(length(_find_arm(*ends, case), case.arithmetic), "m")
     symbols, numbers = factors
-    formulas = equate(join_letters((base, point)).dot(symbols), size.dot(numbers))
+    # The arm of a point begins at its base point
+    start, end = reversed(ends)
+    formulas = equate(name_length(start, end, case).dot(symbols), size.dot(numbers))
     result = state_number(length(value, case.arithmetic), "m/s^2")
-    yield case.show(Equation(name, (*formulas, *result)))
+    found = Equation(name, (*formulas, *result))
+    yield case.show(*introduce_lengths(((start, end),), case), found)
     return Fact(name, value, False)

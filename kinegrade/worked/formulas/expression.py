@@ -19,7 +19,7 @@ from kinegrade.expressions.tree import Call, Expression, Name, Operation, is_lit
 from kinegrade.expressions.tree import Number as Literal
 from kinegrade.numbers.text import write_decimal
 from kinegrade.problem.quantity import is_short_decimal
-from kinegrade.worked.formulas.atoms import Number, Tuple, add_terms, multiply_factors
+from kinegrade.worked.formulas.atoms import ZERO, Number, Tuple, add_terms, multiply_factors
 from kinegrade.worked.formulas.formula import Absolute, Formula, Function, FunctionName, Root
 from kinegrade.worked.formulas.symbols import name_quantity
 
@@ -65,7 +65,8 @@ class Formulation:
             case "*" | "/":
                 return self._state_product(tree, angular)
             case "+" | "-":
-                return add_terms(self._list_terms(tree, angular))
+                terms = self._list_terms(tree, angular)
+                return add_terms(term for term in terms if term.size != ZERO)
             case _:
                 assert_never(tree.sign)
 

@@ -94,3 +94,12 @@ def dot(first: Pair, second: Pair) -> Expression:
 def cross(first: Pair, second: Pair) -> Expression:
     """The out-of-plane component of the vector product."""
     return minus(times(first[0], second[1]), times(first[1], second[0]))
+
+
+def make_positive(tree: Expression, sign: int) -> Expression:
+    """An expression of that sign, taken the way in which it is positive: y - x for x - y."""
+    if sign >= 0:
+        return tree
+    if isinstance(tree, Operation) and tree.sign == "-":
+        return minus(tree.right, tree.left)
+    return minus(ZERO, tree)

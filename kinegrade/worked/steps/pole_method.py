@@ -19,9 +19,10 @@ from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.couplers import Coupler, explain_base_speed
 from kinegrade.worked.steps.poles import name_pole
+from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.deductions import state_rotation_result
 from kinegrade.worked.vectors.projection import PARALLEL
-from kinegrade.worked.vectors.vectors import name_arm, name_part, name_point_vector, name_value
+from kinegrade.worked.vectors.vectors import name_part, name_point_vector, name_value
 
 
 def explain_by_pole(coupler: Coupler, case: Case) -> Iterator[Block]:
@@ -100,6 +101,6 @@ def _state_found_speed(coupler: Coupler, how: tuple[Link, ...], case: Case) -> I
     links = (*how, *state_number(length(sought.value, case.arithmetic), "m/s"))
     yield Equation(speed, links, state_way(sought.value, case))
     if term.kind == "rotation":
-        ratio = speed / name_arm(sought, case)
+        ratio = speed / name_length(sought.base, sought.point, case)
         signed = equate(-ratio if negative else ratio)
         yield state_rotation_result(term.rate, case, "velocity", signed)

@@ -28,6 +28,7 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.rates.scalars import explain_scalar_step, state_relation
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
+from kinegrade.worked.vectors.arms import find_arms, introduce_lengths
 from kinegrade.worked.vectors.coriolis import explain_directions, list_turned
 from kinegrade.worked.vectors.deductions import explain_deduction
 from kinegrade.worked.vectors.facts import has_been_told, make_key
@@ -206,7 +207,8 @@ def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
     """What a composition's vectors consist of, which parts vanish, and which points primed letters
     denote.
     """
-    listed = list(describe_meanings(equation, case))
+    arms = introduce_lengths(find_arms(equation.parts), case)
+    listed = [*describe_meanings(equation, case), *map(case.tell, arms)]
     if listed:
         yield case.say(Message("solution.here", equations=_list_equations(listed)))
     shifted = {

@@ -21,6 +21,7 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.senses import state_rotation_sense, state_sense_along
+from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.inclinations import find_ends, introduce_angle
 from kinegrade.worked.vectors.magnitudes import find_track_ends
 from kinegrade.worked.vectors.projection import Deduction, Projection
@@ -29,7 +30,7 @@ from kinegrade.worked.vectors.stage import (
     find_share_cosine,
     measure_along_direction,
 )
-from kinegrade.worked.vectors.vectors import UNITS, name_arm, name_part, name_value
+from kinegrade.worked.vectors.vectors import UNITS, name_part, name_value
 
 _RIGHT_ANGLE = 90.0
 AXIS_NAMES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.projection-y")}
@@ -143,7 +144,7 @@ def _state_results(stage: Stage, rate: Rate) -> Iterator[Equation]:
 
 def _divide_by_arm(symbol: Formula, part: Part, stage: Stage) -> tuple[Link, ...]:
     """A rotation as the speed over the arm, in symbols and, unless it is zero, in numbers."""
-    ratio = symbol / name_arm(part, stage.case)
+    ratio = symbol / name_length(part.base, part.point, stage.case)
     if part.term is None or not double(length(part.value, stage.case.arithmetic)):
         return equate(ratio)
     speed = measure_along_direction(part.term, stage.case, stage.level)

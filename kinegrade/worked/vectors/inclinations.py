@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal, TypeAlias, assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name, Operation
+from kinegrade.expressions.tree import Call, Name, Operation
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
@@ -18,7 +18,7 @@ from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import bearing, tidy
 from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.formulas.symbols import index_letter, join_letters
-from kinegrade.worked.positions.algebra import ZERO, minus, over
+from kinegrade.worked.positions.algebra import make_positive, over
 from kinegrade.worked.positions.instance import DEGREE, PURE, make_instance
 from kinegrade.worked.vectors.magnitudes import find_heading, find_track_ends
 from kinegrade.worked.vectors.stated_angles import find_stated_angle
@@ -181,7 +181,7 @@ def introduce_angle(part: Part, case: Case) -> Iterator[Block]:
     if pair is None:
         return
     symbol = name_acute(ends, case)
-    rise, run = (_make_positive(one, instance.sign(one)) for one in (pair[1], pair[0]))
+    rise, run = (make_positive(one, instance.sign(one)) for one in (pair[1], pair[0]))
     name = instance.free("inclination")
     slope = over(rise, run)
     further = instance.named(name, symbol, instance.value(Call("atan", (slope,))))
@@ -195,12 +195,3 @@ def introduce_angle(part: Part, case: Case) -> Iterator[Block]:
             *further.equation(symbol, Name(name), DEGREE),
         )
     )
-
-
-def _make_positive(tree: Expression, sign: int) -> Expression:
-    """A difference of coordinates, taken the way in which it is positive."""
-    if sign >= 0:
-        return tree
-    if isinstance(tree, Operation) and tree.sign == "-":
-        return minus(tree.right, tree.left)
-    return minus(ZERO, tree)

@@ -18,6 +18,7 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import NEGLIGIBLE, bearing, length
 from kinegrade.worked.formulas.numbers import state_angle, state_number
 from kinegrade.worked.formulas.symbols import join_letters
+from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.vectors import (
     UNITS,
     name_arm,
@@ -68,7 +69,9 @@ def _state_term_magnitude(
         case "arc" if part.part != "n":
             return None
         case "arc":
-            return _name_speed(equation, part, case) ** TWO / name_arm(part, case)
+            return _name_speed(equation, part, case) ** TWO / name_length(
+                part.base, part.point, case
+            )
         case "rotation":
             return _state_rotation_magnitude(equation, part, term, case)
         case _:
@@ -79,7 +82,7 @@ def _state_rotation_magnitude(
     equation: VectorEquation, part: Part, term: Term, case: Case
 ) -> Formula:
     """The length times the angular velocity, its square, or the angular acceleration."""
-    arm, body = name_arm(part, case), term.rate.body
+    arm, body = name_length(part.base, part.point, case), term.rate.body
     match part.part:
         case "n":
             return arm.dot(case.naming.omega(body) ** TWO)

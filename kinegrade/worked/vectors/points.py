@@ -22,8 +22,8 @@ from kinegrade.worked.formulas.atoms import AXES, TWO, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.senses import state_way
+from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.carried import state_carried_component
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
@@ -93,10 +93,11 @@ def _explain_single(term: Term, name: VectorSymbol, case: Case) -> Iterator[Bloc
     value = term.velocity(case.motion.rates)
     omega = case.naming.omega(term.rate.body)
     turned = omega if double(case.motion.rates[term.rate]) >= 0 else abs(omega)
-    arm = join_letters(map(case.naming.letter, (term.base, term.point)))
+    ends = term.base, term.point
     size = state_number(length(value, case.arithmetic), "m/s")
-    links = (*equate(arm.dot(turned)), *size)
-    yield case.show(Equation(name, links, state_way(value, case)))
+    links = (*equate(name_length(*ends, case).dot(turned)), *size)
+    speed = Equation(name, links, state_way(value, case))
+    yield case.show(*introduce_lengths((ends,), case), speed)
 
 
 def _announce_rotation(term: Term, start: _Start, case: Case) -> Message:
@@ -126,8 +127,8 @@ def _explain_circling(term: Term, name: VectorSymbol, case: Case) -> Generator[B
     tangential = term.coefficient() * case.motion.changes[term.rate]
     speed = measure(length(term.velocity(case.motion.rates), case.arithmetic), "m/s")
     radius = measure(length(term.vector, case.arithmetic), "m")
-    letters = join_letters(map(case.naming.letter, (term.base, term.point)))
-    symbols = name_point_vector(term.point, "velocity", case) ** TWO / letters
+    arm = name_length(term.base, term.point, case)
+    symbols = name_point_vector(term.point, "velocity", case) ** TWO / arm
     first, second = replace(name, part="n"), replace(name, part="t")
     links = equate(symbols, speed**TWO / radius)
     size = state_number(length(normal, case.arithmetic), "m/s^2")

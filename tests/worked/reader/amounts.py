@@ -65,7 +65,9 @@ def add(first: Amount, second: Amount, sign: int) -> Amount:
 
 
 def multiply(first: Amount, second: Amount) -> Amount:
-    """The product."""
+    """The product; with a zero that has no unit a zero without one."""
+    if any(one.is_zero and one.is_pure for one in (first, second)):
+        return make_exact(0.0)
     precise = None
     if first.precise is not None and second.precise is not None:
         precise = first.precise * second.precise

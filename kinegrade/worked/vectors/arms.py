@@ -1,0 +1,105 @@
+"""The arms of rotations: distances of two points by the statement's symbol, or by their letters
+where they have to be worked out first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from kinegrade.expressions.tree import Call, Expression, Name, Operation, find_names, walk
+from kinegrade.mechanics.vector_equation import Part
+from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.atoms import Symbol
+from kinegrade.worked.formulas.equation import Equation, drop_repetition
+from kinegrade.worked.formulas.numbers import state_quantity
+from kinegrade.worked.formulas.symbols import collect_symbols, join_letters, read_symbol
+from kinegrade.worked.positions.algebra import is_negated, make_positive
+from kinegrade.worked.positions.axes import length_of
+from kinegrade.worked.positions.construction_steps import list_steps
+from kinegrade.worked.positions.instance import METRE, Instance, make_instance
+from kinegrade.worked.vectors.vectors import vanishes
+
+
+def name_length(start: str, end: str, case: Case) -> Symbol:
+    """The distance of two points: as the figure names it, else OA; always the same letters."""
+    stated = _find_stated(start, end, case)
+    letters = join_letters(map(case.naming.letter, (start, end)))
+    return stated or case.findings.arms.get(frozenset((start, end)), letters)
+
+
+def _find_stated(start: str, end: str, case: Case) -> Symbol | None:
+    """The symbol of the statement for the distance of two points: their letters, what the figure
+    writes between them, or the given at which one is placed from the other.
+    """
+    given = collect_symbols(case.template)
+    for ends in ((start, end), (end, start)):
+        letters = join_letters(map(case.naming.letter, ends))
+        if any(given[name].looks_like(letters) for name in case.template.parameters):
+            return letters
+    for one in case.template.figure.lengths:
+        if one.along is None and not one.signed and {one.start, one.end} == {start, end}:
+            return read_symbol(one.symbol)
+    radius = _find_radius(start, end, case)
+    return given[radius.name] if isinstance(radius, Name) else None
+
+
+def introduce_lengths(ends: Iterable[tuple[str, str]], case: Case) -> Iterator[Equation]:
+    """How distances that no symbol of the statement names follow from it, each told once."""
+    for start, end in ends:
+        pair = frozenset((start, end))
+        if pair in case.findings.arms or _find_stated(start, end, case):
+            continue
+        found = _state_length(start, end, case)
+        if found is not None:
+            yield found
+            case.findings.arms[pair] = join_letters(map(case.naming.letter, (start, end)))
+
+
+def find_arms(parts: Iterable[Part]) -> Iterator[tuple[str, str]]:
+    """The ends of the arms that the magnitudes of parts are stated by."""
+    for part in parts:
+        if part.term is not None and not vanishes(part):
+            turns, circles = part.term.kind == "rotation", part.term.kind == "arc"
+            if turns or (circles and part.part == "n"):
+                yield part.base, part.point
+
+
+def _state_length(start: str, end: str, case: Case) -> Equation | None:
+    """OA = r_1 + r_2 where the point is placed so, else by coordinates; None where these are found
+    by neither.
+    """
+    instance = make_instance(case)
+    tree = _find_radius(start, end, case) or _measure_distance(start, end, instance)
+    if tree is None:
+        return None
+    symbol = join_letters(map(case.naming.letter, (start, end)))
+    value = state_quantity(instance.quantity(instance.value(tree), METRE))
+    return Equation(symbol, drop_repetition(instance.worked_out(symbol, tree), value))
+
+
+def _measure_distance(start: str, end: str, instance: Instance) -> Expression | None:
+    """The distance by the differences of coordinates, without those that are zero."""
+    pair = instance.axes.pair(Operation("-", Name(end), Name(start)))
+    if pair is None:
+        return None
+    seen = [make_positive(one, sign) for one in pair if (sign := instance.sign(one))]
+    return seen[0] if len(seen) == 1 else length_of(Call("", pair), instance.axes)
+
+
+def _find_radius(start: str, end: str, case: Case) -> Expression | None:
+    """The distance at which one point is placed from the other, a sum or product of givens."""
+    for step in list_steps(case.template):
+        for call in walk(step.tree):
+            match call:
+                case Call(function="polar" | "circle", arguments=(Name(centre), radius, *_)):
+                    if {step.point, centre} == {start, end} and _is_given(radius, case):
+                        return radius.right if is_negated(radius) else radius
+                case _:
+                    continue
+    return None
+
+
+def _is_given(length: Expression, case: Case) -> bool:
+    """Whether a length is a sum or product of givens."""
+    plain = not any(isinstance(part, Call) for part in walk(length))
+    return plain and set(find_names(length)) <= set(case.template.parameters)
