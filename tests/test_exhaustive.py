@@ -35,6 +35,9 @@ EXCEPTIONS = {
     "'='": "a value in another unit that is not exact stands after the exact ones",
     "worked/steps/poles.py: match read_symbol(symbol).row: "
     "_": "what is not the coordinate of a point names no point",
+    "worked/vectors/arms.py: match call: _": "whatever else constructs a point gives no distance",
+    "worked/vectors/relatives.py: match read_symbol(symbol).row: "
+    "_": "whatever else an ask is called leaves v_r to others",
     "worked/formulas/formula.py: enclose(self.print(mark)) if self.kind == 'sum' else "
     "self.print_after_sign(mark)": "only a sum needs brackets after a minus sign",
     "worked/formulas/formula.py: if self.argument.kind in ('function', 'closed', "

@@ -7,12 +7,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints import Joint
-from kinegrade.mechanics.laws import Condition, EqualRotation, SharedPoint
+from kinegrade.mechanics.laws import Condition, EqualRotation, GuidedBody, GuidedPoint, SharedPoint
+from kinegrade.mechanics.shapes import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 
@@ -69,6 +70,24 @@ class Mechanism:
             for body in shared.bodies
             if body != GROUND
         }
+
+    def find_guides(self, body: str) -> Iterator[tuple[str, Line]]:
+        """The points of a body that are on fixed straight lines, with these."""
+        for law in self.list_conditions():
+            match law:
+                case GuidedPoint(point=point, body=owner, of=of, track=Line() as track):
+                    if (owner, of) == (body, GROUND):
+                        yield point, track
+                case GuidedPoint() | GuidedBody() | SharedPoint() | EqualRotation():
+                    continue
+                case _:
+                    assert_never(law)
+
+    def find_sleeves(self, body: str) -> Iterator[tuple[str, Line]]:
+        """The bodies along whose lines a body slides, with these."""
+        for law in self.list_conditions():
+            if isinstance(law, GuidedBody) and law.body == body:
+                yield law.of, law.line
 
     def find_translating(self) -> set[str]:
         """The bodies that cannot rotate: kept parallel to the ground, or to a body that is."""

@@ -1,5 +1,5 @@
-"""The fixed centrode of a body where it is a circle: poles in several positions, and the circle
-through them.
+"""The fixed centrode of a body where it is a circle: by a proof where one applies, else poles in
+several positions, and the circle through them.
 """
 
 from __future__ import annotations
@@ -14,6 +14,11 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.centrode import Centrodes, find_circle
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
+from kinegrade.worked.answers.centrode_proofs import (
+    describe_proof,
+    find_proof,
+    state_radius,
+)
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import Measured, Number, Symbol, Tuple
@@ -38,7 +43,12 @@ def explain_centrode(ask: Ask, case: Case) -> Iterator[Block]:
     yield from explain_pole(body, case)
     if body not in case.findings.circles:
         case.findings.circles.add(body)
-        yield from _explain_circle(body, angle, case)
+        proof = find_proof(body, case)
+        if proof is None:
+            yield from _explain_circle(body, angle, case)
+        else:
+            yield case.say(describe_proof(proof, body, case))
+            yield case.show(state_radius(_RADIUS, proof, body, case))
     symbol = read_symbol(ask.symbol)
     if symbol != _RADIUS:
         yield case.show(Equation(symbol, state_quantity(case.solution.answers[ask.name])))

@@ -97,10 +97,16 @@ def find_inclination(part: Part, case: Case) -> Inclination | None:
 
 def name_direction(direction: float, part: Part, case: Case) -> Inclination | None:
     """A direction along or normal to the line that belongs to a part."""
+    ends = find_ends(part, case)
+    return name_along(direction, ends, case) if ends else name_axis(direction)
+
+
+def name_along(direction: float, ends: tuple[str, str], case: Case) -> Inclination | None:
+    """A direction along or normal to the line through two points; None for any other."""
     axis = name_axis(direction)
     if axis is not None:
         return axis
-    line = _find_line(part, case)
+    line = _find_line(ends, case)
     if line is None:
         return None
     angle, sign, value = line
@@ -131,10 +137,9 @@ def find_ends(part: Part, case: Case) -> tuple[str, str] | None:
             assert_never(term.kind)
 
 
-def _find_line(part: Part, case: Case) -> tuple[Formula, int, float] | None:
-    """The named angle of a part's line, the sign with which it counts, and its value."""
-    ends = find_ends(part, case)
-    if ends is None or not set(ends) <= set(case.motion.points):
+def _find_line(ends: tuple[str, str], case: Case) -> tuple[Formula, int, float] | None:
+    """The named angle of a line, the sign with which it counts, and its value."""
+    if not set(ends) <= set(case.motion.points):
         return None
     start, end = (case.motion.points[point] for point in ends)
     value = bearing(end - start)

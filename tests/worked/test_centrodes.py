@@ -1,0 +1,77 @@
+"""Why a fixed centrode is a circle: proved by Thales' theorem where the mechanism allows it."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.worked.document import Block
+from kinegrade.worked.solution import write_worked_solution
+from tests.worked.chapters import FRAME
+from tests.worked.telling import displayed, proses
+
+SHOWN = "without a proof for all positions"
+
+GEAR = """
+joints = [
+  "pin O: ground arm",
+  "pin A: arm gear",
+  "circle(A, l) of gear rolls on circle(O, 2*l)",
+]
+inputs = [{ motion = "arm turns", velocity = "1" }]
+[parameters]
+l = { unit = "m", draw = [1], means = { en = "length", zh = "长" } }
+theta = { unit = "deg", draw = [30], means = { en = "angle", zh = "角" } }
+[points]
+O = "(0, 0)"
+A = "polar(O, 3*l, theta)"
+[bodies]
+arm = "O A"
+gear = "A"
+[asks]
+rho = { quantity = "radius(circle_of_poles(gear, theta))", unit = "m", sign = "magnitude", \
+means = { en = "radius", zh = "半径" } }
+"""
+
+
+def tell_radius(name: str, **given: str) -> tuple[Block, ...]:
+    """How the radius of the centrode of a shipped template is found."""
+    solution = solve_template(load_template(name), given, ["rho"])
+    return write_worked_solution(solution, ["rho"], "en").blocks
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "sentence", "radius"),
+    [
+        (  # AB subtends the angle of the guides: OS = l / sin(gamma)
+            "rod-ground-incline-fixed-centrode",
+            {"l": "2", "gamma": "120"},
+            "At $A$ and $B$ the normals make right angles with the guides",
+            r"\rho &= \frac{l}{\sin\gamma} = \frac{2\,\unit{m}}{\sin 120^\circ}",
+        ),
+        (  # O sees BS under a right angle, and AO = AB: AS = AB
+            "guide-tube-rod-fixed-centrode",
+            {"r": "0.5"},
+            "By Thales $O$ lies on the circle with the diameter $BS$. Its centre is $A$",
+            r"\rho &= r = 0.5\,\unit{m}",
+        ),
+    ],
+)
+def test_a_centrode_is_proved_by_thales(
+    name: str, given: dict[str, str], sentence: str, radius: str
+) -> None:
+    blocks = tell_radius(name, **given)
+    assert any(sentence in text for text in proses(blocks))
+    assert not any(SHOWN in text for text in proses(blocks))
+    boxed = [line for line in displayed(blocks) if line.startswith(r"\rho &=")]
+    assert len(boxed) == 1
+    assert boxed[0].startswith(radius)
+
+
+def test_where_no_proof_applies_the_solution_says_what_it_shows() -> None:
+    solution = solve_template(read_template("gear", FRAME + GEAR, kept=True), {})
+    blocks = write_worked_solution(solution, ["rho"], "en").blocks
+    assert any(SHOWN in text for text in proses(blocks))
+    assert any(line.startswith(r"\rho &= 2\,\unit{m}") for line in displayed(blocks))
