@@ -66,9 +66,8 @@ def test_rolling_on_a_line() -> None:
         The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
             the motion of $C$ along its path ($v_{C}$ positive to the right) and the rotation of the
             wheel are linked:
-        v_{C} &= -2\omega
-        \omega &= -\frac{6\,\unit{m/s}}{2\,\unit{m}}
-        \omega &= -3\,\unit{rad/s}\quad\text{(clockwise)}
+        \omega &= -\frac{v_{C}}{2\,\unit{m}} = -\frac{6\,\unit{m/s}}{2\,\unit{m}} =
+            -3\,\unit{rad/s}\quad\text{(clockwise)}
         """
     )
 
@@ -80,11 +79,10 @@ def test_the_points_of_a_rolling_wheel() -> None:
     )
     assert not find_untold(
         r"""
-        $P$ is a point of the wheel, base point $C$:
-        v_{P,x} &= v_{C,x} - \omega_{CD}(y_{P} - y_{C}) = 6\,\unit{m/s}
-        v_{P,y} &= v_{C,y} + \omega_{CD}\,x_{P} = -3\,\unit{rad/s} \cdot 2\,\unit{m} = -6\,\unit{m/s}
-        v_{P} &= \sqrt{v_{P,x}^{2} + v_{P,y}^{2}} = \sqrt{(6\,\unit{m/s})^{2} +
-            (-6\,\unit{m/s})^{2}} = 6\sqrt{2}\,\unit{m/s} \approx 8.485\,\unit{m/s}
+        The point of contact $D$ is the velocity pole of the wheel, so the velocity of $P$ is
+            normal to $DP$:
+        v_{P} &= DP \cdot \left|\omega_{CD}\right| = 6\sqrt{2}\,\unit{m/s} \approx
+            8.485\,\unit{m/s}
         $D$ is a point of the wheel, base point $C$:
         a_{D,x} &= a_{C,x} - \alpha_{CD}(y_{D} - y_{C}) = 2\,\unit{m/s^2} - (-1\,\unit{rad/s^2}) \cdot (-2\,\unit{m}) = 0
         a_{D,y} &= a_{C,y} - \omega_{CD}^{2}(y_{D} - y_{C}) = -(-3\,\unit{rad/s})^{2} \cdot (-2\,\unit{m}) = 18\,\unit{m/s^2}
@@ -104,9 +102,8 @@ def test_rolling_on_a_circle() -> None:
         The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
             the motion of $C$ along its path ($v_{C}$ positive counter-clockwise about $O$) and the
             rotation of the wheel are linked:
-        v_{C} &= 2\omega_{CD}
-        v_{C} &= 2\,\unit{m} \cdot 3\,\unit{rad/s}
-        v_{C} &= 6\,\unit{m/s}\quad\text{(counter-clockwise)}
+        v_{C} &= 2\,\unit{m} \cdot \omega_{CD} = 2\,\unit{m} \cdot 3\,\unit{rad/s} =
+            6\,\unit{m/s}\quad\text{(counter-clockwise)}
         """
     )
 
@@ -129,9 +126,8 @@ def test_rolling_inside_a_circle() -> None:
         The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
             the motion of $C$ along its path ($v_{C}$ positive counter-clockwise about $O$) and the
             rotation of the wheel are linked:
-        v_{C} &= -2\omega_{CD}
-        v_{C} &= -2\,\unit{m} \cdot 3\,\unit{rad/s}
-        v_{C} &= -6\,\unit{m/s}\quad\text{(clockwise)}
+        v_{C} &= -2\,\unit{m} \cdot \omega_{CD} = -2\,\unit{m} \cdot 3\,\unit{rad/s} =
+            -6\,\unit{m/s}\quad\text{(clockwise)}
         \left|v_{C}\right| &= 6\,\unit{m/s}
         """
     )
@@ -168,9 +164,8 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
         The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
             the motion of $A$ along its path ($v_{A}$ positive counter-clockwise about $O$) and the
             rotation of the wheel are linked:
-        v_{A} &= -1 \cdot \omega
-        \omega &= -\frac{6\,\unit{m/s}}{1\,\unit{m}}
-        \omega &= -6\,\unit{rad/s}\quad\text{(clockwise)}
+        \omega &= -\frac{v_{A}}{1\,\unit{m}} = -\frac{6\,\unit{m/s}}{1\,\unit{m}} =
+            -6\,\unit{rad/s}\quad\text{(clockwise)}
         """
     )
 
@@ -185,9 +180,8 @@ def test_the_given_tangential_acceleration() -> None:
         ## 1. The wheel rolls without slipping on a fixed circle
         There is no slip at the contact, so the motion of $A$ along its path ($a_{A}^{\mathrm{t}}$
             positive counter-clockwise about $O$) and the rotation of the wheel are linked:
-        a_{A}^{\mathrm{t}} &= -1 \cdot \alpha
-        \alpha &= -\frac{3\,\unit{m/s^2}}{1\,\unit{m}}
-        \alpha &= -3\,\unit{rad/s^2}\quad\text{(clockwise)}
+        \alpha &= -\frac{a_{A}^{\mathrm{t}}}{1\,\unit{m}} = -\frac{3\,\unit{m/s^2}}{1\,\unit{m}} =
+            -3\,\unit{rad/s^2}\quad\text{(clockwise)}
         """
     )
 
@@ -217,8 +211,7 @@ def test_gears_with_fixed_axes() -> None:
         ## 2. Pinion rolls without slipping on the gear
         There is no slip at the contact, so the motion of $C$ along its path and the rotation of
             pinion relative to the gear are linked:
-        v_{\mathrm{r}} &= 1 \cdot (\omega - \omega_{O})
-        \omega &= 2\,\unit{rad/s} - \frac{8\,\unit{m/s}}{1\,\unit{m}}
-        \omega &= -6\,\unit{rad/s}\quad\text{(clockwise)}
+        \omega &= \omega_{O} + \frac{v_{\mathrm{r}}}{1\,\unit{m}} = 2\,\unit{rad/s} -
+            \frac{8\,\unit{m/s}}{1\,\unit{m}} = -6\,\unit{rad/s}\quad\text{(clockwise)}
         """
     )

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
-from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.relations import Relation, Term
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import ZERO, add_terms
-from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.equation import Equation, equate, lead_to
+from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.rates.kinds import describe_track
@@ -36,10 +36,8 @@ def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) ->
     """No slip: the centre's speed along the track is the radius times the relative rotation."""
     term = find_term(relation.turning[0][0], case)
     body, other = case.naming.body(roll.body), describe_track(roll, case)
-    sentence = case.template.scheme.joints[roll.joint]
-    radius = state_radius(sentence.circle, roll.circle.radius, case)
     rotation = name_relative_rotation(roll.body, roll.of, case, level)
-    right = (radius * rotation).signed(_find_slip_sign(roll, relation, case))
+    right = (_state_radius(roll, case) * rotation).signed(_find_slip_sign(roll, relation, case))
     equation = Equation(name_speed(term, case, level), equate(right))
     title = Message("solution.title-roll", body=body, other=other)
     return Statement(title, _explain_rolling(roll, term, case, level), equation)
@@ -99,29 +97,58 @@ def _find_slip_sign(roll: NoSlip, relation: Relation, case: Case) -> int:
 
 
 def solve_rolling(
-    relation: Relation, unknown: Rate, case: Case, level: Level
-) -> Iterator[Equation]:
-    """The relation of a rolling body solved for a rate, with numbers unless they are zero."""
-    roll = relation.source.find_rolling() if relation.source else None
-    if roll is None:
-        return
+    roll: NoSlip, relation: Relation, result: Equation, case: Case, level: Level
+) -> Equation | None:
+    """What no slip says of the speed of the centre or of the body's rotation, which `result` gives:
+    in symbols, with numbers unless they are zero, and the value. None for other rates.
+    """
     term = find_term(relation.turning[0][0], case)
+    if result.left == name_speed(term, case, level):
+        working = _state_centre_speed(roll, relation, case, level)
+    elif result.left == name_rotation(roll.body, case, level):
+        working = _state_rotation(roll, relation, case, level)
+    else:
+        return None
+    return Equation(result.left, lead_to(result.left, working, result.links), result.aside)
+
+
+def _state_centre_speed(
+    roll: NoSlip, relation: Relation, case: Case, level: Level
+) -> tuple[Formula, ...]:
+    """The radius times the rotation relative to the track, in symbols and in numbers."""
     sign = _find_slip_sign(roll, relation, case)
     other = find_rotation_value(roll.of, case, level)
-    unit = UNITS[level, True]
-    radius, track = measure(roll.circle.radius, "m"), measure(other, unit)
-    if unknown == term.rate:
-        turned = measure(find_rotation_value(roll.body, case, level), unit)
-        if turned == ZERO and not double(other):
-            return
-        rotation = turned - track if double(other) else turned
-        right = radius.dot(rotation).signed(sign)
-        yield Equation(name_speed(term, case, level), equate(right))
-    elif unknown == make_turning(roll.body):
-        stated = find_stated_sense(term, case) * sign
-        speed = measure_along_direction(term, case, level) * stated
-        known = measure(speed, UNITS[level, False])
-        if known != ZERO:
-            turned_by = (known.size / radius).signed(known.sign)
-            right = add_terms((track, turned_by) if double(other) else (turned_by,))
-            yield Equation(name_rotation(roll.body, case, level), equate(right))
+    symbols = _state_radius(roll, case) * name_relative_rotation(roll.body, roll.of, case, level)
+    turned = measure(find_rotation_value(roll.body, case, level), UNITS[level, True])
+    if turned == ZERO and not double(other):
+        return (symbols.signed(sign),)
+    rotation = turned - measure(other, UNITS[level, True]) if double(other) else turned
+    numbers = measure(roll.circle.radius, "m").dot(rotation)
+    return symbols.signed(sign), numbers.signed(sign)
+
+
+def _state_rotation(
+    roll: NoSlip, relation: Relation, case: Case, level: Level
+) -> tuple[Formula, ...]:
+    """The rotation of the track and the speed of the centre over the radius, in symbols and in
+    numbers.
+    """
+    sign = _find_slip_sign(roll, relation, case)
+    term = find_term(relation.turning[0][0], case)
+    other = find_rotation_value(roll.of, case, level)
+    turned = (name_speed(term, case, level) / _state_radius(roll, case)).signed(sign)
+    carried = name_rotation(roll.of, case, level)
+    symbols = add_terms((carried, turned) if carried != ZERO else (turned,))
+    speed = measure_along_direction(term, case, level) * find_stated_sense(term, case) * sign
+    known = measure(speed, UNITS[level, False])
+    if known == ZERO:
+        return (symbols,)
+    rest = (known.size / measure(roll.circle.radius, "m")).signed(known.sign)
+    track = measure(other, UNITS[level, True])
+    return symbols, add_terms((track, rest) if double(other) else (rest,))
+
+
+def _state_radius(roll: NoSlip, case: Case) -> Formula:
+    """The radius of the rolling circle."""
+    circle = case.template.scheme.joints[roll.joint].circle
+    return state_radius(circle, roll.circle.radius, case)

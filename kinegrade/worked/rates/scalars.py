@@ -77,8 +77,11 @@ def explain_scalar_step(
             yield case.show(Equation(stated.left, links, result.aside))
         case ImposedRotation() | ImposedMotion() | ImposedCircling():
             yield case.show(stated, result)
-        case NoSlip() | EqualPitchSpeed() | EqualBeltSpeed() | SharedPoint() | GuidedPoint() | None:
-            yield case.show(stated, *solve_rolling(relation, unknown, case, level), result)
+        case NoSlip() as roll:
+            solved = solve_rolling(roll, relation, result, case, level)
+            yield case.show(*((solved,) if solved else (stated, result)))
+        case EqualPitchSpeed() | EqualBeltSpeed() | SharedPoint() | GuidedPoint() | None:
+            yield case.show(stated, result)
         case _:
             assert_never(relation.source)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, assert_never
 
-from kinegrade.expressions.tree import Call, Expression
+from kinegrade.expressions.tree import Call, Expression, Number
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
@@ -109,4 +109,7 @@ def state_expression(tree: Expression, case: Case) -> Formula:
 
 def state_radius(circle: Call | None, radius: Any, case: Case) -> Formula:
     """The radius of a circle in the template's symbols; its number where the template has none."""
-    return state_expression(circle.arguments[1], case) if circle else measure(radius, "m")
+    stated = circle.arguments[1] if circle else None
+    if stated is None or isinstance(stated, Number):
+        return measure(radius, "m")
+    return state_expression(stated, case)

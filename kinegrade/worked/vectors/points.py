@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import Literal, assert_never
 
 from kinegrade.language.math.tree import Row
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.relations import Chain, Term, add_vectors
@@ -18,13 +18,14 @@ from kinegrade.mechanics.vector_equation import Level, Part, find_term_value, li
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact, Piece
-from kinegrade.worked.formulas.atoms import AXES, TWO, VectorSymbol
+from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.carried import state_carried_component
+from kinegrade.worked.vectors.contacts import needs_components, turn_about_contact
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
@@ -50,6 +51,8 @@ def find_point(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> It
     if all(term.kind == "sliding" and term.frame == GROUND for term in chain):
         pieces = (Piece(name, find_positive_sense(last, case), value),) if len(chain) == 1 else ()
         fact = Fact(name, value, len(chain) > 1, pieces)
+    elif level == "velocity" and (about := turn_about_contact(last, case)):
+        fact = yield from _explain_about_contact(about, name, case)
     elif len(chain) == 1 and level == "velocity":
         yield from _explain_single(last, name, case)
         fact = Fact(name, value, False, (Piece(name, _find_single_sense(last, value), value),))
@@ -59,6 +62,30 @@ def find_point(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> It
         yield from _explain_sum(chain, name, case, level)
         fact = Fact(name, value, True)
     case.findings.facts[make_key(chain, level)] = fact
+
+
+def _explain_about_contact(
+    term: Term, name: VectorSymbol, case: Case
+) -> Generator[Block, None, Fact]:
+    """The velocity of a point of a body that rolls on the ground: none in the contact, elsewhere
+    its distance to that times the rotation, or both components where they are needed.
+    """
+    value = term.velocity(case.motion.rates)
+    names: dict[str, Text] = {
+        "body": case.naming.body(term.rate.body),
+        "point": case.naming.point(term.point),
+    }
+    if term.point == term.base:
+        yield case.say(Message("solution.contact-rests", **names))
+        yield case.show(Equation(name, equate(ZERO)))
+        return Fact(name, value, False)
+    pole = case.naming.point(term.base)
+    yield case.say(Message("solution.known-contact", pole=pole, **names))
+    if not needs_components(term.point, case):
+        yield case.show(*_state_speed(term, name, case))
+        return Fact(name, value, False, (Piece(name, value, value),))
+    yield case.show(*_state_components(term, name, None, case, "velocity"))
+    return Fact(name, value, True)
 
 
 def _find_single_sense(term: Term, value: Vector) -> Vector:
@@ -90,14 +117,19 @@ def _explain_single(term: Term, name: VectorSymbol, case: Case) -> Iterator[Bloc
     if term.kind != "rotation":
         return
     yield case.say(_announce_rotation(term, "point", case))
+    yield case.show(*_state_speed(term, name, case))
+
+
+def _state_speed(term: Term, name: VectorSymbol, case: Case) -> Iterator[Equation]:
+    """The arm where it has to be worked out, and the speed of a point at it."""
     value = term.velocity(case.motion.rates)
     omega = case.naming.omega(term.rate.body)
     turned = omega if double(case.motion.rates[term.rate]) >= 0 else abs(omega)
     ends = term.base, term.point
+    yield from introduce_lengths((ends,), case)
     size = state_number(length(value, case.arithmetic), "m/s")
     links = (*equate(name_length(*ends, case).dot(turned)), *size)
-    speed = Equation(name, links, state_way(value, case))
-    yield case.show(*introduce_lengths((ends,), case), speed)
+    yield Equation(name, links, state_way(value, case))
 
 
 def _announce_rotation(term: Term, start: _Start, case: Case) -> Message:
@@ -146,9 +178,19 @@ def _explain_carried(chain: Chain, name: VectorSymbol, case: Case, level: Level)
     yield from find_point(before, base_name, case, level)
     yield case.say(_announce_rotation(last, "base" if before else "point", case))
     base = (base_name, find_vector(before, case.motion, level)) if before else None
-    yield case.show(
-        *(state_carried_component(axis, name, base, last, case=case, level=level) for axis in AXES)
-    )
+    yield case.show(*_state_components(last, name, base, case, level))
+
+
+def _state_components(
+    term: Term,
+    name: VectorSymbol,
+    base: tuple[VectorSymbol, Vector] | None,
+    case: Case,
+    level: Level,
+) -> Iterator[Equation]:
+    """Both components of a vector from those of its base point, which is None where it rests."""
+    for axis in AXES:
+        yield state_carried_component(axis, name, base, term, case=case, level=level)
 
 
 def _explain_composed(

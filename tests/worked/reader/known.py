@@ -37,8 +37,6 @@ KNOWN: Mapping[Law, frozenset[str]] = {
             "guided-rack-and-gear",
             "pin-in-disc-slot-and-rod",
             "pin-in-two-rings",
-            "planetary-gear-external-rim-accelerations",
-            "planetary-gear-external-rim-velocities",
             "pole-sleeve-slider-rod",
             "rod-sliding-on-driven-wheel",
             "roller-rolling-on-rotating-bar",

@@ -1,0 +1,60 @@
+"""Bodies that roll on the ground turn about the point of contact, their velocity pole."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import assert_never
+
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.relations import Term
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
+from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.measures import is_zero
+
+
+def turn_about_contact(term: Term, case: Case) -> Term | None:
+    """The rotation of a point about the contact in place of its base point: the point's whole
+    velocity. None for a body that does not roll on the ground in a named point.
+    """
+    contact = _find_contact(term.rate.body, case) if term.kind == "rotation" else None
+    if contact is None:
+        return None
+    points = case.motion.points
+    return replace(term, base=contact, vector=points[term.point] - points[contact])
+
+
+def _find_contact(body: str, case: Case) -> str | None:
+    """The named point in which a body rolls on the ground; None where it does not, or the point has
+    no name.
+    """
+    laws = (relation.source for relation in case.motion.frames.relations)
+    rolls = (law.find_rolling() for law in laws if law is not None)
+    if not any(roll.body == body and roll.of == GROUND for roll in rolls if roll is not None):
+        return None
+    if case.arithmetic.is_zero(case.motion.omega(body)):
+        return None
+    pole = case.motion.pole(body, case.arithmetic)
+    points = case.motion.points
+    return next(
+        (name for name in case.template.scheme.points if is_zero(points[name] - pole)), None
+    )
+
+
+def needs_components(point: str, case: Case) -> bool:
+    """Whether an answer needs more of a point's velocity than its magnitude."""
+    asks = (case.template.asks[name].quantity for name in case.solution.answers)
+    return any(_uses_components(ask, point) for ask in asks)
+
+
+def _uses_components(tree: Expression, point: str) -> bool:
+    """Whether an expression holds the velocity of a point other than as a magnitude."""
+    match tree:
+        case Call(function="magnitude", arguments=(Call(function="velocity"),)):
+            return False
+        case Call(function=name, arguments=(Name(named), *_)) if name in MOTION_FUNCTIONS:
+            return named == point and MOTION_FUNCTIONS[name].level == "velocity"
+        case Call() | Operation() | Number() | Name():
+            return any(_uses_components(part, point) for part in list_parts(tree))
+        case _:
+            assert_never(tree)
