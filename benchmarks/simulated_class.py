@@ -22,7 +22,8 @@ from kinegrade.exam.folder.writing import encode_head, encode_line
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.printing.sample import make_sample_bank
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.key_mistakes import find_mistaken_answers
 from kinegrade.exam.setting.key_record import make_key_line

@@ -7,7 +7,8 @@ from pathlib import Path
 
 from kinegrade.exam.bank.bank import Bank
 from kinegrade.exam.folder.exam_secret import FromWords
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.setting import SetPaper
 

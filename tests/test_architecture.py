@@ -56,7 +56,11 @@ FLOORS = {
 INSIDE = {"kinegrade.errors": "kinegrade.language.errors"}
 SIBLINGS = ("figure", "grading", "lms")
 LOBBY = {"kinegrade", "kinegrade.__main__"}  # the entrances, which call any floor
-GRADING_MAY_USE = {"kinegrade.exam.roster.roster", "kinegrade.exam.roster.student_ids"}
+GRADING_MAY_USE = {
+    "kinegrade.exam.roster.known_columns",
+    "kinegrade.exam.roster.student_ids",
+    "kinegrade.exam.roster.students",
+}
 EXAM_FOLDER = "kinegrade.exam.folder."
 FLINT = {"expressions", "numbers", "problem", "students"}
 DIRECT_TEXT = (".py", ".toml", ".typ", ".md", ".csv", ".json", ".jsonl", ".yml", ".txt")
@@ -165,7 +169,7 @@ def test_the_exam_folder_knows_of_setting_nothing_but_the_roster() -> None:
         if module.startswith(EXAM_FOLDER) and not target.startswith(EXAM_FOLDER)
     }
     assert {target for target in below if floor(target) == "exam"} == {
-        "kinegrade.exam.roster.roster"
+        "kinegrade.exam.roster.students"
     }
     assert not {target for target in below if FLOORS[floor(target)] > FLOORS["exam"]}
 

@@ -18,6 +18,7 @@ from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
 from kinegrade.cli.program import Program
 from kinegrade.cli.quiz import quiz
+from kinegrade.cli.rosters import roster
 from kinegrade.cli.sharing import sharing
 from kinegrade.cli.solve import solve
 from kinegrade.cli.templates import check, gallery, list_templates, new, show
@@ -39,6 +40,7 @@ for command in (
     check,
     new,
     gallery,
+    roster,
     generate,
     papers,
     paper,

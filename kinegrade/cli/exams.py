@@ -12,6 +12,7 @@ import click
 from click.core import ParameterSource
 
 import kinegrade
+from kinegrade.cli.column_choice import COLUMN
 from kinegrade.cli.help import command
 from kinegrade.cli.options import (
     FILE,
@@ -29,9 +30,20 @@ from kinegrade.cli.terminal import refuse_usage, say
 from kinegrade.language.message import Message, list_plainly
 
 if TYPE_CHECKING:
+    from kinegrade.exam.roster.columns import Wishes
     from kinegrade.problem.template.template import Method
 
-_WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "strict", "force")
+_WITH_ADD = (
+    "bank",
+    "roster",
+    "output",
+    "late",
+    "columns",
+    "jobs",
+    "allow_odd_ids",
+    "strict",
+    "force",
+)
 
 
 @command()
@@ -85,6 +97,7 @@ _WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "stric
     type=click.Choice(["docx", "html"]),
 )
 @JOBS
+@COLUMN
 @click.option(
     "--allow-odd-ids",
     is_flag=True,
@@ -102,11 +115,12 @@ def generate(
     output: Path,
     late: Path | None,
     language: str,
+    columns: Wishes,
     allow_odd_ids: bool,
     force: bool,
     **options: Any,
 ) -> None:
-    """Draw, solve and typeset an exam for every student of ROSTER (CSV: student, name).
+    """Draw, solve and typeset an exam for every student of ROSTER (CSV or xlsx).
 
     BANK is the exam's blueprint: a TOML file, or the name of one that is shipped:
     acceleration-midterm, demo, final, velocity-quiz. EXAM is readable by its owner alone; kinegrade
@@ -116,7 +130,7 @@ def generate(
     if late is not None:
         _expect_no_other_wishes()
     asked = kinegrade.Bank.read(bank)
-    students = kinegrade.Roster.read(roster, odd_ids=allow_odd_ids)
+    students = kinegrade.Roster.read(roster, odd_ids=allow_odd_ids, columns=columns)
     wishes = kinegrade.GenerateOptions(progress=show_progress, **options)
     if late is None:
         finish(
@@ -126,7 +140,7 @@ def generate(
         )
     else:
         exam = kinegrade.open_exam(output)
-        newcomers = kinegrade.Roster.read(late, odd_ids=allow_odd_ids)
+        newcomers = kinegrade.Roster.read(late, odd_ids=allow_odd_ids, columns=columns)
         finish(kinegrade.add_students(exam, asked, students, newcomers, options=wishes))
 
 

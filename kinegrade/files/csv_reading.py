@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from itertools import chain, islice
 
 from kinegrade.files.cell_text import trim
+from kinegrade.files.header_line import MOST_ABOVE, HeaderSign, find_header
 
 _SEPARATORS = ",;\t"
 _BLANKS = f"{_SEPARATORS} "
@@ -26,6 +27,31 @@ def cells_of_any_size(text: str) -> Iterator[None]:
         yield
     finally:
         csv.field_size_limit(before)
+
+
+def count_lines_above(text: str, is_header: HeaderSign) -> int:
+    """How many lines stand above the header, whatever separates its cells."""
+    records = [
+        record
+        for separator in _SEPARATORS
+        for record in _read_first(text, separator)
+        if any(map(trim, record[1]))
+    ]
+    return records[find_header([cells for _, cells in records], is_header)][0] if records else 0
+
+
+def _read_first(text: str, separator: str) -> Iterator[tuple[int, list[str]]]:
+    """The first records, with the number of lines before each."""
+    reader = csv.reader(islice(io.StringIO(text, newline=""), MOST_ABOVE), delimiter=separator)
+    before = 0
+    for cells in reader:
+        yield before, cells
+        before = reader.line_num
+
+
+def drop_lines(text: str, count: int) -> str:
+    """A text without its first lines, counted as `read_records` counts them."""
+    return "".join(islice(io.StringIO(text, newline=""), count, None))
 
 
 def find_separator(text: str) -> tuple[str, int]:

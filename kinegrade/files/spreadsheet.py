@@ -21,6 +21,7 @@ from openpyxl import load_workbook
 
 from kinegrade.errors import TableError
 from kinegrade.files.cell_text import shorten, trim
+from kinegrade.files.header_line import MOST_ABOVE, HeaderSign, find_header
 from kinegrade.files.tables import Complaint, Row, Table
 from kinegrade.files.workbook_inspection import (
     SAVE_AS_XLSX,
@@ -60,8 +61,9 @@ class _Room:
         self.characters = _MOST_CHARACTERS
 
 
-def read_workbook(path: Path) -> Table:
-    """The first visible filled sheet of a workbook; `Row.line` is the row's number there.
+def read_workbook(path: Path, is_header: HeaderSign | None = None) -> Table:
+    """The first visible filled sheet of a workbook; `Row.line` is the row's number there. The
+    header is its first line, or the first one that `is_header` takes for it, below titles.
 
     Raises TableError if the file is missing, not an .xlsx workbook, empty, too large or hostile.
     """
@@ -78,15 +80,18 @@ def read_workbook(path: Path) -> Table:
         )
     if has_formulas:
         lines = _note_formulas(path, name, lines)
-    (_, header), *rows = lines
+    texts = [[cell.text for cell in cells] for _, cells in lines[:MOST_ABOVE]]
+    skipped = 0 if is_header is None else find_header(texts, is_header)
+    (_, header), *rows = lines[skipped:]
     titles = tuple(cell.text for cell in header)
     complaints = [
         *_note_sheets(path.name, name, others),
-        *_find_oddities(path.name, titles, lines),
+        *_find_oddities(path.name, titles, lines[skipped:]),
         *_find_surplus(path.name, rows, len(titles)),
     ]
     filled = tuple(Row(line, _pad(cells, len(titles))) for line, cells in rows)
-    return Table(path.name, titles, filled, "XLSX", "", tuple(complaints))
+    above = tuple(line for line, _ in lines[:skipped])
+    return Table(path.name, titles, filled, "XLSX", "", tuple(complaints), above)
 
 
 def _pad(cells: Sequence[_Cell], width: int) -> tuple[str, ...]:

@@ -14,9 +14,16 @@ from typing import NamedTuple
 
 from kinegrade.errors import TableError
 from kinegrade.files.cell_text import shorten, trim
-from kinegrade.files.csv_reading import cells_of_any_size, find_separator, read_records
+from kinegrade.files.csv_reading import (
+    cells_of_any_size,
+    count_lines_above,
+    drop_lines,
+    find_separator,
+    read_records,
+)
 from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.files.decoding import CSV_FILE, Decoded, decode, name_encoding
+from kinegrade.files.header_line import HeaderSign
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Text
@@ -61,7 +68,7 @@ class Row(NamedTuple):
 @dataclass(frozen=True, slots=True)
 class Table:
     """A table as it is in the file: cells unchanged, ragged rows kept, rows of only blanks left
-    out.
+    out; `above` are the filled lines above its header.
     """
 
     file: str
@@ -70,12 +77,16 @@ class Table:
     encoding: str
     separator: str
     complaints: tuple[Complaint, ...]
+    above: tuple[int, ...] = ()
 
 
-def read_table(path: Path, encoding: str | None = None) -> Table:
+def read_table(
+    path: Path, encoding: str | None = None, is_header: HeaderSign | None = None
+) -> Table:
     """Reads a CSV file; raises TableError if it is missing, empty or not text.
 
-    `encoding` is declared for a file without byte-order mark that is not UTF-8.
+    `encoding` is declared for a file without byte-order mark that is not UTF-8. The header is the
+    first filled line, or the first one that `is_header` takes for it, below titles.
     """
     try:
         content = path.read_bytes()
@@ -83,11 +94,13 @@ def read_table(path: Path, encoding: str | None = None) -> Table:
         reason = Message("files.cannot-be-read", reason=str(fault.strerror))
         do = Message("files.check-the-name")
         raise TableError(Fault(str(path), reason, CSV_FILE, do)) from fault
-    return parse_table(content, path.name, encoding)
+    return parse_table(content, path.name, encoding, is_header)
 
 
-def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table:
-    """Reads the bytes of a CSV file; `file` is its name in messages, `encoding` as declared. Raises
+def parse_table(
+    content: bytes, file: str, encoding: str | None = None, is_header: HeaderSign | None = None
+) -> Table:
+    """Reads the bytes of a CSV file as `read_table` does; `file` is its name in messages. Raises
     TableError.
 
     >>> parse_table(b"student;x\\n007;0,5\\n", "a.csv").rows
@@ -96,18 +109,21 @@ def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table
     decoded = decode(content, file, encoding)
     text = decoded.text
     with cells_of_any_size(text):
-        separator, width = find_separator(text)
-        records, stray_quotes = read_records(text, separator, width)
-    filled = [Row(line, tuple(cells)) for line, cells in records if any(map(trim, cells))]
+        skipped = 0 if is_header is None else count_lines_above(text, is_header)
+        body = drop_lines(text, skipped) if skipped else text
+        separator, width = find_separator(body)
+        records, stray_quotes = read_records(body, separator, width)
+    filled = [Row(line + skipped, tuple(cells)) for line, cells in records if any(map(trim, cells))]
     if not filled:
         raise TableError(Fault(file, Message("files.empty-table")))
     header, *rows = filled
     complaints = (
         *_complain_of_encoding(file, decoded),
-        *(_complain_of_stray_quote(file, line) for line in stray_quotes),
+        *(_complain_of_stray_quote(file, line + skipped) for line in stray_quotes),
         *_find_ragged(rows, len(header.cells), file),
     )
-    return Table(file, header.cells, tuple(rows), decoded.encoding, separator, complaints)
+    above = tuple(line for line, title in enumerate(text.splitlines()[:skipped], 1) if trim(title))
+    return Table(file, header.cells, tuple(rows), decoded.encoding, separator, complaints, above)
 
 
 def drop_headers(table: Table) -> tuple[Row, ...]:

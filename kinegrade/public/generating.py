@@ -66,7 +66,8 @@ def generate(
         raise OptionError(Message("terminal.seed-or-words"))
     chosen = find_language(language)
     written = write_exam(bank.blueprint, roster, place, chosen, options, force=force)
-    return Generated(place, tuple(_list_notes(written, place, options)), written.complaints)
+    notes = (*roster.notes, *_list_notes(written, place, options))
+    return Generated(place, notes, written.complaints)
 
 
 def add_students(
@@ -96,7 +97,7 @@ def add_students(
     require_known(options)
     added = add_to_exam(exam.path, bank.blueprint, roster, late, options)
     note = Message("terminal.of", where=str(exam.path), what=added.summary)
-    return Generated(exam.path, (note,), added.complaints)
+    return Generated(exam.path, (*late.notes, note), added.complaints)
 
 
 def _list_notes(written: Written, place: Path, options: GenerateOptions) -> Iterator[Message]:

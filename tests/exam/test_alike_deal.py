@@ -16,7 +16,8 @@ from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.exam_secret import FromWords
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.difficulties import find_difficulty, predict_kept
 from kinegrade.exam.setting.kept_exam import KeptExam

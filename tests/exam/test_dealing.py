@@ -15,7 +15,8 @@ from click.testing import Result
 from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.exam_secret import FromWords
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.key_record import make_key_line
 from kinegrade.exam.setting.setting import set_paper

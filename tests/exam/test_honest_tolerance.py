@@ -22,7 +22,8 @@ from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.quiz.quiz import read_quiz
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.setting import SetAsk
 from kinegrade.language import Language

@@ -19,7 +19,8 @@ from kinegrade.exam.printing.pages import (
     write_interval,
 )
 from kinegrade.exam.printing.sample import make_sample_bank
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language import ENGLISH

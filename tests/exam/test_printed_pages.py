@@ -17,7 +17,8 @@ from kinegrade.exam.generating.page_counts import list_longer_papers
 from kinegrade.exam.printing import class_printing
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.press.join import count_pages
 from kinegrade.press.protocol import Engine, Press

@@ -11,7 +11,8 @@ import pytest
 from kinegrade.exam.bank.bank import Bank
 from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.printing.printing import Extras, PressOrder, Printed, PrintRun, print_papers
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language import Language

@@ -13,7 +13,8 @@ import pytest
 from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.exam_secret import FromWords
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.paper_codes import make_paper_code
 from kinegrade.exam.setting.setting import SetPaper

@@ -20,7 +20,7 @@ from kinegrade.exam.folder.earlier_signs import recognise_convention
 from kinegrade.exam.folder.faults import EXAM_FOLDER, REMEDY, describe_damage
 from kinegrade.exam.folder.numbers import require_not_negative
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
-from kinegrade.exam.roster.roster import make_student_key
+from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.fields.document import FileKind, json_table, read_text
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import Read, found

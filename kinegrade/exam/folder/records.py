@@ -16,7 +16,7 @@ import msgspec
 
 from kinegrade.exam.folder.exam_secret import ExamSecret, find_secret
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.exam.roster.roster import make_file_names
+from kinegrade.exam.roster.students import make_file_names
 from kinegrade.language import Language
 
 

@@ -9,7 +9,7 @@ from kinegrade.exam.folder.contents import ANSWERS
 from kinegrade.exam.folder.records import Candidate, ExamHead
 from kinegrade.exam.generating.exam_files import write_blank_answers
 from kinegrade.exam.generating.hand_work import OWN_COLUMNS
-from kinegrade.exam.roster.roster import make_student_key
+from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.cell_text import make_header_key
 from kinegrade.files.csv_writing import neutralise, write_for_people
 from kinegrade.files.tables import Table, read_table

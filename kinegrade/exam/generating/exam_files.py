@@ -32,7 +32,7 @@ from kinegrade.exam.printing.head_record import write_warning
 from kinegrade.exam.printing.pages import make_key_book
 from kinegrade.exam.printing.printed_files import printed_files, write_key
 from kinegrade.exam.printing.printing import Printed, PrintRun
-from kinegrade.exam.roster.roster import Student
+from kinegrade.exam.roster.students import Student
 from kinegrade.files.csv_writing import neutralise, write_for_people
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message, Quoted

@@ -13,7 +13,8 @@ from kinegrade.exam.bank.blueprint import Bank, Blueprint
 from kinegrade.exam.folder.contents import HEAD, TEMPLATES
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.generating.exam_files import source_files, translation_files
-from kinegrade.exam.roster.roster import Roster, Student, make_file_names, make_student_key
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student, make_file_names, make_student_key
 from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.language.message import Fault, Message, Quoted
 

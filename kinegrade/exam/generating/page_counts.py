@@ -10,7 +10,8 @@ from pathlib import Path
 from kinegrade.errors import Problem
 from kinegrade.exam.printing.printed_files import replace_papers
 from kinegrade.exam.printing.printing import Extras, Printed, PrintRun
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import ClassDeal
 from kinegrade.language.message import Fault, Message
 

@@ -14,7 +14,7 @@ from kinegrade.exam.folder.head import FORMAT
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.exam.printing.printing import PrintRun
-from kinegrade.exam.roster.roster import Student
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import ClassDeal
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue

@@ -21,7 +21,8 @@ from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.roster.complaints import roster_complaints
-from kinegrade.exam.roster.roster import Roster, make_student_key
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import make_student_key
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language.message import Fault, Message, Quoted

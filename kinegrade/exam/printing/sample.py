@@ -13,7 +13,8 @@ from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.printing.pages import QuestionPlace, lay_out_paper
 from kinegrade.exam.printing.solution_pages import work_question
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message

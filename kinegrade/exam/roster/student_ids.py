@@ -12,7 +12,7 @@ import re
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping
 
-from kinegrade.exam.roster.roster import make_student_key
+from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.language.message import Message, Quoted
 

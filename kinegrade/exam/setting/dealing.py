@@ -22,7 +22,8 @@ from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.bank.versions import choose_version, list_version_letters
 from kinegrade.exam.folder.exam_secret import ExamSecret
 from kinegrade.exam.folder.records import KeyLine
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.alike_deal import deal_alike
 from kinegrade.exam.setting.paper_codes import make_paper_codes
 from kinegrade.exam.setting.places import assign_places

@@ -15,7 +15,7 @@ from kinegrade.exam.folder.contradictions import explain_contradiction, list_nam
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import explain_broken
 from kinegrade.exam.folder.records import Candidate, KeyLine, KeyQuestion
-from kinegrade.exam.roster.roster import Student
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.derivation import derive_question
 from kinegrade.exam.setting.setting import Exam, SetPaper, SetQuestion
 from kinegrade.language.message import Message, Quoted

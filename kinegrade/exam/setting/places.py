@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from kinegrade.draws.keyed_order import address
-from kinegrade.exam.roster.roster import make_student_key
+from kinegrade.exam.roster.students import make_student_key
 
 
 def assign_places(students: Iterable[str], secret: str, kept: Mapping[str, int]) -> dict[str, int]:

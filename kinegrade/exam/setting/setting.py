@@ -14,7 +14,7 @@ from pathlib import Path
 from kinegrade.draws.deck import Combination, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
-from kinegrade.exam.roster.roster import Student
+from kinegrade.exam.roster.students import Student
 from kinegrade.figure.sketch import Sketcher
 from kinegrade.figure.sketchbook import choose_sketcher
 from kinegrade.numbers.tolerance import Tolerance

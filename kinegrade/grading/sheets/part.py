@@ -15,8 +15,9 @@ from unicodedata import normalize
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.keys import Ask, Sitting
-from kinegrade.exam.roster.roster import list_column_names, make_student_key
+from kinegrade.exam.roster.known_columns import list_column_names
 from kinegrade.exam.roster.student_ids import StudentIds, describe_restoration
+from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.answer_file import AnswerFile, Sources
 from kinegrade.files.cell_text import make_header_key, shorten, trim
 from kinegrade.files.csv_writing import write_csv_text

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.roster.roster import Column, list_column_names
+from kinegrade.exam.roster.known_columns import Column, list_column_names
 from kinegrade.files.cell_text import make_header_key
 from kinegrade.files.tables import Table
 from kinegrade.language.message import Message, Quoted

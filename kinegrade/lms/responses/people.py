@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from kinegrade.exam.folder.records import Candidate
-from kinegrade.exam.roster.roster import make_student_key
 from kinegrade.exam.roster.student_ids import StudentIds
+from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.cell_text import make_header_key, shorten, trim
 from kinegrade.files.tables import Row
 from kinegrade.language.message import Message, Quoted, Text, list_all

@@ -17,7 +17,8 @@ from kinegrade.errors import TypesetError
 from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.printing.sample import make_sample_bank
-from kinegrade.exam.roster.roster import Roster, Student
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language

@@ -1,0 +1,38 @@
+"""The command about the class itself: roster."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+import kinegrade
+from kinegrade.cli.column_choice import COLUMN
+from kinegrade.cli.help import command
+from kinegrade.cli.options import FILE, finish_with_complaints, refusing
+from kinegrade.cli.terminal import terminal_words
+
+if TYPE_CHECKING:
+    from kinegrade.exam.roster.columns import Wishes
+
+
+@command()
+@click.argument("roster", type=FILE)
+@COLUMN
+@click.option(
+    "--allow-odd-ids",
+    is_flag=True,
+)
+@refusing
+def roster(roster: Path, *, columns: Wishes, allow_odd_ids: bool) -> None:
+    """Show how ROSTER is read: which column is what, what is not used, how many students there are;
+    nothing is written.
+    """
+    from kinegrade.exam.roster.overview import describe_roster
+
+    students = kinegrade.Roster.read(roster, odd_ids=allow_odd_ids, columns=columns)
+    words = terminal_words()
+    for line in describe_roster(students):
+        click.echo(words.write(line))
+    finish_with_complaints([each.fault for each in students.complaints])

@@ -1,0 +1,87 @@
+"""Students: who they are, how ids are compared, and what their files are called."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from hashlib import sha256
+from unicodedata import normalize
+from urllib.parse import quote
+
+from kinegrade.files.cell_text import trim
+
+_LONGEST_STEM = 100
+_RESERVED = re.compile(r"(?:con|prn|aux|nul|com[0-9]|lpt[0-9])(?:\.|$)", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class Student:
+    """One student; `file_name` is a stem safe on every system and different from all others of the
+    roster.
+
+    What a roster does not say is "": `language`, in which the paper is printed, is then that of the
+    exam; `extra_time` is a text such as "25 %" or "30 min". `line` is where the student stands in
+    the roster's file, 0 where there is none.
+    """
+
+    student: str
+    name: str
+    email: str
+    file_name: str
+    group: str = ""
+    room: str = ""
+    seat: str = ""
+    language: str = ""
+    extra_time: str = ""
+    line: int = field(default=0, compare=False)
+
+
+def make_student_key(student: str) -> str:
+    """An id as it is compared: surrounding blanks and full-width forms are ignored, zeros and case
+    matter.
+
+    >>> make_student_key("\\uff10\\uff10\\uff17 ")
+    '007'
+    """
+    if student.isascii() and student.isalnum():  # as most ids are
+        return student
+    return trim(normalize("NFKC", student))
+
+
+def make_file_names(students: Iterable[str]) -> dict[str, str]:
+    """A file stem for each id: the id itself where it is plain, percent-encoded where it is not.
+
+    No two stems are equal, not even where the file system takes upper and lower case for the same.
+
+    >>> make_file_names(["007", "a/b", "CON"])
+    {'007': '007', 'a/b': 'a%2Fb', 'CON': '%43ON'}
+    """
+    stems = {student: _make_stem(student) for student in students}
+    alike = Counter(stem.lower() for stem in stems.values())
+    return {
+        student: _cut(student, _encode_capitals(stem) if alike[stem.lower()] > 1 else stem)
+        for student, stem in stems.items()
+    }
+
+
+def _make_stem(student: str) -> str:
+    stem = quote(student, safe="", errors="surrogatepass").replace("~", "%7E")
+    if stem.startswith(".") or _RESERVED.match(stem):
+        return f"%{ord(stem[0]):02X}{stem[1:]}"
+    return stem
+
+
+def _encode_capitals(stem: str) -> str:
+    return re.sub(r"(%..)|([A-Z])", lambda found: found[1] or f"%{ord(found[2]):02X}", stem)
+
+
+def _cut(student: str, stem: str) -> str:
+    """The stem, shortened if it is long: file systems allow 255 bytes at most. The encoding never
+    gives `%-`, so it stays unique.
+    """
+    if len(stem) <= _LONGEST_STEM:
+        return stem
+    digest = sha256(student.encode("utf-8", "surrogatepass")).hexdigest()[:32]
+    return f"{stem[:40]}%-{digest}"
