@@ -130,10 +130,12 @@ class QuestionLosses:
 
 
 @dataclass(frozen=True)
-class VersionLine:
-    """The totals of a version, and its facility by question."""
+class PartLine:
+    """The totals of a part of the class, such as a version or a group, and its facility by
+    question.
+    """
 
-    letter: str
+    name: str
     count: int
     mean: str
     sd: str
@@ -183,7 +185,7 @@ class Hardness:
     """Whether papers were equally hard: by version, or by the numbers drawn; and as predicted."""
 
     verdict: str
-    versions: tuple[VersionLine, ...] = ()
+    versions: tuple[PartLine, ...] = ()
     plot: BoxPlot | None = None
     trends: tuple[TrendLine, ...] = ()
     predicted: PredictedHardness | None = None
@@ -192,7 +194,7 @@ class Hardness:
 @dataclass(frozen=True)
 class ClassFigures:
     """What is known where anybody answered; a card has a figure and its name, the legend the shade
-    and the name of each verdict.
+    and the name of each verdict; `groups` are those of the roster, none where there are not two.
     """
 
     out_of: str
@@ -202,6 +204,7 @@ class ClassFigures:
     legend: tuple[tuple[str, str], ...]
     losses: tuple[QuestionLosses, ...]
     hardness: Hardness
+    groups: tuple[PartLine, ...] = ()
 
 
 @dataclass(frozen=True)

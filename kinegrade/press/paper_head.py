@@ -13,8 +13,8 @@ from kinegrade.language.catalogue import Catalogue
 class PaperHead:
     """Texts in the paper's language; "" prints nothing.
 
-    `room` and `seat` are None where they are not asked for, and "" where a line is left to write
-    them on.
+    `room`, `seat` and `group` are None where they are not asked for, and "" where a line is left to
+    write them on; `extra_time` is the student's.
     """
 
     institution: str = ""  # plain, as are duration, room and seat
@@ -25,10 +25,25 @@ class PaperHead:
     room: str | None = None
     seat: str | None = None
     signature: bool = False
+    group: str | None = None
+    extra_time: str = ""
+
+    def list_times(self, words: Catalogue) -> list[tuple[str, str]]:
+        """How long the exam takes, by its label, as far as it is stated."""
+        stated = (
+            (words.text("paper.duration"), self.duration),
+            (words.text("paper.extra-time"), self.extra_time),
+        )
+        return [(label, text) for label, text in stated if text]
 
     def list_blanks(self, words: Catalogue) -> list[tuple[str, str]]:
         """What is written by hand, by its label, with the text that stands there already."""
-        blanks = {"room": self.room, "seat": self.seat, "signature": "" if self.signature else None}
+        blanks = {
+            "group": self.group,
+            "room": self.room,
+            "seat": self.seat,
+            "signature": "" if self.signature else None,
+        }
         return [
             (words.text(f"paper.blank-{name}"), text)
             for name, text in blanks.items()

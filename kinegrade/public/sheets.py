@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import Literal, assert_never
 
-from kinegrade.exam.exam_wording import read_exam_wording
+from kinegrade.exam.exam_wording import ExamWording, read_exam_wording
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.language import Language
 from kinegrade.language.message import Message
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.processes.executor import open_executor
@@ -45,7 +47,7 @@ def feedback(
     options: FeedbackOptions = _ORDINARY,
 ) -> Outcome:
     """Write each student a sheet: answers, right answers, what probably went wrong; as `kinegrade
-    feedback` does, in the papers' language unless another one is wanted.
+    feedback` does, in the languages of the papers unless another one is wanted.
 
     Raises KinegradeError; then nothing is written.
 
@@ -66,7 +68,8 @@ def feedback(
         from kinegrade.exam.setting.kept_exam import KeptExam
 
         KeptExam(exam).require_no_contradiction()
-    wishes = FeedbackWishes(_choose_form(options.form), chosen, solutions, force)
+    own = _read_own_wording(exam) if language is None else {}
+    wishes = FeedbackWishes(_choose_form(options.form), chosen, solutions, force, own)
     wording = read_exam_wording(exam, chosen)
     with open_executor(options.jobs, "feedback") as workers:
         count = write_feedback(exam, marks, place, wording, wishes, workers=workers)
@@ -74,6 +77,12 @@ def feedback(
     return Outcome(
         place, (Message("terminal.feedback", folder=str(place), count=count, index=index),)
     )
+
+
+def _read_own_wording(exam: ExamFolder) -> Mapping[Language, ExamWording]:
+    """The words of an exam in the languages that students have of their own."""
+    spoken = {Language(each.language) for each in exam.head.students if each.language}
+    return {each: read_exam_wording(exam, each) for each in spoken}
 
 
 def _choose_form(form: FeedbackForm) -> Text | Press:

@@ -26,6 +26,8 @@ TEMPLATES = "templates"
 NOTICE = "INSTRUCTOR-ONLY.txt"
 #: One PDF for each student; for students.
 PAPERS = "papers"
+#: The same papers in a booklet for each room, where the roster names rooms; for invigilators.
+ROOMS = "rooms"
 #: Worked solutions, one PDF for each student; for students after the exam.
 SOLUTIONS = "solutions"
 #: Sources of papers typeset by LaTeX, for editing.
@@ -34,7 +36,7 @@ SOURCES = "tex"
 ANSWERS = "answers.csv"
 #: The same sheet as a workbook, which keeps ids as text.
 ANSWER_WORKBOOK = "answers.xlsx"
-FOR_STUDENTS = (PAPERS, f"{PAPERS}.pdf")
+FOR_STUDENTS = (PAPERS, f"{PAPERS}.pdf", ROOMS)
 CONTENTS = (
     HEAD,
     NOTICE,

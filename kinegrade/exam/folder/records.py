@@ -22,7 +22,8 @@ from kinegrade.language import Language
 
 class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     """A student of the exam: `paper` is the code on the paper, `version` its letter where there are
-    versions, `file` where the paper stands in the folder.
+    versions, `file` where the paper stands in the folder. What the roster did not say is empty;
+    `language` is then that of the exam.
     """
 
     student: str
@@ -31,6 +32,11 @@ class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     paper: str = ""
     version: str = ""
     file: str = ""
+    group: str = ""
+    room: str = ""
+    seat: str = ""
+    language: str = ""
+    extra_time: str = ""
 
 
 class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):

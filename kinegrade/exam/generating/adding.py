@@ -27,11 +27,13 @@ from kinegrade.exam.printing.class_printing import CHUNK, print_class
 from kinegrade.exam.printing.handout import KINDS
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.pages import make_key_paper
+from kinegrade.exam.printing.paper_languages import require_languages
 from kinegrade.exam.printing.printing import PrintRun, require_tools
 from kinegrade.exam.printing.reprint import kept_run
+from kinegrade.exam.printing.room_booklets import write_room_booklets
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
-from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.exam.setting.kept_exam import KeptExam, student_of
 from kinegrade.figure.sketchbook import open_sketchbook
 from kinegrade.language.message import Fault, Message
 from kinegrade.press.sheet import KeyPaper
@@ -76,7 +78,7 @@ def add_students(
     kept = KeptExam(exam)
     require_same_sources(exam, blueprint)
     students = late_class(exam, roster, late)
-    run = _run(exam, kept)
+    run = _run(exam, kept, late)
     require_tools(run.extras)
     old = read_replaced(exam)
     jobs = max(min(options.jobs, len(students.together) // CHUNK), 1)
@@ -100,11 +102,13 @@ def add_students(
     return Added(len(newcomers), len(exam.students), (*said, *longer))
 
 
-def _run(exam: ExamFolder, kept: KeptExam) -> PrintRun:
+def _run(exam: ExamFolder, kept: KeptExam, late: Roster) -> PrintRun:
     """Late papers are printed as the others were, in every kind of file that the folder has.
 
-    Raises OutputError where one with all papers is missing, as nothing could be added to it.
+    Raises BankError where they cannot be in the language of a late student, OutputError where one
+    with all papers is missing, as nothing could be added to it.
     """
+    require_languages(kept.bank, exam.language, late)
     solutions = (exam.path / SOLUTIONS).exists()
     names = (PAPERS, SOLUTIONS) if solutions else (PAPERS,)
     missing = [name for name in names if not (exam.path / f"{name}.pdf").is_file()]
@@ -144,10 +148,12 @@ def _grown_head(
 
 
 def _write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> None:
-    """The answer sheets, with what was typed into the one that people type into, and the head.
+    """The booklets of rooms, the answer sheets, with what was typed into the one that people type
+    into, and the head.
 
     Raises OutputError where a file would be lost that was edited by hand, TableError.
     """
+    write_room_booklets(folder, map(student_of, head.students))
     write_grown_answers(exam.path, head, folder)
     write_blank_workbook(head, folder)
     lost = list(find_edited(exam.path, exam.head, folder))

@@ -14,7 +14,6 @@ from pathlib import Path
 
 from kinegrade.errors import Problem, TableError
 from kinegrade.exam.bank.blueprint import Bank, Blueprint
-from kinegrade.exam.bank.texts import require_bank_language
 from kinegrade.exam.folder.contents import CONTENTS, HEAD
 from kinegrade.exam.folder.exam_secret import ExamSecret
 from kinegrade.exam.folder.records import ExamHead, KeyLine
@@ -38,10 +37,13 @@ from kinegrade.exam.generating.replaced_exam import (
 )
 from kinegrade.exam.printing.class_printing import CHUNK, print_class
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
+from kinegrade.exam.printing.paper_languages import require_languages
 from kinegrade.exam.printing.printing import PrintRun, require_tools
+from kinegrade.exam.printing.room_booklets import write_room_booklets
 from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
+from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.figure.sketchbook import open_sketchbook
 from kinegrade.files.output import output_folder
 from kinegrade.language import Language
@@ -86,12 +88,12 @@ def generate(
 
     Raises KinegradeError; then nothing is written.
     """
-    wish, extras = options.wish, options.extras
+    wish, extras, roster = options.wish, options.extras, roster.seated
     require_tools(extras)
     old = replaced_exam(output, new_numbers=wish.new) if force else None
     secret = wish.secret(None if old is None else old.secret)
     bank = blueprint.bank(secret.drawing)
-    require_bank_language(bank, language)
+    require_languages(bank, language, roster)
     sources = {**source_files(bank), **translation_files(bank, known_languages())}
     jobs = max(min(options.jobs, len(roster.students) // CHUNK), 1)
     place = output_folder(
@@ -116,9 +118,10 @@ def generate(
 
 
 def _write_rest(head: ExamHead, sources: Mapping[str, str], folder: Path) -> None:
-    """The sources, the answer sheets and the head, which says what all other files were when they
-    were made.
+    """The booklets of rooms, the sources, the answer sheets and the head, which says what all other
+    files were when they were made.
     """
+    write_room_booklets(folder, map(student_of, head.students))
     write_sources(sources, folder)
     write_blank_answers(head, folder)
     write_blank_workbook(head, folder)

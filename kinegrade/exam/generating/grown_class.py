@@ -84,7 +84,7 @@ def late_class(exam: ExamFolder, roster: Roster, late: Roster) -> LateClass:
         raise TableError(*faults)
     _require_names_kept(earlier, late)
     stems = make_file_names(each.student for each in (*earlier, *late.students))
-    newcomers = tuple(replace(each, file_name=stems[each.student]) for each in late.students)
+    newcomers = tuple(replace(each, file_name=stems[each.student]) for each in late.seated.students)
     return LateClass(replace(late, students=newcomers), (*earlier, *newcomers))
 
 
@@ -115,7 +115,15 @@ def _roster_faults(
 
 def _changes(exam: ExamFolder, known: Student, roster: Roster, given: Student) -> Iterator[Fault]:
     """What of a student stands otherwise in the exam, on whose paper the name is printed."""
-    fields = (("name", given.name, known.name), ("email", given.email, known.email))
+    fields = (
+        ("name", given.name, known.name),
+        ("email", given.email, known.email),
+        ("group", given.group, known.group),
+        ("room", given.room, known.room),
+        ("seat", given.seat, known.seat),
+        ("language", given.language, known.language),
+        ("extra-time", given.extra_time, known.extra_time),
+    )
     for field, here, there in fields:
         if here != there:
             whose, file = Quoted(given.student), str(exam.path / HEAD)

@@ -93,4 +93,9 @@ def candidate(student: Student, key: KeyPaper) -> Candidate:
         key.code,
         key.version,
         f"{PAPERS}/{student.file_name}.pdf",
+        group=student.group,
+        room=student.room,
+        seat=student.seat,
+        language=student.language,
+        extra_time=student.extra_time,
     )

@@ -9,6 +9,8 @@ from fractions import Fraction
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.printing.row_tolerance import write_row_tolerance
 from kinegrade.exam.printing.rules import write_rules
+from kinegrade.exam.roster.cell_values import say_extra_time
+from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language import Language
@@ -16,6 +18,7 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
+from kinegrade.press.paper_head import PaperHead
 from kinegrade.press.paper_parts import write_points_text
 from kinegrade.press.sheet import (
     AnswerRow,
@@ -57,7 +60,10 @@ class ShownInstance:
 def lay_out_paper(
     bank: Bank, paper: SetPaper, language: Language, figure: Sketcher = sketch
 ) -> Paper:
-    """The pages of one student; `figure` draws as `sketch` does."""
+    """The pages of one student, in a language unless the student has another; `figure` draws as
+    `sketch` does.
+    """
+    language = find_own_language(paper, language)
     sheets = tuple(
         _lay_out_set_question(number, question, language, figure)
         for number, question in enumerate(paper.printed, start=1)
@@ -72,7 +78,25 @@ def lay_out_paper(
         paper.code,
         write_rules(bank, language),
         sheets,
-        head=bank.header.in_language(language),
+        head=_fill_head(bank.header.in_language(language), paper.student, language),
+    )
+
+
+def find_own_language(paper: SetPaper, language: Language) -> Language:
+    """The language of a student's paper, in an exam of that language."""
+    own = paper.student.language
+    return Language(own) if own else language
+
+
+def _fill_head(head: PaperHead, student: Student, language: Language) -> PaperHead:
+    """The head of the papers with what the roster says of the student."""
+    extra = student.extra_time
+    return replace(
+        head,
+        group=student.group or head.group,
+        room=student.room or head.room,
+        seat=student.seat or head.seat,
+        extra_time=open_catalogue(language).write(say_extra_time(extra)) if extra else "",
     )
 
 

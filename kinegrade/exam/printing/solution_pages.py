@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from kinegrade.exam.bank.blueprint import Bank
-from kinegrade.exam.printing.pages import QuestionPlace, write_title
+from kinegrade.exam.printing.pages import QuestionPlace, find_own_language, write_title
 from kinegrade.exam.setting.setting import SetPaper, SetQuestion
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
@@ -16,34 +16,36 @@ from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.template import Method
 from kinegrade.worked.solution import write_worked_solution
 
-# The identifier of a question, and its values as they were drawn
-_Instance = tuple[str, tuple[tuple[str, str], ...]]
+# A language, the identifier of a question, and its values as they were drawn
+_Instance = tuple[Language, str, tuple[tuple[str, str], ...]]
 
 
 @dataclass(frozen=True)
 class SolutionWriter:
-    """Writes worked solutions by `method` where several serve, None leaves it to each template;
-    that of a question that several papers have in common is written once for all of them.
+    """Writes worked solutions by `method` where several serve, None leaves it to each template, in
+    `language` unless the student has another; that of a question that several papers have in common
+    is written once for all of them.
     """
 
     language: Language
     method: Method | None = None
     _done: dict[_Instance, WorkedQuestion] = field(default_factory=dict, repr=False)
 
-    def write(self, number: int, question: SetQuestion) -> WorkedQuestion:
+    def write(self, number: int, question: SetQuestion, language: Language) -> WorkedQuestion:
         """A question with its worked solution, for the quantities that are asked."""
         values = tuple(question.drawn.values.items())
-        instance = (question.question.identifier, values)
+        instance = (language, question.question.identifier, values)
         if instance not in self._done:
-            self._done[instance] = _work_question(number, question, self.language, self.method)
+            self._done[instance] = _work_question(number, question, language, self.method)
         return replace(self._done[instance], number=number)
 
 
 def write_solution_sheet(bank: Bank, paper: SetPaper, writer: SolutionWriter) -> SolutionSheet:
     """The worked solutions of one student's paper, in the order of the paper."""
-    language = writer.language
+    language = find_own_language(paper, writer.language)
     questions = tuple(
-        writer.write(number, question) for number, question in enumerate(paper.printed, start=1)
+        writer.write(number, question, language)
+        for number, question in enumerate(paper.printed, start=1)
     )
     return SolutionSheet(
         language,

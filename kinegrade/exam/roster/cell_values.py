@@ -99,3 +99,17 @@ def _find_unit(text: str) -> _Unit | None:
     if text == _PERCENT:
         return "percent"
     return "minutes" if text in list_spellings(_MINUTES) else None
+
+
+def say_extra_time(text: str) -> Message:
+    """An extra time that an exam folder keeps, as it is printed. Raises FieldError."""
+    extra = read_extra_time(text, "")
+    if extra is None:
+        raise FieldError(Message("roster.unknown-extra-time", cell=Quoted(text)))
+    match extra.unit:
+        case "percent":
+            return Message("grammar.percent", number=extra.amount)
+        case "minutes":
+            return Message("roster.extra-minutes", number=extra.amount)
+        case _:
+            assert_never(extra.unit)

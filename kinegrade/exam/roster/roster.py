@@ -7,8 +7,9 @@ Ids are texts: leading zeros and case are kept.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
 from types import MappingProxyType
@@ -24,6 +25,8 @@ from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Message, list_plainly
 
 _AS_TITLED: Wishes = MappingProxyType({})
+_DIGITS = re.compile(r"([0-9]+)")
+_LAST = (10**9, "")
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +73,13 @@ class Roster:
         """How it was read, where that needs to be said."""
         return () if self.way is None or self.way.plain else tuple(self.way.notes())
 
+    @property
+    def seated(self) -> Roster:
+        """The same, by rooms, seats and groups as far as they are known: the order in which papers
+        lie on the pile.
+        """
+        return replace(self, students=tuple(sorted(self.students, key=find_seat)))
+
 
 def parse_roster(content: bytes, file: str, *, odd_ids: bool = False) -> Roster:
     """Reads the bytes of a CSV file as `Roster.read` does; `file` is its name in messages. Raises
@@ -98,3 +108,22 @@ def complain_of_unprintable_id(file: str, student: Student, characters: Iterable
 def _make_roster(table: Table, wishes: Wishes, *, odd_ids: bool) -> Roster:
     read = read_class(table, wishes, odd_ids=odd_ids)
     return Roster(read.students, read.complaints, table.file, read.way)
+
+
+def find_seat(student: Student) -> tuple[tuple[tuple[int, str], ...], ...]:
+    """What the place in a pile goes by: room, seat, group, numbers in texts by their size; those
+    without come last.
+    """
+    return tuple(map(_order, (student.room, student.seat, student.group)))
+
+
+def _order(text: str) -> tuple[tuple[int, str], ...]:
+    """The parts of a text, A2 before A10."""
+    parts = filter(None, _DIGITS.split(text.casefold()))
+    return tuple(map(_order_part, parts)) or (_LAST,)
+
+
+def _order_part(part: str) -> tuple[int, str]:
+    """Digits by their number, whatever its size; other texts before them."""
+    digits = part.lstrip("0")
+    return (1 + len(digits), digits) if _DIGITS.fullmatch(part) else (0, part)

@@ -13,6 +13,8 @@ from urllib.parse import quote
 from kinegrade.files.cell_text import trim
 
 _LONGEST_STEM = 100
+_LONGEST_ROOM = 50  # characters of up to four bytes
+_UNSAFE = re.compile(r"[^\w.-]+")
 _RESERVED = re.compile(r"(?:con|prn|aux|nul|com[0-9]|lpt[0-9])(?:\.|$)", re.IGNORECASE)
 
 
@@ -64,6 +66,26 @@ def make_file_names(students: Iterable[str]) -> dict[str, str]:
         student: _cut(student, _encode_capitals(stem) if alike[stem.lower()] > 1 else stem)
         for student, stem in stems.items()
     }
+
+
+def make_room_stems(rooms: Iterable[str]) -> dict[str, str]:
+    """A file stem for each room, in its own words as far as file systems allow.
+
+    >>> make_room_stems(["Hall 7", "H/1", "h 1", "\u6559\u4e00-101"])
+    {'Hall 7': 'Hall-7', 'H/1': 'H%2F1', 'h 1': 'h%201', '教一-101': '教一-101'}
+    """
+    names = dict.fromkeys(rooms)
+    plain = {room: _UNSAFE.sub("-", normalize("NFKC", room)).strip(".-") for room in names}
+    alike = Counter(stem.casefold() for stem in plain.values())
+    encoded = make_file_names(names)
+    return {
+        room: stem if _is_safe(stem) and alike[stem.casefold()] == 1 else encoded[room]
+        for room, stem in plain.items()
+    }
+
+
+def _is_safe(stem: str) -> bool:
+    return 0 < len(stem) <= _LONGEST_ROOM and not _RESERVED.match(stem)
 
 
 def _make_stem(student: str) -> str:

@@ -121,7 +121,17 @@ class KeptExam:
 def student_of(candidate: Candidate) -> Student:
     """A student of an exam as a roster has them."""
     stem = Path(candidate.file).stem
-    return Student(candidate.student, candidate.name, candidate.email, stem)
+    return Student(
+        candidate.student,
+        candidate.name,
+        candidate.email,
+        stem,
+        group=candidate.group,
+        room=candidate.room,
+        seat=candidate.seat,
+        language=candidate.language,
+        extra_time=candidate.extra_time,
+    )
 
 
 def _describe(term: _Term, found: Sequence[str], other: Sequence[str], file: str) -> Message:

@@ -67,13 +67,14 @@ def _write_conditions(head: PaperHead, words: Catalogue) -> list[str]:
         aids=lambda: write_line(head.aids, "header.aids"),
         instructions=lambda: write_prose(head.instructions, "header.instructions"),
     )
-    stated = ((r"\wordduration", write_plain(head.duration)), (r"\wordaids", parts["aids"]))
+    times = [tuple(map(write_plain, each)) for each in head.list_times(words)]
+    stated = (*times, *([(r"\wordaids", parts["aids"])] if head.aids else []))
     blanks = [
         write_command("blank", write_plain(label), write_plain(text))
         for label, text in head.list_blanks(words)
     ]
     return [
-        *(write_command("condition", label, text) for label, text in stated if text),
+        *(write_command("condition", *each) for each in stated),
         *([write_command("instructions", parts["instructions"])] if head.instructions else []),
         *([write_command("blanks", str(len(blanks)), "".join(blanks))] if blanks else []),
     ]

@@ -69,10 +69,15 @@ def _read_solution_words(language: Language) -> Mapping[str, str]:
     return open_catalogue(language).raw("solution", "layout.")
 
 
-@lru_cache(maxsize=1)
 def _print_pictures(head: PaperHead) -> Mapping[str, bytes]:
+    """The logo of a paper."""
+    return {name_logo(head): _print_logo(head.logo)} if head.logo else {}
+
+
+@lru_cache(maxsize=1)
+def _print_logo(logo: str) -> bytes:
     """The logo of a class."""
-    return {name_logo(head): print_logo(head.logo, "pdf")} if head.logo else {}
+    return print_logo(logo, "pdf")
 
 
 _PAPERS: _Kind[Paper] = _Kind(

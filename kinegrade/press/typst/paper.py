@@ -71,7 +71,7 @@ def _write_head(head: PaperHead, words: Catalogue) -> Sheet:
     return sheet | {
         "institution": head.institution,
         "logo": head.logo or None,
-        "duration": head.duration or None,
+        "times": head.list_times(words),
         "blanks": head.list_blanks(words),
     }
 

@@ -37,12 +37,9 @@ def write_conditions(head: PaperHead, words: Catalogue) -> list[Node]:
         aids=lambda: write_line(head.aids, "header.aids"),
         instructions=lambda: write_prose(head.instructions, "header.instructions"),
     )
-    duration = [make_text(head.duration)] if head.duration else []
-    stated = (
-        (words.text("paper.layout.duration"), duration),
-        (words.text("paper.layout.aids"), parts["aids"]),
-    )
-    labelled = [_write_condition(label, text) for label, text in stated if text]
+    aids = [(words.text("paper.layout.aids"), parts["aids"])] if head.aids else []
+    times = [(label, [make_text(text)]) for label, text in head.list_times(words)]
+    labelled = [_write_condition(label, text) for label, text in (*times, *aids)]
     return [*labelled, *parts["instructions"], *_write_blanks(head.list_blanks(words))]
 
 

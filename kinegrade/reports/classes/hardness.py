@@ -8,13 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import isnan
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message, Text
-from kinegrade.press.class_sheet import BoxPlot, Hardness, Summary, Symbol, TrendLine, VersionLine
+from kinegrade.press.class_sheet import BoxPlot, Hardness, Summary, Symbol, TrendLine
 from kinegrade.reports.classes.equal_hardness import (
     ENOUGH,
     SIGNIFICANT,
@@ -24,13 +23,10 @@ from kinegrade.reports.classes.equal_hardness import (
 )
 from kinegrade.reports.classes.figures import (
     write_decimal,
-    write_deviation,
     write_p,
-    write_percent,
-    write_share,
     write_trend,
 )
-from kinegrade.reports.classes.item_statistics import summarise
+from kinegrade.reports.classes.parts import list_parts, summarise_parts
 from kinegrade.reports.classes.predicted_hardness import judge_predictions
 from kinegrade.reports.classes.tally import ClassTally
 from kinegrade.reports.classes.words import name_question
@@ -76,45 +72,18 @@ def _describe_trend(trend: ParameterTrend, wording: Wording, catalogue: Catalogu
 
 def _compare_versions(counts: ClassTally, exam: ExamFolder, catalogue: Catalogue) -> Hardness:
     """The versions of an exam compared with each other."""
-    groups = _summarise_versions(counts)
+    lines = list_parts(counts, counts.versions, exam, catalogue)
     names = tuple(
-        (_name_version(letter, figures, catalogue), figures) for letter, figures in groups
+        (_name_version(letter, figures, catalogue), figures)
+        for letter, figures in summarise_parts(counts, counts.versions)
     )
     axis, label = catalogue.text("report.percent-axis"), catalogue.text("report.page.hardness")
-    lines = (
-        VersionLine(
-            letter,
-            figures.count,
-            write_percent(figures.mean, catalogue),
-            write_deviation(figures.sd, catalogue),
-            _write_version_shares(counts, letter, exam, catalogue),
-        )
-        for letter, figures in groups
-    )
     verdict = catalogue.write(_judge_versions(counts, catalogue))
-    return Hardness(verdict, tuple(lines), BoxPlot(names, axis, label))
-
-
-def _summarise_versions(counts: ClassTally) -> list[tuple[str, Summary]]:
-    """The totals of each version that somebody had, by its letter."""
-    percents: dict[str, list[float]] = {letter: [] for letter in sorted(set(counts.versions))}
-    for value, letter in zip(counts.percents, counts.versions, strict=True):
-        percents[letter].append(value)
-    found = ((letter, summarise(values)) for letter, values in percents.items())
-    return [(letter, figures) for letter, figures in found if figures]
+    return Hardness(verdict, lines, BoxPlot(names, axis, label))
 
 
 def _name_version(letter: str, figures: Summary, catalogue: Catalogue) -> str:
     return catalogue.write(Message("report.version-of", letter=letter, students=figures.count))
-
-
-def _write_version_shares(
-    counts: ClassTally, letter: str, exam: ExamFolder, catalogue: Catalogue
-) -> tuple[str, ...]:
-    """The facility of each question in one version."""
-    members = [place for place, version in enumerate(counts.versions) if version == letter]
-    shares = [float(counts.share(question)[members].mean()) for question in exam.questions]
-    return tuple(write_share(None if isnan(share) else share, catalogue) for share in shares)
 
 
 def _judge_versions(counts: ClassTally, catalogue: Catalogue) -> Text:

@@ -34,6 +34,7 @@ from kinegrade.reports.classes.item_statistics import (
     summarise,
 )
 from kinegrade.reports.classes.losses import list_losses
+from kinegrade.reports.classes.parts import list_parts
 from kinegrade.reports.classes.tally import ClassTally, tally
 from kinegrade.reports.classes.words import name_question
 
@@ -96,6 +97,7 @@ def _make_figures(
         tuple(list_legend(counts, catalogue)),
         tuple(list_losses(counts, wording, catalogue)),
         judge_hardness(counts, exam, wording, catalogue),
+        list_parts(counts, counts.groups, exam, catalogue) if len(set(counts.groups)) > 1 else (),
     )
 
 

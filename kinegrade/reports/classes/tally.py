@@ -18,6 +18,7 @@ import numpy as np
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import Candidate
 from kinegrade.grading.judging.hints import Hint, find_hint
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.folder import MarksFolder
@@ -39,7 +40,7 @@ class ClassTally:
     `answered` are these students, `silent` those who answered nothing. `verdicts` counts verdicts
     by ask. `losses` counts by ask why points were lost: the identifier of a mistake, a kind of
     hint, a verdict, or `_UNEXPLAINED`. `difficulties` are those predicted, by question; NaN where
-    none is.
+    none is. `versions` and `groups` are those of the students who answered, "" for none.
     """
 
     columns: tuple[str, ...]
@@ -50,6 +51,7 @@ class ClassTally:
     verdicts: Mapping[str, Counter[str]]
     losses: Mapping[str, Counter[str]]
     versions: tuple[str, ...]
+    groups: tuple[str, ...]
     parameters: Mapping[tuple[str, str], Points]
     difficulties: Mapping[str, Points]
 
@@ -82,17 +84,23 @@ class _Count:
     verdicts: dict[str, Counter[str]] = field(default_factory=dict)
     losses: dict[str, Counter[str]] = field(default_factory=dict)
     versions: list[str] = field(default_factory=list)
+    groups: list[str] = field(default_factory=list)
     parameters: list[array[float]] = field(default_factory=list)
     difficulties: list[Mapping[str, float]] = field(default_factory=list)
     names: tuple[tuple[str, str], ...] = ()  # of the parameters of all papers so far
 
     def include(
-        self, total: StudentTotal, answers: Sequence[MarkedAnswer], paper: PaperRecord, version: str
+        self,
+        total: StudentTotal,
+        answers: Sequence[MarkedAnswer],
+        paper: PaperRecord,
+        candidate: Candidate | None,
     ) -> None:
         """Adds a student who answered something."""
         self.answered.append(total)
         self.points.append(array("d", (float(answer.points) for answer in answers)))
-        self.versions.append(version)
+        self.versions.append(candidate.version if candidate else "")
+        self.groups.append(candidate.group if candidate else "")
         self.names += tuple(name for name in paper.parameters if name not in self.names)
         self.parameters.append(array("d", (paper.parameters.get(name, nan) for name in self.names)))
         self.difficulties.append(paper.difficulties)
@@ -114,12 +122,11 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
             what = Message("report.other-asks", student=Quoted(student), grades=GRADES.name)
             raise TableError(Fault(str(marks.path / ANSWERS.name), what))
         if any(answer.verdict != _BLANK and answer.typed.strip() for answer in answers):
-            candidate = exam.head.candidates.get(student)
             count.include(
                 totals[student],
                 answers,
                 papers.marked(student, columns),
-                candidate.version if candidate else "",
+                exam.head.candidates.get(student),
             )
         else:
             count.silent.append(totals[student])
@@ -153,6 +160,7 @@ def _close(count: _Count) -> ClassTally:
         count.verdicts,
         count.losses,
         tuple(count.versions),
+        tuple(count.groups),
         parameters,
         difficulties,
     )

@@ -7,10 +7,11 @@ Markdown and PDF.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import groupby
 from math import isnan, nan
+from types import MappingProxyType
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.contents import HEAD
@@ -38,29 +39,37 @@ from kinegrade.reports.paper_record import PaperRecord, PaperRecords
 
 _LONGEST_TYPED = 80  # characters: the rest of a longer cell adds nothing
 _GIVEN_DIGITS = 6
+_NO_OTHERS: Mapping[Language, Wording] = MappingProxyType({})
 _FULL, _PART, _NOTHING, _UNDECIDED = "✓", "(✓)", "✗", "–"  # told apart without colour
 
 
 def make_feedback_sheets(
-    marks: MarksFolder, exam: ExamFolder, wording: Wording, language: Language
+    marks: MarksFolder,
+    exam: ExamFolder,
+    wording: Wording,
+    language: Language,
+    own: Mapping[Language, Wording] = _NO_OTHERS,
 ) -> Iterator[tuple[Candidate, FeedbackSheet]]:
-    """The sheets in the order of the roster, each with its student. Raises TableError,
-    ExamError.
+    """The sheets in the order of the roster, each with its student: in the language of the
+    student's paper where `own` has its words. Raises TableError, ExamError.
     """
     head, totals = exam.head, marks.totals.by_student
     papers = PaperRecords(exam, marks.put)
-    catalogue = open_catalogue(language)
+    worded = {language: wording, **own}
     for student, answers in marks.answers_by_student():
         if student not in head.candidates or student not in totals:
             raise ExamError(_describe_other_exam(student, marks, exam))
         candidate, total = head.candidates[student], totals[student]
+        paper_language = Language(candidate.language)
+        spoken = paper_language if paper_language in own else language
+        catalogue = open_catalogue(spoken)
         paper = papers.marked(student, (answer.column for answer in answers))
         gained = total.total - sum(answer.points for answer in answers)
         kept = gained > bound_rounding(len(answers))  # three written thirds fall short of a point
         yield (
             candidate,
             FeedbackSheet(
-                language,
+                spoken,
                 head.course,
                 head.title,
                 head.date,
@@ -69,7 +78,7 @@ def make_feedback_sheets(
                 candidate.paper,
                 _write_share(total.total, total.out_of, catalogue),
                 kept,
-                tuple(_make_questions(answers, paper, wording, catalogue)),
+                tuple(_make_questions(answers, paper, worded[spoken], catalogue)),
             ),
         )
 

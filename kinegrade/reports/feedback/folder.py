@@ -6,9 +6,9 @@ send them out.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import chain
 from pathlib import Path
@@ -42,13 +42,15 @@ class FeedbackWishes:
     processes can be sent.
 
     With `solutions` everybody gets the worked solutions that the exam folder has: in the PDF, or as
-    a file beside. With `force` the output may replace an earlier one.
+    a file beside. With `force` the output may replace an earlier one. `own` has the words of
+    languages in which students get their sheets because their papers are in them.
     """
 
     form: Text | Press
     language: Language
     solutions: bool = False
     force: bool = False
+    own: Mapping[Language, Wording] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -84,7 +86,7 @@ def write_feedback(
         (folder / _SHEETS).mkdir()
         rows = []
         handouts = _print_handouts(
-            make_feedback_sheets(marks, exam, wording, wishes.language), exam, wishes
+            make_feedback_sheets(marks, exam, wording, wishes.language, wishes.own), exam, wishes
         )
         parts = map_in_order(workers, make, split_in_parts(handouts, _PART))
         for candidate, files in chain.from_iterable(parts):

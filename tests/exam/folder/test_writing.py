@@ -60,7 +60,21 @@ HEAD = ExamHead(
             ),
         ),
     ),
-    students=(Candidate("=2", "王伟", "wei@example.org", "WJPK-SNPQ", "A", "papers/%3D2.pdf"),),
+    students=(
+        Candidate(
+            "=2",
+            "王伟",
+            "wei@example.org",
+            "WJPK-SNPQ",
+            "A",
+            "papers/%3D2.pdf",
+            group="B",
+            room="Hall 7",
+            seat="3",
+            language="zh",
+            extra_time="25 %",
+        ),
+    ),
     editable={"bank.toml": "0f"},
 )
 ANSWER = StatedAnswer(
