@@ -62,6 +62,11 @@ class ExamFolder:
         return tuple(self.head.candidates)
 
     @property
+    def codes(self) -> Mapping[str, str]:
+        """The candidates by the codes of their papers."""
+        return self.head.owners
+
+    @property
     def head_file(self) -> Path:
         """The file of the head, to be named in messages."""
         return self.path / HEAD

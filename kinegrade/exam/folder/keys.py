@@ -148,6 +148,10 @@ class Sitting(Protocol):
         """The ids of the examinees, in the order of the roster."""
 
     @property
+    def codes(self) -> Mapping[str, str]:
+        """The examinees by the codes of their papers."""
+
+    @property
     def language(self) -> Language:
         """The language of the papers."""
 
@@ -175,6 +179,11 @@ class KeyedExam:
     def students(self) -> tuple[str, ...]:
         """The ids of the examinees."""
         return tuple(examinee.student for examinee in self.examinees)
+
+    @property
+    def codes(self) -> Mapping[str, str]:
+        """None: papers in memory have none."""
+        return {}
 
     def papers(self) -> Iterator[Paper]:
         """The papers of the examinees."""

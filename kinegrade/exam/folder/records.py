@@ -126,6 +126,11 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
         return {each.student: each for each in self.students}
 
     @cached_property
+    def owners(self) -> Mapping[str, str]:
+        """The students by the codes of their papers, as far as the folder states them."""
+        return {each.paper: each.student for each in self.students if each.paper}
+
+    @cached_property
     def file_stems(self) -> Mapping[str, str]:
         """The stem of each student's file names, by id."""
         return make_file_names(each.student for each in self.students)

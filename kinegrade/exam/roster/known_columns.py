@@ -94,6 +94,15 @@ def list_column_names(column: Column) -> tuple[str, ...]:
 
 
 @cache
+def list_key_columns() -> tuple[str, ...]:
+    """The names of columns that say in a sheet of answers whose they are: of ids, then of the codes
+    of papers.
+    """
+    codes = list_preferred_spellings(Message("roster.columns-paper"))
+    return (*list_column_names("student"), *codes)
+
+
+@cache
 def list_logins() -> tuple[str, ...]:
     """The names of columns that identify a student where no column holds an id: of logins, then
     addresses.

@@ -18,6 +18,7 @@ from kinegrade.language.message import Message, Quoted
 
 # As programs write a column of numbers with gaps
 _WRITTEN_AS_FRACTION = re.compile(r"([0-9]+)\.0+")
+_LOOK_ALIKES = str.maketrans("ILO", "110")
 _WRAPPED = re.compile(r"""=\s*"(.*)"|['#](.*)""", re.DOTALL)
 
 
@@ -33,14 +34,17 @@ def _unwrap(identifier: str) -> str:
 
 
 class StudentIds:
-    """The ids of a class.
+    """The ids of a class, and the students by the codes of their papers, which stand for ids.
 
-    >>> ids = StudentIds(["0012345", "S9"])
+    >>> ids = StudentIds(["0012345", "S9"], {"K0Q1-9FHM": "S9"})
     >>> ids.exact('="0012345"'), ids.exact("12345"), ids.near("12345"), ids.near("s9")
     ('0012345', None, ('0012345',), ('S9',))
+    >>> ids.exact("kOql 9fhm")
+    'S9'
     """
 
-    def __init__(self, students: Iterable[str]) -> None:
+    def __init__(self, students: Iterable[str], codes: Mapping[str, str]) -> None:
+        self._coded = {_fold_code(code): student for code, student in codes.items()}
         self._exact: dict[str, str] = {}
         near: dict[str, list[str]] = defaultdict(list)
         for student in students:
@@ -49,9 +53,16 @@ class StudentIds:
         self._near = {stripped: tuple(found) for stripped, found in near.items()}
 
     def exact(self, cell: str) -> str | None:
-        """The student with that id, wrapped or not, in full-width digits or not."""
+        """The student with that id, wrapped or not, in full-width digits or not; else the one whose
+        paper has that code.
+        """
         known = self._exact
-        return known.get(cell) or known.get(make_student_key(cell)) or known.get(_unwrap(cell))
+        found = known.get(cell) or known.get(make_student_key(cell)) or known.get(_unwrap(cell))
+        return found or self.coded(cell)
+
+    def coded(self, cell: str) -> str | None:
+        """The student whose paper has that code, however it is spaced."""
+        return self._coded.get(_fold_code(cell))
 
     def near(self, cell: str) -> tuple[str, ...]:
         """The students whose ids differ from a cell by leading zeros, case or a final .0 alone."""
@@ -82,6 +93,14 @@ def describe_restoration(restored: Mapping[str, str]) -> tuple[Message, Message]
     count, shown = len(restored), Quoted(shorten(trim(cell)))
     found = Message("roster.ids-restored", count=count, cell=shown, student=Quoted(student))
     return found, Message("roster.ids-restored-done", count=count)
+
+
+def _fold_code(text: str) -> str:
+    """A code of a paper as it is compared: letters that codes do not have are the digits that they
+    look like.
+    """
+    letters = (each for each in make_student_key(text).upper() if each.isalnum())
+    return "".join(letters).translate(_LOOK_ALIKES)
 
 
 def _strip(key: str) -> str:

@@ -15,7 +15,7 @@ from unicodedata import normalize
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.keys import Ask, Sitting
-from kinegrade.exam.roster.known_columns import list_column_names
+from kinegrade.exam.roster.known_columns import list_column_names, list_key_columns
 from kinegrade.exam.roster.student_ids import StudentIds, describe_restoration
 from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.answer_file import AnswerFile, Sources
@@ -91,7 +91,7 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
 
 def _find_columns(table: Table, asks: Sequence[Ask]) -> _Columns:
     header = [make_header_key(cell) for cell in table.header]
-    named = (header.index(name) for name in list_column_names("student") if name in header)
+    named = (header.index(name) for name in list_key_columns() if name in header)
     student = next(named, None)
     found = _find_ask_columns(table.header, asks)
     faults = []
@@ -109,7 +109,7 @@ def _find_columns(table: Table, asks: Sequence[Ask]) -> _Columns:
         faults.append(_explain(table, Message("marking.another-exam", columns=first)))
     if student is None or faults:
         raise TableError(*faults)
-    needless = {*list_column_names("name"), *list_column_names("email"), "paper"}
+    needless = {*list_column_names("name"), *list_column_names("email"), *list_key_columns()}
     unused = (index for index in range(len(header)) if index not in {student, *found})
     return _Columns(
         student, found, tuple(index for index in unused if header[index] not in needless)
@@ -147,7 +147,7 @@ def _make_exact_key(column: str) -> str:
 def _group_rows(
     table: Table, columns: _Columns, exam: Sitting
 ) -> tuple[Mapping[str, Sequence[Row]], list[Complaint]]:
-    ids = StudentIds(exam.students)
+    ids = StudentIds(exam.students, exam.codes)
     found = [(row, ids.exact(row.cell(columns.student))) for row in drop_headers(table)]
     strange = [row.cell(columns.student) for row, student in found if student is None]
     taken = {student for _, student in found if student is not None} if strange else set()

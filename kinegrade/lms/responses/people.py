@@ -51,11 +51,12 @@ class People:
 
     def __init__(self, students: Iterable[Candidate]) -> None:
         known = list(students)
-        self._ids = StudentIds(person.student for person in known)
+        codes = {person.paper: person.student for person in known if person.paper}
+        self._ids = StudentIds((person.student for person in known), codes)
         self._by_email = _grouped(known, lambda person: make_header_key(person.email))
 
     def by_id(self, cell: str) -> str | None:
-        """The student with that id, wrapped by a spreadsheet or not."""
+        """The student with that id, wrapped by a spreadsheet or not, or with that paper."""
         return self._ids.exact(cell)
 
     def by_email(self, cell: str) -> str | None:
@@ -135,6 +136,8 @@ class People:
         form.
         """
         if found.student is None or trim(cell) == trim(found.student):
+            return found
+        if self._ids.coded(cell) == found.student:
             return found
         meant = self._ids.exact(cell) or _only(self._ids.near(cell))
         return replace(found, restored=cell) if meant == found.student else found

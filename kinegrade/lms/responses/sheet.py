@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.roster.known_columns import Column, list_column_names
+from kinegrade.exam.roster.known_columns import list_column_names, list_key_columns
 from kinegrade.files.cell_text import make_header_key
 from kinegrade.files.tables import Table
 from kinegrade.language.message import Fault, Message
@@ -20,14 +20,15 @@ TITLE = Message("responses.sheet")
 
 def recognises(header: Sequence[str]) -> bool:
     """Whether there is a column that identifies the student."""
-    return bool(_places(header, "student") or _places(header, "email"))
+    return bool(_places(header, list_key_columns()) or _places(header, list_column_names("email")))
 
 
 def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """All columns but that of the ids. Raises TableError where no column identifies the student."""
     if not recognises(table.header):
         raise TableError(Fault(table.file, Message("responses.no-student-column")))
-    student, email = _places(table.header, "student"), _places(table.header, "email")
+    student = _places(table.header, list_key_columns())
+    email = _places(table.header, list_column_names("email"))
     named: dict[Kind, Sequence[int]] = {"id": student[:1], "email": email[:1]}
     others = [place for place in range(len(table.header)) if place not in student[:1]]
     rows = tuple(TypedRow(row, tuple(map(row.cell, others))) for row in table.rows)
@@ -36,7 +37,7 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     )
 
 
-def _places(header: Sequence[str], column: Column) -> list[int]:
-    """The columns with that meaning, the best name first."""
+def _places(header: Sequence[str], names: Sequence[str]) -> list[int]:
+    """The columns of these names, the best name first."""
     keys = [make_header_key(name) for name in header]
-    return [keys.index(name) for name in list_column_names(column) if name in keys]
+    return [keys.index(name) for name in names if name in keys]

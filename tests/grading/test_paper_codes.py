@@ -1,0 +1,48 @@
+"""The code on a paper stands for the student's id wherever answers are typed."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import pytest
+
+from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.files.csv_writing import write_csv_text
+from tests.small_class import generate, kinegrade, write_class
+
+
+@pytest.fixture(scope="module")
+def exam(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An exam of the small class."""
+    folder = write_class(tmp_path_factory.mktemp("coded"))
+    assert generate(folder).exit_code == 0
+    return folder / "EXAM"
+
+
+def mark(exam: Path, folder: Path, column: str, keys: list[str]) -> dict[str, str]:
+    """Marks a sheet with a right first answer in each row; the totals of those who have any."""
+    head = open_exam(exam).head
+    rows = []
+    for key in keys:
+        student = next(each for each in head.students if key in (each.student, each.paper))
+        asked = open_exam(exam).line_of(student.student).questions[0].asks["v_B"]
+        rows.append([key.lower().replace("-", " ") if key == student.paper else key, asked.decimal])
+    text = write_csv_text([column, head.columns[0]], rows)
+    (folder / "answers.csv").write_text(text, encoding="utf-8")
+    result = kinegrade("grade", exam, folder / "answers.csv", "-o", folder / "MARKS")
+    assert "not as in the exam" not in result.stderr
+    with (folder / "MARKS" / "grades.csv").open(encoding="utf-8-sig", newline="") as lines:
+        totals = {row["student"]: row["total"] for row in csv.DictReader(lines)}
+    return {student: total for student, total in totals.items() if float(total or 0)}
+
+
+def test_codes_and_ids_may_stand_in_one_column(exam: Path, tmp_path: Path) -> None:
+    code = open_exam(exam).head.candidates["0012"].paper
+    assert mark(exam, tmp_path, "student", ["007", code]) == {"007": "3", "0012": "3"}
+
+
+@pytest.mark.parametrize("column", ["paper", "Code", "试卷编号"])
+def test_a_sheet_may_have_codes_alone(exam: Path, tmp_path: Path, column: str) -> None:
+    code = open_exam(exam).head.candidates["a/b"].paper
+    assert mark(exam, tmp_path, column, [code]) == {"a/b": "3"}
