@@ -21,7 +21,8 @@ from kinegrade.cli.quiz import quiz
 from kinegrade.cli.rosters import roster
 from kinegrade.cli.sharing import sharing
 from kinegrade.cli.solve import solve
-from kinegrade.cli.templates import check, gallery, list_templates, new, show
+from kinegrade.cli.starters import new
+from kinegrade.cli.templates import check, gallery, list_templates, show
 
 
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})

@@ -1,4 +1,4 @@
-"""The commands about templates: list, show, check, new, gallery."""
+"""The commands about templates: list, show, check, gallery."""
 
 from __future__ import annotations
 
@@ -19,8 +19,7 @@ from kinegrade.cli.options import (
     refusing,
     require_writable,
 )
-from kinegrade.cli.terminal import say, terminal_words
-from kinegrade.language.message import Message
+from kinegrade.cli.terminal import terminal_words
 
 if TYPE_CHECKING:
     from kinegrade.language import Language
@@ -107,24 +106,6 @@ def check(template_names: tuple[str, ...], sample: int, jobs: int) -> None:
             sound &= proof.sound
     if not sound:
         sys.exit(COMPLAINTS)
-
-
-@command()
-@click.argument("name")
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="FILE",
-)
-@FORCE
-@refusing
-def new(name: str, output: Path | None, force: bool) -> None:
-    """Write a starter template, complete and sound, to put another mechanism into."""
-    from kinegrade.problem.template.library.starter import write_starter
-
-    path = write_starter(name, output, force=force)
-    say(Message("terminal.starter", path=str(path)))
 
 
 @command()

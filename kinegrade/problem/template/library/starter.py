@@ -4,20 +4,18 @@ over.
 
 from __future__ import annotations
 
-from importlib.resources import files
 from pathlib import Path
 
 from kinegrade.errors import TemplateError
 from kinegrade.files.output import write_file
+from kinegrade.files.starter import read_starter_text
 from kinegrade.language.message import Fault, Message
 from kinegrade.problem.template.library.reading import read_template
 
 
 def write_starter_text() -> str:
     """The starter as TOML."""
-    return (files("kinegrade.problem.template.library") / "starter.toml").read_text(
-        encoding="utf-8"
-    )
+    return read_starter_text("kinegrade.problem.template.library")
 
 
 def write_starter(name: str, path: Path | None = None, *, force: bool = False) -> Path:

@@ -1,0 +1,56 @@
+"""The command that writes starters: new."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from kinegrade.cli.help import command
+from kinegrade.cli.options import FILE, FORCE, refusing
+from kinegrade.cli.terminal import refuse_usage, say
+from kinegrade.language.message import Message
+
+
+@command()
+@click.argument("name")
+@click.option(
+    "--bank",
+    is_flag=True,
+)
+@click.option(
+    "--policy",
+    is_flag=True,
+)
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    metavar="FILE",
+)
+@FORCE
+@refusing
+def new(*, name: str, bank: bool, policy: bool, output: Path | None, force: bool) -> None:
+    """Write a starter, complete and sound, to be written over: a template, a bank or a policy."""
+    if bank and policy:
+        raise refuse_usage(Message("terminal.one-starter"))
+    if bank:
+        _write_plainly("bank", "kinegrade.exam.bank", name, output, force)
+    elif policy:
+        _write_plainly("policy", "kinegrade.grading.policy", name, output, force)
+    else:
+        _write_template(name, output, force)
+
+
+def _write_plainly(kind: str, package: str, name: str, output: Path | None, force: bool) -> None:
+    from kinegrade.files.starter import write_starter_file
+
+    path = write_starter_file(name, package, output, force=force)
+    say(Message(f"terminal.starter-{kind}", path=str(path)))
+
+
+def _write_template(name: str, output: Path | None, force: bool) -> None:
+    from kinegrade.problem.template.library.starter import write_starter
+
+    path = write_starter(name, output, force=force)
+    say(Message("terminal.starter", path=str(path)))
