@@ -76,6 +76,8 @@ def write_bank_page() -> str:
                 **read_words(_BANK, "DRAWN"),
             },
         ),
+        "How the numbers of any of them are dealt:",
+        write_words("key", read_words(_BANK, "DEALT")),
         "In `asks`, an ask is followed by its points, or by a table:",
         write_words("key", read_words(_BANK, "ASK")),
         *_stated(read_words(_BANK, "TOLERANCE")),

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.exam.bank.bank import read_bank
-from kinegrade.exam.bank.keys import ASK, BANK, DRAWN, FAMILY, HEADER, NAMED, TAG
+from kinegrade.exam.bank.keys import ASK, BANK, DEALT, DRAWN, FAMILY, HEADER, NAMED, TAG
 from kinegrade.files.starter import read_starter_text
 from tests.small_class import kinegrade
 from tests.starters import list_keys, list_unexplained, put_in_force
@@ -43,7 +43,7 @@ def test_every_key_is_there_and_explained_in_the_line_above_it() -> None:
     shown = {*keys[""], *(name for name in keys if name in BANK)}
     assert shown == set(BANK)
     assert set(keys["header"]) == set(HEADER)
-    assert set(keys["questions"]) == {*NAMED, *FAMILY, *TAG, *DRAWN}
+    assert set(keys["questions"]) == {*NAMED, *FAMILY, *TAG, *DRAWN, *DEALT}
     asked = tomllib.loads(TEXT)["questions"][0]["asks"].values()
     assert {key for ask in asked if isinstance(ask, dict) for key in ask} == set(ASK)
     assert list_unexplained(TEXT) == []

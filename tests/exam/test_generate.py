@@ -409,7 +409,7 @@ def test_a_question_of_which_nothing_is_good_leaves_nothing(folder: Path) -> Non
     with_crank(
         folder,
         '[[questions]]\ntemplate = "slider-crank"\n'
-        '[[questions]]\ntemplate = "crank.toml"\ndraw = { h = [3] }\n',
+        '[[questions]]\ntemplate = "crank.toml"\ndraw = { omega = [5000000] }\n',
     )
     (line,) = refused(folder)
     assert line.startswith("error: q2 (crank): none of the 6 combinations of values is fit for")

@@ -23,6 +23,8 @@ from kinegrade.problem.template.translated import Translated
 from kinegrade.stated_marking import StatedCredit
 
 LMS = Literal["canvas"]  # systems that do not take every answer
+# Numbers of each student's own, or repeated where there are too few, or the same for everybody
+Dealing = Literal["own", "repeated", "same"]
 
 
 @dataclass(frozen=True)
@@ -39,8 +41,8 @@ class BankAsk:
 
 @dataclass(frozen=True)
 class BankQuestion:
-    """One question: its template, what is asked, domains that replace the template's, and the
-    millimetres left for working.
+    """One question: its template, what is asked, domains that replace the template's, the
+    millimetres left for working, and how its numbers are dealt.
     """
 
     identifier: str
@@ -48,6 +50,7 @@ class BankQuestion:
     asks: tuple[BankAsk, ...]
     domains: Mapping[str, tuple[str, ...]]
     space: float = 0.0
+    dealing: Dealing = "own"
 
     @property
     def points(self) -> Fraction:

@@ -66,7 +66,8 @@ NAMED = (
     #: What is asked, with points: `{ v_B = 3, omega_AB = 2 }`; for one kind alone, `"velocity"`,
     #: `"acceleration"` or `"position"`. What the template gives points is asked otherwise.
     "asks",
-    #: Other values to draw for some parameters: `{ k = ["sqrt(3)", "2"] }`.
+    #: Other values to draw for some parameters: `{ k = ["sqrt(3)", "2"] }`; a single one is
+    #: the same on all papers: `{ k = 2 }`.
     "draw",
     #: The points of the question, shared out as the template weighs what it asks.
     "points",
@@ -74,6 +75,14 @@ NAMED = (
     "tolerance",
     #: The room for working at this question, in place of the bank's.
     "space",
+)
+# How the numbers of any entry are dealt
+DEALT = (
+    #: `true` gives everybody the same numbers, in all versions.
+    "same",
+    #: `true` allows that some have the same numbers, where fewer combinations are fit than there
+    #: are students; how many share theirs is said. Otherwise that is a complaint.
+    "repeats",
 )
 FAMILY = (
     #: Draws from the shipped templates of this family, once for the class.

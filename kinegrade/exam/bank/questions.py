@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
@@ -14,29 +13,25 @@ from typing import Literal
 
 from kinegrade.errors import FieldError, KinegradeError, suggest
 from kinegrade.exam.bank.asks import read_asks, read_kind, weigh_asks
-from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Slot
-from kinegrade.exam.bank.keys import DRAWN, FAMILY, NAMED, TAG
+from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Dealing, Slot
+from kinegrade.exam.bank.domains import read_domains
+from kinegrade.exam.bank.keys import DEALT, DRAWN, FAMILY, NAMED, TAG
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
-from kinegrade.expressions.reading import read_expression
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.table import Table
-from kinegrade.files.fields.values import found, text, whole
+from kinegrade.files.fields.values import flag, found, text, whole
 from kinegrade.language.message import Message, Quoted, list_all
-from kinegrade.numbers.angle import Inexact
-from kinegrade.numbers.field import Field
-from kinegrade.problem.assemble import read_parameter
 from kinegrade.problem.statement_faults import check_statements
-from kinegrade.problem.template.domain import read_choices
 from kinegrade.problem.template.library.library import load_kept_template, load_template
-from kinegrade.problem.template.template import Parameter, Template
+from kinegrade.problem.template.template import Template
 
 MAX_QUESTIONS = 50
 _TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
 _ENTRY_KEYS: Mapping[Literal["template"] | Grouping, tuple[str, ...]] = {
-    "template": NAMED,
-    "family": (*FAMILY, *DRAWN),
-    "tag": (*TAG, *DRAWN),
+    "template": (*NAMED, *DEALT),
+    "family": (*FAMILY, *DRAWN, *DEALT),
+    "tag": (*TAG, *DRAWN, *DEALT),
 }
 _ALL_KEYS = tuple(dict.fromkeys(key for keys in _ENTRY_KEYS.values() for key in keys))
 _ONE_KIND = Message("bank.one-of-three")
@@ -82,9 +77,10 @@ class Entries:
         if template is None:
             return ()
         asks = read_asks(entry, template, read_bank_tolerance(entry, wider))
-        domains = _read_domains(entry, template)
+        domains = read_domains(entry, template, kept=self.kept)
         space = entry.with_default("space", read_room, self.space)
-        question = BankQuestion(identifier, template, asks, domains, space)
+        dealing = _read_dealing(entry)
+        question = BankQuestion(identifier, template, asks, domains, space, dealing)
         return (Slot(identifier, (question,), drawn=False),)
 
     def _drawn(
@@ -94,6 +90,7 @@ class Entries:
         number = entry.with_default("number", whole(1, MAX_QUESTIONS), 1)
         entry_tolerance = read_bank_tolerance(entry, wider)
         space = entry.with_default("space", read_room, self.space)
+        dealing = _read_dealing(entry)
         kind = read_kind(entry)
         pool = self._pool(entry, by)
         if kind is None:
@@ -106,7 +103,9 @@ class Entries:
         if not candidates:
             return ()
         choice = [(template, asks[template.name]) for template in candidates]
-        return tuple(_make_slot(f"q{first + index}", choice, space) for index in range(number))
+        return tuple(
+            _make_slot(f"q{first + index}", choice, space, dealing) for index in range(number)
+        )
 
     def _pool(self, entry: Table, by: Grouping) -> list[Template]:
         """The templates of a family or with a tag, without those that the entry leaves out."""
@@ -164,11 +163,28 @@ def _read_kind(entry: Table) -> Literal["template"] | Grouping | None:
     return None
 
 
+def _read_dealing(entry: Table) -> Dealing:
+    """How the numbers of an entry's questions are dealt."""
+    same = entry.with_default("same", flag, False)
+    repeats = entry.with_default("repeats", flag, False)
+    if same and repeats:
+        what, do = Message("bank.same-and-repeats"), Message("bank.leave-one-out")
+        entry.fault("repeats", what, do=do)
+    if same:
+        return "same"
+    return "repeated" if repeats else "own"
+
+
 def _make_slot(
-    identifier: str, choice: Sequence[tuple[Template, tuple[BankAsk, ...]]], space: float
+    identifier: str,
+    choice: Sequence[tuple[Template, tuple[BankAsk, ...]]],
+    space: float,
+    dealing: Dealing,
 ) -> Slot:
     """A question that becomes one of these templates with their asks."""
-    questions = (BankQuestion(identifier, template, asks, {}, space) for template, asks in choice)
+    questions = (
+        BankQuestion(identifier, template, asks, {}, space, dealing) for template, asks in choice
+    )
     return Slot(identifier, tuple(questions), drawn=True)
 
 
@@ -179,24 +195,3 @@ def _read_left_out(names: Sequence[str], value: object) -> str:
         what = Message("bank.not-drawn-anyway", name=found(name))
         raise FieldError(what, do=suggest(name, names))
     return name
-
-
-def _read_domains(entry: Table, template: Template) -> dict[str, tuple[str, ...]]:
-    """Domains that replace the template's."""
-    draw = entry.table("draw", "{ k = [2, 3] }").only(
-        *template.parameters, unknown=Message("fields.unknown-parameter")
-    )
-    domains = {
-        name: draw.optional(name, partial(_read_choices, template.parameters[name]))
-        for name in draw
-    }
-    return {name: choices for name, choices in domains.items() if choices is not None}
-
-
-def _read_choices(parameter: Parameter, value: object) -> tuple[str, ...]:
-    """The values that may be drawn for a parameter; each must be one that it can have."""
-    choices = read_choices(value)
-    for choice in choices:
-        with suppress(Inexact):  # then it is a number all the same
-            read_parameter(parameter, read_expression(choice), Field())
-    return choices

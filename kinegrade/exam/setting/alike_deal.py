@@ -34,6 +34,9 @@ Predict = Callable[[Sequence[Combination]], Any]
 class Pool:
     """What a question offers to `papers`: the values that some keep, and the good combinations that
     its `deal` found in its `deck`. `predict` gives difficulties, in points.
+
+    Where all have the `same` values, they are those that the first paper keeps, or the first good
+    ones.
     """
 
     papers: Sequence[str]
@@ -41,16 +44,22 @@ class Pool:
     predict: Predict
     kept: Mapping[str, Combination]
     deal: Deal
+    same: bool = False
 
     @cached_property
     def free(self) -> Any:
-        """The numbers of the papers without values yet."""
+        """The numbers of the papers without values yet, among which values may be exchanged."""
+        if self.same:
+            return np.array([], dtype=np.intp)
         return np.flatnonzero([paper not in self.kept for paper in self.papers])
 
     @cached_property
     def combinations(self) -> list[Combination]:
         """For each paper what it keeps or may get, then those to spare."""
         good = [self.deck.combination(at) for at in self.deal.positions[: self.deal.wanted]]
+        if self.same:
+            common = next((self.kept[each] for each in self.papers if each in self.kept), good[0])
+            return [self.kept.get(paper, common) for paper in self.papers]
         held = Counter(tuple(values.values()) for values in self.kept.values())
         used = [held[tuple(values.values())] for values in good]
         dealt, spare = order_by_use(used, len(self.free))
@@ -71,6 +80,8 @@ class Pool:
     @property
     def more(self) -> int:
         """How many more good combinations to look for, 0 where there can be no more."""
+        if not self.free.size:
+            return 0
         enough = _MOST_SPARE * len(self.free) + 2 * _SPARE_FOR_FEW
         if len(self.deal.positions) < self.deal.wanted or self.deal.spare >= enough:
             return 0
@@ -132,8 +143,11 @@ def deal_alike(exam: Exam, places: Mapping[str, int], stated: Stated, look: Look
     """
     papers = tuple(places)
     spare = _SPARE_FOR_FEW if len(papers) > 1 else 0
+    same = {each.identifier for each in exam.bank.questions if each.dealing == "same"}
     begun = {
-        name: Deal(each.deck.size, max(places.values()) + 1, spare=spare)
+        name: Deal(each.deck.size, 1)
+        if name in same
+        else Deal(each.deck.size, max(places.values()) + 1, spare=spare)
         for name, each in exam.filters.items()
     }
     pools = {
@@ -143,6 +157,7 @@ def deal_alike(exam: Exam, places: Mapping[str, int], stated: Stated, look: Look
             find_difficulty(exam, name).predict,
             find_kept(exam.filters[name].deck, stated, name),
             found,
+            name in same,
         )
         for name, found in look_further(exam.filters, begun, look).items()
     }

@@ -6,19 +6,21 @@ deals them alike; after that `ClassDeal` says what anyone was dealt, and nothing
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import count
 from pathlib import Path
 from types import MappingProxyType
+from typing import assert_never
 
 from kinegrade.draws.deal import Deal, DeckPart, Look, Verdicts, Whose, look_here
 from kinegrade.draws.deck import Combination
 from kinegrade.draws.examining import Reason
 from kinegrade.draws.keyed_order import address
-from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.bank.blueprint import Bank, BankQuestion
 from kinegrade.exam.bank.versions import choose_version, list_version_letters
 from kinegrade.exam.folder.exam_secret import ExamSecret
 from kinegrade.exam.folder.records import KeyLine
@@ -28,7 +30,7 @@ from kinegrade.exam.setting.alike_deal import deal_alike
 from kinegrade.exam.setting.paper_codes import make_paper_codes
 from kinegrade.exam.setting.places import assign_places
 from kinegrade.exam.setting.setting import DealtPaper, Exam, SetPaper, set_paper
-from kinegrade.language.message import Fault
+from kinegrade.language.message import Fault, Message
 from kinegrade.processes.executor import Shared, map_in_order
 
 _AHEAD = 8  # parts of decks that are under way or wait
@@ -89,14 +91,49 @@ class ClassDeal:
 
     def shortages(self) -> tuple[Fault, ...]:
         """A line for each question of which several students, or versions, have the same numbers
-        because there are too few.
+        because there are too few, where the bank does not allow it.
         """
-        whose: Whose = "versions" if self.bank.versions else "students"
         return tuple(
-            self.deals[name].shortage(f"{name} ({each.template.name})", whose, each)
-            for name, each in self.exam.filters.items()
-            if not self.deals[name].lasting
+            self._explain_shortage(each)
+            for each in self.bank.questions
+            if each.dealing == "own" and not self.deals[each.identifier].lasting
         )
+
+    def _explain_shortage(self, question: BankQuestion) -> Fault:
+        name = question.identifier
+        where = f"{name} ({question.template.name})"
+        fault = self.deals[name].shortage(where, self._whose, self.exam.filters[name])
+        return replace(fault, do=Message("exam.or-repeat", advice=fault.do))
+
+    def sharing(self) -> Iterator[Message]:
+        """What is said of the questions whose numbers are meant not to be everybody's own."""
+        for question in self.bank.questions:
+            match question.dealing:
+                case "own":
+                    pass
+                case "same":
+                    yield Message("exam.same-numbers", question=question.identifier)
+                case "repeated":
+                    yield self._count_repeated(question.identifier)
+                case _:
+                    assert_never(question.dealing)
+
+    def _count_repeated(self, question: str) -> Message:
+        """How many have numbers that somebody else has, too."""
+        dealt = self.values[question]
+        times = Counter(tuple(values.values()) for values in dealt.values())
+        return Message(
+            "exam.repeated-numbers",
+            question=question,
+            good=len(times),
+            places=Message(f"template.for-{self._whose}", count=len(dealt)),
+            count=sum(count for count in times.values() if count > 1),
+        )
+
+    @property
+    def _whose(self) -> Whose:
+        """What has numbers of its own."""
+        return "versions" if self.bank.versions else "students"
 
     def _order(self, whose: str) -> tuple[int, ...]:
         """The order in which the questions of a student, or of a version, are printed."""
