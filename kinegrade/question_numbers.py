@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 
 def find_bank_number(identifier: str) -> str:
     """The number of a question in the bank's order; an identifier of another form is its own
@@ -22,3 +24,16 @@ def find_other_number(identifier: str, number: int) -> str | None:
     """
     in_bank = find_bank_number(identifier)
     return None if in_bank == str(number) else in_bank
+
+
+def number_printed(printed: Sequence[str]) -> list[int]:
+    """The numbers on a paper of the questions that are marked here, in their order there: those of
+    the bank's order, between which the questions that are marked by hand keep theirs.
+
+    >>> number_printed(["q4", "q1", "q3"]), number_printed(["bonus", "q2"])
+    ([1, 3, 4], [1, 2])
+    """
+    numbers = [find_bank_number(each) for each in printed]
+    if all(number.isdecimal() for number in numbers):
+        return sorted(map(int, numbers))
+    return [*range(1, len(numbers) + 1)]

@@ -27,6 +27,7 @@ from kinegrade.grading.sheets.pool import read_pool
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import FILES, MARKER
+from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.processes.garbage_collection import bulk_work
 
@@ -84,6 +85,7 @@ def grade(
         grades = _write_totals(folder, grades, wishes.never_lower)
         folder.policy(rules.text)
         folder.printed(exam.printed_orders())
+        folder.open([OpenQuestion(each.question, each.points) for each in exam.head.by_hand])
         _write_exports(path, wishes.exports)
     return grades
 

@@ -20,7 +20,9 @@ from kinegrade.files.tables import Complaint, Table
 from kinegrade.language.message import Message
 from kinegrade.marks_folder.cells import (
     Record,
+    explain_amount,
     explain_cell,
+    find_amount,
     read_amount,
     read_records,
     read_records_if_any,
@@ -37,10 +39,12 @@ from kinegrade.marks_folder.layout import (
     KEPT,
     MISTAKE,
     NAMES_BETWEEN,
+    OPEN,
     PRINTED,
     PUT,
     QUESTIONS_BETWEEN,
 )
+from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.rows import (
     ClassTotals,
     KeptTotal,
@@ -98,6 +102,18 @@ class MarksFolder:
                 path = self.path / PRINTED.name
                 raise TableError(explain_cell(path, line, "questions", listed, expected))
         return found
+
+    @cached_property
+    def open(self) -> tuple[OpenQuestion, ...]:
+        """The questions that are still to be marked by hand."""
+        path = self.path / OPEN.name
+        found = []
+        for line, (question, points) in read_records_if_any(self.path, OPEN):
+            amount = find_amount(points)
+            if amount is None:
+                raise TableError(explain_amount(path, line, "points", points))
+            found.append(OpenQuestion(question, amount))
+        return tuple(found)
 
     def _repr_html_(self) -> str:
         return write_table_html(read_whole(self.path, GRADES))

@@ -92,10 +92,13 @@ KEPT: Final = TableFile("kept.csv", ("student", "name", *_KEPT_AMOUNTS, "reason"
 PUT: Final = TableFile("variants.csv", ("student", "question", "ask", "key_of"))
 #: The order of the questions on each paper; only where it differs from the bank's.
 PRINTED: Final = TableFile("printed.csv", ("student", "questions"))
+#: Questions that are still to be marked by hand, with their points, which nothing else counts; only
+#: where there are some.
+OPEN: Final = TableFile("open.csv", ("question", "points"))
 QUESTIONS_BETWEEN: Final = " "  # question identifiers contain no blank
 #: A copy of the policy; only where there was one.
 POLICY: Final = "policy.toml"
-_TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED)
+_TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED, OPEN)
 FILES: Final = (*(file.name for file in _TABLES), POLICY)
 MARKER: Final = COMPLAINTS.name  # the file by which kinegrade recognises a marks folder
 

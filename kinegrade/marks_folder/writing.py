@@ -28,6 +28,7 @@ from kinegrade.marks_folder.layout import (
     COMPLAINTS,
     GRADES,
     KEPT,
+    OPEN,
     POLICY,
     PRINTED,
     PUT,
@@ -36,6 +37,7 @@ from kinegrade.marks_folder.layout import (
     Status,
     make_grades_header,
 )
+from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.rows import Grade, KeptTotal, Orders
 from kinegrade.numbers.amounts import write_amount
 
@@ -92,6 +94,12 @@ class MarksWriter:
         if orders:
             rows = [(student, QUESTIONS_BETWEEN.join(order)) for student, order in orders.items()]
             write_csv(self.path / PRINTED.name, PRINTED.columns, rows)
+
+    def open(self, questions: Sequence[OpenQuestion]) -> None:
+        """The questions that are still to be marked by hand."""
+        if questions:
+            rows = [(each.question, write_amount(each.points)) for each in questions]
+            write_csv(self.path / OPEN.name, OPEN.columns, rows)
 
 
 def _write_answer_lines(cells: AnswerCells) -> str:

@@ -105,6 +105,7 @@ class KeyEntry:
     title: str  # prose
     parameters: tuple[KeyParameter, ...]
     answers: tuple[KeyAnswer, ...]
+    note: str = ""  # plain, of a question that is marked by hand
 
 
 @dataclass(frozen=True)

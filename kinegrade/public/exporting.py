@@ -4,6 +4,7 @@ spreadsheet.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
@@ -11,13 +12,14 @@ from pathlib import Path
 from kinegrade.errors import OptionError, Problem
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.output import write_file
-from kinegrade.language.message import Message, Part, Quoted, list_plainly
+from kinegrade.language.message import Fault, Message, Part, Quoted, list_plainly
 from kinegrade.lms.grades.dialect import Dialect, ExportOptions
 from kinegrade.lms.grades.fill_in import fill_in
 from kinegrade.lms.grades.from_scratch import new_file
 from kinegrade.lms.grades.grades import ClassGrades, read_grades
 from kinegrade.lms.grades.systems import GRADE_FILES, SYSTEMS, WORKBOOK
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.open_questions import describe_open
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.opened import expect_opened
 from kinegrade.public.options import require_known, require_word
@@ -54,18 +56,32 @@ def export(
     if options.language is not None and not (to in SYSTEMS and SYSTEMS[to].speaks):
         raise OptionError(Message("terminal.no-headers"))
     if to == WORKBOOK:
-        if options.into is not None:
-            raise OptionError(Message("terminal.no-into"))
-        from kinegrade.lms.workbook import workbook
-
-        write_file(place, workbook(marks), force=force)
-        return Outcome(place)
+        return _export_workbook(marks, place, options, force=force)
     grades = read_grades(marks, exam)
     _require_sense(options, grades)
     options = replace(options, title=options.title.strip())
     made = _make_file(SYSTEMS[to], grades, options)
     write_file(place, made.content, force=force)
-    return Outcome(place, (*made.notes, _tell(made, place, grades, options)), made.complaints)
+    notes = *made.notes, _tell(made, place, grades, options)
+    return Outcome(place, notes, (*made.complaints, *_list_open(marks, place)))
+
+
+def _export_workbook(
+    marks: MarksFolder, place: Path, options: ExportOptions, *, force: bool
+) -> Outcome:
+    """One spreadsheet with everything, which is no file of another system."""
+    from kinegrade.lms.workbook import workbook
+
+    if options.into is not None:
+        raise OptionError(Message("terminal.no-into"))
+    write_file(place, workbook(marks), force=force)
+    return Outcome(place, (), tuple(_list_open(marks, place)))
+
+
+def _list_open(marks: MarksFolder, place: Path) -> Iterator[Fault]:
+    """That the grades lack what is still to be marked by hand."""
+    if marks.open:
+        yield Fault(str(place), describe_open(marks.open), do=Message("marks.add-by-hand"))
 
 
 @dataclass(frozen=True, slots=True)

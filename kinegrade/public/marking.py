@@ -22,6 +22,7 @@ from kinegrade.lms.responses.answer_table import ReadingWishes
 from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import KEPT
+from kinegrade.marks_folder.open_questions import describe_open
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.opened import expect_opened
 from kinegrade.public.opening import open_marks
@@ -125,9 +126,12 @@ def grade(
     for assumption in read.assumed:
         options.assuming(assumption)
     grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
-    written = tuple(_list_written(grades, place, kept=options.never_lower is not None))
+    written = [*_list_written(grades, place, kept=options.never_lower is not None)]
+    still_open = open_marks(place).open
+    if still_open:
+        written.append(describe_open(still_open))
     complaints = tuple(complaint.fault for complaint in grades.complaints)
-    return Graded(place, written, complaints, grades=grades, assumed=read.assumed)
+    return Graded(place, tuple(written), complaints, grades=grades, assumed=read.assumed)
 
 
 def _choose_following(exam: ExamFolder) -> Follows:

@@ -15,7 +15,7 @@ from kinegrade.exam.quiz.paper import QuizWishes
 from kinegrade.exam.quiz.quiz import Progress, read_quiz
 from kinegrade.exam.quiz.variants import variants_stored
 from kinegrade.language import Language
-from kinegrade.language.message import Message
+from kinegrade.language.message import Fault, Message, list_all
 from kinegrade.lms.quiz.formats import FORMATS, FileWishes, choose_writer
 from kinegrade.lms.quiz.moodle.questions import Form
 from kinegrade.problem.template.template import Method
@@ -24,6 +24,7 @@ from kinegrade.public.folders import expect_own_place
 from kinegrade.public.opened import expect_opened
 from kinegrade.public.options import find_language, require_known, require_word
 from kinegrade.public.outcome import Outcome
+from kinegrade.question_numbers import find_bank_number
 
 
 def _as_they_come(papers: Iterator[QuizPaper], count: int) -> Iterator[QuizPaper]:
@@ -99,7 +100,17 @@ def quiz(
         with variants_stored(exam, options.variants or 0):
             remarks = writer(put, place, force=force)
     written = Message("terminal.quiz-written", file=str(place))
-    return Outcome(place, (written, Message("terminal.marked-there")), tuple(remarks))
+    left_out = tuple(_list_left_out(exam, place))
+    return Outcome(place, (written, Message("terminal.marked-there")), (*remarks, *left_out))
+
+
+def _list_left_out(exam: ExamFolder, place: Path) -> Iterator[Fault]:
+    """That questions without numbers are not in the quiz."""
+    by_hand = exam.head.by_hand
+    if by_hand:
+        numbers = list_all([find_bank_number(each.question) for each in by_hand])
+        what = Message("quiz.by-hand", count=len(by_hand), questions=numbers)
+        yield Fault(str(place), what, do=Message("quiz.ask-by-hand"))
 
 
 def _read(

@@ -28,7 +28,7 @@ KIND = (
     "expected position, velocity, acceleration or a table of asks with their points, "
     "like { v_B = 3 }"
 )
-ONE_OF = 'expected one of template = "...", family = "..." and tag = "..."'
+ONE_OF = 'expected one of template = "...", family = "...", tag = "..." and text = "..."'
 SHARE = 'expected a share from 0 to 1, like 0.5, "50 %" or "1/2"'
 HONEST = (
     "honest widens a relative tolerance only, and significant figures are not widened - "

@@ -10,12 +10,23 @@ from pathlib import Path
 import pytest
 
 from kinegrade.exam.bank.bank import read_bank
-from kinegrade.exam.bank.keys import ASK, BANK, DEALT, DRAWN, FAMILY, HEADER, NAMED, TAG
+from kinegrade.exam.bank.keys import (
+    ASK,
+    BANK,
+    BY_HAND,
+    DEALT,
+    DRAWN,
+    FAMILY,
+    HEADER,
+    NAMED,
+    TAG,
+    TEXT,
+)
 from kinegrade.files.starter import read_starter_text
 from tests.small_class import kinegrade
 from tests.starters import list_keys, list_unexplained, put_in_force
 
-TEXT = read_starter_text("kinegrade.exam.bank")
+STARTER = read_starter_text("kinegrade.exam.bank")
 CREST = '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><path d="M0 0H9V9Z"/></svg>'
 
 
@@ -39,21 +50,24 @@ def test_new_writes_a_bank_of_which_papers_are_set(
 
 
 def test_every_key_is_there_and_explained_in_the_line_above_it() -> None:
-    keys = list_keys(TEXT)
+    keys = list_keys(STARTER)
     shown = {*keys[""], *(name for name in keys if name in BANK)}
     assert shown == set(BANK)
     assert set(keys["header"]) == set(HEADER)
-    assert set(keys["questions"]) == {*NAMED, *FAMILY, *TAG, *DRAWN, *DEALT}
-    asked = tomllib.loads(TEXT)["questions"][0]["asks"].values()
+    assert set(keys["questions"]) == {
+        *(*NAMED, *FAMILY, *TAG, *DRAWN, *DEALT),
+        *(*TEXT, *BY_HAND),
+    }
+    asked = tomllib.loads(STARTER)["questions"][0]["asks"].values()
     assert {key for ask in asked if isinstance(ask, dict) for key in ask} == set(ASK)
-    assert list_unexplained(TEXT) == []
+    assert list_unexplained(STARTER) == []
 
 
 def test_what_is_not_in_force_is_read_where_it_is_put_in_force(tmp_path: Path) -> None:
     path = tmp_path / "bank.toml"
-    everything = put_in_force(TEXT)
-    assert everything.count("\n") == TEXT.count("\n")
-    assert everything != TEXT
+    everything = put_in_force(STARTER)
+    assert everything.count("\n") == STARTER.count("\n")
+    assert everything != STARTER
     path.write_text(everything, encoding="utf-8")
     (tmp_path / "crest.svg").write_text(CREST, encoding="utf-8")
     bank = read_bank(path, "secret")
@@ -68,7 +82,7 @@ def test_a_bank_may_be_written_anywhere_and_is_kept_unless_forced(tmp_path: Path
     assert refused.exit_code == 2
     assert "exists" in refused.stderr
     assert kinegrade("new", "--bank", "midterm", "-o", path, "--force").exit_code == 0
-    assert path.read_text(encoding="utf-8") == TEXT
+    assert path.read_text(encoding="utf-8") == STARTER
 
 
 @pytest.mark.parametrize("name", ["midterm.toml", "../midterm", "-", "a/b"])

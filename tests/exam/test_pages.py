@@ -80,7 +80,7 @@ def test_no_paper_gives_an_answer_away(bank: Bank, papers: list[SetPaper], langu
 
 
 def test_the_key_holds_every_answer_and_warns(bank: Bank, papers: list[SetPaper]) -> None:
-    book = make_key_book(bank, [make_key_paper(paper, "en") for paper in papers], "en")
+    book = make_key_book(bank, [make_key_paper(bank, paper, "en") for paper in papers], "en")
     assert book.warning == "For the instructor only: this key shows every answer."
     source = write_key_source(book)
     for paper in papers:

@@ -15,6 +15,7 @@ from kinegrade.files.tables import Complaint
 from kinegrade.language import ENGLISH
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.layout import ANSWERS, COMPLAINTS, FILES, KEPT, AnswerCells
+from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.rows import Grade, KeptTotal
 from kinegrade.marks_folder.writing import MarksWriter
 from tests.grading.marked_folder import RIGHT, mark_class
@@ -40,6 +41,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     writer.kept([KEPT_ANNA])
     writer.put([("7", "q1", "v", "8")])
     writer.printed({"7": ("q2", "q1")})
+    writer.open([OpenQuestion("q3", HALF)])
     writer.policy("")
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(FILES)
     (total,) = open_marks(tmp_path).totals.students
@@ -56,11 +58,12 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     ]
     assert folder.complaints() == (COMPLAINT,)
     assert (folder.put, folder.printed) == ({"7": {"q1.v": "8"}}, {"7": ("q2", "q1")})
+    assert folder.open == (OpenQuestion("q3", HALF),)
 
 
 def test_files_that_not_every_folder_has_are_not_missed(tmp_path: Path) -> None:
     folder = MarksFolder(tmp_path)
-    assert (folder.kept, folder.put, folder.printed) == ({}, {}, {})
+    assert (folder.kept, folder.put, folder.printed, folder.open) == ({}, {}, {}, ())
 
 
 def test_all_cells_that_are_no_points_are_named_at_once(tmp_path: Path) -> None:

@@ -14,6 +14,7 @@ from typing import get_args
 
 from kinegrade.errors import BankError, suggest
 from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
+from kinegrade.exam.bank.by_hand import HandQuestion
 from kinegrade.exam.bank.header import HEADER_TEXTS, read_header
 from kinegrade.exam.bank.keys import BANK
 from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
@@ -102,9 +103,9 @@ def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False
     frame = replace(_read_frame(table, text, translations), header=header)
     shipped = folder or find_shipped("templates")
     entries = Entries(table.faults, shipped, path.parent, kept, frame.space)
-    slots = _read_slots(table, entries, frame)
+    slots, by_hand = _read_questions(table, entries, frame)
     _require_none((table.faults, *faults))
-    return Blueprint(frame, slots)
+    return Blueprint(replace(frame, by_hand=by_hand), slots)
 
 
 def read_bank_texts(path: Path) -> tuple[Translated, Translated]:
@@ -164,26 +165,34 @@ def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
     )
 
 
-def _read_slots(table: Table, entries: Entries, frame: Bank) -> tuple[Slot, ...]:
-    """The exam's questions q1, q2 ... in the bank's order; an entry may stand for several."""
+def _read_questions(
+    table: Table, entries: Entries, frame: Bank
+) -> tuple[tuple[Slot, ...], tuple[HandQuestion, ...]]:
+    """The exam's questions q1, q2 ... in the bank's order, those to be marked by hand apart; an
+    entry may stand for several.
+    """
     tables = table.tables("questions")
     if not 1 <= len(tables) <= MAX_QUESTIONS:
         _miscounted(table, len(tables))
-        return ()
+        return (), ()
     stated = BankTolerance(frame.tolerance, frame.honest)
     read: list[Entry] = []
     for entry in tables:
-        first = sum(len(before.slots) for before in read) + 1
-        read.append(Entry(entry, entries.slots(entry, first, stated)))
+        first = sum(before.count for before in read) + 1
+        read.append(entries.read(entry, first, stated))
     slots = tuple(slot for entry in read for slot in entry.slots)
-    if len(slots) > MAX_QUESTIONS:
-        what = Message("bank.questions", count=len(slots))
+    by_hand = tuple(entry.by_hand for entry in read if entry.by_hand is not None)
+    if by_hand and not slots and len(by_hand) == len(tables):
+        table.fault("questions", Message("bank.all-by-hand"), Message("bank.one-with-template"))
+    count = len(slots) + len(by_hand)
+    if count > MAX_QUESTIONS:
+        what = Message("bank.questions", count=count)
         table.fault("questions", what, Message("bank.questions-at-most", most=MAX_QUESTIONS))
     _require_different_names(read)
     _require_enough(read, slots)
     if not entries.kept:
         _require_carried(read, frame.carry)
-    return slots
+    return slots, by_hand
 
 
 def _miscounted(table: Table, count: int) -> None:

@@ -14,6 +14,7 @@ from functools import partial
 from typing import Literal, assert_never
 
 from kinegrade.draws.keyed_order import address
+from kinegrade.exam.bank.by_hand import HandQuestion
 from kinegrade.exam.bank.header import NO_HEADER, Header
 from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.press.protocol import Engine
@@ -70,7 +71,8 @@ class Bank:
     different papers, 0 for a different one for each student; `engine` is the typesetter unless an
     instructor asks for another; `credit` is for answers that are not right; with `solutions`,
     feedback includes the worked solutions unless requested otherwise; `lms` is the system that the
-    exam will be imported into, if its draws have to suit one; `header` is the head of the papers.
+    exam will be imported into, if its draws have to suit one; `header` is the head of the papers;
+    the questions `by_hand` have no mechanism, and stand between the others.
     """
 
     title: Translated
@@ -90,12 +92,18 @@ class Bank:
     solutions: bool = False
     lms: LMS | None = None
     header: Header = NO_HEADER
+    by_hand: tuple[HandQuestion, ...] = ()
 
     @property
     def texts(self) -> Mapping[str, Translated]:
         """What is printed on papers of the bank's own, by the keys at which it stands."""
         head = {f"header.{name}": text for name, text in self.header.texts.items()}
-        return {"title": self.title, "course": self.course, **head}
+        by_hand = {
+            f"{each.identifier}.{name}": text
+            for each in self.by_hand
+            for name, text in (("title", each.title), ("text", each.text))
+        }
+        return {"title": self.title, "course": self.course, **head, **by_hand}
 
     @property
     def four_decimals(self) -> bool:

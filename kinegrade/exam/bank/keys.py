@@ -84,6 +84,19 @@ DEALT = (
     #: are students; how many share theirs is said. Otherwise that is a complaint.
     "repeats",
 )
+TEXT = (
+    #: The text of a question without a mechanism, whose answer is marked by hand: Markdown with
+    #: `$...$` LaTeX math, or one for each language.
+    "text",
+)
+BY_HAND = (
+    #: What stands beside its number: a text, or one for each language.
+    "title",
+    #: Its points.
+    "points",
+    #: The room that students have for their answer, in place of the bank's.
+    "space",
+)
 FAMILY = (
     #: Draws from the shipped templates of this family, once for the class.
     "family",

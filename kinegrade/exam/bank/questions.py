@@ -9,13 +9,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
-from typing import Literal
+from typing import Literal, TypeAlias, assert_never
 
 from kinegrade.errors import FieldError, KinegradeError, suggest
 from kinegrade.exam.bank.asks import read_asks, read_kind, weigh_asks
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Dealing, Slot
+from kinegrade.exam.bank.by_hand import HandQuestion, read_hand_question
 from kinegrade.exam.bank.domains import read_domains
-from kinegrade.exam.bank.keys import DEALT, DRAWN, FAMILY, NAMED, TAG
+from kinegrade.exam.bank.keys import BY_HAND, DEALT, DRAWN, FAMILY, NAMED, TAG, TEXT
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
 from kinegrade.files.fields.faults import Faults
@@ -28,21 +29,29 @@ from kinegrade.problem.template.template import Template
 
 MAX_QUESTIONS = 50
 _TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
-_ENTRY_KEYS: Mapping[Literal["template"] | Grouping, tuple[str, ...]] = {
+_Kind: TypeAlias = Literal["template", "text"] | Grouping  # the key that says what an entry is
+_ENTRY_KEYS: Mapping[_Kind, tuple[str, ...]] = {
     "template": (*NAMED, *DEALT),
     "family": (*FAMILY, *DRAWN, *DEALT),
     "tag": (*TAG, *DRAWN, *DEALT),
+    "text": (*TEXT, *BY_HAND),
 }
 _ALL_KEYS = tuple(dict.fromkeys(key for keys in _ENTRY_KEYS.values() for key in keys))
-_ONE_KIND = Message("bank.one-of-three")
+_ONE_KIND = Message("bank.one-of-four")
 
 
 @dataclass(frozen=True)
 class Entry:
-    """An entry of the bank and the questions it stands for."""
+    """An entry of the bank and the questions it stands for, or the one to be marked `by_hand`."""
 
     table: Table
     slots: tuple[Slot, ...]
+    by_hand: HandQuestion | None = None
+
+    @property
+    def count(self) -> int:
+        """How many questions it stands for."""
+        return len(self.slots) + (self.by_hand is not None)
 
 
 @dataclass(frozen=True)
@@ -60,16 +69,24 @@ class Entries:
     kept: bool = False
     space: float = 0.0
 
-    def slots(self, entry: Table, first: int, wider: BankTolerance) -> tuple[Slot, ...]:
-        """The questions of one entry, numbered from `first`; none if it cannot be read."""
-        by = _read_kind(entry)
-        word = entry.required(by, text) if by else None
-        if not by or not word:
-            return ()
-        known = entry.only(*_ENTRY_KEYS[by])
-        if by == "template":
-            return self._named(known, f"q{first}", wider)
-        return self._drawn(known, by, first, wider)
+    def read(self, entry: Table, first: int, wider: BankTolerance) -> Entry:
+        """One entry with its questions, numbered from `first`; none if it cannot be read."""
+        by, identifier = _read_kind(entry), f"q{first}"
+        match by:
+            case None:
+                return Entry(entry, ())
+            case "text":
+                return Entry(entry, (), read_hand_question(entry, identifier, self.space))
+            case "template":
+                known = entry.only(*_ENTRY_KEYS[by])
+                return Entry(entry, self._named(known, identifier, wider))
+            case "family" | "tag":
+                if not entry.required(by, text):
+                    return Entry(entry, ())
+                known = entry.only(*_ENTRY_KEYS[by])
+                return Entry(entry, self._drawn(known, by, first, wider))
+            case _:
+                assert_never(by)
 
     def _named(self, entry: Table, identifier: str, wider: BankTolerance) -> tuple[Slot, ...]:
         """The question of a template that the bank names."""
@@ -150,8 +167,8 @@ class Entries:
         return template
 
 
-def _read_kind(entry: Table) -> Literal["template"] | Grouping | None:
-    """The key by which an entry names its templates; None after a fault."""
+def _read_kind(entry: Table) -> _Kind | None:
+    """The key by which an entry says what it is; None after a fault."""
     kinds = [key for key in _ENTRY_KEYS if key in entry]
     if len(kinds) == 1:
         return kinds[0]

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from fractions import Fraction
 from pathlib import Path
 from typing import Literal, TypeVar
@@ -36,6 +36,7 @@ _FILLED_LIST = Message("exam.a-filled-list")
 _MOST_BYTES = 10**9  # a class of any size
 _HEAD_FILE = FileKind(EXAM_FOLDER, ExamError, _MOST_BYTES, REMEDY)
 _IDENTIFIER = re.compile(r"[^\W\d][\w'\u2032-]{0,79}")
+_NUMBERED = re.compile(r"q[1-9][0-9]{0,2}", re.ASCII)
 _Item = TypeVar("_Item")
 
 
@@ -57,8 +58,17 @@ def read_head(folder: Path) -> ExamHead:
     except FieldError as fault:
         table.faults.note_error(table.place, fault)
         raise table.faults.raised() from fault
+    _require_numbers(table, head, {question.question for question in questions})
     table.faults.require_none()
     return msgspec.structs.replace(head, questions=questions, students=students)
+
+
+def _require_numbers(table: Table, head: ExamHead, taken: Set[str]) -> None:
+    """A fault for each question to be marked by hand that has no number of its own."""
+    for place, each in enumerate(head.by_hand, 1):
+        if not _NUMBERED.fullmatch(each.question) or each.question in taken:
+            what = Message("exam.is", name=f"by_hand[{place}]", found=found(each.question))
+            table.fault("by_hand", what, Message("exam.own-number"))
 
 
 def _read_format(value: object) -> int:

@@ -53,6 +53,14 @@ class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):
     asks: tuple[Ask, ...]
 
 
+class HandQuestion(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A question of the exam whose answers are marked by hand, which no answer sheet asks for."""
+
+    question: str
+    points: Fraction
+    title: str = ""
+
+
 class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, dict=True):
     """The head of an exam: `language` is that of the papers, `students` stand in the order of the
     roster.
@@ -87,6 +95,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     solutions: bool = False
     questions: tuple[ExamQuestion, ...]
     students: tuple[Candidate, ...]
+    by_hand: tuple[HandQuestion, ...] = ()
     editable: dict[str, str] | None = None
 
     def __repr__(self) -> str:

@@ -136,8 +136,8 @@ def _copy(exam: ExamFolder, folder: Path) -> None:
 
 def _keys(kept: KeptExam) -> Iterator[KeyPaper]:
     """The keys of the papers that stay, for the instructor's book. Raises ExamError."""
-    head = kept.exam.head
-    return (make_key_paper(kept.paper(each), head.language) for each in head.students)
+    head, bank = kept.exam.head, kept.bank
+    return (make_key_paper(bank, kept.paper(each), head.language) for each in head.students)
 
 
 def _grown_head(

@@ -12,7 +12,7 @@ from kinegrade.exam.bank.versions import list_version_letters
 from kinegrade.exam.folder.contents import PAPERS
 from kinegrade.exam.folder.head import FORMAT
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
+from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion, HandQuestion
 from kinegrade.exam.printing.printing import PrintRun
 from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import ClassDeal
@@ -51,6 +51,10 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
         solutions=bank.solutions,
         questions=tuple(_make_exam_question(dealt, each, language) for each in bank.questions),
         students=tuple(candidates),
+        by_hand=tuple(
+            HandQuestion(each.identifier, each.points, each.title.in_language(language))
+            for each in bank.by_hand
+        ),
     )
     return structs.replace(head, **dealt.secret.record())
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.bank.by_hand import HandQuestion
 from kinegrade.exam.printing.row_tolerance import write_row_tolerance
 from kinegrade.exam.printing.rules import write_rules
 from kinegrade.exam.roster.cell_values import say_extra_time
@@ -19,7 +20,7 @@ from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_o
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
 from kinegrade.press.paper_head import PaperHead
-from kinegrade.press.paper_parts import write_points_text
+from kinegrade.press.paper_parts import write_points_in_words, write_points_text
 from kinegrade.press.sheet import (
     AnswerRow,
     KeyAnswer,
@@ -64,10 +65,12 @@ def lay_out_paper(
     `sketch` does.
     """
     language = find_own_language(paper, language)
-    sheets = tuple(
+    sheets = [
         _lay_out_set_question(number, question, language, figure)
-        for number, question in enumerate(paper.printed, start=1)
-    )
+        for number, question in paper.numbered
+    ]
+    sheets += [_lay_out_hand_question(question, language) for question in bank.by_hand]
+    sheets.sort(key=lambda sheet: sheet.number)
     return Paper(
         language,
         bank.course.in_language(language),
@@ -77,7 +80,7 @@ def lay_out_paper(
         paper.student.name,
         paper.code,
         write_rules(bank, language),
-        sheets,
+        tuple(sheets),
         head=_fill_head(bank.header.in_language(language), paper.student, language),
     )
 
@@ -125,6 +128,20 @@ def _lay_out_set_question(
     place = QuestionPlace(number, question.question.identifier)
     sheet = lay_out_question(place, shown, rows, language, figure)
     return replace(sheet, space=question.question.space)
+
+
+def _lay_out_hand_question(question: HandQuestion, language: Language) -> QuestionSheet:
+    """A question without a figure, and without boxes: the answer is written into its room."""
+    return QuestionSheet(
+        question.number,
+        question.identifier,
+        question.title.in_language(language),
+        question.points,
+        question.text.in_language(language),
+        None,
+        (),
+        space=question.space,
+    )
 
 
 def lay_out_question(
@@ -189,10 +206,21 @@ def _select_versions(papers: Sequence[KeyPaper], language: Language) -> tuple[Ke
     )
 
 
-def make_key_paper(paper: SetPaper, language: Language) -> KeyPaper:
+def make_key_paper(bank: Bank, paper: SetPaper, language: Language) -> KeyPaper:
     """The key of one paper."""
-    entries = tuple(_make_key_entry(question, language) for question in paper.questions)
-    return KeyPaper(paper.student.student, paper.student.name, paper.code, entries, paper.version)
+    entries = [_make_key_entry(question, language) for question in paper.questions]
+    for question in bank.by_hand:
+        entries.insert(question.number - 1, _make_hand_entry(question, language))
+    student = paper.student
+    return KeyPaper(student.student, student.name, paper.code, tuple(entries), paper.version)
+
+
+def _make_hand_entry(question: HandQuestion, language: Language) -> KeyEntry:
+    """That a question is marked by hand."""
+    words = open_catalogue(language)
+    points = write_points_in_words(question.points, words)
+    note = words.text("paper.by-hand", points=points)
+    return KeyEntry(question.identifier, question.title.in_language(language), (), (), note)
 
 
 def _make_key_entry(question: SetQuestion, language: Language) -> KeyEntry:

@@ -117,7 +117,7 @@ def print_papers(
             solutions.get(name),
             also.get(name, {}),
             encode_line(make_key_line(paper, mistakes, shuffled=run.bank.shuffle)),
-            make_key_paper(paper, run.language),
+            make_key_paper(run.bank, paper, run.language),
         )
         for name, paper, mistakes in zip(pages, papers, find_mistaken_answers(papers), strict=True)
     ]

@@ -44,8 +44,7 @@ def write_solution_sheet(bank: Bank, paper: SetPaper, writer: SolutionWriter) ->
     """The worked solutions of one student's paper, in the order of the paper."""
     language = find_own_language(paper, writer.language)
     questions = tuple(
-        writer.write(number, question, language)
-        for number, question in enumerate(paper.printed, start=1)
+        writer.write(number, question, language) for number, question in paper.numbered
     )
     return SolutionSheet(
         language,

@@ -20,6 +20,7 @@ from kinegrade.figure.sketchbook import choose_sketcher
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
+from kinegrade.question_numbers import number_printed
 
 
 @dataclass(frozen=True)
@@ -127,6 +128,13 @@ class SetPaper:
     def printed(self) -> tuple[SetQuestion, ...]:
         """The questions in their order on the paper."""
         return tuple(self.questions[place] for place in self.order)
+
+    @property
+    def numbered(self) -> list[tuple[int, SetQuestion]]:
+        """The same with their numbers on the paper."""
+        printed = self.printed
+        numbers = number_printed([each.question.identifier for each in printed])
+        return list(zip(numbers, printed, strict=True))
 
 
 def set_paper(exam: Exam, dealt: DealtPaper) -> SetPaper:

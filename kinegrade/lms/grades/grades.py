@@ -23,7 +23,7 @@ from kinegrade.lms.grades.dialect import Field
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import StudentSums, StudentTotal
 from kinegrade.numbers.amounts import write_amount
-from kinegrade.question_numbers import find_bank_number
+from kinegrade.question_numbers import find_bank_number, number_printed
 
 TOTAL = ""  # the item that is the sum of all questions
 
@@ -136,7 +136,7 @@ def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
     '1: 0/3; 2: 2.5/4'
     """
     numbered = (
-        [(str(number), name) for number, name in enumerate(grade.printed, 1)]
+        list(zip(map(str, number_printed(grade.printed)), grade.printed, strict=True))
         if grade.printed
         else [(find_bank_number(name), name) for name in questions]
     )

@@ -44,8 +44,9 @@ def _write_entry(entry: KeyEntry, where: Location, words: Catalogue) -> str:
     head = write_command(
         "keyquestion", write_plain(find_bank_number(entry.identifier)), parts["title"], given
     )
-    table = write_environment("keyanswers", parts["answers"])
-    together = write_environment("together", [head, table])
+    note = write_command("keynote", write_plain(entry.note))
+    below = note if entry.note else write_environment("keyanswers", parts["answers"])
+    together = write_environment("together", [head, below])
     return f"{write_comment(words.write(where))}\n{together}"
 
 

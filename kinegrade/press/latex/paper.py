@@ -140,7 +140,7 @@ def _write_question(question: QuestionSheet, words: Catalogue, paper: Location) 
     lines = (
         _write_statement(parts["statement"], question.figure, parts["figure"]),
         write_command("working", f"{question.space:.6g}mm"),
-        write_environment("answers", parts["rows"]),
+        write_environment("answers", parts["rows"]) if question.rows else "",
         source and write_command("source", write_plain(source)),
     )
     block = write_environment("question", filter(None, lines), *head)

@@ -64,10 +64,11 @@ def _write_question(question: FeedbackQuestion, words: Mapping[str, str]) -> Ite
     if question.givens:
         yield f"{words['givens']}: {question.givens}"
         yield ""
-    yield _write_cells([words[column] for column in _COLUMNS])
-    yield "|---|---|---|---|---:|"
-    yield from (_write_cells(_write_row(row, words["none"])) for row in question.rows)
-    yield ""
+    if question.rows:
+        yield _write_cells([words[column] for column in _COLUMNS])
+        yield "|---|---|---|---|---:|"
+        yield from (_write_cells(_write_row(row, words["none"])) for row in question.rows)
+        yield ""
 
 
 def _write_row(row: FeedbackRow, none: str) -> Sequence[str]:

@@ -62,7 +62,7 @@ def _write_entry(entry: KeyEntry, where: Location) -> Sheet:
         ),
         answers=lambda: convert_each(lambda answer: _write_answer(answer, where), entry.answers),
     )
-    return sheet | {"number": find_bank_number(entry.identifier)}
+    return sheet | {"number": find_bank_number(entry.identifier), "note": entry.note}
 
 
 def _write_parameter(parameter: KeyParameter, where: Location) -> str:

@@ -153,6 +153,15 @@ def _write_question(
             f"{words.text('paper.layout.number-column')} {question.number}",
         )
         blocks.append(make_styled("Figure", [make_paragraph([picture])]))
+    if question.rows:
+        blocks.append(_write_answer_table(parts["rows"], words))
+    if question.source:
+        source = make_text(words.text("paper.source", source=question.source))
+        blocks.append(make_styled("Source", [make_paragraph([source])]))
+    return blocks
+
+
+def _write_answer_table(rows: Sequence[Sequence[Node]], words: Catalogue) -> Node:
     heads = (
         words.text("paper.layout.asked"),
         _NO_BREAK,
@@ -160,13 +169,7 @@ def _write_question(
         words.text("paper.layout.tolerance"),
         words.text("paper.layout.point-column"),
     )
-    blocks.append(
-        make_table("answers", _ROW_WIDTHS, _ROW_SIDES, _write_plain_cells(heads), parts["rows"])
-    )
-    if question.source:
-        source = make_text(words.text("paper.source", source=question.source))
-        blocks.append(make_styled("Source", [make_paragraph([source])]))
-    return blocks
+    return make_table("answers", _ROW_WIDTHS, _ROW_SIDES, _write_plain_cells(heads), rows)
 
 
 def _write_head(question: QuestionSheet, title: Sequence[Node], words: Catalogue) -> list[Node]:

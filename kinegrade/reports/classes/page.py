@@ -5,6 +5,8 @@ The same marks give the same bytes.
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
@@ -84,7 +86,7 @@ def _make_figures(
 ) -> ClassFigures:
     out_of = write_plain(float(max(each.out_of for each in counts.answered)), catalogue)
     return ClassFigures(
-        catalogue.write(Message("report.of-points", points=out_of)),
+        _write_maximum(out_of, exam, catalogue),
         _list_cards(counts, figures, catalogue),
         HistogramPlot(
             make_histogram(counts.percents),
@@ -99,6 +101,15 @@ def _make_figures(
         judge_hardness(counts, exam, wording, catalogue),
         list_parts(counts, counts.groups, exam, catalogue) if len(set(counts.groups)) > 1 else (),
     )
+
+
+def _write_maximum(points: str, exam: ExamFolder, catalogue: Catalogue) -> str:
+    """How many points there are; of those marked here alone, where others are marked by hand."""
+    by_hand = sum((each.points for each in exam.head.by_hand), Fraction(0))
+    if not by_hand:
+        return catalogue.write(Message("report.of-points", points=points))
+    others = write_plain(float(by_hand), catalogue)
+    return catalogue.write(Message("report.of-marked-points", points=points, others=others))
 
 
 def _list_cards(

@@ -16,7 +16,7 @@ from types import MappingProxyType
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.records import Candidate
+from kinegrade.exam.folder.records import Candidate, ExamHead, HandQuestion
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
@@ -24,10 +24,11 @@ from kinegrade.language.decimal_mark import write_decimals_of_math
 from kinegrade.language.message import Fault, Message, Quoted, Text
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import GRADES
-from kinegrade.marks_folder.rows import MarkedAnswer
+from kinegrade.marks_folder.open_questions import OpenQuestion, add_open_points
+from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 from kinegrade.numbers.amounts import bound_rounding, write_amount
 from kinegrade.press.sheet import FeedbackQuestion, FeedbackRow, FeedbackSheet
-from kinegrade.question_numbers import find_other_number
+from kinegrade.question_numbers import find_bank_number, find_other_number, number_printed
 from kinegrade.reports.feedback.remarks import make_remark, name_verdict
 from kinegrade.reports.feedback.right_answers import (
     write_allowed,
@@ -76,9 +77,9 @@ def make_feedback_sheets(
                 student,
                 candidate.name,
                 candidate.paper,
-                _write_share(total.total, total.out_of, catalogue),
+                _write_total(total, marks.open, catalogue),
                 kept,
-                tuple(_make_questions(answers, paper, worded[spoken], catalogue)),
+                tuple(_order_questions(answers, paper, worded[spoken], exam.head, catalogue)),
             ),
         )
 
@@ -94,15 +95,51 @@ def _describe_other_exam(student: str, marks: MarksFolder, exam: ExamFolder) -> 
     return Fault(str(marks.path), what)
 
 
+def _write_total(
+    total: StudentTotal, still_open: Sequence[OpenQuestion], catalogue: Catalogue
+) -> str:
+    """Points out of the maximum, and what is still to be marked by hand."""
+    share = _write_share(total.total, total.out_of, catalogue)
+    if not still_open:
+        return share
+    points = _mark_decimals(write_amount(add_open_points(still_open)), catalogue)
+    return catalogue.text("feedback.total-open", total=share, points=points)
+
+
+def _order_questions(
+    answers: Sequence[MarkedAnswer],
+    paper: PaperRecord,
+    wording: Wording,
+    head: ExamHead,
+    catalogue: Catalogue,
+) -> Iterator[FeedbackQuestion]:
+    """All questions in the order of the paper, those to be marked by hand between the others."""
+    numbers = number_printed(paper.printed)
+    questions = zip(numbers, _make_questions(answers, paper, wording, catalogue), strict=True)
+    by_number = {int(find_bank_number(each.question)): each for each in head.by_hand}
+    found = dict(questions)
+    found |= {number: _make_open(number, each, catalogue) for number, each in by_number.items()}
+    yield from (found[number] for number in sorted(found))
+
+
+def _make_open(number: int, question: HandQuestion, catalogue: Catalogue) -> FeedbackQuestion:
+    """A question that is marked by hand."""
+    points = _mark_decimals(write_amount(question.points), catalogue)
+    said = catalogue.text("feedback.by-hand", points=points)
+    heading = catalogue.write(_head_question(question.question, number))
+    return FeedbackQuestion(heading, question.title, said, "", ())
+
+
 def _make_questions(
     answers: Sequence[MarkedAnswer], paper: PaperRecord, wording: Wording, catalogue: Catalogue
 ) -> Iterator[FeedbackQuestion]:
-    """The questions in the order of the paper."""
+    """The questions that are marked here, in the order of the paper."""
     by_question = {
         question: tuple(group)
         for question, group in groupby(answers, lambda answer: answer.question)
     }
-    for number, question in enumerate(paper.printed, start=1):
+    numbers = number_printed(paper.printed)
+    for number, question in zip(numbers, paper.printed, strict=True):
         asked = by_question.get(question, ())
         heading = catalogue.write(_head_question(question, number))
         points = sum((answer.points for answer in asked), Fraction(0))

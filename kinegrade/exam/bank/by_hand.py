@@ -1,0 +1,52 @@
+"""The questions of a bank that have no mechanism: texts, whose answers are marked by hand.
+
+[[questions]]
+text = { en = "What is an instantaneous centre?", zh = "什么是速度瞬心？" }
+points = 5
+space = "6 cm"
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kinegrade.exam.bank.keys import BY_HAND, TEXT
+from kinegrade.exam.bank.terms import read_points, read_room
+from kinegrade.files.fields.table import Table
+from kinegrade.problem.template.translated import Translated
+from kinegrade.problem.template.translations import translated
+
+_NO_TITLE = Translated(plain="")
+
+
+@dataclass(frozen=True)
+class HandQuestion:
+    """A question to be marked by hand: its title, empty for none, and its text, both Markdown with
+    LaTeX math; `space` is the millimetres left for the answer.
+    """
+
+    identifier: str
+    title: Translated
+    text: Translated
+    points: Fraction
+    space: float
+
+    @property
+    def number(self) -> int:
+        """Its number on every paper, shuffled or not: that of its place in the bank."""
+        return int(self.identifier.removeprefix("q"))
+
+
+def read_hand_question(entry: Table, identifier: str, space: float) -> HandQuestion | None:
+    """The question of an entry `[[questions]]` with a text; `space` where it states none. None
+    after a fault.
+    """
+    known = entry.only(*TEXT, *BY_HAND)
+    text = known.required("text", translated)
+    points = known.required("points", read_points)
+    title = known.with_default("title", translated, _NO_TITLE)
+    room = known.with_default("space", read_room, space)
+    if text is None or points is None:
+        return None
+    return HandQuestion(identifier, title, text, points, room)
