@@ -43,6 +43,7 @@ FLOORS = {
     "figure": 5,
     "draws": 6,
     "worked": 7,
+    "choosing": 8,
     "press": 8,
     "proof": 9,
     "exam": 10,

@@ -101,7 +101,7 @@ def test_list_names_every_template_in_both_languages() -> None:
     english, chinese = kinegrade("list"), kinegrade("list", "--lang", "zh")
     rows = [line.split("\t") for line in english.stdout.splitlines()]
     assert [row[0] for row in rows] == list(find_template_names())
-    assert ["slider-crank", "slider-crank", "Slider-crank mechanism"] in rows
+    assert ["slider-crank", "slider-crank", "Slider-crank mechanism"] in [row[:3] for row in rows]
     assert "曲柄滑块机构" in chinese.stdout
 
 

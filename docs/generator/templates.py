@@ -7,7 +7,9 @@ from functools import cache
 
 from docs.generator.described import read_words
 from docs.generator.markdown import write_code, write_page, write_table, write_words
+from kinegrade.choosing.demands import find_demands
 from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.numbers.units import FACTORS
 from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, ELEMENTARY, Signature
@@ -17,7 +19,7 @@ from kinegrade.problem.template.hints import SHAPES
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.sections.keys import SHARED
 from kinegrade.problem.template.signs import Sign, write_sign
-from kinegrade.problem.template.tags import list_tags
+from kinegrade.problem.template.tags import TAGS, Tag, list_tags
 from kinegrade.problem.template.template import METHODS, Template
 from kinegrade.sign_conventions import CONVENTIONS
 
@@ -101,9 +103,13 @@ def write_shipped_page() -> str:
         "`kinegrade show NAME` shows one in full, `kinegrade gallery -o gallery.pdf` all of them "
         "with their figures.",
         write_table(
-            ("template", "title", "family", "tags", "asks with points"),
+            ("template", "title", "family", "difficulty", "minutes", "tags", "asks with points"),
             [_describe(load_template(name)) for _, name in rows],
         ),
+        "## Tags",
+        "`kinegrade list --tag WORD` finds the templates with a tag, and a bank draws from them by "
+        '`tag = "WORD"`; `kinegrade list --tags` counts them.',
+        write_table(("tag", "meaning"), [(write_code(tag), _explain(tag)) for tag in TAGS]),
     )
 
 
@@ -112,12 +118,19 @@ def _shipped() -> tuple[Template, ...]:
     return tuple(map(load_template, find_template_names()))
 
 
+def _explain(tag: Tag) -> str:
+    """What a tag means."""
+    return open_catalogue(ENGLISH).text(f"choosing.tag-{tag}")
+
+
 def _describe(template: Template) -> tuple[str, ...]:
-    about = template.about
+    about, demands = template.about, find_demands(template)
     return (
         write_code(template.name),
         about.title.in_language(ENGLISH),
         about.family,
+        str(demands.difficulty),
+        str(demands.minutes),
         ", ".join(sorted(list_tags(template))),
         _list(template.asked()),
     )

@@ -13,6 +13,7 @@ import os
 import click
 
 from kinegrade import __version__
+from kinegrade.cli.choosing import list_templates, show
 from kinegrade.cli.exams import generate, paper, papers, solutions
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
@@ -22,7 +23,7 @@ from kinegrade.cli.rosters import roster
 from kinegrade.cli.sharing import sharing
 from kinegrade.cli.solve import solve
 from kinegrade.cli.starters import new
-from kinegrade.cli.templates import check, gallery, list_templates, show
+from kinegrade.cli.templates import check, gallery
 
 
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})

@@ -1,10 +1,9 @@
-"""The commands about templates: list, show, check, gallery."""
+"""The commands about templates: check, gallery."""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
@@ -17,66 +16,9 @@ from kinegrade.cli.options import (
     LANGUAGE,
     finish_with_complaints,
     refusing,
-    require_writable,
 )
 from kinegrade.cli.terminal import terminal_words
-
-if TYPE_CHECKING:
-    from kinegrade.language import Language
-    from kinegrade.problem.template.template import About
-
-
-@command("list")
-@LANGUAGE
-@refusing
-def list_templates(language: Language) -> None:
-    """List the problem templates."""
-    from kinegrade.problem.template.library.library import find_template_names, load_template
-
-    for name in find_template_names():
-        about = load_template(name).about
-        click.echo(f"{name}\t{about.family}\t{_write_title(about, language)}")
-
-
-def _write_title(about: About, language: Language) -> str:
-    """A template's title; the languages in which it is, where it is not in the one wanted."""
-    if about.title.has(language):
-        return about.title.in_language(language)
-    return f"({', '.join(about.title.languages)})"
-
-
-@command()
-@click.argument("template_name", metavar="TEMPLATE")
-@LANGUAGE
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-)
-@click.option(
-    "--seed",
-    callback=require_writable,
-    default="sample",
-    show_default=True,
-)
-@FORCE
-@refusing
-def show(
-    template_name: str, language: Language, output: Path | None, seed: str, force: bool
-) -> None:
-    """Show a template: statement, parameters, what can be asked, how many instances."""
-    from kinegrade.problem.describing import describe_template
-    from kinegrade.problem.template.library.library import load_template
-    from kinegrade.problem.template.texts import require_language
-
-    template = load_template(template_name)
-    require_language([template], language)
-    click.echo(describe_template(template, language))
-    if output is not None:
-        from kinegrade.exam.printing.sample import print_sample
-        from kinegrade.files.output import write_file
-
-        write_file(output, print_sample(template, seed, language), force=force)
+from kinegrade.language import Language
 
 
 @command()

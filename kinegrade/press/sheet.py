@@ -231,13 +231,26 @@ class GalleryFigure:
 
 
 @dataclass(frozen=True)
+class GalleryDemands:
+    """How many combinations a template has, and what it takes: its difficulty from 1 to `most`,
+    minutes; its tags, plain.
+    """
+
+    combinations: int
+    difficulty: int
+    most: int
+    minutes: int
+    tags: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class GalleryEntry:
     """One template as an instructor chooses it; `faults` says what cannot be shown of it."""
 
     family: str  # plain, as are name and faults; "" where nothing but these two can be shown
     name: str
     title: str  # prose
-    combinations: int
+    demands: GalleryDemands | None  # None where it cannot be shown
     asks: tuple[str, ...]  # math: asked unless an exam chooses otherwise
     on_request: tuple[str, ...]  # math: asked only where an exam names them
     figures: tuple[GalleryFigure, ...]

@@ -22,10 +22,10 @@ from kinegrade.language.message import (
     list_plainly,
     list_statements,
 )
+from kinegrade.language.terminal_lines import align, cut
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 from kinegrade.numbers.amounts import write_amount, write_change
-from kinegrade.reports.text_table import align, cut
 
 HEADER = (
     "student", "name", "what", "before", "after", "change", "out_of_before", "out_of_after",

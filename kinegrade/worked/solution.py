@@ -94,6 +94,20 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
         )
 
 
+def find_course(case: Case, asked: Iterable[Ask]) -> tuple[tuple[Step, Stage], ...]:
+    """The steps that answers take beyond what is given: for velocities, then for accelerations."""
+    velocities, accelerations = select_steps(case.motion, collect_needs(case, asked))
+    levels: tuple[tuple[Level, tuple[Step, ...]], ...] = (
+        ("velocity", velocities),
+        ("acceleration", accelerations),
+    )
+    course: list[tuple[Step, Stage]] = []
+    for level, steps in levels:
+        given = _list_found(step for step in steps if _is_given(step, case))
+        course += _find_stages(steps, case, level, given).items()
+    return tuple(course)
+
+
 def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:
     """The rates that all answers together need."""
     needs = NOTHING

@@ -11,9 +11,11 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
+from kinegrade.choosing.demands import find_demands
 from kinegrade.language import Language
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.library.starter import write_starter_text
+from kinegrade.problem.template.tags import list_tags
 from tests.small_class import kinegrade
 
 NAMES = ("slider-crank", "bar-through-swivelling-sleeve")
@@ -55,19 +57,26 @@ def test_each_template_stands_there_with_title_name_and_number_of_combinations(
         assert template.name in page
         assert template.about.family in page
         assert f"{template.combinations} " in page
+        demands = find_demands(template)
+        level = {
+            "en": f"difficulty {demands.difficulty} of 5, about {demands.minutes} min",
+            "zh": f"难度 {demands.difficulty}（共 5 级），约 {demands.minutes} 分钟",
+        }[language]
+        assert level in page
+        assert ", ".join(sorted(list_tags(template))) in page
     assert ("page 1 of 1" if language == "en" else "第 1 页，共 1 页") in page
     assert page.count("Asked:" if language == "en" else "所求：") == 2
 
 
 def test_templates_are_grouped_by_family_and_pages_numbered(tmp_path: Path) -> None:
     rows = [line.split("\t") for line in kinegrade("list").stdout.splitlines()]
-    few = [name for name, family, _ in rows if family in ("slider-crank", "pose", "trammel")]
+    few = [name for name, family, *_ in rows if family in ("slider-crank", "pose", "trammel")]
     status, complaints, sheets = gallery(tmp_path, *few, "--draws", "1")
     assert (status, complaints) == (0, "")
     text = " ".join(sheets)
-    families = sorted({family for name, family, _ in rows if name in few})
+    families = sorted({family for name, family, *_ in rows if name in few})
     members = [
-        name for family in families for name, own, _ in rows if own == family and name in few
+        name for family in families for name, own, *_ in rows if own == family and name in few
     ]
     places = [re.search(rf"{name} +Asked", text) for name in members]
     starts = [place.start() for place in places if place is not None]

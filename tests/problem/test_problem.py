@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from kinegrade.choosing.choice import make_entry
+from kinegrade.choosing.describing import describe_template
 from kinegrade.errors import TemplateError
-from kinegrade.problem.describing import describe_template
 from kinegrade.public.problem import Problem, template
 from tests.problem.crank import crank
 
@@ -26,14 +27,14 @@ def test_what_is_no_number_is_refused(value: float | str) -> None:
 
 
 def test_a_description_tells_domains_points_and_conventions() -> None:
-    text = describe_template(crank(), "en")
+    text = describe_template(make_entry(crank()), "en")
     assert "1, 2 (2)" in text
     assert "0, 1/2, 3 (3)" in text
     assert "2 points" in text
     assert "on request" in text
-    assert "曲柄的长度" in describe_template(crank(), "zh")
+    assert "曲柄的长度" in describe_template(make_entry(crank()), "zh")
     with pytest.raises(TemplateError, match="the parameter h is not given to the student"):
-        describe_template(crank(("{{ h.value }} above", "above")), "en")
+        describe_template(make_entry(crank(("{{ h.value }} above", "above"))), "en")
 
 
 def test_a_negative_length_is_refused_and_a_negative_coordinate_is_not() -> None:

@@ -31,7 +31,7 @@ def test_the_highest_kind_that_has_points_is_the_tag(change: tuple[str, str], ta
 
 def test_an_angular_acceleration_beside_velocities_makes_an_acceleration_problem() -> None:
     template = load_template("slider-crank")
-    assert list_tags(template) == {"acceleration"}
+    assert list_tags(template) == {"acceleration", "base-point"}
     assert select_asks(template, "velocity") == ("v_B", "omega_AB")
     assert select_asks(template, "acceleration") == ("alpha_AB", "a_B")
     assert select_asks(template, "position") == ()

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+from kinegrade.choosing.choice import make_entry
+from kinegrade.choosing.demands import LEVELS
 from kinegrade.draws.deal import deal, look_here
 from kinegrade.draws.deck import make_deck
 from kinegrade.draws.draw_filter import DrawFilter
@@ -21,7 +23,7 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.press.legible import make_legible
-from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure
+from kinegrade.press.sheet import Gallery, GalleryDemands, GalleryEntry, GalleryFigure
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.given import list_givens
 from kinegrade.problem.solution import Solution
@@ -74,23 +76,39 @@ def _make_entry(name: str, language: Language, draws: int) -> GalleryEntry:
         require_language([template], language)
     except TemplateError as error:
         return _make_unreadable_entry(Path(name).stem, _write_faults(error, language))
+    demands, unsolved = _find_demands(template, language)
     figures, faults = _draw_figures(template, draws, language)
     asked = template.asked()
     return GalleryEntry(
         template.about.family,
         template.name,
         template.about.title.in_language(language),
-        template.combinations,
+        demands,
         tuple(template.asks[ask].symbol for ask in asked),
         tuple(ask.symbol for ask in template.asks.values() if ask.name not in asked),
         figures,
-        faults,
+        (*unsolved, *faults),
     )
+
+
+def _find_demands(
+    template: Template, language: Language
+) -> tuple[GalleryDemands | None, tuple[str, ...]]:
+    """What a template takes, or why that cannot be said."""
+    try:
+        entry = make_entry(template)
+    except KinegradeError as error:
+        return None, _write_faults(error, language)
+    demands = entry.demands
+    tags = tuple(sorted(entry.tags))
+    return GalleryDemands(
+        template.combinations, demands.difficulty, LEVELS, demands.minutes, tags
+    ), ()
 
 
 def _make_unreadable_entry(name: str, faults: tuple[str, ...]) -> GalleryEntry:
     """The entry of a template that can only be named."""
-    return GalleryEntry("", name, "", 0, (), (), (), faults)
+    return GalleryEntry("", name, "", None, (), (), (), faults)
 
 
 def _require_printable(press: TypstPress, entry: GalleryEntry, language: Language) -> GalleryEntry:

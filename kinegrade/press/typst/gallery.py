@@ -11,7 +11,7 @@ from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line
 from kinegrade.press.places import locate_part
-from kinegrade.press.sheet import Gallery, GalleryEntry, GalleryFigure, PaperSize
+from kinegrade.press.sheet import Gallery, GalleryDemands, GalleryEntry, GalleryFigure, PaperSize
 from kinegrade.press.typst.layout_call import (
     Sheet,
     write_formula,
@@ -46,13 +46,29 @@ def _write_entry(entry: GalleryEntry, words: Catalogue) -> Sheet:
         on_request=lambda: _write_symbols(entry.on_request, entry.name),
         figures=lambda: convert_each(lambda draw: _write_figure(draw, entry.name), entry.figures),
     )
-    combinations = words.text("gallery.combinations", count=entry.combinations)
     return sheet | {
         "family": entry.family,
         "name": entry.name,
-        "combinations": combinations,
+        "demands": _write_demands(entry.demands, words),
+        "tags": entry.demands.tags if entry.demands else (),
         "faults": entry.faults,
     }
+
+
+def _write_demands(demands: GalleryDemands | None, words: Catalogue) -> str:
+    """How many combinations there are, how hard it is, how long it takes."""
+    if demands is None:
+        return ""
+    parts = (
+        words.text("gallery.combinations", count=demands.combinations),
+        words.text(
+            "gallery.demands",
+            difficulty=demands.difficulty,
+            most=demands.most,
+            count=demands.minutes,
+        ),
+    )
+    return " · ".join(parts)
 
 
 def _write_title(entry: GalleryEntry) -> str | None:

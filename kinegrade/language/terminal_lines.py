@@ -1,9 +1,12 @@
-"""Tables for a terminal, in which a Chinese character is two columns wide."""
+"""Tables and paragraphs for a terminal, in which a Chinese character is two columns wide."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from itertools import pairwise
 from unicodedata import combining, east_asian_width
+
+_CLOSING = "，。；：、）！？"  # begins no line
 
 
 def align(
@@ -43,6 +46,32 @@ def cut(text: str, columns: int) -> str:
     while _measure_width(text) >= columns:
         text = text[:-1]
     return f"{text}…"
+
+
+def wrap(text: str, columns: int) -> list[str]:
+    """A paragraph in lines of at most so many columns, broken at blanks and between Chinese
+    characters; a longer word stands alone.
+
+    >>> wrap("the crank OA turns", 10), wrap("曲柄绕轴转动。", 8)
+    (['the crank', 'OA turns'], ['曲柄绕轴', '转动。'])
+    """
+    lines = [""]
+    for piece in _split(text):
+        if lines[-1] and _measure_width(f"{lines[-1]}{piece}".rstrip()) > columns:
+            lines.append("")
+        lines[-1] += piece if lines[-1] else piece.lstrip()
+    return [line.rstrip() for line in lines]
+
+
+def _split(text: str) -> list[str]:
+    """The pieces between which a line may end, blanks among them."""
+    pieces = [""]
+    for before, letter in pairwise(f" {text}"):
+        ends = before.isspace() or letter.isspace() or 2 in map(_measure_width, (before, letter))
+        if ends and letter not in _CLOSING:
+            pieces.append("")
+        pieces[-1] += letter
+    return pieces
 
 
 def _write_line(cells: Sequence[str], widths: Sequence[int], numbers: Collection[int]) -> str:
