@@ -71,6 +71,12 @@ _WITH_ADD = (
     is_flag=True,
 )
 @click.option(
+    "--avoid",
+    type=FILE,
+    multiple=True,
+    metavar="EXAM",
+)
+@click.option(
     "--share-with-group",
     is_flag=True,
 )

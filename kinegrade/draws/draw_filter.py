@@ -14,6 +14,7 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 
 from kinegrade.draws.deck import Combination, Deck
+from kinegrade.draws.earlier import NONE_EARLIER, EarlierDraws
 from kinegrade.draws.examining import (
     Examined,
     Reason,
@@ -52,6 +53,7 @@ Verdict = Reason | None  # why a combination is refused; None for a good one
 class DrawFilter:
     """The filter of one question, by the tolerances of the asks it names, the significant figures
     that students `carry`, and the `honest` asks whose tolerance may be widened; see `Accuracy`.
+    What is among the `earlier` draws is refused.
 
     With `four_decimals` every right answer is still right when given to four decimals. Figures are
     drawn last, by `sketcher`, for what would be dealt otherwise.
@@ -65,6 +67,7 @@ class DrawFilter:
     carry: int = USUAL_CARRY
     honest: frozenset[str] = frozenset()
     sketcher: Sketcher = sketch
+    earlier: EarlierDraws = NONE_EARLIER
 
     def __getstate__(self) -> dict[str, object]:
         """What another process receives; it works out the rest itself."""
@@ -78,10 +81,14 @@ class DrawFilter:
     def verdicts(self, part: range) -> tuple[Verdict, ...]:
         """The verdict on the combination at each position of a part of the order."""
         combinations = [self.deck.combination(position) for position in part]
-        found = self.examine(combinations)
-        for values, one in zip(combinations, found, strict=True):
+        new = [values for values in combinations if not self.earlier.has(values)]
+        found = self.examine(new)
+        for values, one in zip(new, found, strict=True):
             self._keep(values, one)
-        return tuple(one.reason if isinstance(one, Refused) else None for one in found)
+        verdicts = iter(one.reason if isinstance(one, Refused) else None for one in found)
+        return tuple(
+            "earlier" if self.earlier.has(values) else next(verdicts) for values in combinations
+        )
 
     def examine(self, combinations: Sequence[Combination]) -> list[Examined | Refused]:
         """For each combination what is fit for students, or why it is not."""

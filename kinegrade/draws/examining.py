@@ -35,6 +35,8 @@ SMALLEST, LARGEST = (
     1e5,
 )  # sizes of answers, in the ask's unit, that a student can be asked to write
 Reason = Literal[
+    #: A student of an exam that is to be avoided had it.
+    "earlier",
     #: The template's own conditions do not hold.
     "condition",
     #: The mechanism cannot be assembled, or is at a dead point.

@@ -12,6 +12,7 @@ from kinegrade.draws.deal import count_reasons
 from kinegrade.errors import OptionError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.generating.adding import add_students as add_to_exam
+from kinegrade.exam.generating.earlier_exams import count_avoided
 from kinegrade.exam.generating.generate import Generated as Written
 from kinegrade.exam.generating.generate import generate as write_exam
 from kinegrade.exam.generating.options import GenerateOptions
@@ -111,6 +112,7 @@ def _list_notes(written: Written, place: Path, options: GenerateOptions) -> Iter
         refused = count_reasons(refusals[question])
         yield Message("terminal.combinations", question=question, count=count, refused=refused)
     yield from written.dealt.sharing()
+    yield from count_avoided(written.dealt)
     changes = () if written.changes is None else (written.changes.summary,)
     for what in (*changes, *written.remarks):
         yield Message("terminal.of", where=str(place), what=what)

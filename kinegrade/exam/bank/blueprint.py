@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
-from typing import Literal, assert_never
+from typing import Literal, TypeAlias, assert_never
 
 from kinegrade.draws.keyed_order import address
 from kinegrade.exam.bank.by_hand import HandQuestion
@@ -59,6 +59,9 @@ class BankQuestion:
         return sum((ask.points for ask in self.asks), Fraction(0))
 
 
+Earlier: TypeAlias = Mapping[str, tuple[Mapping[str, str], ...]]  # by template the values dealt
+
+
 @dataclass(frozen=True)
 class Bank:
     """An exam's questions with all that holds for the exam; `text` is the file as it was read, kept
@@ -72,7 +75,8 @@ class Bank:
     instructor asks for another; `credit` is for answers that are not right; with `solutions`,
     feedback includes the worked solutions unless requested otherwise; `lms` is the system that the
     exam will be imported into, if its draws have to suit one; `header` is the head of the papers;
-    the questions `by_hand` have no mechanism, and stand between the others.
+    the questions `by_hand` have no mechanism, and stand between the others. `earlier` is no part of
+    the file: what earlier exams dealt, and this one is not to deal again.
     """
 
     title: Translated
@@ -93,6 +97,7 @@ class Bank:
     lms: LMS | None = None
     header: Header = NO_HEADER
     by_hand: tuple[HandQuestion, ...] = ()
+    earlier: Earlier = field(default_factory=dict)
 
     @property
     def texts(self) -> Mapping[str, Translated]:

@@ -105,7 +105,16 @@ def _explain(values: Listing, refusal: Refused) -> Message:
     match refusal.reason:
         case "condition":
             return Message("bank.no-condition", values=values, why=refusal.detail)
-        case "mechanism" | "degenerate" | "absurd" | "rounding" | "mistake" | "decimals" | "figure":
+        case (
+            "earlier"
+            | "mechanism"
+            | "degenerate"
+            | "absurd"
+            | "rounding"
+            | "mistake"
+            | "decimals"
+            | "figure"
+        ):
             return Message("bank.no-mechanism", values=values)
         case _:
             assert_never(refusal.reason)

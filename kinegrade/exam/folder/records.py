@@ -68,7 +68,8 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     What its numbers are drawn from is `secret`, `label` and `codes`, or the words `reproducible`,
     which earlier versions called `seed`; it is not shown with the head. `credit` is the bank's
     table for answers that are not right, `solutions` whether feedback holds the worked solutions,
-    `editable` a digest of each file that people edit, as it was generated. `paper_size` and
+    `editable` a digest of each file that people edit, as it was generated. `earlier` has by
+    template the values that earlier exams dealt and nobody is to get again. `paper_size` and
     `engine` printed the papers, which all have so many `pages`, 0 where earlier versions printed
     them; `method` found the velocities of worked solutions, where one was
     asked for.
@@ -97,6 +98,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     students: tuple[Candidate, ...]
     by_hand: tuple[HandQuestion, ...] = ()
     editable: dict[str, str] | None = None
+    earlier: dict[str, tuple[dict[str, str], ...]] = {}
 
     def __repr__(self) -> str:
         return f"ExamHead({self.title!r}, {self.date!r})"

@@ -7,8 +7,8 @@ and says so.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from contextlib import closing
-from dataclasses import dataclass
+from contextlib import AbstractContextManager, closing
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -17,6 +17,11 @@ from kinegrade.exam.bank.blueprint import Bank, Blueprint
 from kinegrade.exam.folder.contents import CONTENTS, HEAD
 from kinegrade.exam.folder.exam_secret import ExamSecret
 from kinegrade.exam.folder.records import ExamHead, KeyLine
+from kinegrade.exam.generating.earlier_exams import (
+    list_repeated,
+    read_earlier_exams,
+    require_enough,
+)
 from kinegrade.exam.generating.exam_files import (
     source_files,
     translation_files,
@@ -45,7 +50,7 @@ from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.figure.sketchbook import open_sketchbook
-from kinegrade.files.output import output_folder
+from kinegrade.files.output import Access, output_folder
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message
@@ -92,19 +97,20 @@ def generate(
     require_tools(extras)
     old = replaced_exam(output, new_numbers=wish.new) if force else None
     secret = wish.secret(None if old is None else old.secret)
-    bank = blueprint.bank(secret.drawing)
+    stays = None if wish.new else old
+    earlier = read_earlier_exams(options.avoid, stays.head if stays else None)
+    bank = replace(blueprint.bank(secret.drawing), earlier=earlier)
     require_languages(bank, language, roster)
-    sources = {**source_files(bank), **translation_files(bank, known_languages())}
+    sources = source_files(bank) | translation_files(bank, known_languages())
     jobs = max(min(options.jobs, len(roster.students) // CHUNK), 1)
-    place = output_folder(
-        output, marker=HEAD, contents=CONTENTS, force=force, access=options.access
-    )
+    place = _open_exam_folder(output, options.access, force=force)
     processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
     with bulk_work(), place as folder, processes as workers, book as sketchbook:
         run = PrintRun(bank, language, options.press_order(bank), extras)
         press = run.press_order.press()
-        kept = _find_kept_papers(None if wish.new else old, secret)
+        kept = _find_kept_papers(stays, secret)
         dealt = deal_exam(bank, roster, secret, workers, kept, sketchbook=sketchbook)
+        require_enough(dealt)
         said = list_complaints(roster, press, dealt, strict=options.strict)
         printer = partial(print_class, workers=workers, jobs=jobs)
         with closing(printer(run, dealt)) as papers:
@@ -115,6 +121,11 @@ def generate(
         _write_rest(make_exam_head(dealt, candidates, run), sources, folder)
         settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
     return Generated(dealt, _list_drawn_templates(blueprint, bank), said, *settled)
+
+
+def _open_exam_folder(output: Path, access: Access, *, force: bool) -> AbstractContextManager[Path]:
+    """The new folder, which becomes `output` when it is whole."""
+    return output_folder(output, marker=HEAD, contents=CONTENTS, force=force, access=access)
 
 
 def _write_rest(head: ExamHead, sources: Mapping[str, str], folder: Path) -> None:
@@ -148,7 +159,7 @@ def list_complaints(
     """What a person should look at before papers of a class are handed out. Raises TableError
     where that is refused.
     """
-    found = (*roster_complaints(roster, press), *dealt.shortages())
+    found = (*roster_complaints(roster, press), *dealt.shortages(), *list_repeated(dealt))
     require_none(found if strict else ())
     return found
 

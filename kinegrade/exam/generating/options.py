@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.contents import FOR_STUDENTS
@@ -29,7 +30,8 @@ class GenerateOptions:
 
     Its numbers are drawn from a random secret into which `seed`, a label, is mixed, or from the
     words of `reproducible` alone; with `new_numbers`, a folder that is replaced does not keep its
-    numbers. `share_with_group` lets the user's group read the folder. `engine` is the bank's unless
+    numbers. Nobody gets numbers that anybody had in the exams whose folders are to `avoid`.
+    `share_with_group` lets the user's group read the folder. `engine` is the bank's unless
     one is given. `solutions` writes worked solutions, by `method` where several serve; `also` names
     the other kinds of files in which papers are wanted. What would be a complaint is refused where
     `strict`. Papers are printed by up to `jobs` processes; `progress` is given them one after
@@ -39,6 +41,7 @@ class GenerateOptions:
     seed: str | None = None
     reproducible: str | None = None
     new_numbers: bool = False
+    avoid: tuple[Path, ...] = ()
     share_with_group: bool = False
     paper_size: PaperSize = "a4"
     engine: Engine | None = None

@@ -90,14 +90,18 @@ class ClassDeal:
         return {name: each.refused for name, each in self.deals.items()}
 
     def shortages(self) -> tuple[Fault, ...]:
+        """The lines of `find_shortages`."""
+        return tuple(self.find_shortages().values())
+
+    def find_shortages(self) -> Mapping[str, Fault]:
         """A line for each question of which several students, or versions, have the same numbers
         because there are too few, where the bank does not allow it.
         """
-        return tuple(
-            self._explain_shortage(each)
+        return {
+            each.identifier: self._explain_shortage(each)
             for each in self.bank.questions
             if each.dealing == "own" and not self.deals[each.identifier].lasting
-        )
+        }
 
     def _explain_shortage(self, question: BankQuestion) -> Fault:
         name = question.identifier

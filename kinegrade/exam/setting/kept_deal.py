@@ -5,11 +5,9 @@ another version of kinegrade, or another bank, would deal others to the same pla
 from __future__ import annotations
 
 from collections.abc import Mapping
-from contextlib import suppress
 
 from kinegrade.draws.deck import Combination, Deck
-from kinegrade.errors import ExpressionError
-from kinegrade.problem.template.domain import find_digits
+from kinegrade.draws.earlier import find_choice
 
 Stated = Mapping[str, Mapping[str, Mapping[str, str]]]  # by paper and question the values it has
 
@@ -32,16 +30,8 @@ def _find_combination(deck: Deck, texts: Mapping[str, str]) -> Combination | Non
         return None
     found = {}
     for name, choices in deck.domains.items():
-        choice = texts[name] if texts[name] in choices else _find_equal_choice(texts[name], choices)
+        choice = find_choice(texts[name], choices)
         if choice is None:
             return None
         found[name] = choice
     return found
-
-
-def _find_equal_choice(text: str, choices: tuple[str, ...]) -> str | None:
-    """The choice that is the same number in another form."""
-    with suppress(ExpressionError):
-        number = find_digits(text)
-        return next((choice for choice in choices if find_digits(choice) == number), None)
-    return None

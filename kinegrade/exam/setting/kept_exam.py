@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Literal, TypeAlias
@@ -37,7 +37,8 @@ class KeptExam:
     def bank(self) -> Bank:
         """The bank from its copy. Raises BankError."""
         chosen = {each.question: each.template for each in self.exam.head.questions}
-        return read_kept_bank(self.exam.path / BANK, self.exam.path / TEMPLATES, chosen)
+        bank = read_kept_bank(self.exam.path / BANK, self.exam.path / TEMPLATES, chosen)
+        return replace(bank, earlier=self.exam.head.earlier)
 
     @cached_property
     def unkeyed(self) -> Exam:

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from kinegrade.draws.deck import Combination, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
+from kinegrade.draws.earlier import find_earlier_draws
 from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.roster.students import Student
 from kinegrade.figure.sketch import Sketcher
@@ -43,18 +44,25 @@ class Exam:
     def filters(self) -> Mapping[str, DrawFilter]:
         """The filter of each question."""
         return {
-            question.identifier: DrawFilter(
-                question.template,
-                tuple(ask.name for ask in question.asks),
-                make_deck(question.template, self.secret, question.identifier, question.domains),
-                {ask.name: ask.tolerance for ask in question.asks},
-                four_decimals=self.bank.four_decimals,
-                carry=self.bank.carry,
-                honest=frozenset(ask.name for ask in question.asks if ask.honest),
-                sketcher=self.sketcher,
-            )
-            for question in self.bank.questions
+            question.identifier: self._make_filter(question) for question in self.bank.questions
         }
+
+    def _make_filter(self, question: BankQuestion) -> DrawFilter:
+        template, asks = question.template, tuple(ask.name for ask in question.asks)
+        deck = make_deck(template, self.secret, question.identifier, question.domains)
+        return DrawFilter(
+            template,
+            asks,
+            deck,
+            {ask.name: ask.tolerance for ask in question.asks},
+            four_decimals=self.bank.four_decimals,
+            carry=self.bank.carry,
+            honest=frozenset(ask.name for ask in question.asks if ask.honest),
+            sketcher=self.sketcher,
+            earlier=find_earlier_draws(
+                template, asks, deck, self.bank.earlier.get(template.name, ())
+            ),
+        )
 
 
 @dataclass(frozen=True)
