@@ -14,9 +14,10 @@ import click
 
 from kinegrade import __version__
 from kinegrade.cli.choosing import list_templates, show
-from kinegrade.cli.exams import generate, paper, papers, solutions
+from kinegrade.cli.exams import generate
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
+from kinegrade.cli.printing import paper, papers, reprint_exam, sample, solutions
 from kinegrade.cli.program import Program
 from kinegrade.cli.quiz import quiz
 from kinegrade.cli.rosters import roster
@@ -44,8 +45,10 @@ for command in (
     gallery,
     roster,
     generate,
+    sample,
     papers,
     paper,
+    reprint_exam,
     solutions,
     grade,
     diff,

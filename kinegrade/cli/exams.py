@@ -1,10 +1,7 @@
-"""The commands that set an exam and give out its papers: generate, papers, paper,
-solutions.
-"""
+"""The command that sets an exam: generate."""
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,17 +18,15 @@ from kinegrade.cli.options import (
     LANGUAGE,
     METHOD,
     finish,
-    finish_with_complaints,
     refusing,
     require_writable,
     show_progress,
 )
-from kinegrade.cli.terminal import refuse_usage, say
+from kinegrade.cli.terminal import refuse_usage
 from kinegrade.language.message import Message, list_plainly
 
 if TYPE_CHECKING:
     from kinegrade.exam.roster.columns import Wishes
-    from kinegrade.problem.template.template import Method
 
 _WITH_ADD = (
     "bank",
@@ -161,78 +156,3 @@ def _expect_no_other_wishes() -> None:
     ]
     if given:
         raise refuse_usage(Message("terminal.add-alone", options=list_plainly(given)))
-
-
-@command()
-@click.argument("exam", type=FILE)
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    required=True,
-    metavar="DIR",
-)
-@FORCE
-@refusing
-def papers(exam: Path, output: Path, *, force: bool) -> None:
-    """Copy from EXAM what students may have: everybody's paper as PDF, and for Word and the browser
-    where it exists.
-    """
-    from kinegrade.exam.printing.handout import hand_out
-
-    count = hand_out(kinegrade.open_exam(exam), output, force=force)
-    say(Message("terminal.handed-out", folder=str(output), count=count))
-
-
-@command()
-@click.argument("exam", type=FILE)
-@click.argument("student")
-@click.option(
-    "--solution",
-    is_flag=True,
-)
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="FILE",
-)
-@FORCE
-@refusing
-def paper(exam: Path, student: str, output: Path | None, *, solution: bool, force: bool) -> None:
-    """Print the paper of one STUDENT again, by id, as EXAM keeps it: byte for byte the one that
-    this version of kinegrade generated.
-    """
-    from kinegrade.exam.printing.reprint import reprint
-    from kinegrade.files.output import write_file
-
-    if output is None and sys.stdout.isatty():
-        raise refuse_usage(Message("terminal.pdf"))
-    again = reprint(kinegrade.open_exam(exam), student)
-    pages = again.solution() if solution else again.pages()
-    if output is None:
-        click.echo(pages, nl=False)
-    else:
-        write_file(output, pages, force=force)
-    finish_with_complaints(again.complaints())
-
-
-@command()
-@click.argument("exam", type=FILE)
-@click.argument("students", nargs=-1, metavar="[STUDENT]...")
-@METHOD
-@JOBS
-@FORCE
-@refusing
-def solutions(
-    exam: Path, students: tuple[str, ...], *, method: Method | None, jobs: int, force: bool
-) -> None:
-    """Write the worked solutions of an EXAM that has none, or those of each STUDENT named, by id:
-    byte for byte those of generate --solutions.
-    """
-    from kinegrade.exam.generating.later_solutions import SolutionWishes, add_solutions
-
-    folder = kinegrade.open_exam(exam)
-    wishes = SolutionWishes(students, method, jobs, force, show_progress)
-    count = add_solutions(folder, wishes)
-    say(Message("terminal.solutions-written", exam=str(exam), count=count))

@@ -24,12 +24,11 @@ from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.page_counts import list_longer_papers
 from kinegrade.exam.generating.replaced_exam import read_replaced, required_secret
 from kinegrade.exam.printing.class_printing import CHUNK, print_class
-from kinegrade.exam.printing.handout import KINDS
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.pages import make_key_paper
 from kinegrade.exam.printing.paper_languages import require_languages
 from kinegrade.exam.printing.printing import PrintRun, require_tools
-from kinegrade.exam.printing.reprint import kept_run
+from kinegrade.exam.printing.reprint import find_kinds, kept_run
 from kinegrade.exam.printing.room_booklets import write_room_booklets
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
@@ -116,13 +115,7 @@ def _run(exam: ExamFolder, kept: KeptExam, late: Roster) -> PrintRun:
         raise OutputError(
             *(Fault(str(exam.path / f"{name}.pdf"), _MISSING[name]) for name in missing)
         )
-    stems = [Path(each.file).stem for each in exam.head.students]
-    also = tuple(
-        kind.removeprefix(".")
-        for kind in KINDS[1:]
-        if any((exam.path / PAPERS / f"{stem}{kind}").is_file() for stem in stems)
-    )
-    return kept_run(exam, kept, solutions=solutions, also=also)
+    return kept_run(exam, kept, solutions=solutions, also=find_kinds(exam))
 
 
 def _copy(exam: ExamFolder, folder: Path) -> None:

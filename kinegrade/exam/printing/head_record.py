@@ -72,13 +72,14 @@ def _make_exam_question(
         refused={str(reason): count for reason, count in deal.refused.items()},
         good=UNSET if deal.lasting else deal.good,
         asks=tuple(
-            _make_ask(question.identifier, ask, question.template.asks[ask.name], language)
+            make_ask(question.identifier, ask, question.template.asks[ask.name], language)
             for ask in question.asks
         ),
     )
 
 
-def _make_ask(question: str, asked: BankAsk, ask: TemplateAsk, language: Language) -> Ask:
+def make_ask(question: str, asked: BankAsk, ask: TemplateAsk, language: Language) -> Ask:
+    """An ask as the head states it."""
     return Ask(
         question,
         asked.name,

@@ -10,14 +10,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from pathlib import Path
 from typing import TypeVar
 
 import msgspec
 
 from kinegrade.errors import ExamError, Problem, suggest
+from kinegrade.exam.folder.contents import PAPERS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import Candidate
+from kinegrade.exam.printing.handout import KINDS
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.roster.complaints import roster_complaints
@@ -99,6 +102,16 @@ def kept_run(exam: ExamFolder, kept: KeptExam, **extras: object) -> PrintRun:
         _converted(exam, order, PressOrder),
         _converted(exam, {**method, **extras}, Extras),
         pages=head.pages,
+    )
+
+
+def find_kinds(exam: ExamFolder) -> tuple[str, ...]:
+    """The kinds of files, besides PDF, in which the folder has papers."""
+    stems = [Path(each.file).stem for each in exam.head.students]
+    return tuple(
+        kind.removeprefix(".")
+        for kind in KINDS[1:]
+        if any((exam.path / PAPERS / f"{stem}{kind}").is_file() for stem in stems)
     )
 
 

@@ -1,5 +1,5 @@
-"""Pages of a single template: a sample for the author (`kinegrade show -o`), a worked solution
-(`solve -o`).
+"""Pages outside an exam: a sample of a template for its author (`kinegrade show -o`), a first proof
+of a bank (`sample`), a worked solution (`solve -o`).
 """
 
 from __future__ import annotations
@@ -9,9 +9,11 @@ from fractions import Fraction
 
 from kinegrade.draws.examining import Refused, require_doubles
 from kinegrade.errors import MechanismError
-from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
+from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion, Blueprint
+from kinegrade.exam.bank.texts import require_bank_language
 from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.printing.pages import QuestionPlace, lay_out_paper
+from kinegrade.exam.printing.printing import PressOrder
 from kinegrade.exam.printing.solution_pages import work_question
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import Student
@@ -57,6 +59,18 @@ def print_sample(template: Template, seed: str, language: Language) -> bytes:
     student = Student("sample", "Sample", "", "sample")
     dealt = deal_exam(make_sample_bank(template), Roster((student,), ()), FromWords(seed))
     return TypstPress().paper(lay_out_paper(dealt.bank, next(dealt.papers()), language))
+
+
+def print_first_proof(blueprint: Blueprint, seed: str, language: Language) -> bytes:
+    """One paper of a bank, as nobody gets it, as PDF. Raises BankError, DrawError, TypesetError."""
+    secret = FromWords(seed)
+    bank = blueprint.bank(secret.drawing)
+    require_bank_language(bank, language)
+    student = Student("sample", "Sample", "", "sample")
+    dealt = deal_exam(bank, Roster((student,), ()), secret)
+    press = PressOrder(bank.engine, "a4").press()
+    sheet = lay_out_paper(bank, next(dealt.papers()), language)
+    return press.papers({student.file_name: sheet})[student.file_name].pdf
 
 
 def print_worked_solution(

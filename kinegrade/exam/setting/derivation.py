@@ -53,16 +53,26 @@ def derive_question(
 
     Raises ExamError, with all differences, if the result is not what the key states.
     """
+    derived = work_out(question, kept, where, plan)
+    differences = list(find_differences(derived, kept))
+    if differences:
+        raise explain_contradiction(where, differences)
+    return derived
+
+
+def work_out(
+    question: BankQuestion, kept: KeyQuestion, where: Text, plan: Plan | None = None
+) -> SetQuestion:
+    """The question with the values that its key keeps, whatever follows from them.
+
+    Raises ExamError where nothing does.
+    """
     solution = _solve(question, kept, where, plan)
     tolerances = {
         ask.name: _find_tolerance(ask, solution, kept.asks.get(ask.name), where)
         for ask in question.asks
     }
-    derived = set_drawn(question, Drawn(kept.values, solution), tolerances)
-    differences = list(_find_differences(derived, kept))
-    if differences:
-        raise explain_contradiction(where, differences)
-    return derived
+    return set_drawn(question, Drawn(kept.values, solution), tolerances)
 
 
 def _solve(question: BankQuestion, kept: KeyQuestion, where: Text, plan: Plan | None) -> Solution:
@@ -91,7 +101,7 @@ def _find_tolerance(
     return replace(stated, relative=max(rule.relative, stated.relative))
 
 
-def _find_differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[Problem]:
+def find_differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[Problem]:
     """The differences between a question and its key, each with both values."""
     parameters = derived.drawn.solution.parameters
     asks = {entry.ask.name: entry for entry in derived.asks}

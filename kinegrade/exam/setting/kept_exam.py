@@ -16,9 +16,9 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import explain_broken
 from kinegrade.exam.folder.records import Candidate, KeyLine, KeyQuestion
 from kinegrade.exam.roster.students import Student
-from kinegrade.exam.setting.derivation import derive_question
+from kinegrade.exam.setting.derivation import derive_question, find_differences, work_out
 from kinegrade.exam.setting.setting import Exam, SetPaper, SetQuestion
-from kinegrade.language.message import Message, Quoted
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.plan import Plan
 from kinegrade.students.following.connections import find_generic_plan
 
@@ -55,6 +55,24 @@ class KeptExam:
         if question is None:
             raise explain_contradiction(where, [Message("exam.no-question-of-bank")])
         return derive_question(question, kept, where, plan)
+
+    def rework(self, candidate: Candidate) -> tuple[SetPaper, tuple[Fault, ...]]:
+        """The paper of a student worked out from its values, whatever follows from them, and each
+        place where that differs from the key. Raises ExamError, BankError.
+        """
+        line = self._line(candidate.student)
+        names, stated = tuple(self._questions), {each.question: each for each in line.questions}
+        questions, differences = [], []
+        for name, question in self._questions.items():
+            where = Message("exam.student-question", student=Quoted(line.student), question=name)
+            reworked = work_out(question, stated[name], where)
+            differences += [Fault(where, each) for each in find_differences(reworked, stated[name])]
+            questions.append(reworked)
+        order = tuple(map(names.index, line.order))
+        paper = SetPaper(
+            student_of(candidate), line.paper, tuple(questions), order, line.version, line.place
+        )
+        return paper, tuple(differences)
 
     def paper(self, candidate: Candidate) -> SetPaper:
         """The paper of a student of the exam, as it was set.

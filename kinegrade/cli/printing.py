@@ -1,0 +1,137 @@
+"""The commands that print papers: sample, papers, paper, reprint, solutions."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+import kinegrade
+from kinegrade.cli.help import command
+from kinegrade.cli.options import (
+    FILE,
+    FORCE,
+    JOBS,
+    LANGUAGE,
+    METHOD,
+    finish_with_complaints,
+    refusing,
+    require_writable,
+    show_progress,
+)
+from kinegrade.cli.terminal import refuse_usage, say
+from kinegrade.language.message import Message
+
+if TYPE_CHECKING:
+    from kinegrade.language import Language
+    from kinegrade.problem.template.template import Method
+
+
+@command()
+@click.argument("bank", type=FILE)
+@click.option("-o", "--output", type=FILE, required=True, metavar="FILE")
+@click.option("--seed", callback=require_writable, default="sample", show_default=True)
+@LANGUAGE
+@FORCE
+@refusing
+def sample(bank: Path, *, output: Path, seed: str, language: Language, force: bool) -> None:
+    """Print one paper of BANK to read through before an exam is generated."""
+    from kinegrade.exam.printing.sample import print_first_proof
+    from kinegrade.files.output import write_file
+
+    blueprint = kinegrade.Bank.read(bank).blueprint
+    write_file(output, print_first_proof(blueprint, seed, language), force=force)
+
+
+@command()
+@click.argument("exam", type=FILE)
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    required=True,
+    metavar="DIR",
+)
+@FORCE
+@refusing
+def papers(exam: Path, output: Path, *, force: bool) -> None:
+    """Copy from EXAM what students may have: everybody's paper as PDF, and for Word and the browser
+    where it exists.
+    """
+    from kinegrade.exam.printing.handout import hand_out
+
+    count = hand_out(kinegrade.open_exam(exam), output, force=force)
+    say(Message("terminal.handed-out", folder=str(output), count=count))
+
+
+@command()
+@click.argument("exam", type=FILE)
+@click.argument("student")
+@click.option(
+    "--solution",
+    is_flag=True,
+)
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    metavar="FILE",
+)
+@FORCE
+@refusing
+def paper(exam: Path, student: str, output: Path | None, *, solution: bool, force: bool) -> None:
+    """Print the paper of one STUDENT again, by id, as EXAM keeps it: byte for byte the one that
+    this version of kinegrade generated.
+    """
+    from kinegrade.exam.printing.reprint import reprint
+    from kinegrade.files.output import write_file
+
+    if output is None and sys.stdout.isatty():
+        raise refuse_usage(Message("terminal.pdf"))
+    again = reprint(kinegrade.open_exam(exam), student)
+    pages = again.solution() if solution else again.pages()
+    if output is None:
+        click.echo(pages, nl=False)
+    else:
+        write_file(output, pages, force=force)
+    finish_with_complaints(again.complaints())
+
+
+@command("reprint")
+@click.argument("exam", type=FILE)
+@click.option("--template", type=FILE, required=True, metavar="FILE")
+@click.option("--accept-changes", is_flag=True)
+@JOBS
+@refusing
+def reprint_exam(exam: Path, *, template: Path, accept_changes: bool, jobs: int) -> None:
+    """Print the papers of EXAM again with a corrected template, and keep all numbers."""
+    from kinegrade.exam.generating.corrected_template import CorrectionWishes, correct_template
+
+    folder = kinegrade.open_exam(exam)
+    wishes = CorrectionWishes(accept_changes, jobs, show_progress)
+    corrected = correct_template(folder, template, wishes)
+    say(Message("terminal.reprinted", exam=str(exam), count=corrected.papers))
+    finish_with_complaints(corrected.changes)
+
+
+@command()
+@click.argument("exam", type=FILE)
+@click.argument("students", nargs=-1, metavar="[STUDENT]...")
+@METHOD
+@JOBS
+@FORCE
+@refusing
+def solutions(
+    exam: Path, students: tuple[str, ...], *, method: Method | None, jobs: int, force: bool
+) -> None:
+    """Write the worked solutions of an EXAM that has none, or those of each STUDENT named, by id:
+    byte for byte those of generate --solutions.
+    """
+    from kinegrade.exam.generating.later_solutions import SolutionWishes, add_solutions
+
+    folder = kinegrade.open_exam(exam)
+    wishes = SolutionWishes(students, method, jobs, force, show_progress)
+    count = add_solutions(folder, wishes)
+    say(Message("terminal.solutions-written", exam=str(exam), count=count))

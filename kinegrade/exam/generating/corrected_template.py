@@ -1,0 +1,198 @@
+"""`kinegrade reprint`: a template's text is corrected after papers were generated, and the numbers
+stay.
+
+The corrected template takes the place of the folder's copy, everything is worked out from the
+values that the folder keeps and compared with its key, and the papers are printed again.
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Generator, Iterator
+from contextlib import closing
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+
+from msgspec import structs
+
+from kinegrade.errors import ExamError, Problem, suggest
+from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.folder.contents import KEY, PAPERS, SOLUTIONS, TEMPLATES
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import ExamHead
+from kinegrade.exam.folder.writing import encode_line
+from kinegrade.exam.generating.exam_files import (
+    source_files,
+    translation_files,
+    write_head,
+    write_papers,
+    write_sources,
+)
+from kinegrade.exam.generating.grown_folder import copy_exam, digest_grown, open_grown_folder
+from kinegrade.exam.generating.hand_work import find_edited, refuse_edited
+from kinegrade.exam.printing.class_printing import CHUNK
+from kinegrade.exam.printing.class_reprint import print_class_again
+from kinegrade.exam.printing.head_record import make_ask
+from kinegrade.exam.printing.printing import Printed, PrintRun
+from kinegrade.exam.printing.reprint import find_kinds, kept_run
+from kinegrade.exam.printing.room_booklets import write_room_booklets
+from kinegrade.exam.setting.kept_exam import KeptExam, student_of
+from kinegrade.exam.setting.key_mistakes import find_mistaken_answers
+from kinegrade.exam.setting.key_record import make_key_line
+from kinegrade.exam.setting.setting import SetPaper
+from kinegrade.language import Language
+from kinegrade.language.known import known_languages
+from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.problem.statement_faults import check_statements
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.texts import require_language
+from kinegrade.processes.executor import open_executor
+from kinegrade.processes.garbage_collection import bulk_work
+
+_NAMED = 10  # changes that a refusal names
+Progress = Callable[[Iterator[Printed], int], Iterator[Printed]]
+_Printer = Callable[[PrintRun], Generator[Printed, None, None]]
+
+
+@dataclass(frozen=True)
+class CorrectionWishes:
+    """`accept` lets answers, givens and points change; papers are printed by up to `jobs`
+    processes, and `progress` is given them one after another, and their number.
+    """
+
+    accept: bool
+    jobs: int
+    progress: Progress
+
+
+@dataclass(frozen=True)
+class Corrected:
+    """How many papers were printed again, and what changed on them for whom."""
+
+    papers: int
+    changes: tuple[Problem, ...]
+
+
+def correct_template(exam: ExamFolder, file: Path, wishes: CorrectionWishes) -> Corrected:
+    """Put the template of that file into the exam in place of the one of its name, and print all
+    papers again, as they were printed.
+
+    Raises ExamError where the exam has no template of that name, or where an answer, a given or
+    points would change that may not; TemplateError, OutputError; then nothing is written.
+    """
+    template = _read_correction(exam, file)
+    jobs = max(min(wishes.jobs, len(exam.students) // CHUNK), 1)
+    with bulk_work(), open_grown_folder(exam) as folder, open_executor(jobs, "reprint") as workers:
+        copy_exam(exam, folder)
+        _write_template(template, exam, folder)
+        changes = _settle_changes(exam, KeptExam(replace(exam, path=folder)), accept=wishes.accept)
+        kept = KeptExam(replace(exam, path=folder))
+        kinds = {"solutions": (exam.path / SOLUTIONS).exists(), "also": find_kinds(exam)}
+        run = kept_run(exam, kept, **kinds)
+        print_again = partial(print_class_again, kept, workers=workers, jobs=jobs)
+        pages = _print_alike(exam, run, wishes.progress, print_again, folder)
+        head = structs.replace(_restate(exam.head, kept.bank), pages=pages)
+        _write_head(exam, head, template, folder)
+    return Corrected(len(exam.students), changes)
+
+
+def _read_correction(exam: ExamFolder, file: Path) -> Template:
+    """The template of a file, which corrects one of the exam. Raises TemplateError, ExamError."""
+    template = load_template(str(file))
+    known = [each.template for each in exam.head.questions]
+    if template.name not in known:
+        what = Message("exam.no-template", template=Quoted(template.name), exam=str(exam.path))
+        do = suggest(template.name, known)
+        raise ExamError(Fault(str(file), what, Message("exam.name-as-generated"), do))
+    check_statements(template)
+    for language in {exam.language, *(each.language for each in exam.head.students)} - {""}:
+        require_language([template], Language(language))
+    return template
+
+
+def _write_template(template: Template, exam: ExamFolder, folder: Path) -> None:
+    """The template's files in place of those of its name, its translations too."""
+    bank = KeptExam(exam).bank
+    (question, *_) = (each for each in bank.questions if each.template.name == template.name)
+    corrected = replace(bank, questions=(replace(question, template=template),))
+    templates = folder / TEMPLATES
+    for stale in (*templates.glob(f"{template.name}.*.toml"), templates / f"{template.name}.toml"):
+        stale.unlink(missing_ok=True)
+    sources = source_files(corrected) | translation_files(corrected, known_languages())
+    write_sources(sources, folder)
+
+
+def _settle_changes(exam: ExamFolder, kept: KeptExam, *, accept: bool) -> tuple[Problem, ...]:
+    """What changes for whom; where that is accepted, the key states it from now on.
+
+    Raises ExamError where it is not, and where nothing follows from the values any more.
+    """
+    reworked = [kept.rework(candidate) for candidate in kept.exam.head.students]
+    changes = tuple(each for _, differences in reworked for each in differences)
+    if changes and not accept:
+        more = [Message("exam.more-changes", count=len(changes) - _NAMED)]
+        refusal = Fault(str(exam.key), Message("exam.would-change"), do=Message("exam.accept"))
+        raise ExamError(*changes[:_NAMED], *(more if len(changes) > _NAMED else ()), refusal)
+    if changes:
+        _write_key(kept, [paper for paper, _ in reworked])
+    return changes
+
+
+def _write_key(kept: KeptExam, papers: list[SetPaper]) -> None:
+    lines = (
+        encode_line(make_key_line(paper, mistakes, shuffled=kept.bank.shuffle))
+        for paper, mistakes in zip(papers, find_mistaken_answers(papers), strict=True)
+    )
+    kept.exam.key.write_bytes(b"".join(lines))
+
+
+def _print_alike(
+    exam: ExamFolder, run: PrintRun, progress: Progress, print_again: _Printer, folder: Path
+) -> int:
+    """Print all papers over those of the folder, and give the number of pages that each has: that
+    of the longest, or as many as before.
+    """
+    key = (folder / KEY).read_bytes()
+    pages = _print_once(exam, run, progress, print_again, folder)
+    if min(pages) < max(pages):
+        pages = _print_once(exam, replace(run, pages=max(pages)), progress, print_again, folder)
+    write_room_booklets(folder, map(student_of, exam.head.students))
+    (folder / KEY).write_bytes(key)  # as it was, where another version would write other mistakes
+    return max(pages)
+
+
+def _print_once(
+    exam: ExamFolder, run: PrintRun, progress: Progress, print_again: _Printer, folder: Path
+) -> tuple[int, ...]:
+    for name in (PAPERS, *([SOLUTIONS] if run.extras.solutions else ())):
+        shutil.rmtree(folder / name)
+        (folder / f"{name}.pdf").unlink(missing_ok=True)
+    students = tuple(map(student_of, exam.head.students))
+    with closing(print_again(run)) as papers:
+        shown = progress(papers, len(students))
+        return write_papers(folder, run, run.press_order.press(), students, shown).pages
+
+
+def _restate(head: ExamHead, bank: Bank) -> ExamHead:
+    """The head with the asks as the corrected templates state them."""
+    asked = {each.identifier: each for each in bank.questions}
+    questions = []
+    for stated in head.questions:
+        question = asked[stated.question]
+        asks = tuple(
+            make_ask(stated.question, ask, question.template.asks[ask.name], head.language)
+            for ask in question.asks
+        )
+        questions.append(structs.replace(stated, points=question.points, asks=asks))
+    return structs.replace(head, questions=tuple(questions))
+
+
+def _write_head(exam: ExamFolder, head: ExamHead, template: Template, folder: Path) -> None:
+    """The head. Raises OutputError where a file would be lost that was edited by hand."""
+    own = f"{TEMPLATES}/{template.name}."
+    lost = [name for name in find_edited(exam.path, exam.head, folder) if not name.startswith(own)]
+    if lost:
+        raise refuse_edited(exam.path, lost)
+    write_head(head, digest_grown(exam, folder), folder)

@@ -1,0 +1,138 @@
+"""`kinegrade reprint`: a typo in a template is corrected after papers were generated, and all numbers
+stay.
+"""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from click.testing import Result
+from pypdf import PdfReader
+
+from tests.problem.crank import crank_text
+from tests.small_class import VANISHING, contents, key_lines, kinegrade
+
+TYPO = ("The crank {{ r }} turns", "The corrected crank {{ r }} turns")
+OTHER_ANSWER = ('"y(velocity(A))"', '"2*y(velocity(A))"')
+
+
+@pytest.fixture
+def exam(small_class: Path, tmp_path: Path) -> Path:
+    """An exam whose second question is the crank."""
+    return Path(shutil.copytree(small_class / "EXAM", tmp_path / "EXAM"))
+
+
+def correct(exam: Path, *changes: tuple[str, str], options: tuple[str, ...] = ()) -> Result:
+    """Reprint with a template that has these changes."""
+    file = exam.parent / "crank.toml"
+    file.write_text(crank_text(VANISHING, *changes), encoding="utf-8")
+    return kinegrade("reprint", exam, "--template", file, "--jobs", "1", *options)
+
+
+def read(paper: Path) -> str:
+    return " ".join(" ".join(page.extract_text().split()) for page in PdfReader(paper).pages)
+
+
+def test_the_text_is_new_and_all_numbers_stay(exam: Path) -> None:
+    before, key = contents(exam), (exam / "key.jsonl").read_bytes()
+    result = correct(exam, TYPO)
+    assert (result.exit_code, result.stderr) == (
+        0,
+        f"{exam}: 4 papers printed again with the corrected template\n",
+    )
+    assert (exam / "key.jsonl").read_bytes() == key
+    assert "The corrected crank" in (exam / "templates" / "crank.toml").read_text(encoding="utf-8")
+    for paper in ("papers/007.pdf", "papers.pdf"):
+        assert "The corrected crank" in read(exam / paper)
+    after = contents(exam)
+    assert after.keys() == before.keys()
+    assert before["papers/007.pdf"] != after["papers/007.pdf"]
+    same = ("bank.toml", "answers.csv", "key.pdf", "templates/slider-crank.toml")
+    assert {name: after[name] for name in same} == {name: before[name] for name in same}
+
+
+def test_a_paper_printed_alone_is_the_one_of_the_folder(exam: Path) -> None:
+    assert correct(exam, TYPO).exit_code == 0
+    alone = exam.parent / "alone.pdf"
+    assert kinegrade("paper", exam, "0012", "-o", alone).exit_code == 0
+    assert alone.read_bytes() == (exam / "papers" / "0012.pdf").read_bytes()
+
+
+def test_the_uncorrected_template_changes_nothing(exam: Path) -> None:
+    before = contents(exam)
+    assert correct(exam).exit_code == 0
+    assert contents(exam) == before
+
+
+def test_worked_solutions_are_printed_again(exam: Path) -> None:
+    assert kinegrade("solutions", exam, "--jobs", "1").exit_code == 0
+    before = contents(exam)
+    assert correct(exam, TYPO).exit_code == 0
+    assert contents(exam).keys() == before.keys()
+
+
+def test_another_answer_is_refused_for_each_student(exam: Path) -> None:
+    before = contents(exam)
+    result = correct(exam, OTHER_ANSWER)
+    assert (result.exit_code, result.stdout) == (2, "")
+    lines = result.stderr.splitlines()
+    whose = [line.split(" is ")[0] for line in lines[:-1]]
+    assert whose[0] == 'error: student "007", q2: v_y'
+    assert lines[-1].endswith(
+        "key.jsonl: the correction changes answers, givens or points - correct the words alone, or "
+        "use --accept-changes if no paper has been handed out"
+    )
+    assert ".EXAM" not in result.stderr
+    assert contents(exam) == before
+
+
+def test_accepted_changes_are_said_and_stand_in_the_key(exam: Path) -> None:
+    old = {line["student"]: line for line in key_lines(exam)}
+    result = correct(exam, OTHER_ANSWER, options=("--accept-changes",))
+    assert result.exit_code == 1
+    assert 'complaint: student "=2", q2: v_y is 4.0 by the key, but 8 follows' in result.stderr
+    for line in key_lines(exam):
+        first, crank, third = line["questions"]
+        was = old[line["student"]]["questions"]
+        assert (first, third) == (was[0], was[2])
+        assert crank["asks"]["v_y"]["value"] == 2 * was[1]["asks"]["v_y"]["value"]
+        assert crank["drawn"] == was[1]["drawn"]
+    assert kinegrade("paper", exam, "007", "-o", exam.parent / "one.pdf").exit_code == 0
+
+
+def test_a_given_of_another_unit_is_refused(exam: Path) -> None:
+    result = correct(exam, ('r     = { unit = "m"', 'r     = { unit = "cm"'))
+    assert result.exit_code == 2
+    assert "q2: r is in m by the key, in cm by the template" in result.stderr
+
+
+def test_a_template_that_the_exam_does_not_have_is_refused(exam: Path) -> None:
+    file = exam.parent / "cranc.toml"
+    file.write_text(crank_text(VANISHING), encoding="utf-8")
+    before = contents(exam)
+    result = kinegrade("reprint", exam, "--template", file)
+    assert result.exit_code == 2
+    assert result.stderr.startswith(f'error: {file}: {exam} has no template "cranc" - expected')
+    assert 'did you mean "crank"' in result.stderr
+    assert contents(exam) == before
+
+
+def test_a_faulty_template_is_refused(exam: Path) -> None:
+    result = correct(exam, ("{{ h.value }} above", "above"))
+    assert result.exit_code == 2
+    assert "the parameter h is not given to the student" in result.stderr
+
+
+def test_a_first_proof_is_a_paper_of_the_bank(small_class: Path, tmp_path: Path) -> None:
+    proof = tmp_path / "proof.pdf"
+    bank = small_class / "bank.toml"
+    assert kinegrade("sample", bank, "-o", proof, "--lang", "zh").exit_code == 0
+    assert "期中测验" in read(proof)
+    first = proof.read_bytes()
+    assert kinegrade("sample", bank, "-o", proof).exit_code == 2  # it is there already
+    assert kinegrade("sample", bank, "-o", proof, "--lang", "zh", "--force").exit_code == 0
+    assert proof.read_bytes() == first
+    refused = kinegrade("sample", bank, "-o", tmp_path / "de.pdf", "--lang", "de")
+    assert (refused.exit_code, (tmp_path / "de.pdf").exists()) == (2, False)
