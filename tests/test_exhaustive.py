@@ -20,7 +20,7 @@ from tests.own_words import Vocabulary, vocabulary
 pytestmark = pytest.mark.xdist_group("exhaustive")  # one worker reads the package, once
 PACKAGE = Path(kinegrade.__file__).parent
 EXCEPTIONS = {
-    "press/solution_blocks.py: match (block, following, third): _": "what stays together is named; "
+    "press/solutions/chains.py: match (block, following, third): _": "what stays together is named; "
     "a new block may be parted from its neighbours, which costs looks and nothing else",
     "lms/grades/from_scratch.py: options.columns.get(item, '')": "what the instructor named no column for",
     "grading/judging/decision.py: if verdict.kind == 'right'": "whatever is not right goes on to be looked "

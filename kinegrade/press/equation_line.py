@@ -52,6 +52,11 @@ def begins_with_sign(piece: Row) -> bool:
     return piece[0] in _SIGNS
 
 
+def begins_with_relation(piece: Row) -> bool:
+    """Whether a piece states a relation to what is before it."""
+    return piece[0] in _BREAKING
+
+
 def _find_breaks(row: Row) -> Iterator[int]:
     """The places of a row before which it may be broken."""
     depth = 0

@@ -1,49 +1,35 @@
 """Worked solutions as Typst source: one call of the layout `solution.typ` with one string of data.
 
-Prose and math become Typst code by their writers, pictures by the figures' back end. What must fit
-the page (equations, tables of terms) goes to the layout in pieces, which it measures and breaks.
+Prose and math become Typst code by their writers, pictures by the figures' back end. What stands
+beside what has been decided before, so that the layout measures nothing but tables of terms.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from re import fullmatch
 from typing import assert_never
 
 from kinegrade.figure.back_ends.typst import write_typst_picture
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
-from kinegrade.language.math.tree import Row
 from kinegrade.language.math.typst import write_typst_row
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line, write_prose
-from kinegrade.press.equation_line import begins_with_sign, split_equation_line
 from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
-from kinegrade.press.solution_blocks import (
-    FORMULA_ALONE,
-    UNKNOWN,
-    Chain,
-    Passage,
-    Placed,
-    name_question,
-    set_course,
+from kinegrade.press.solutions.chains import UNKNOWN, name_question
+from kinegrade.press.solutions.course import Drawing, DrawingRow, Part, arrange_course, make_column
+from kinegrade.press.solutions.equations import Equations
+from kinegrade.press.solutions.settings import (
+    Body,
+    EquationGroups,
+    Paragraph,
+    Setting,
+    Terms,
 )
-from kinegrade.press.typst.layout_call import (
-    Sheet,
-    write_layout_call,
-    write_signed,
-)
-from kinegrade.worked.document import (
-    Block,
-    Display,
-    Heading,
-    Picture,
-    Pictures,
-    Prose,
-    Term,
-    TermTable,
-)
+from kinegrade.press.solutions.terms import Cell, TermColumn
+from kinegrade.press.typst.layout_call import Sheet, write_layout_call, write_signed
+
+_MARGIN = 18.0  # millimetres, as in the layout
 
 
 def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
@@ -53,7 +39,7 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
     words = open_catalogue(sheet.language)
     data: Sheet = {
         "questions": convert_each(
-            lambda question: _write_question(question, words), sheet.questions
+            lambda question: _write_question(question, sheet, size, words), sheet.questions
         )
     }
     data |= {
@@ -65,107 +51,104 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
     return write_layout_call("solution", data)
 
 
-def _write_question(question: WorkedQuestion, words: Catalogue) -> Sheet:
-    name, course, figure = question.identifier, set_course(question.blocks), question.figure
+def _write_question(
+    question: WorkedQuestion, sheet: SolutionSheet, size: PaperSize, words: Catalogue
+) -> Sheet:
+    name = question.identifier
     where = locate_part(name, "solution")
-    sheet = gather(
+    course = arrange_course(question, make_column(size, _MARGIN, words))
+    written = gather(
         title=lambda: write_line(question.title, locate_part(name, "title")),
-        statement=lambda: write_prose(question.statement, locate_part(name, "statement")),
-        leading=lambda: _write_chains(course.leading, where),
-        blocks=lambda: convert_each(lambda part: _write_part(part, where), course.following),
+        parts=lambda: convert_each(lambda part: _write_part(part, where), course),
     )
-    return sheet | {
-        "heading": words.write(name_question(question)),
-        "figure": f"[{write_typst_picture(figure)}]" if figure else None,
-        "figure_width": figure.width if figure else 0.0,
-    }
+    repeated = (question.title,) == tuple(each.title for each in sheet.questions) == (sheet.title,)
+    return written | {"heading": None if repeated else words.write(name_question(question))}
 
 
-def _write_chains(chains: Sequence[Chain], where: Location) -> list[list[Sheet]]:
-    return convert_each(
-        lambda chain: convert_each(lambda placed: _write_placed(placed, where), chain), chains
-    )
-
-
-def _write_part(part: Placed | Passage, where: Location) -> Sheet:
-    """A block over the whole width, or drawings with the blocks that may stand beside them."""
+def _write_part(part: Part, where: Location) -> Sheet:
+    """A block over the whole width, or drawings with the blocks that stand beside them."""
     match part:
-        case Placed():
-            return _write_placed(part, where)
-        case Passage():
-            sheet = gather(
-                pictures=lambda: convert_each(
-                    lambda picture: _write_picture(picture, where), part.pictures.pictures
+        case Setting():
+            return _write_setting(part, where)
+        case DrawingRow():
+            written = gather(
+                drawings=lambda: convert_each(
+                    lambda drawing: _write_drawing(drawing, where), part.drawings
                 ),
-                beside=lambda: _write_chains(part.beside, where),
+                beside=lambda: convert_each(
+                    lambda setting: _write_setting(setting, where), part.beside
+                ),
             )
-            return sheet | {"kind": "passage"}
+            return written | {"kind": "drawings", "width": part.width}
         case _:
             assert_never(part)
 
 
-def _write_placed(placed: Placed, where: Location) -> Sheet:
-    """One block, and whether it stays on the page of the next one."""
-    return _write_content(placed.block, where) | {"stays": placed.stays}
+def _write_setting(setting: Setting, where: Location) -> Sheet:
+    return _write_body(setting.body, where) | {"stays": setting.stays}
 
 
-def _write_content(block: Block, where: Location) -> Sheet:
-    match block:
-        case Heading():
-            return {"kind": "heading", "level": block.level, "text": write_line(block.text, where)}
-        case Prose():
-            return {"kind": "prose", "text": write_prose(block.text, where)}
-        case Display():
-            return {
-                "kind": "display",
-                "lines": list(map(_write_line, block.lines)),
-            }
-        case TermTable():
+def _write_body(body: Body, where: Location) -> Sheet:
+    match body:
+        case Paragraph():
+            return _write_paragraph(body, where)
+        case EquationGroups(groups):
+            return {"kind": "display", "groups": list(map(_write_equations, groups))}
+        case Terms(bands):
             return {
                 "kind": "terms",
-                "terms": convert_each(lambda term: _write_term(term, where), block.terms),
+                "bands": convert_each(
+                    lambda band: convert_each(lambda column: _write_column(column, where), band),
+                    bands,
+                ),
             }
-        case Pictures():
-            return _write_part(Passage(block, ()), where)
         case _:
-            assert_never(block)
+            assert_never(body)
 
 
-def _write_line(line: Row) -> Sheet:
-    parts = split_equation_line(line)
-    return {
-        "left": f"${write_typst_row(parts.left)}$",
-        "pieces": [_write_piece(piece) for piece in parts.pieces],
+def _write_paragraph(paragraph: Paragraph, where: Location) -> Sheet:
+    heading, equation = paragraph.heading, paragraph.equation
+    written = gather(
+        heading=lambda: write_line(heading.text, where) if heading else None,
+        text=lambda: write_prose(paragraph.text, where) if paragraph.text else None,
+    )
+    return written | {
+        "kind": "paragraph",
+        "level": heading.level if heading else 0,
+        "equation": f"$display({write_typst_row(equation)})$" if equation else None,
     }
 
 
-def _write_piece(piece: Row) -> Sheet:
-    return {"code": f"${write_typst_row(piece)}$", "relation": not begins_with_sign(piece)}
+def _write_equations(equations: Equations) -> Sheet:
+    rows = " \\ ".join(map(write_typst_row, equations.rows))
+    return {"code": f"$ {rows} $", "fits": equations.fits}
 
 
-def _write_term(term: Term, where: Location) -> Sheet:
-    sheet = gather(
-        symbol=lambda: f"${write_typst_row(term.symbol)}$",
-        magnitude=lambda: _write_cell(term.magnitude, where),
-        direction=lambda: _write_cell(term.direction, where),
+def _write_column(column: TermColumn, where: Location) -> Sheet:
+    cells = gather(
+        magnitude=lambda: _write_cell(column.magnitude, where),
+        direction=lambda: _write_cell(column.direction, where),
     )
-    return sheet | {"sign": write_signed(term.sign)}
-
-
-def _write_cell(text: str, where: Location) -> Sheet:
-    """A formula alone is made smaller where its column is narrow, other text is broken into
-    lines.
-    """
-    return {
-        "text": write_line(text, where),
-        "formula": bool(fullmatch(FORMULA_ALONE, text)),
-        "unknown": text == UNKNOWN,
+    term = column.term
+    return cells | {
+        "symbol": f"${write_typst_row(term.symbol)}$",
+        "sign": write_signed(term.sign),
+        "width": column.width,
     }
 
 
-def _write_picture(picture: Picture, where: Location) -> Sheet:
-    sheet = gather(
-        figure=lambda: f"[{write_typst_picture(picture.scene)}]",
-        caption=lambda: write_line(picture.caption, where),
+def _write_cell(cell: Cell, where: Location) -> str:
+    """Formulas one below another, or words; what is unknown is bold."""
+    if cell.formulas:
+        return "+linebreak()+".join(f"${write_typst_row(row)}$" for row in cell.formulas)
+    written = write_line(cell.text, where)
+    return f"strong({written})" if cell.text == UNKNOWN else written
+
+
+def _write_drawing(drawing: Drawing, where: Location) -> Sheet:
+    caption = drawing.caption
+    written = gather(
+        figure=lambda: f"[{write_typst_picture(drawing.scene)}]",
+        caption=lambda: None if caption is None else write_line(caption, where),
     )
-    return sheet | {"width": picture.scene.width}
+    return written | {"width": drawing.width}

@@ -1,0 +1,107 @@
+"""What every layout asks of a worked solution: what stays together on a page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import zip_longest
+from typing import assert_never
+
+from kinegrade.language.math.printed_size import FIRST_CHINESE
+from kinegrade.language.message import Message
+from kinegrade.press.sheet import WorkedQuestion
+from kinegrade.question_numbers import find_other_number
+from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
+
+FORMULA_ALONE = r"\$[^$]+\$"
+UNKNOWN = "?"
+
+
+def stays(block: Block, following: Block | None = None, third: Block | None = None) -> bool:
+    """Whether a block stays on the page of the next one.
+
+    So do a heading with what it heads, a table of terms with its projection, a sentence with the
+    equation it announces.
+
+    >>> stays(Prose("Projected on AB:"), Display(()))
+    True
+    """
+    match block, following, third:
+        case [Heading(), _, _] | [Prose(), Display() | TermTable(), _]:
+            return True
+        case [TermTable(), Display(), _] | [TermTable(), Prose(), Display()]:
+            return True
+        # Any other neighbours may be parted: what stays together is named, a new block stands alone
+        case _:
+            return False
+
+
+TextBlock = Heading | Prose | Display | TermTable
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A block of text, and whether it stays on the page of the next block."""
+
+    block: TextBlock
+    stays: bool
+
+
+Chain = tuple[Placed, ...]  # blocks that stay together
+
+
+def join_sentences(blocks: Sequence[Block]) -> Iterator[Block]:
+    """The blocks with sentences that follow one another as one paragraph; a sentence that announces
+    a single equation stays by itself, as both may have room on one line.
+
+    >>> list(join_sentences([Prose("So."), Prose("Then.")]))
+    [Prose(text='So. Then.')]
+    """
+    said = ""
+    for block, following in zip_longest(blocks, blocks[1:]):
+        alone = isinstance(following, Display) and len(following.lines) == 1
+        if said and (alone or not isinstance(block, Prose)):
+            yield Prose(said)
+            said = ""
+        if isinstance(block, Prose):
+            said = _join_texts(said, block.text)
+        elif block is not None:
+            yield block
+    if said:
+        yield Prose(said)
+
+
+def _join_texts(said: str, more: str) -> str:
+    """Two sentences, with a space between them unless the first ends with a Chinese full stop."""
+    return f"{said} {more}" if said and said[-1] < FIRST_CHINESE else said + more
+
+
+def chain_blocks(blocks: Sequence[Block]) -> Iterator[Chain | Pictures]:
+    """The blocks of a solution in chains that stay together, and the drawings between them.
+
+    >>> [type(part).__name__ for part in chain_blocks([Prose("So:"), Display(()), Pictures(())])]
+    ['tuple', 'Pictures']
+    """
+    chain: Chain = ()
+    for place, block in enumerate(blocks):
+        match block:
+            case Pictures():
+                yield from filter(None, [chain])
+                yield block
+                chain = ()
+            case Heading() | Prose() | Display() | TermTable():
+                chain = (*chain, Placed(block, stays(*blocks[place : place + 3])))
+                if not chain[-1].stays:
+                    yield chain
+                    chain = ()
+            case _:
+                assert_never(block)
+    yield from filter(None, [chain])
+
+
+def name_question(question: WorkedQuestion) -> Message:
+    """The heading of a question, with its number in the answer sheet where that is another."""
+    other = find_other_number(question.identifier, question.number)
+    if other is None:
+        return Message("solution.question", number=question.number)
+    return Message("solution.question-known", number=question.number, known=other)

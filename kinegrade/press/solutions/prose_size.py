@@ -1,0 +1,29 @@
+"""About how wide prose is, of which `$...$` is math."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+from kinegrade.errors import TypesetError
+from kinegrade.language.math.printed_size import FIRST_CHINESE, measure_printed, measure_words
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Row
+
+_LATIN = 0.84  # the letters of text relative to those of formulas; Chinese ones are alike
+
+
+def measure_text(text: str) -> float:
+    """About how wide prose is on one line, in em."""
+    words = "".join(text.split("$")[::2])
+    latin = "".join(character for character in words if character < FIRST_CHINESE)
+    formulas = sum(measure_printed(row).width for row in list_formulas(text))
+    return _LATIN * measure_words(latin) + len(words) - len(latin) + formulas
+
+
+def list_formulas(text: str) -> list[Row]:
+    """The formulas of a text; one that cannot be read is left out: its writer says where it is."""
+    formulas = []
+    for latex in text.split("$")[1::2]:
+        with suppress(TypesetError):
+            formulas.append(read_math(latex, ""))
+    return formulas

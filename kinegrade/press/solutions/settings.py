@@ -1,0 +1,169 @@
+"""How the blocks of a worked solution are set in a column of given width: a heading runs into the
+sentence after it, an equation stands on the line of the sentence that announces it where both have
+room, and every setting knows about how high it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from math import ceil
+from typing import assert_never
+
+from kinegrade.language.math.printed_size import measure_printed
+from kinegrade.language.math.tree import Mark, Row
+from kinegrade.press.solutions.chains import Chain, TextBlock
+from kinegrade.press.solutions.equations import Equations, arrange_equations
+from kinegrade.press.solutions.prose_size import list_formulas, measure_text
+from kinegrade.press.solutions.terms import Band, arrange_terms, find_bands_height
+from kinegrade.worked.document import Display, Heading, Prose, TermTable
+
+EM = 3.528  # millimetres: text of 10 points
+INDENT = 6.0  # millimetres before an equation
+_BOLD = 1.08
+_AFTER_HEADING, _AFTER_SENTENCE = 0.8, 1.4  # em
+_PITCH = {"latin": 1.27, "chinese": 1.55}  # em from line to line, by script
+_TALLEST_IN_LINE = 0.7  # of the height of a display is that of the same formula within a text
+_GAP = 1.7  # millimetres between two blocks
+_BEFORE_HEADING: dict[int, float] = {1: 2.4, 2: 1.6}
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """A heading, the sentences that follow on its line, an equation on theirs: any may be missing,
+    but not all.
+    """
+
+    heading: Heading | None = None
+    text: str = ""  # prose
+    equation: Row = ()
+
+
+@dataclass(frozen=True)
+class EquationGroups:
+    """The equations of one display."""
+
+    groups: tuple[Equations, ...]
+
+
+@dataclass(frozen=True)
+class Terms:
+    """The table of a vector equation."""
+
+    bands: tuple[Band, ...]
+
+
+Body = Paragraph | EquationGroups | Terms
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What is set, whether it stays on the page of the next, and how many millimetres it takes."""
+
+    body: Body
+    stays: bool
+    height: float
+
+
+def add_heights(settings: Iterable[Setting]) -> float:
+    """Millimetres that settings take one below another."""
+    return sum(setting.height for setting in settings)
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of text: its width in millimetres, and the script of its language."""
+
+    width: float
+    script: str
+
+    def set_chain(self, chain: Chain) -> tuple[Setting, ...]:
+        """The settings of blocks that stay together."""
+        return tuple(self._set_each(chain))
+
+    def holds(self, chain: Chain) -> bool:
+        """Whether all of a chain has room: each piece of an equation, each table in one band."""
+        return all(_fits(setting.body) for setting in self.set_chain(chain))
+
+    def _set_each(self, chain: Chain) -> Iterator[Setting]:
+        place = 0
+        while place < len(chain):
+            body, taken = self._join([placed.block for placed in chain[place : place + 3]])
+            place += taken
+            yield Setting(body, chain[place - 1].stays, self._estimate_height(body))
+
+    def _join(self, blocks: Sequence[TextBlock]) -> tuple[Body, int]:
+        """What the first of some blocks becomes, and how many of them it holds."""
+        first, *others = blocks
+        match first:
+            case Heading():
+                if others and isinstance(others[0], Prose):
+                    paragraph = Paragraph(first, others[0].text)
+                    return self._announce(paragraph, others[1:], 2)
+                return self._announce(Paragraph(first), others, 1)
+            case Prose(text):
+                return self._announce(Paragraph(None, text), others, 1)
+            case Display():
+                return EquationGroups(self._arrange(first)), 1
+            case TermTable():
+                return Terms(arrange_terms(first, self.width - INDENT)), 1
+            case _:
+                assert_never(first)
+
+    def _announce(
+        self, paragraph: Paragraph, others: Sequence[TextBlock], held: int
+    ) -> tuple[Paragraph, int]:
+        """The paragraph with the equation that follows, where that has room on the same line."""
+        following = next(iter(others), None)
+        row = self._find_only_row(following) if isinstance(following, Display) else ()
+        width = _measure_paragraph(paragraph) + _AFTER_SENTENCE + measure_printed(row).width
+        if row and width <= self.width / EM:
+            return replace(paragraph, equation=row), held + 1
+        return paragraph, held
+
+    def _arrange(self, display: Display) -> tuple[Equations, ...]:
+        return arrange_equations(display.lines, (self.width - INDENT) / EM)
+
+    def _find_only_row(self, display: Display) -> Row:
+        """The only row of a display; empty where it has more."""
+        groups = self._arrange(display)
+        rows = groups[0].rows if len(groups) == 1 else ()
+        return tuple(node for node in rows[0] if node != Mark()) if len(rows) == 1 else ()
+
+    def _estimate_height(self, body: Body) -> float:
+        match body:
+            case Paragraph():
+                return self._estimate_paragraph(body) + _GAP
+            case EquationGroups(groups):
+                return sum(group.height * EM + _GAP for group in groups)
+            case Terms(bands):
+                return find_bands_height(bands) + _GAP
+            case _:
+                assert_never(body)
+
+    def _estimate_paragraph(self, paragraph: Paragraph) -> float:
+        """How high a paragraph is, with the room over its heading."""
+        above = _BEFORE_HEADING[paragraph.heading.level] if paragraph.heading else 0.0
+        rows = [*list_formulas(paragraph.text), *filter(None, [paragraph.equation])]
+        tall = max((measure_printed(row).height for row in rows), default=0.0)
+        lines = max(1, ceil(_measure_paragraph(paragraph) * EM / self.width))
+        return above + (_PITCH[self.script] * lines + max(0.0, _TALLEST_IN_LINE * tall - 1)) * EM
+
+
+def _fits(body: Body) -> bool:
+    match body:
+        case EquationGroups(groups):
+            return all(group.fits for group in groups)
+        case Terms(bands):
+            return len(bands) == 1
+        case Paragraph():
+            return True
+        case _:
+            assert_never(body)
+
+
+def _measure_paragraph(paragraph: Paragraph) -> float:
+    """About how wide a paragraph is on one line without its equation, in em."""
+    head = paragraph.heading
+    before = _BOLD * measure_text(head.text) + _AFTER_HEADING if head else 0.0
+    return before + measure_text(paragraph.text)

@@ -1,0 +1,151 @@
+"""How worked solutions are laid out before any typesetter sees them: what stands on one line, what
+beside which drawing.
+"""
+
+from __future__ import annotations
+
+from kinegrade.figure.scene import Scene
+from kinegrade.language.math.tree import Mark, Row
+from kinegrade.press.sheet import WorkedQuestion
+from kinegrade.press.solutions.chains import chain_blocks, join_sentences
+from kinegrade.press.solutions.course import DrawingRow, arrange_course
+from kinegrade.press.solutions.equations import arrange_equations
+from kinegrade.press.solutions.settings import (
+    Column,
+    EquationGroups,
+    Paragraph,
+    Setting,
+)
+from kinegrade.press.solutions.terms import arrange_terms
+from kinegrade.worked.document import Block, Heading, Picture, Pictures, Prose
+from tests.press.solutions import long_equation, polygon_scene
+from tests.worked.telling import read_display
+
+PAGE = Column(174.0, "latin")
+SAID = Prose("The point $A$ moves to the right along the guide.")
+LONG_SAID = Prose(" ".join([SAID.text] * 8))
+SHORT, LONG = r"v_A &= 2", "x &= " + " + ".join(["a_{BA}"] * 40)
+
+
+def rows(lines: list[str], room: float) -> list[Row]:
+    """The rows of all groups."""
+    groups = arrange_equations(read_display(lines).lines, room)
+    return [row for group in groups for row in group.rows]
+
+
+def course(*blocks: Block, figure: Scene | None = None) -> list[Setting | DrawingRow]:
+    """The parts of a question with these blocks, without its statement."""
+    question = WorkedQuestion(1, "q1", "A crank", "It turns.", blocks, figure)
+    return list(arrange_course(question, PAGE))[0 if figure else 1 :]
+
+
+def pictures(count: int) -> Pictures:
+    return Pictures((Picture(polygon_scene(), "velocity polygon"),) * count)
+
+
+def test_short_equations_stand_on_one_row_as_far_as_there_is_room() -> None:
+    assert len(rows([SHORT] * 3, 40.0)) == 1
+    assert len(rows([SHORT] * 3, 12.0)) == 2
+    assert len(rows([SHORT] * 3, 5.0)) == 3
+
+
+def test_rows_are_aligned_at_their_first_relation() -> None:
+    aligned = rows([SHORT, LONG, SHORT], 20.0)
+    assert len(aligned) > 3
+    assert {row.count(Mark()) for row in aligned} == {1}
+
+
+def test_a_line_that_goes_on_with_a_relation_continues_the_one_before() -> None:
+    assert len(rows([r"v &= a", r"&= b", r"&\approx 2"], 40.0)) == 1
+
+
+def test_an_equation_with_a_long_left_side_is_not_aligned_with_others() -> None:
+    left = " + ".join(["a"] * 12)
+    groups = arrange_equations(read_display([f"{left} &= b", SHORT]).lines, 40.0)
+    assert [len(group.rows) for group in groups] == [1, 1]
+    broken = arrange_equations(read_display([f"{left} &= {left}"]).lines, 20.0)
+    assert [row[0] for row in broken[0].rows] == [Mark()] * len(broken[0].rows)
+    assert len(broken[0].rows) > 2
+
+
+def test_a_piece_wider_than_the_room_is_reported() -> None:
+    (group,) = arrange_equations(read_display([r"x &= \sqrt{" + "a" * 60 + "}"]).lines, 20.0)
+    assert not group.fits
+
+
+def test_an_equation_stands_on_the_line_of_its_sentence_where_both_have_room() -> None:
+    (together,) = course(Prose("So"), read_display([SHORT]))
+    assert isinstance(together, Setting)
+    assert isinstance(together.body, Paragraph)
+    assert together.body.equation
+    said, shown = course(LONG_SAID, read_display([SHORT]))
+    assert isinstance(said, Setting)
+    assert said.stays
+    assert isinstance(shown, Setting)
+    assert isinstance(shown.body, EquationGroups)
+
+
+def test_a_heading_runs_into_its_sentence() -> None:
+    (part,) = course(Heading("Positions", 1), SAID)
+    assert isinstance(part, Setting)
+    assert part.body == Paragraph(Heading("Positions", 1), SAID.text)
+
+
+def test_sentences_become_a_paragraph_up_to_one_that_announces_an_equation() -> None:
+    said, announced = Prose("So."), Prose("Projected:")
+    one_line = read_display([SHORT])
+    assert list(join_sentences([said, said, announced, one_line])) == [
+        Prose("So. So."),
+        announced,
+        one_line,
+    ]
+    assert list(join_sentences([Prose("因此。"), Prose("于是")])) == [Prose("因此。于是")]
+
+
+def test_the_statement_stands_beside_the_figure_and_so_does_what_has_room_there() -> None:
+    row, *others = course(SAID, *[Heading("Step", 2), LONG_SAID] * 8, figure=polygon_scene())
+    assert isinstance(row, DrawingRow)
+    assert len(row.beside) > 1
+    assert others
+
+
+def test_text_beside_drawings_ends_at_the_next_chapter() -> None:
+    parts = course(pictures(1), SAID, Heading("Accelerations", 1), SAID)
+    row = parts[0]
+    assert isinstance(row, DrawingRow)
+    assert [setting.body for setting in row.beside] == [Paragraph(None, SAID.text)]
+    assert len(parts) == 2
+
+
+def test_drawings_without_text_stand_side_by_side() -> None:
+    (row,) = course(pictures(2))
+    assert isinstance(row, DrawingRow)
+    assert len(row.drawings) == 2
+    assert row.beside == ()
+
+
+def test_a_heading_before_drawings_stands_beside_them() -> None:
+    row, *_ = course(Heading("1. The rod", 2), pictures(1), SAID)
+    assert isinstance(row, DrawingRow)
+    assert row.beside[0].body == Paragraph(Heading("1. The rod", 2), SAID.text)
+    heading, *_ = course(Heading("1. The rod", 2), pictures(1))
+    assert isinstance(heading, Setting)
+
+
+def test_a_table_of_many_terms_has_narrower_columns_then_further_bands() -> None:
+    assert len(arrange_terms(long_equation(3), 168.0)) == 1
+    bands = arrange_terms(long_equation(9), 168.0)
+    assert len(bands) > 1
+    widths = [sum(column.width for column in band) for band in bands]
+    assert max(widths) < 168.0
+    narrow = arrange_terms(long_equation(2), 30.0)
+    assert [len(band) for band in narrow] == [1, 1]
+
+
+def test_a_table_beside_a_drawing_is_whole() -> None:
+    wide = next(chain_blocks([long_equation(9)]))
+    narrow = next(chain_blocks([long_equation(2)]))
+    assert isinstance(wide, tuple)
+    assert isinstance(narrow, tuple)
+    assert not Column(60.0, "latin").holds(wide)
+    assert PAGE.holds(narrow)
