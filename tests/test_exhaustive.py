@@ -22,6 +22,8 @@ PACKAGE = Path(kinegrade.__file__).parent
 EXCEPTIONS = {
     "press/solutions/chains.py: match (block, following, third): _": "what stays together is named; "
     "a new block may be parted from its neighbours, which costs looks and nothing else",
+    "press/solutions/settings.py: if not isinstance(display, "
+    "MeasuredDisplay)": "only equations stand on the line of a sentence; what else follows stands by itself",
     "lms/grades/from_scratch.py: options.columns.get(item, '')": "what the instructor named no column for",
     "grading/judging/decision.py: if verdict.kind == 'right'": "whatever is not right goes on to be looked "
     "at for credit, by what was read, which is a choice of its own",

@@ -9,12 +9,13 @@ from kinegrade.language.math.tree import Mark, Row
 from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.press.solutions.chains import chain_blocks, join_sentences
 from kinegrade.press.solutions.course import DrawingRow, arrange_course
-from kinegrade.press.solutions.equations import arrange_equations
+from kinegrade.press.solutions.equations import MeasuredDisplay, arrange_equations, measure_display
 from kinegrade.press.solutions.settings import (
     Column,
     EquationGroups,
     Paragraph,
     Setting,
+    fits,
 )
 from kinegrade.press.solutions.terms import arrange_terms
 from kinegrade.worked.document import Block, Heading, Picture, Pictures, Prose
@@ -29,7 +30,7 @@ SHORT, LONG = r"v_A &= 2", "x &= " + " + ".join(["a_{BA}"] * 40)
 
 def rows(lines: list[str], room: float) -> list[Row]:
     """The rows of all groups."""
-    groups = arrange_equations(read_display(lines).lines, room)
+    groups = arrange_equations(measure(lines), room)
     return [row for group in groups for row in group.rows]
 
 
@@ -37,6 +38,10 @@ def course(*blocks: Block, figure: Scene | None = None) -> list[Setting | Drawin
     """The parts of a question with these blocks, without its statement."""
     question = WorkedQuestion(1, "q1", "A crank", "It turns.", blocks, figure)
     return list(arrange_course(question, PAGE))[0 if figure else 1 :]
+
+
+def measure(lines: list[str]) -> MeasuredDisplay:
+    return measure_display(read_display(lines))
 
 
 def pictures(count: int) -> Pictures:
@@ -61,15 +66,15 @@ def test_a_line_that_goes_on_with_a_relation_continues_the_one_before() -> None:
 
 def test_an_equation_with_a_long_left_side_is_not_aligned_with_others() -> None:
     left = " + ".join(["a"] * 12)
-    groups = arrange_equations(read_display([f"{left} &= b", SHORT]).lines, 40.0)
+    groups = arrange_equations(measure([f"{left} &= b", SHORT]), 40.0)
     assert [len(group.rows) for group in groups] == [1, 1]
-    broken = arrange_equations(read_display([f"{left} &= {left}"]).lines, 20.0)
+    broken = arrange_equations(measure([f"{left} &= {left}"]), 20.0)
     assert [row[0] for row in broken[0].rows] == [Mark()] * len(broken[0].rows)
     assert len(broken[0].rows) > 2
 
 
 def test_a_piece_wider_than_the_room_is_reported() -> None:
-    (group,) = arrange_equations(read_display([r"x &= \sqrt{" + "a" * 60 + "}"]).lines, 20.0)
+    (group,) = arrange_equations(measure([r"x &= \sqrt{" + "a" * 60 + "}"]), 20.0)
     assert not group.fits
 
 
@@ -147,5 +152,5 @@ def test_a_table_beside_a_drawing_is_whole() -> None:
     narrow = next(chain_blocks([long_equation(2)]))
     assert isinstance(wide, tuple)
     assert isinstance(narrow, tuple)
-    assert not Column(60.0, "latin").holds(wide)
-    assert PAGE.holds(narrow)
+    assert not all(map(fits, Column(60.0, "latin").set_chain(wide)))
+    assert all(map(fits, PAGE.set_chain(narrow)))

@@ -10,6 +10,7 @@ from typing import assert_never
 from kinegrade.language.math.printed_size import FIRST_CHINESE
 from kinegrade.language.message import Message
 from kinegrade.press.sheet import WorkedQuestion
+from kinegrade.press.solutions.equations import MeasuredDisplay, measure_display
 from kinegrade.question_numbers import find_other_number
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
 
@@ -36,7 +37,7 @@ def stays(block: Block, following: Block | None = None, third: Block | None = No
             return False
 
 
-TextBlock = Heading | Prose | Display | TermTable
+TextBlock = Heading | Prose | MeasuredDisplay | TermTable
 
 
 @dataclass(frozen=True)
@@ -89,13 +90,17 @@ def chain_blocks(blocks: Sequence[Block]) -> Iterator[Chain | Pictures]:
                 yield from filter(None, [chain])
                 yield block
                 chain = ()
-            case Heading() | Prose() | Display() | TermTable():
-                chain = (*chain, Placed(block, stays(*blocks[place : place + 3])))
-                if not chain[-1].stays:
-                    yield chain
-                    chain = ()
+                continue
+            case Heading() | Prose() | TermTable():
+                measured: TextBlock = block
+            case Display():
+                measured = measure_display(block)
             case _:
                 assert_never(block)
+        chain = (*chain, Placed(measured, stays(*blocks[place : place + 3])))
+        if not chain[-1].stays:
+            yield chain
+            chain = ()
     yield from filter(None, [chain])
 
 

@@ -14,7 +14,7 @@ from kinegrade.figure.scene import Scene
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.press.sheet import PaperSize, WorkedQuestion
 from kinegrade.press.solutions.chains import Chain, Placed, chain_blocks, join_sentences
-from kinegrade.press.solutions.settings import Column, Setting, add_heights
+from kinegrade.press.solutions.settings import Column, Setting, add_heights, fits
 from kinegrade.worked.document import Heading, Pictures, Prose
 
 GAP = 6.0  # millimetres between a drawing and what stands beside it
@@ -169,8 +169,11 @@ def _fill(rows: tuple[tuple[Drawing, ...], ...], chains: Sequence[Chain], page: 
     for drawings in rows:
         row = DrawingRow(drawings, ())
         column = replace(page, width=page.width - row.width - GAP)
-        while taken < len(chains) and column.width >= _NARROWEST and column.holds(chains[taken]):
-            longer = replace(row, beside=(*row.beside, *column.set_chain(chains[taken])))
+        while taken < len(chains) and column.width >= _NARROWEST:
+            settings = column.set_chain(chains[taken])
+            if not all(map(fits, settings)):
+                break
+            longer = replace(row, beside=(*row.beside, *settings))
             below = add_heights(page.set_chain(chains[taken]))
             if longer.height - row.height > _WORTH_IT * below:
                 break

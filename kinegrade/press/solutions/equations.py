@@ -16,11 +16,13 @@ from kinegrade.press.equation_line import (
     begins_with_sign,
     split_equation_line,
 )
+from kinegrade.worked.document import Display
 
 _APART = Space("qquad")  # between two equations on one row
 _INDENT: Row = (Space("quad"), Text(""))  # before a row that goes on with a sign
 _APART_WIDTH = 2.0
 _INDENT_WIDTH = 1.3
+_BEFORE_SIGN = 0.56  # the room that a sign has when it stands between two terms
 # Of the room: what is longer on the left of its relation is not aligned with others
 _LONG_LEFT = 0.2
 _ROW_GAP = 0.5
@@ -28,43 +30,79 @@ _ROW_GAP = 0.5
 
 @dataclass(frozen=True)
 class Equations:
-    """Rows aligned with each other at the marks they hold; a piece may be too wide for the room."""
+    """Rows aligned at the marks they hold, with their size in em; a piece may be too wide
+    for the room.
+    """
 
     rows: tuple[Row, ...]
+    width: float
+    height: float
     fits: bool
 
-    @property
-    def height(self) -> float:
-        """What the rows take of a page, in em."""
-        return sum(map(_find_height, self.rows)) + _ROW_GAP * (len(self.rows) - 1)
+
+@dataclass(frozen=True)
+class _Piece:
+    """What is not broken, with its size in em."""
+
+    row: Row
+    width: float
+    height: float
+    signed: bool  # adds a term to what is before it
+
+    def __add__(self, other: _Piece) -> _Piece:
+        return _Piece(
+            self.row + other.row,
+            self.width + other.width,
+            max(self.height, other.height),
+            self.signed,
+        )
 
 
-def _find_height(row: Row) -> float:
-    return measure_printed(row).height
+_NOTHING = _Piece((), 0.0, 0.0, signed=False)
+_MARK = _Piece((Mark(),), 0.0, 0.0, signed=False)
+_SPACE = _Piece((_APART,), _APART_WIDTH, 0.0, signed=False)
+_SET_BACK = _Piece(_INDENT, _INDENT_WIDTH, 0.0, signed=False)
 
 
 @dataclass(frozen=True)
 class _Line:
-    """An equation with the widths of its left and right side, in em."""
+    """An equation: its left side, and its right side in pieces and whole."""
 
-    parts: EquationLine
-    left: float
-    right: float
+    left: _Piece
+    pieces: tuple[_Piece, ...]
+    right: _Piece
+
+    @property
+    def width(self) -> float:
+        """All of it on one row."""
+        return self.left.width + self.right.width
 
 
-def arrange_equations(lines: Sequence[Row], room: float) -> tuple[Equations, ...]:
+@dataclass(frozen=True)
+class MeasuredDisplay:
+    """The equations of a display, measured once for rooms of any width."""
+
+    lines: tuple[_Line, ...]
+
+
+def measure_display(display: Display) -> MeasuredDisplay:
+    """The equations of a display with their sizes."""
+    return MeasuredDisplay(tuple(map(_measure_line, _join_continued(display.lines))))
+
+
+def arrange_equations(display: MeasuredDisplay, room: float) -> tuple[Equations, ...]:
     """The rows of a display that has `room` em: one group or, where lines have a long left side,
     several.
 
     >>> from kinegrade.language.math.reading import read_math
-    >>> short = [read_math("x_A &= 0", ""), read_math("y_A &= 1", "")]
-    >>> [len(arrange_equations(short, room)[0].rows) for room in (40.0, 6.0)]
+    >>> short = Display((read_math("x_A &= 0", ""), read_math("y_A &= 1", "")))
+    >>> [len(arrange_equations(measure_display(short), room)[0].rows) for room in (40.0, 6.0)]
     [1, 2]
     """
     groups: list[Equations] = []
     aligned: list[_Line] = []
-    for line in map(_measure_line, _join_continued(lines)):
-        if line.left > _LONG_LEFT * room:
+    for line in display.lines:
+        if line.left.width > _LONG_LEFT * room:
             groups.extend(_align(aligned, room))
             groups.append(_hang(line, room))
             aligned = []
@@ -89,68 +127,67 @@ def _join_continued(lines: Sequence[Row]) -> Iterator[EquationLine]:
 
 
 def _measure_line(parts: EquationLine) -> _Line:
-    return _Line(parts, _find_width(parts.left), _find_width(_join(parts.pieces)))
+    pieces = tuple(map(_measure_piece, parts.pieces))
+    left = _measure_piece(parts.left) if parts.left else _NOTHING
+    return _Line(left, pieces, sum(pieces, _NOTHING))
 
 
-def _join(pieces: Sequence[Row]) -> Row:
-    return tuple(node for piece in pieces for node in piece)
-
-
-def _find_width(row: Row) -> float:
-    return measure_printed(row).width
+def _measure_piece(row: Row) -> _Piece:
+    size, signed = measure_printed(row), begins_with_sign(row)
+    return _Piece(row, size.width + signed * _BEFORE_SIGN, size.height, signed)
 
 
 def _align(lines: Sequence[_Line], room: float) -> Iterator[Equations]:
     """Equations aligned with each other, as many on a row as have room."""
     if not lines:
         return
-    column = max(line.left for line in lines)
-    rows: list[Row] = []
-    used, fits = room, True
+    column = max(line.left.width for line in lines)
+    rows: list[_Piece] = []
+    used = room
     for line in lines:
-        whole = _join(line.parts.pieces)
-        if rows and used + _APART_WIDTH + line.left + line.right <= room:
-            rows[-1] = (*rows[-1], _APART, *line.parts.left, *whole)
-            used += _APART_WIDTH + line.left + line.right
+        if rows and used + _APART_WIDTH + line.width <= room:
+            rows[-1] += _SPACE + line.left + line.right
+            used += _APART_WIDTH + line.width
             continue
-        broken = [whole]
-        if column + line.right > room:
-            broken = list(_break(line.parts.pieces, room - column))
-            fits = fits and all(_find_width(row) <= room - column for row in broken)
-        first, *others = broken or [()]
-        rows.append((*line.parts.left, Mark(), *first))
-        rows.extend((Mark(), *row) for row in others)
-        used = column + line.right if not others else room
-    yield Equations(tuple(rows), fits)
+        whole = column + line.right.width <= room
+        first, *others = [line.right] if whole else _break(line.pieces, room - column)
+        rows.append(line.left + _MARK + first)
+        rows.extend(_MARK + row for row in others)
+        used = room if others else column + line.right.width
+    yield _group(rows, room, column)
 
 
 def _hang(line: _Line, room: float) -> Equations:
     """An equation with a long left side by itself, its further rows set back."""
-    if line.left + line.right <= room:
-        return Equations(((*line.parts.left, Mark(), *_join(line.parts.pieces)),), fits=True)
-    left = split_equation_line((Mark(), *line.parts.left)).pieces
-    rows = list(_break(left, room)) + list(
-        _break(line.parts.pieces, room - _INDENT_WIDTH, set_back=True)
-    )
-    fits = all(_find_width(row) <= room for row in rows)
-    return Equations(tuple((Mark(), *row) for row in rows), fits)
+    if line.width <= room:
+        return _group([line.left + _MARK + line.right], room, line.left.width)
+    left = split_equation_line((Mark(), *line.left.row)).pieces
+    rows = [
+        *_break(tuple(map(_measure_piece, left)), room),
+        *(_SET_BACK + row for row in _break(line.pieces, room - _INDENT_WIDTH)),
+    ]
+    return _group([_MARK + row for row in rows], room, 0.0)
 
 
-def _break(pieces: Sequence[Row], room: float, *, set_back: bool = False) -> Iterator[Row]:
+def _group(rows: Sequence[_Piece], room: float, column: float) -> Equations:
+    """Rows of which those without a left side begin behind a column that wide."""
+    width = max(row.width + (column if row.row[0] == Mark() else 0.0) for row in rows)
+    height = sum(row.height for row in rows) + _ROW_GAP * (len(rows) - 1)
+    return Equations(tuple(row.row for row in rows), width, height, fits=width <= room)
+
+
+def _break(pieces: Sequence[_Piece], room: float) -> Iterator[_Piece]:
     """The pieces in as few rows as the room allows. A row that goes on with a sign is set back, and
     holds no relation.
     """
-    row: Row = ()
+    row = _NOTHING
     within_sum = False
     for piece in pieces:
-        joined = (*row, *piece)
-        ended = within_sum and not begins_with_sign(piece)
-        if row and (ended or _find_width(joined) > room):
+        ended = within_sum and not piece.signed
+        if row.row and (ended or row.width + piece.width > room):
             yield row
-            within_sum = begins_with_sign(piece)
-            joined = (*_INDENT, *piece) if within_sum or set_back else piece
-        elif not row and set_back:
-            joined = (*_INDENT, *piece)
-        row = joined
-    if row:
+            within_sum = piece.signed
+            row = _SET_BACK if within_sum else _NOTHING
+        row += piece
+    if row.row:
         yield row

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from functools import lru_cache
 
 from kinegrade.errors import TypesetError
 from kinegrade.language.math.printed_size import FIRST_CHINESE, measure_printed, measure_words
@@ -12,6 +13,7 @@ from kinegrade.language.math.tree import Row
 _LATIN = 0.84  # the letters of text relative to those of formulas; Chinese ones are alike
 
 
+@lru_cache(maxsize=4096)
 def measure_text(text: str) -> float:
     """About how wide prose is on one line, in em."""
     words = "".join(text.split("$")[::2])
@@ -20,10 +22,11 @@ def measure_text(text: str) -> float:
     return _LATIN * measure_words(latin) + len(words) - len(latin) + formulas
 
 
-def list_formulas(text: str) -> list[Row]:
+@lru_cache(maxsize=4096)
+def list_formulas(text: str) -> tuple[Row, ...]:
     """The formulas of a text; one that cannot be read is left out: its writer says where it is."""
     formulas = []
     for latex in text.split("$")[1::2]:
         with suppress(TypesetError):
             formulas.append(read_math(latex, ""))
-    return formulas
+    return tuple(formulas)

@@ -13,10 +13,10 @@ from typing import assert_never
 from kinegrade.language.math.printed_size import measure_printed
 from kinegrade.language.math.tree import Mark, Row
 from kinegrade.press.solutions.chains import Chain, TextBlock
-from kinegrade.press.solutions.equations import Equations, arrange_equations
+from kinegrade.press.solutions.equations import Equations, MeasuredDisplay, arrange_equations
 from kinegrade.press.solutions.prose_size import list_formulas, measure_text
 from kinegrade.press.solutions.terms import Band, arrange_terms, find_bands_height
-from kinegrade.worked.document import Display, Heading, Prose, TermTable
+from kinegrade.worked.document import Heading, Prose, TermTable
 
 EM = 3.528  # millimetres: text of 10 points
 INDENT = 6.0  # millimetres before an equation
@@ -81,10 +81,6 @@ class Column:
         """The settings of blocks that stay together."""
         return tuple(self._set_each(chain))
 
-    def holds(self, chain: Chain) -> bool:
-        """Whether all of a chain has room: each piece of an equation, each table in one band."""
-        return all(_fits(setting.body) for setting in self.set_chain(chain))
-
     def _set_each(self, chain: Chain) -> Iterator[Setting]:
         place = 0
         while place < len(chain):
@@ -103,7 +99,7 @@ class Column:
                 return self._announce(Paragraph(first), others, 1)
             case Prose(text):
                 return self._announce(Paragraph(None, text), others, 1)
-            case Display():
+            case MeasuredDisplay():
                 return EquationGroups(self._arrange(first)), 1
             case TermTable():
                 return Terms(arrange_terms(first, self.width - INDENT)), 1
@@ -114,21 +110,18 @@ class Column:
         self, paragraph: Paragraph, others: Sequence[TextBlock], held: int
     ) -> tuple[Paragraph, int]:
         """The paragraph with the equation that follows, where that has room on the same line."""
-        following = next(iter(others), None)
-        row = self._find_only_row(following) if isinstance(following, Display) else ()
-        width = _measure_paragraph(paragraph) + _AFTER_SENTENCE + measure_printed(row).width
-        if row and width <= self.width / EM:
-            return replace(paragraph, equation=row), held + 1
-        return paragraph, held
-
-    def _arrange(self, display: Display) -> tuple[Equations, ...]:
-        return arrange_equations(display.lines, (self.width - INDENT) / EM)
-
-    def _find_only_row(self, display: Display) -> Row:
-        """The only row of a display; empty where it has more."""
+        display = next(iter(others), None)
+        if not isinstance(display, MeasuredDisplay):
+            return paragraph, held
+        room = self.width / EM - _measure_paragraph(paragraph) - _AFTER_SENTENCE
         groups = self._arrange(display)
-        rows = groups[0].rows if len(groups) == 1 else ()
-        return tuple(node for node in rows[0] if node != Mark()) if len(rows) == 1 else ()
+        if [len(group.rows) for group in groups] != [1] or groups[0].width > room:
+            return paragraph, held
+        row = tuple(node for node in groups[0].rows[0] if node != Mark())
+        return replace(paragraph, equation=row), held + 1
+
+    def _arrange(self, display: MeasuredDisplay) -> tuple[Equations, ...]:
+        return arrange_equations(display, (self.width - INDENT) / EM)
 
     def _estimate_height(self, body: Body) -> float:
         match body:
@@ -150,7 +143,9 @@ class Column:
         return above + (_PITCH[self.script] * lines + max(0.0, _TALLEST_IN_LINE * tall - 1)) * EM
 
 
-def _fits(body: Body) -> bool:
+def fits(setting: Setting) -> bool:
+    """Whether a setting has room: each piece of its equations, its table in one band."""
+    body = setting.body
     match body:
         case EquationGroups(groups):
             return all(group.fits for group in groups)

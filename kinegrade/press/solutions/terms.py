@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from math import ceil
 from re import fullmatch
 
@@ -87,6 +88,7 @@ def _set_column(term: Term, limit: float) -> TermColumn:
     return TermColumn(term, _set_cell(term.magnitude, limit), _set_cell(term.direction, limit))
 
 
+@lru_cache(maxsize=4096)
 def _set_cell(text: str, limit: float) -> Cell:
     formulas = list_formulas(text)
     if formulas and fullmatch(FORMULA_ALONE, text):
