@@ -8,6 +8,7 @@ from typing import TypeAlias
 from kinegrade.expressions.tree import Expression
 from kinegrade.language.math.tree import Row
 from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
@@ -18,12 +19,13 @@ Key: TypeAlias = tuple[Level, tuple[tuple[Rate, str, str], ...]]
 @dataclass(frozen=True)
 class Piece:
     """A vector given by one number: its symbol, the direction in which that counts positive, its
-    value.
+    value, and the term that it is, or is a part of; None where it is none.
     """
 
     symbol: VectorSymbol
     positive: Vector
     value: Vector
+    term: Term | None = None
 
 
 @dataclass(frozen=True)

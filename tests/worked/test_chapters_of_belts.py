@@ -42,7 +42,7 @@ def test_an_open_belt_between_fixed_pulleys() -> None:
         r"""
         Seen from the ground both rims always move with the speed of the belt. The belt is open,
             so both pulleys turn in the same sense:
-        1 \cdot \omega &= 3\omega_{O}
+        1\,\unit{m} \cdot \omega &= 3\,\unit{m} \cdot \omega_{O}
         \omega &= 6\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
@@ -50,7 +50,7 @@ def test_an_open_belt_between_fixed_pulleys() -> None:
         r"""
         Seen from the ground both rims always move with the speed of the belt. The belt is open,
             so both pulleys turn in the same sense:
-        1 \cdot \alpha &= 3\alpha_{O}
+        1\,\unit{m} \cdot \alpha &= 3\,\unit{m} \cdot \alpha_{O}
         \alpha &= 15\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
         """
     )
@@ -63,7 +63,7 @@ def test_a_crossed_belt_about_a_fixed_pulley() -> None:
         r"""
         Seen from the carrier $OC$ both rims always move with the speed of the belt. The belt is
             crossed, so the pulleys turn in opposite senses:
-        (1 + 1)\,(\omega - \omega_{OC}) &= -3(0 - \omega_{OC})
+        (1 + 1)\,(\omega - \omega_{OC}) &= -3\,\unit{m} \cdot (0 - \omega_{OC})
         \omega &= 5\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )

@@ -198,16 +198,18 @@ def test_a_relative_vector_that_is_asked_for() -> None:
         $A$ is a point of the carrier $OA$, which turns about $O$:
         v_{A} &= OA \cdot \omega_{OA} = 6\,\unit{m/s}\quad\text{(upwards)}
         $B$ is a point of link, base point $A$:
-        v_{B,x} &= v_{A,x} - \omega_{AB}\,y_{B} = -(-3\,\unit{rad/s}) \cdot 1\,\unit{m} = 3\,\unit{m/s}
-        v_{B,y} &= v_{A,y} + \omega_{AB}(x_{B} - x_{A}) = 6\,\unit{m/s}
+        v_{B,x} &= -\omega_{AB}\,y_{B} = -(-3\,\unit{rad/s}) \cdot 1\,\unit{m} = 3\,\unit{m/s}
+        v_{B,y} &= v_{A} + \omega_{AB}(x_{B} - x_{A}) = 6\,\unit{m/s}
         The point of the carrier $OA$ that coincides with $B$ turns about $O$:
         v_{B(OA)} &= OB \cdot \omega_{OA} = 2\sqrt{10}\,\unit{m/s} \approx 6.325\,\unit{m/s},\quad
             108.43^\circ
         Now the moving frame is the carrier $OA$:
             $\boldsymbol{v}_{\mathrm{r}} = \boldsymbol{v}_{B} - \boldsymbol{v}_{B(OA)}$ is the
             velocity of $B$ relative to it.
-        v_{\mathrm{r},x} &= v_{B,x} - v_{B(OA),x} = 3\,\unit{m/s} - (-2\,\unit{m/s}) = 5\,\unit{m/s}
-        v_{\mathrm{r},y} &= v_{B,y} - v_{B(OA),y} = 6\,\unit{m/s} - 6\,\unit{m/s} = 0
+        v_{\mathrm{r},x} &= v_{B,x} + \omega_{OA}\,y_{B} = 3\,\unit{m/s} + 2\,\unit{rad/s} \cdot
+            1\,\unit{m} = 5\,\unit{m/s}
+        v_{\mathrm{r},y} &= v_{B,y} - \omega_{OA}\,x_{B} = 6\,\unit{m/s} - 2\,\unit{rad/s} \cdot
+            3\,\unit{m} = 0
         v_{r} &= v_{\mathrm{r},x} = 5\,\unit{m/s}
         """,
         solution,

@@ -72,7 +72,7 @@ def test_meshing_seen_from_the_carrier() -> None:
         \omega_{O} &= -3\,\unit{rad/s}\quad\text{(clockwise)}
         ## 1. The planet gear meshes with the sun gear
         Seen from the carrier $OA$ the pitch circles have equal speeds at the contact:
-        1 \cdot (\omega - \omega_{OA}) &= -2(\omega_{O} - \omega_{OA})
+        1\,\unit{m} \cdot (\omega - \omega_{OA}) &= -2\,\unit{m} \cdot (\omega_{O} - \omega_{OA})
         \omega &= 12\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
@@ -88,7 +88,7 @@ def test_meshing_of_angular_accelerations() -> None:
         \alpha_{O} &= 4\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
         ## 1. The planet gear meshes with the sun gear
         Seen from the carrier $OA$ the pitch circles have equal speeds at the contact:
-        1 \cdot (\alpha - \alpha_{OA}) &= -2(\alpha_{O} - \alpha_{OA})
+        1\,\unit{m} \cdot (\alpha - \alpha_{OA}) &= -2\,\unit{m} \cdot (\alpha_{O} - \alpha_{OA})
         \alpha &= -8\,\unit{rad/s^2}\quad\text{(clockwise)}
         """
     )

@@ -59,3 +59,10 @@ def test_a_coordinate_that_is_zero_is_not_put_in() -> None:
     told = displayed(kept("pose-four-bar-coupler"))
     (side,) = (line for line in told if line.startswith("BD &="))
     assert r"\sqrt{(1.9\,\unit{m})^{2} + (0.8\,\unit{m})^{2}}" in side
+
+
+def test_a_component_follows_from_what_is_known_of_the_vector() -> None:
+    # v_D = l omega is normal to OD, which makes the angle phi with x; v_B is taken from it
+    told = displayed(kept("elliptic-trammel-crank-driven"))
+    (line,) = (line for line in told if line.startswith("v_{B,x} &="))
+    assert line.startswith(r"v_{B,x} &= -v_{D}\sin\varphi - \omega_{AB}(y_{B} - y_{D}) = ")

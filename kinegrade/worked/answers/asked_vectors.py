@@ -23,8 +23,8 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import AXES
+from kinegrade.worked.vectors.components import add_components
 from kinegrade.worked.vectors.relatives import Relative
-from kinegrade.worked.vectors.summands import add_components
 
 
 def is_vector_call(tree: Expression) -> bool:
@@ -106,10 +106,8 @@ def _explain_difference(tree: Operation, case: Case) -> Found:
             )
         case _:
             assert_never(tree.sign)
-    level = find_level(tree.right)
     name = replace(left.symbol, lower=(*left.symbol.lower, *right.symbol.lower))
-    parts = [(left.symbol, left.value), (right.symbol, right.value)]
-    yield case.show(*(add_components(axis, name, parts, level, sign) for axis in AXES))
+    yield case.show(*(add_components(axis, name, (left, right), case, sign) for axis in AXES))
     return Fact(name, value, True)
 
 

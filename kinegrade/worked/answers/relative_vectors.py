@@ -23,10 +23,10 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
+from kinegrade.worked.vectors.components import add_components
 from kinegrade.worked.vectors.coriolis import Turned, explain_directions
 from kinegrade.worked.vectors.points import list_relative_parts
 from kinegrade.worked.vectors.relatives import Relative, find_relative, index_relative
-from kinegrade.worked.vectors.summands import add_components
 from kinegrade.worked.vectors.vectors import name_by_role
 
 
@@ -40,14 +40,11 @@ def explain_relative(motion: Relative, level: Level, case: Case) -> Found:
         return (yield from _explain_rest(motion, name, level, case))
     if level == "velocity" or term.kind == "sliding":
         value = term.coefficient() * case.rates(level)[term.rate]
-        return Fact(name, value, False, (Piece(name, term.coefficient(), value),))
-    parts = [
-        (symbol, value)
-        for symbol, value in list_relative_parts(term, case, level)
-        if symbol != name_by_role("C", level, index_relative(motion, case))
-    ]
-    yield case.show(*(add_components(axis, name, parts, level) for axis in AXES))
-    return Fact(name, add_vectors(value for _, value in parts), True)
+        return Fact(name, value, False, (Piece(name, term.coefficient(), value, term),))
+    coriolis = name_by_role("C", level, index_relative(motion, case))
+    parts = [part for part in list_relative_parts(term, case, level) if part.symbol != coriolis]
+    yield case.show(*(add_components(axis, name, parts, case) for axis in AXES))
+    return Fact(name, add_vectors(part.value for part in parts), True)
 
 
 def _find_track(motion: Relative, case: Case) -> Term | None:
@@ -63,10 +60,10 @@ def _explain_rest(motion: Relative, name: VectorSymbol, level: Level, case: Case
     """v_r = v_a - v_e, a_r = a_a - a_e - a_C, by components."""
     absolute = yield from explain_point_vector(motion.point, motion.body, level, case)
     transport = yield from explain_point_vector(motion.point, motion.frame, level, case)
-    parts = [(absolute.symbol, absolute.value), (transport.symbol, transport.value)]
+    parts = [absolute, transport]
     if level == "acceleration":
         coriolis = yield from explain_coriolis(motion, case)
-        parts.append((coriolis.symbol, coriolis.value))
+        parts.append(coriolis)
     yield case.say(
         Message(
             f"solution.relative-left-{level}",
@@ -75,13 +72,13 @@ def _explain_rest(motion: Relative, name: VectorSymbol, level: Level, case: Case
             difference=case.tell(_state_difference(name, parts)),
         )
     )
-    yield case.show(*(add_components(axis, name, parts, level, "-") for axis in AXES))
-    return Fact(name, absolute.value - add_vectors(value for _, value in parts[1:]), True)
+    yield case.show(*(add_components(axis, name, parts, case, "-") for axis in AXES))
+    return Fact(name, absolute.value - add_vectors(part.value for part in parts[1:]), True)
 
 
-def _state_difference(name: VectorSymbol, parts: Sequence[tuple[VectorSymbol, Vector]]) -> Equation:
+def _state_difference(name: VectorSymbol, parts: Sequence[Fact]) -> Equation:
     """A relative vector as what remains of the absolute one, in vectors."""
-    absolute, *others = (replace(symbol, bold=True) for symbol, _ in parts)
+    absolute, *others = (replace(part.symbol, bold=True) for part in parts)
     rest = add_terms((absolute, *(-symbol for symbol in others)))
     return Equation(replace(name, bold=True), equate(rest))
 
@@ -108,7 +105,7 @@ def _find_coriolis(motion: Relative, case: Case) -> Found:
         links += equate(TWO.dot(turned).dot(speed))
     size = state_number(length(value, case.arithmetic), "m/s^2")
     yield case.show(Equation(name, (*links, *size), state_way(value, case)))
-    return Fact(name, value, False)
+    return Fact(name, value, False, (Piece(name, value, value, _find_track(motion, case)),))
 
 
 def explain_normal(point: str, base: str, body: str, case: Case) -> Found:

@@ -11,14 +11,15 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
-from kinegrade.worked.formulas.atoms import AXES, OTHER, AxisName
+from kinegrade.worked.formulas.atoms import AXES, OTHER, AxisName, add_terms
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import name_coordinate, read_symbol
+from kinegrade.worked.vectors.components import find_known, list_component
 from kinegrade.worked.vectors.points import find_point, find_vector
-from kinegrade.worked.vectors.summands import PLACES, name_component
+from kinegrade.worked.vectors.summands import PLACES
 from kinegrade.worked.vectors.vectors import name_point_vector
 
 
@@ -77,12 +78,10 @@ def _state_coordinate(
     other = OTHER[axis]
     sign = {"x": -1, "y": 1}[axis]
     base, rate = case.motion.frames.bases[body].point, case.motion.omega(body)
-    speed = name_component(name_point_vector(base, "velocity", case), other)
-    symbols = _move(
-        name_coordinate(axis, case.naming.letter(base)),
-        speed / case.naming.omega(body),
-        sign,
-    )
+    known = find_known(name_point_vector(base, "velocity", case), velocity, case)
+    speeds = [share.in_symbols.signed(sign) for share in list_component(known, other, case)]
+    arms = ((speed.size / case.naming.omega(body)).signed(speed.sign) for speed in speeds)
+    symbols = add_terms((name_coordinate(axis, case.naming.letter(base)), *arms))
     across = velocity[PLACES[other]]
     numbers = _move(
         measure(case.motion.points[base][PLACES[axis]], "m"),

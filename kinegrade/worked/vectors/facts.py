@@ -42,7 +42,7 @@ def _keep(chain: Chain, fact: Fact, level: Level, case: Case) -> None:
 def _find_fact(parts: Sequence[Part], equation: VectorEquation, case: Case) -> Fact:
     """The vector of one point whose parts stand in an equation."""
     pieces = tuple(
-        Piece(name_part(equation, part, case), _find_sense(part, case), part.value)
+        Piece(name_part(equation, part, case), _find_sense(part, case), part.value, part.term)
         for part in parts
     )
     first = parts[0]

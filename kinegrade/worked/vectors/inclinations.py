@@ -10,6 +10,7 @@ from typing import Literal, TypeAlias, assert_never
 
 from kinegrade.expressions.tree import Call, Name, Operation
 from kinegrade.language.message import Message
+from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display
@@ -125,9 +126,11 @@ def name_axis(direction: float) -> Inclination | None:
 
 def find_ends(part: Part, case: Case) -> tuple[str, str] | None:
     """The two points of the line along or normal to which a part lies."""
-    term = part.term
-    if term is None:
-        return None
+    return find_term_ends(part.term, case) if part.term else None
+
+
+def find_term_ends(term: Term, case: Case) -> tuple[str, str] | None:
+    """The two points of the line along or normal to which a term lies."""
     match term.kind:
         case "sliding":
             return find_track_ends(term, case)
@@ -160,8 +163,11 @@ def is_angle_known(part: Part, case: Case) -> bool:
     introduced.
     """
     ends, found = find_ends(part, case), find_inclination(part, case)
-    if ends is None or found is None:
-        return False
+    return ends is not None and found is not None and is_inclination_known(found, ends, case)
+
+
+def is_inclination_known(found: Inclination, ends: tuple[str, str], case: Case) -> bool:
+    """Whether the angle of a line is given or has been introduced."""
     return found.angle != name_acute(ends, case) or ends in case.findings.inclined
 
 

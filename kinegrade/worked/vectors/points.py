@@ -25,11 +25,11 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.carried import state_carried_component
+from kinegrade.worked.vectors.components import add_components, find_known
 from kinegrade.worked.vectors.contacts import needs_components, turn_about_contact
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
-from kinegrade.worked.vectors.summands import add_components
 from kinegrade.worked.vectors.vectors import name_by_role, name_point_vector
 
 _Place = Literal["of", "at"]  # a point of the body that turns, or one at the same place
@@ -49,13 +49,16 @@ def find_point(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> It
         return
     last, value = chain[-1], find_vector(chain, case.motion, level)
     if all(term.kind == "sliding" and term.frame == GROUND for term in chain):
-        pieces = (Piece(name, find_positive_sense(last, case), value),) if len(chain) == 1 else ()
+        sense = find_positive_sense(last, case)
+        pieces = (Piece(name, sense, value, last),) if len(chain) == 1 else ()
         fact = Fact(name, value, len(chain) > 1, pieces)
     elif level == "velocity" and (about := turn_about_contact(last, case)):
         fact = yield from _explain_about_contact(about, name, case)
     elif len(chain) == 1 and level == "velocity":
         yield from _explain_single(last, name, case)
-        fact = Fact(name, value, False, (Piece(name, _find_single_sense(last, value), value),))
+        fact = Fact(
+            name, value, False, (Piece(name, _find_single_sense(last, value), value, last),)
+        )
     elif len(chain) == 1 and last.kind == "arc":
         fact = yield from _explain_circling(last, name, case)
     else:
@@ -83,7 +86,7 @@ def _explain_about_contact(
     yield case.say(Message("solution.known-contact", pole=pole, **names))
     if not needs_components(term.point, case):
         yield case.show(*_state_speed(term, name, case))
-        return Fact(name, value, False, (Piece(name, value, value),))
+        return Fact(name, value, False, (Piece(name, value, value, term),))
     yield case.show(*_state_components(term, name, None, case, "velocity"))
     return Fact(name, value, True)
 
@@ -165,7 +168,8 @@ def _explain_circling(term: Term, name: VectorSymbol, case: Case) -> Generator[B
     links = equate(symbols, speed**TWO / radius)
     size = state_number(length(normal, case.arithmetic), "m/s^2")
     yield case.show(Equation(first, (*links, *size)))
-    pieces = Piece(first, normal, normal), Piece(second, term.coefficient(), tangential)
+    along = term.coefficient()
+    pieces = Piece(first, normal, normal, term), Piece(second, along, tangential, term)
     return Fact(name, normal + tangential, False, pieces)
 
 
@@ -210,20 +214,19 @@ def _explain_composed(
             frame=case.naming.body(last.frame),
         )
     )
-    parts = [
-        (transport, find_vector(before, case.motion, level)),
-        *list_relative_parts(last, case, level),
-    ]
-    yield case.show(*(add_components(axis, name, parts, level) for axis in AXES))
+    carried = find_known(transport, find_vector(before, case.motion, level), case)
+    parts = [carried, *list_relative_parts(last, case, level)]
+    yield case.show(*(add_components(axis, name, parts, case) for axis in AXES))
 
 
-def list_relative_parts(
-    term: Term, case: Case, level: Level
-) -> Iterator[tuple[VectorSymbol, Vector]]:
-    """The relative and Coriolis parts of a term, by their symbols."""
+def list_relative_parts(term: Term, case: Case, level: Level) -> Iterator[Fact]:
+    """The relative and Coriolis parts of a term, each by its magnitude and direction."""
     number = index_relative(find_relative(term), case)
     for part in list_term_parts(term, case.motion, tuple(case.motion.rates), level):
-        yield _name_relative_part(part, level, number), part.value
+        name = _name_relative_part(part, level, number)
+        fixed = part.role == "coriolis" or part.part == "n"
+        sense = part.value if fixed else term.coefficient()
+        yield Fact(name, part.value, False, (Piece(name, sense, part.value, term),))
 
 
 def _name_relative_part(part: Part, level: Level, number: Row) -> VectorSymbol:

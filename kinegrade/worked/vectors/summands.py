@@ -6,13 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from kinegrade.mechanics.relations import add_vectors
-from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.formulas.atoms import TWO, ZERO, AxisName, VectorSymbol, add_terms
 from kinegrade.worked.formulas.equation import Equation, lead_to
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.numbers import measure, state_number
+from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.vectors.vectors import UNITS
 
 PLACES: dict[AxisName, int] = {"x": 0, "y": 1}
@@ -64,24 +62,3 @@ def add_summands(left: Formula, summands: Sequence[Summand], value: Any, level: 
     return Equation(
         left, lead_to(left, (symbols, numbers), state_number(value, UNITS[level, False]))
     )
-
-
-def add_components(
-    axis: AxisName,
-    name: VectorSymbol,
-    parts: Sequence[tuple[VectorSymbol, Vector]],
-    level: Level,
-    sign: Literal["+", "-"] = "+",
-) -> Equation:
-    """One component of a sum of vectors, or of what remains of the first without the others."""
-    place, unit = PLACES[axis], UNITS[level, False]
-    summands = [
-        Summand(
-            sign if number else "+", name_component(symbol, axis), (measure(value[place], unit),)
-        )
-        for number, (symbol, value) in enumerate(parts)
-    ]
-    (_, first), *others = parts
-    rest = add_vectors(value for _, value in others)[place]
-    whole = {"+": first[place] + rest, "-": first[place] - rest}[sign]
-    return add_summands(name_component(name, axis), summands, whole, level)

@@ -1,0 +1,167 @@
+"""The components of vectors along the axes: of a vector that has been found, by what is known of
+it; of the rotation of a point about another; of sums.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Literal
+
+from kinegrade.mechanics.relations import Term, add_vectors
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.case import Case
+from kinegrade.worked.findings import Fact, Piece
+from kinegrade.worked.formulas.atoms import OTHER, TWO, AxisName, VectorSymbol
+from kinegrade.worked.formulas.equation import Equation
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import bearing, double, is_zero
+from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.formulas.symbols import name_coordinate
+from kinegrade.worked.positions.algebra import ZERO
+from kinegrade.worked.positions.axes import Axes, choose_axes
+from kinegrade.worked.positions.construction_steps import list_steps
+from kinegrade.worked.vectors.inclinations import (
+    Inclination,
+    find_cosine,
+    find_term_ends,
+    is_inclination_known,
+    name_along,
+    name_axis,
+)
+from kinegrade.worked.vectors.known_vectors import list_ways
+from kinegrade.worked.vectors.summands import PLACES, Summand, add_summands, name_component
+from kinegrade.worked.vectors.vectors import UNITS
+
+_SIGNS: Mapping[int, Literal["+", "-"]] = {1: "+", -1: "-"}
+_LEVELS: Mapping[Literal["v", "a"], Level] = {"v": "velocity", "a": "acceleration"}
+_DIRECTIONS: Mapping[AxisName, float] = {"x": 0.0, "y": 90.0}
+
+
+def find_known(symbol: VectorSymbol, value: Vector, case: Case) -> Fact:
+    """What has been found of a vector; its components where nothing has."""
+    found = (*case.findings.facts.values(), *case.findings.answered.values())
+    unknown = Fact(symbol, value, True)
+    same = (fact for fact in found if fact.symbol == symbol and is_zero(fact.value - value))
+    return next(same, unknown)
+
+
+def list_component(fact: Fact, axis: AxisName, case: Case) -> Iterator[Summand]:
+    """The component of a vector: v_A sin(phi) of one that the solution knows by its magnitude, by
+    the rotation where no angle is named, else v_Ax.
+    """
+    pieces = () if fact.by_components else fact.parts
+    shares = [_project(piece, axis, case) for piece in pieces if not is_zero(piece.value)]
+    turning = _find_rotation(pieces)
+    if pieces and None not in shares:
+        yield from (share for listed in shares if listed for share in listed)
+    elif turning is not None:
+        yield from list_turning_summands(axis, turning, case, _LEVELS[fact.symbol.letter])
+    else:
+        number = measure(fact.value[PLACES[axis]], fact.symbol.unit)
+        yield Summand("+", name_component(fact.symbol, axis), (number,))
+
+
+def _find_rotation(pieces: Sequence[Piece]) -> Term | None:
+    """The rotation that all pieces are parts of, None where there is none."""
+    terms = [piece.term for piece in pieces if piece.term is not None]
+    alone = len(terms) == len(pieces) and len({list_ways((term,)) for term in terms}) == 1
+    return terms[0] if alone and terms[0].kind == "rotation" else None
+
+
+def _project(piece: Piece, axis: AxisName, case: Case) -> tuple[Summand, ...] | None:
+    """The share of a piece in a component: none where it is normal to the axis, None where its
+    direction has no named angle.
+    """
+    heading = _find_heading(piece, case)
+    along = name_axis(_DIRECTIONS[axis])
+    if heading is None or along is None:
+        return None
+    cosine = find_cosine(heading, along)
+    quarters = (heading.quarters - along.quarters) % 4
+    if cosine is None and quarters % 2:
+        return ()
+    sign = 1 - quarters if cosine is None else cosine.sign
+    formula: Formula = piece.symbol
+    if double(piece.value.dot(piece.positive)) < 0:
+        sign, formula = -sign, abs(formula)
+    if cosine is not None:
+        formula = formula * cosine.state(False)
+    number = measure(piece.value[PLACES[axis]] * sign, piece.symbol.unit)
+    return (Summand(_SIGNS[sign], formula, (number,)),)
+
+
+def _find_heading(piece: Piece, case: Case) -> Inclination | None:
+    """The direction of a piece by an angle that is known."""
+    direction = bearing(piece.positive)
+    straight = name_axis(direction)
+    ends = find_term_ends(piece.term, case) if piece.term else None
+    if straight is not None or ends is None:
+        return straight
+    found = name_along(direction, ends, case)
+    known = found is not None and is_inclination_known(found, ends, case)
+    return found if known else None
+
+
+def add_components(
+    axis: AxisName,
+    name: VectorSymbol,
+    facts: Sequence[Fact],
+    case: Case,
+    sign: Literal["+", "-"] = "+",
+) -> Equation:
+    """One component of a sum of vectors, or of what remains of the first without the others."""
+    first, *others = facts
+    summands = list(list_component(first, axis, case))
+    for fact in others:
+        for share in list_component(fact, axis, case):
+            summands.append({"+": share, "-": _flip(share)}[sign])
+    start = first.value[PLACES[axis]]
+    rest = add_vectors(fact.value for fact in others)[PLACES[axis]]
+    whole = {"+": start + rest, "-": start - rest}[sign]
+    return add_summands(name_component(name, axis), summands, whole, _LEVELS[name.letter])
+
+
+def _flip(summand: Summand) -> Summand:
+    """The opposite of a summand."""
+    return replace(summand, sign=_SIGNS[{"+": -1, "-": 1}[summand.sign]])
+
+
+def list_turning_summands(
+    axis: AxisName, term: Term, case: Case, level: Level
+) -> Iterator[Summand]:
+    """The terms that the rotation about a base point adds to a component; none where the rotation
+    is zero, or the arm by the choice of the axes.
+    """
+    other = OTHER[axis]
+    signs: Mapping[AxisName, Literal["+", "-"]] = {"x": "-", "y": "+"}
+    rate, body = case.motion.rates[term.rate], term.rate.body
+    letters, value = case.naming.turning(body, level), case.rates(level)[term.rate]
+    axes = choose_axes(list_steps(case.template))
+    across, along = (_state_arm(one, term, axes, case) for one in (other, axis))
+    if double(value) and across is not None:
+        yield Summand(
+            signs[axis],
+            letters * across,
+            (measure(value, UNITS[level, True]), measure(term.vector[PLACES[other]], "m")),
+        )
+    if level == "acceleration" and double(rate) and along is not None:
+        yield Summand(
+            "-",
+            case.naming.omega(body) ** TWO * along,
+            (measure(rate, "rad/s"), measure(term.vector[PLACES[axis]], "m")),
+            squared=True,
+        )
+
+
+def _state_arm(axis: AxisName, term: Term, axes: Axes, case: Case) -> Formula | None:
+    """A coordinate of a point from its base point, the latter left out where the choice of the axes
+    makes it zero; None where it makes both zero.
+    """
+    point, base = (
+        name_coordinate(axis, case.naming.letter(name)) for name in (term.point, term.base)
+    )
+    if axes.coordinate(axis, term.base) != ZERO:
+        return point - base
+    return None if axes.coordinate(axis, term.point) == ZERO else point
