@@ -8,7 +8,7 @@ from kinegrade.figure.scene import Scene
 from kinegrade.language.math.tree import Mark, Row
 from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.press.solutions.chains import chain_blocks, join_sentences
-from kinegrade.press.solutions.course import DrawingRow, arrange_course
+from kinegrade.press.solutions.course import DrawingRow, TextArea, arrange_courses
 from kinegrade.press.solutions.equations import MeasuredDisplay, arrange_equations, measure_display
 from kinegrade.press.solutions.settings import (
     Column,
@@ -34,10 +34,13 @@ def rows(lines: list[str], room: float) -> list[Row]:
     return [row for group in groups for row in group.rows]
 
 
-def course(*blocks: Block, figure: Scene | None = None) -> list[Setting | DrawingRow]:
+def course(
+    *blocks: Block, figure: Scene | None = None, height: float = 260.0
+) -> list[Setting | DrawingRow]:
     """The parts of a question with these blocks, without its statement."""
     question = WorkedQuestion(1, "q1", "A crank", "It turns.", blocks, figure)
-    return list(arrange_course(question, PAGE))[0 if figure else 1 :]
+    (parts,) = arrange_courses([question], TextArea(PAGE, height))
+    return list(parts)[0 if figure else 1 :]
 
 
 def measure(lines: list[str]) -> MeasuredDisplay:
@@ -154,3 +157,15 @@ def test_a_table_beside_a_drawing_is_whole() -> None:
     assert isinstance(narrow, tuple)
     assert not all(map(fits, Column(60.0, "latin").set_chain(wide)))
     assert all(map(fits, PAGE.set_chain(narrow)))
+
+
+def test_text_goes_on_above_drawings_that_have_no_room_on_the_page() -> None:
+    said = [SAID, read_display([LONG])] * 3
+    roomy, narrow = (course(*said, pictures(1), *said, height=height) for height in (260.0, 120.0))
+    assert find_drawings(narrow) > find_drawings(roomy)
+    assert len(narrow) >= len(roomy)
+
+
+def find_drawings(parts: list[Setting | DrawingRow]) -> int:
+    """The place of the first row of drawings."""
+    return [isinstance(part, DrawingRow) for part in parts].index(True)

@@ -21,7 +21,7 @@ from tests.exam.printed_pages import split_images
 
 _DPI = 18
 _PAPER_WHITE = 250  # of 255: anything darker is printed
-_HEAD, _FOOT = 20.0, 21.0  # millimetres that the running head and foot take
+_HEAD, _FOOT = 18.0, 15.5  # millimetres that the running head and foot take
 _MM = _DPI / 25.4
 
 

@@ -28,7 +28,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints, Turning
 
 NORMAL = Pen(0.22, "dashed")
-TALL = Room(PICTURE.width, 62.0)  # of a picture with a pole
+TALL = Room(PICTURE.width, 52.0)  # of a picture with a pole
 _FAR = 0.4  # of its full size that a mechanism keeps at least to have its pole in the picture
 _POINTER = 20.0  # millimetres, of a normal towards a pole outside the picture
 _BEYOND = 10.0  # millimetres of such a normal that show at least beyond a bar on which it lies

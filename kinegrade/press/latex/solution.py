@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import assert_never
 
 from kinegrade.figure.back_ends.tikz import write_tikz
@@ -19,8 +20,8 @@ from kinegrade.press.solutions.course import (
     Drawing,
     DrawingRow,
     Part,
-    arrange_course,
-    make_column,
+    TextArea,
+    arrange_courses,
 )
 from kinegrade.press.solutions.equations import Equations
 from kinegrade.press.solutions.settings import (
@@ -33,7 +34,7 @@ from kinegrade.press.solutions.settings import (
 )
 from kinegrade.press.solutions.terms import Band, Cell, TermColumn
 
-_MARGIN = 20.0  # millimetres, as in the style; letter paper is a little wider
+_WIDTH, _HEIGHT = 170.0, 234.0  # millimetres that every paper has, as in the style
 
 
 def write_solution_body(sheet: SolutionSheet) -> str:
@@ -41,18 +42,19 @@ def write_solution_body(sheet: SolutionSheet) -> str:
     words, where = open_catalogue(sheet.language), locate_solutions(sheet.code)
     texts = (sheet.title, sheet.course, sheet.date, sheet.student, sheet.name, sheet.code)
     head = write_command("solutionhead", *map(write_plain, texts))
-    page = make_column("a4", _MARGIN, words)
+    column = Column(_WIDTH, words.raw("language", "page.")["script"])
+    courses = arrange_courses(sheet.questions, TextArea(column, _HEIGHT))
     questions = convert_each(
-        lambda question: _write_question(question, page, words, where), sheet.questions
+        lambda pair: _write_question(*pair, words, where),
+        zip(sheet.questions, courses, strict=True),
     )
     return write_environment("sheet", [write_comment(words.write(where)), head, *questions]) + "\n"
 
 
 def _write_question(
-    question: WorkedQuestion, page: Column, words: Catalogue, sheet: Location
+    question: WorkedQuestion, course: Sequence[Part], words: Catalogue, sheet: Location
 ) -> str:
     where = locate_question(sheet, question.identifier, question.template)
-    course = arrange_course(question, page)
     parts = gather(
         title=lambda: write_line(question.title, locate_part(where, "title")),
         course=lambda: convert_each(lambda part: _write_part(part, where), course),

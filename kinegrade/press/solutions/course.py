@@ -4,23 +4,22 @@ high text and drawings are.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Generator, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise, takewhile
 
 from typing_extensions import TypeIs
 
 from kinegrade.figure.scene import Scene
-from kinegrade.language.catalogue import Catalogue
-from kinegrade.press.sheet import PaperSize, WorkedQuestion
+from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.press.solutions.chains import Chain, Placed, chain_blocks, join_sentences
 from kinegrade.press.solutions.settings import Column, Setting, add_heights, fits
 from kinegrade.worked.document import Heading, Pictures, Prose
 
 GAP = 6.0  # millimetres between a drawing and what stands beside it
 CAPTION_WIDTH = 42.0  # millimetres that a caption has at least
-_PAPER_WIDTH: dict[PaperSize, float] = {"a4": 210.0, "letter": 215.9}
 _CAPTION = 9.5  # millimetres that a caption takes with its distance
+_MASTHEAD, _QUESTION_HEAD = 4.0, 8.0  # millimetres at the top of the first page, of a question
 _AROUND = 4.0  # millimetres above and below a row with drawings
 _NARROWEST = 72.0  # millimetres that text beside drawings has at least
 _WORTH_IT = 0.75  # of the height below, which blocks beside a drawing may add at most
@@ -67,63 +66,89 @@ Part = Setting | DrawingRow
 
 
 @dataclass(frozen=True)
-class _Passage:
-    """Rows of drawings, and how many of the chains that follow stand beside them."""
+class TextArea:
+    """The printed area of a page: its column, and its height in millimetres."""
 
-    rows: tuple[DrawingRow, ...]
-    taken: int
-
-
-def make_column(size: PaperSize, margin: float, words: Catalogue) -> Column:
-    """The text of a page in a language, with margins of so many millimetres on both sides."""
-    return Column(_PAPER_WIDTH[size] - 2 * margin, words.raw("language", "page.")["script"])
+    column: Column
+    height: float
 
 
-def arrange_course(question: WorkedQuestion, page: Column) -> tuple[Part, ...]:
-    """The parts of a question's solution: its statement beside its figure, then all else."""
+def arrange_courses(
+    questions: Iterable[WorkedQuestion], area: TextArea
+) -> Iterator[tuple[Part, ...]]:
+    """The parts of each question's solution, the questions one below another."""
+    filling = _Filling(area, _MASTHEAD)
+    for question in questions:
+        filling.used += _QUESTION_HEAD
+        yield tuple(_arrange(question, filling))
+
+
+@dataclass
+class _Filling:
+    """How many millimetres of the page are used as parts are placed."""
+
+    area: TextArea
+    used: float
+
+    def place(self, parts: Iterable[Part]) -> Iterator[Part]:
+        """The parts, each on a new page where it has no room on this one."""
+        for part in parts:
+            self.used = part.height + (self.used if self.has_room(part.height) else 0.0)
+            yield part
+
+    def place_chain(self, chain: Chain) -> Iterator[Part]:
+        """Blocks that stay together over the whole width."""
+        return self.place(self.area.column.set_chain(chain))
+
+    def has_room(self, height: float) -> bool:
+        """Whether what is that high has room on this page."""
+        return self.used + height <= self.area.height
+
+    def holds(self, chain: Chain) -> bool:
+        """Whether a chain has room on this page."""
+        return self.has_room(add_heights(self.area.column.set_chain(chain)))
+
+
+def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
+    """The statement beside its figure, then all else."""
     statement = (Placed(Prose(question.statement), stays=False),)
     items = (statement, *chain_blocks(tuple(join_sentences(question.blocks))))
-    if question.figure is None:
-        return tuple(_arrange(items, page))
-    chains = [item for item in takewhile(_is_text, items) if _is_text(item)]
-    leading = _arrange_passage((Drawing(question.figure, None),), chains, page)
-    return (*leading.rows, *_arrange(items[leading.taken :], page))
-
-
-def _is_text(item: Chain | Pictures) -> TypeIs[Chain]:
-    return not isinstance(item, Pictures)
-
-
-def _arrange(items: Sequence[Chain | Pictures], page: Column) -> Iterator[Part]:
     place = 0
+    if question.figure is not None:
+        chains = [item for item in takewhile(_is_text, items) if _is_text(item)]
+        place = yield from _set_passage((Drawing(question.figure, None),), chains, filling)
     heading: Chain = ()  # what stays with the drawings that follow
     while place < len(items):
         item = items[place]
         place += 1
         if _is_text(item):
             heading = item if item[-1].stays else ()
-            yield from page.set_chain(item if not heading else ())
+            yield from filling.place_chain(item if not heading else ())
             continue
         drawings = tuple(Drawing(each.scene, each.caption) for each in item.pictures)
-        chains = tuple(_take_section(items[place:]))
-        passage = _arrange_passage(drawings, _prepend(heading, chains), page)
-        if not passage.taken:
-            yield from page.set_chain(heading)
-        yield from passage.rows
-        place += passage.taken
+        chains = list(_take_section(items[place:]))
+        if not chains:
+            yield from filling.place_chain(heading)
+        place += yield from _set_passage(drawings, _prepend(heading, chains), filling)
         heading = ()
-    yield from page.set_chain(heading)
+    yield from filling.place_chain(heading)
 
 
-def _prepend(heading: Chain, chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+def _is_text(item: Chain | Pictures) -> TypeIs[Chain]:
+    return not isinstance(item, Pictures)
+
+
+def _prepend(heading: Chain, chains: Sequence[Chain]) -> tuple[Chain, ...]:
     """The chains, the heading at the beginning of the first."""
     return ((*heading, *chains[0]), *chains[1:]) if chains else ()
 
 
 def _take_section(items: Iterable[Chain | Pictures]) -> Iterator[Chain]:
-    """The chains that may stand beside drawings before them: up to the next chapter or drawings."""
+    """The chains that may stand beside drawings before them: up to the next chapter, or
+    to what stays with the next drawings.
+    """
     for item in items:
-        if not _is_text(item) or _begins_chapter(item):
+        if not _is_text(item) or _begins_chapter(item) or item[-1].stays:
             return
         yield item
 
@@ -133,20 +158,41 @@ def _begins_chapter(chain: Chain) -> bool:
     return isinstance(first, Heading) and first.level == 1
 
 
-def _arrange_passage(
+def _set_passage(
+    drawings: tuple[Drawing, ...], chains: Sequence[Chain], filling: _Filling
+) -> Generator[Part, None, int]:
+    """Rows of drawings with text beside them, and how many of the chains are used up; where a row
+    has no room on the page, the text goes on above it, except for what ends it.
+    """
+    taken = 0
+    while drawings:
+        row, beside = _choose_row(drawings, chains[taken:], filling.area.column)
+        late, more = not filling.has_room(row.height), len(chains) - taken > 1
+        if late and more and filling.holds(chains[taken]):
+            yield from filling.place_chain(chains[taken])
+            taken += 1
+            continue
+        yield from filling.place([row])
+        drawings = drawings[len(row.drawings) :]
+        taken += beside
+    return taken
+
+
+def _choose_row(
     drawings: tuple[Drawing, ...], chains: Sequence[Chain], page: Column
-) -> _Passage:
-    """Drawings one by one or side by side with text beside them, or without, whichever takes least
-    of the page.
+) -> tuple[DrawingRow, int]:
+    """The first row of drawings one by one or side by side, whichever takes least of the page, and
+    how many of the chains stand beside it.
     """
     choices = [_fill(rows, chains, page) for rows in _list_rows(drawings, page)]
-    most = max(choice.taken for choice in choices)
+    most = max(sum(taken for _, taken in choice) for choice in choices)
 
-    def find_height(choice: _Passage) -> float:
-        rest = (page.set_chain(chain) for chain in chains[choice.taken : most])
-        return sum(row.height for row in choice.rows) + sum(map(add_heights, rest))
+    def find_height(choice: Sequence[tuple[DrawingRow, int]]) -> float:
+        taken = sum(taken for _, taken in choice)
+        rest = (page.set_chain(chain) for chain in chains[taken:most])
+        return sum(row.height for row, _ in choice) + sum(map(add_heights, rest))
 
-    return min(choices, key=find_height)
+    return min(choices, key=find_height)[0]
 
 
 def _list_rows(
@@ -161,23 +207,28 @@ def _list_rows(
             yield rows
 
 
-def _fill(rows: tuple[tuple[Drawing, ...], ...], chains: Sequence[Chain], page: Column) -> _Passage:
-    """Each row with the next chains beside it, as long as that takes less of the page than to set
-    them below.
-    """
-    taken, filled = 0, []
+def _fill(
+    rows: Sequence[tuple[Drawing, ...]], chains: Sequence[Chain], page: Column
+) -> list[tuple[DrawingRow, int]]:
+    """Each row with the next chains beside it, and how many they are."""
+    filled: list[tuple[DrawingRow, int]] = []
     for drawings in rows:
-        row = DrawingRow(drawings, ())
-        column = replace(page, width=page.width - row.width - GAP)
-        while taken < len(chains) and column.width >= _NARROWEST:
-            settings = column.set_chain(chains[taken])
-            if not all(map(fits, settings)):
-                break
-            longer = replace(row, beside=(*row.beside, *settings))
-            below = add_heights(page.set_chain(chains[taken]))
-            if longer.height - row.height > _WORTH_IT * below:
-                break
-            row = longer
-            taken += 1
-        filled.append(row)
-    return _Passage(tuple(filled), taken)
+        taken = sum(taken for _, taken in filled)
+        filled.append(_fill_row(DrawingRow(drawings, ()), chains[taken:], page))
+    return filled
+
+
+def _fill_row(row: DrawingRow, chains: Sequence[Chain], page: Column) -> tuple[DrawingRow, int]:
+    """A row with chains beside it, as long as that takes less of the page than to set them below,
+    and how many they are.
+    """
+    column = replace(page, width=page.width - row.width - GAP)
+    chains = chains if column.width >= _NARROWEST else ()
+    for taken, chain in enumerate(chains):
+        settings = column.set_chain(chain)
+        longer = replace(row, beside=(*row.beside, *settings))
+        below = add_heights(page.set_chain(chain))
+        if not all(map(fits, settings)) or longer.height - row.height > _WORTH_IT * below:
+            return row, taken
+        row = longer
+    return row, len(chains)

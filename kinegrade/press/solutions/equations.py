@@ -25,7 +25,7 @@ _INDENT_WIDTH = 1.3
 _BEFORE_SIGN = 0.56  # the room that a sign has when it stands between two terms
 # Of the room: what is longer on the left of its relation is not aligned with others
 _LONG_LEFT = 0.2
-_ROW_GAP = 0.5
+_ROW_GAP = 0.4
 
 
 @dataclass(frozen=True)

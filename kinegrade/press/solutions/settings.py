@@ -22,7 +22,8 @@ EM = 3.528  # millimetres: text of 10 points
 INDENT = 6.0  # millimetres before an equation
 _BOLD = 1.08
 _AFTER_HEADING, _AFTER_SENTENCE = 0.8, 1.4  # em
-_PITCH = {"latin": 1.27, "chinese": 1.55}  # em from line to line, by script
+_PITCH = {"latin": 1.27, "chinese": 1.45}  # em from line to line, by script
+_LEADING = 0.62  # em between two lines, of their pitch
 _TALLEST_IN_LINE = 0.7  # of the height of a display is that of the same formula within a text
 _GAP = 1.7  # millimetres between two blocks
 _BEFORE_HEADING: dict[int, float] = {1: 2.4, 2: 1.6}
@@ -140,7 +141,8 @@ class Column:
         rows = [*list_formulas(paragraph.text), *filter(None, [paragraph.equation])]
         tall = max((measure_printed(row).height for row in rows), default=0.0)
         lines = max(1, ceil(_measure_paragraph(paragraph) * EM / self.width))
-        return above + (_PITCH[self.script] * lines + max(0.0, _TALLEST_IN_LINE * tall - 1)) * EM
+        higher = max(0.0, _TALLEST_IN_LINE * tall - 1)
+        return above + (_PITCH[self.script] * lines - _LEADING + higher) * EM
 
 
 def fits(setting: Setting) -> bool:

@@ -24,7 +24,7 @@ _SYMBOL_SIZE = 1.15  # of the text
 _NARROWEST = 7.0
 _BETWEEN = 6.8  # millimetres that sign and gaps take with each term
 _LABELS = 17.0  # millimetres of the column that says "magnitude" and "direction"
-_HEAD, _ROW, _LINE = 7.0, 2.6, 4.0  # millimetres: the symbols, a row without its lines, a line
+_HEAD, _ROW, _LINE = 6.4, 1.2, 3.6  # millimetres: the symbols, a row without its lines, a line
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ beside what has been decided before, so that the layout measures nothing but tab
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import assert_never
 
 from kinegrade.figure.back_ends.typst import write_typst_picture
@@ -17,10 +18,11 @@ from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
 from kinegrade.press.solutions.chains import UNKNOWN, name_question
-from kinegrade.press.solutions.course import Drawing, DrawingRow, Part, arrange_course, make_column
+from kinegrade.press.solutions.course import Drawing, DrawingRow, Part, TextArea, arrange_courses
 from kinegrade.press.solutions.equations import Equations
 from kinegrade.press.solutions.settings import (
     Body,
+    Column,
     EquationGroups,
     Paragraph,
     Setting,
@@ -29,7 +31,9 @@ from kinegrade.press.solutions.settings import (
 from kinegrade.press.solutions.terms import Cell, TermColumn
 from kinegrade.press.typst.layout_call import Sheet, write_layout_call, write_signed
 
-_MARGIN = 18.0  # millimetres, as in the layout
+# Millimetres, as in the layout
+_SIDES, _TOP_AND_BOTTOM = 34.0, 33.5
+_PAPER: dict[PaperSize, tuple[float, float]] = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
 
 
 def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
@@ -37,9 +41,13 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
     texts.
     """
     words = open_catalogue(sheet.language)
+    width, height = _PAPER[size]
+    column = Column(width - _SIDES, words.raw("language", "page.")["script"])
+    courses = arrange_courses(sheet.questions, TextArea(column, height - _TOP_AND_BOTTOM))
     data: Sheet = {
         "questions": convert_each(
-            lambda question: _write_question(question, sheet, size, words), sheet.questions
+            lambda pair: _write_question(*pair, sheet, words),
+            zip(sheet.questions, courses, strict=True),
         )
     }
     data |= {
@@ -52,11 +60,10 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
 
 
 def _write_question(
-    question: WorkedQuestion, sheet: SolutionSheet, size: PaperSize, words: Catalogue
+    question: WorkedQuestion, course: Sequence[Part], sheet: SolutionSheet, words: Catalogue
 ) -> Sheet:
     name = question.identifier
     where = locate_part(name, "solution")
-    course = arrange_course(question, make_column(size, _MARGIN, words))
     written = gather(
         title=lambda: write_line(question.title, locate_part(name, "title")),
         parts=lambda: convert_each(lambda part: _write_part(part, where), course),

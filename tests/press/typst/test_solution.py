@@ -152,8 +152,8 @@ def test_nothing_sticks_out_of_the_page(compiler: typst.Compiler) -> None:
     images = compiler.compile(write_solution_source(sheet).encode(), format="png", ppi=36)
     assert len(images) >= 2
     for left, right, width in map(inked_columns, images):
-        assert left >= 17 / 210 * width
-        assert right <= 191 / 210 * width
+        assert left >= 16 / 210 * width
+        assert right <= 194 / 210 * width
 
 
 def test_a_long_line_goes_on_in_further_rows(compiler: typst.Compiler) -> None:
