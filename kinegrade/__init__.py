@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from kinegrade.exam.generating.options import GenerateOptions
     from kinegrade.exam.roster.roster import Roster
     from kinegrade.lms.grades.dialect import ExportOptions
+    from kinegrade.public.assigning import assign
     from kinegrade.public.bank import Bank
     from kinegrade.public.class_page import report
     from kinegrade.public.exporting import export
@@ -41,6 +42,7 @@ __all__ = [
     "Roster",
     "__version__",
     "add_students",
+    "assign",
     "export",
     "feedback",
     "generate",
@@ -61,6 +63,7 @@ _HOMES = {
     "QuizOptions": "public.quizzes",
     "Roster": "exam.roster.roster",
     "add_students": "public.generating",
+    "assign": "public.assigning",
     "export": "public.exporting",
     "feedback": "public.sheets",
     "generate": "public.generating",

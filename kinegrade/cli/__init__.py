@@ -20,7 +20,7 @@ from kinegrade.cli.marks import class_report, diff, feedback, grade
 from kinegrade.cli.printing import paper, papers, reprint_exam, sample, solutions
 from kinegrade.cli.program import Program
 from kinegrade.cli.quiz import quiz
-from kinegrade.cli.rosters import roster
+from kinegrade.cli.rosters import assign, roster
 from kinegrade.cli.sharing import sharing
 from kinegrade.cli.solve import solve
 from kinegrade.cli.starters import new
@@ -50,6 +50,7 @@ for command in (
     paper,
     reprint_exam,
     solutions,
+    assign,
     grade,
     diff,
     class_report,

@@ -93,6 +93,12 @@ _WITH_ADD = (
 )
 @METHOD
 @click.option(
+    "--spare",
+    type=click.IntRange(0, 1000),
+    default=0,
+    metavar="N",
+)
+@click.option(
     "--also",
     multiple=True,
     type=click.Choice(["docx", "html"]),

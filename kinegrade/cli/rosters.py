@@ -1,4 +1,4 @@
-"""The command about the class itself: roster."""
+"""The commands about who is in the class: roster, assign."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import click
 import kinegrade
 from kinegrade.cli.column_choice import COLUMN
 from kinegrade.cli.help import command
-from kinegrade.cli.options import FILE, finish_with_complaints, refusing
+from kinegrade.cli.options import FILE, finish, finish_with_complaints, refusing
 from kinegrade.cli.terminal import terminal_words
 
 if TYPE_CHECKING:
@@ -36,3 +36,26 @@ def roster(roster: Path, *, columns: Wishes, allow_odd_ids: bool) -> None:
     for line in describe_roster(students):
         click.echo(words.write(line))
     finish_with_complaints([each.fault for each in students.complaints])
+
+
+@command()
+@click.argument("exam", type=FILE)
+@click.argument("code")
+@click.argument("student")
+@click.option(
+    "--name",
+    default="",
+)
+@click.option(
+    "--email",
+    default="",
+)
+@click.option(
+    "--group",
+    default="",
+)
+@refusing
+def assign(exam: Path, code: str, student: str, *, name: str, email: str, group: str) -> None:
+    """Give the spare paper of EXAM that bears CODE to a STUDENT, by id, who has none."""
+    folder = kinegrade.open_exam(exam)
+    finish(kinegrade.assign(folder, code, student, name=name, email=email, group=group))

@@ -12,7 +12,7 @@ from click.testing import Result
 from pypdf import PdfReader
 
 from tests.problem.crank import crank_text
-from tests.small_class import VANISHING, contents, key_lines, kinegrade
+from tests.small_class import VANISHING, contents, generate, key_lines, kinegrade, write_class
 
 TYPO = ("The crank {{ r }} turns", "The corrected crank {{ r }} turns")
 OTHER_ANSWER = ('"y(velocity(A))"', '"2*y(velocity(A))"')
@@ -64,6 +64,20 @@ def test_the_uncorrected_template_changes_nothing(exam: Path) -> None:
     before = contents(exam)
     assert correct(exam).exit_code == 0
     assert contents(exam) == before
+
+
+def test_spare_papers_and_booklets_of_rooms_are_printed_again(tmp_path: Path) -> None:
+    folder = write_class(tmp_path)
+    roster = "student,name,room\n007,Ann,A\n0012,Bob,B\n"
+    (folder / "roster.csv").write_text(roster, encoding="utf-8")
+    assert generate(folder, "EXAM", "--spare", "1").exit_code == 0
+    before = contents(folder / "EXAM")
+    assert {"rooms/A.pdf", "spares.jsonl"} <= before.keys()
+    assert correct(folder / "EXAM").exit_code == 0
+    assert contents(folder / "EXAM") == before
+    assert correct(folder / "EXAM", TYPO).exit_code == 0
+    for name in ("rooms/A.pdf", *(name for name in before if name.startswith("papers/"))):
+        assert "The corrected crank" in read(folder / "EXAM" / name)
 
 
 def test_worked_solutions_are_printed_again(exam: Path) -> None:

@@ -12,6 +12,8 @@ from kinegrade.problem.template.translation_names import name_beside
 HEAD = "exam.json"
 #: The right answers, one line for each student, with the values drawn and the known mistakes.
 KEY = "key.jsonl"
+#: The same for spare papers that are not assigned.
+SPARES = "spares.jsonl"
 #: The right answers for people.
 KEY_BOOK = "key.pdf"
 #: The lines of the key that a pool of quiz questions was made of; written by `kinegrade quiz`.
@@ -41,6 +43,7 @@ CONTENTS = (
     HEAD,
     NOTICE,
     KEY,
+    SPARES,
     KEY_BOOK,
     BANK,
     *(name_beside(BANK, language) for language in known_languages()),

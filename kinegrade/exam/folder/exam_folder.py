@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.contents import BANK, HEAD, KEY, POOL, SOLUTIONS, TEMPLATES
+from kinegrade.exam.folder.contents import BANK, HEAD, KEY, POOL, SOLUTIONS, SPARES, TEMPLATES
 from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.faults import decoding, explain_unreadable, name_line, name_paper
 from kinegrade.exam.folder.head import read_head
@@ -75,6 +75,11 @@ class ExamFolder:
     def key(self) -> Path:
         """The file of the key, to be named in messages."""
         return self.path / KEY
+
+    @property
+    def spares(self) -> Path:
+        """The file of the spare papers' key, to be named in messages."""
+        return self.path / SPARES
 
     @property
     def pool(self) -> Path:
@@ -146,6 +151,11 @@ class ExamFolder:
         """The keys of all papers, in the order of the file. Raises ExamError."""
         return (self.read_line(*line) for line in self.texts())
 
+    def spare_lines(self) -> Iterator[KeyLine]:
+        """The keys of the spare papers, none where there are none. Raises ExamError."""
+        texts = _read_texts(self.spares) if self.spares.exists() else iter(())
+        return (_read_record(self.spares, *line) for line in texts)
+
     def require_sound_key(self) -> None:
         """Raises ExamError with all faults of the key."""
         for _ in self.papers():
@@ -197,12 +207,11 @@ class ExamFolder:
 
     @cached_property
     def _indices(self) -> tuple[KeyIndex, ...]:
-        """The indices in which lines are looked up: the key's, then the pool's."""
-        return (
-            (make_index(self.key), make_index(self.pool))
-            if self.has_pool
-            else (make_index(self.key),)
-        )
+        """The indices in which lines are looked up: the key's, then the pool's, then that of spare
+        papers.
+        """
+        others = (each for each in (self.pool, self.spares) if each.exists())
+        return tuple(map(make_index, (self.key, *others)))
 
     @cached_property
     def _decoder(self) -> PaperDecoder:

@@ -72,7 +72,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     template the values that earlier exams dealt and nobody is to get again. `paper_size` and
     `engine` printed the papers, which all have so many `pages`, 0 where earlier versions printed
     them; `method` found the velocities of worked solutions, where one was
-    asked for.
+    asked for. `spares` are papers without a student, each by the name that stands for one.
     """
 
     format: int
@@ -97,6 +97,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     questions: tuple[ExamQuestion, ...]
     students: tuple[Candidate, ...]
     by_hand: tuple[HandQuestion, ...] = ()
+    spares: tuple[Candidate, ...] = ()
     editable: dict[str, str] | None = None
     earlier: dict[str, tuple[dict[str, str], ...]] = {}
 
@@ -115,6 +116,11 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
                 "codes": self.codes,
             }
         )
+
+    @property
+    def everybody(self) -> tuple[Candidate, ...]:
+        """All who have a paper: the students, then those who stand for the spare papers."""
+        return (*self.students, *self.spares)
 
     @cached_property
     def asks(self) -> tuple[Ask, ...]:

@@ -9,6 +9,8 @@ from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from msgspec import structs
+
 from kinegrade.errors import OutputError, Problem
 from kinegrade.exam.bank.blueprint import Blueprint
 from kinegrade.exam.folder.contents import KEY, PAPERS, SOLUTIONS
@@ -97,7 +99,7 @@ def add_students(
             written = write_papers(folder, run, press, newcomers, results, earlier=earlier)
         longer = tuple(list_longer_papers(run, newcomers, written.pages))
         require_none(longer if options.strict else ())
-        _write_rest(exam, folder, _grown_head(exam, dealt, run, students, written.keys))
+        write_rest(exam, folder, _grown_head(exam, dealt, run, students, written.keys))
     return Added(len(newcomers), len(exam.students), (*said, *longer))
 
 
@@ -130,17 +132,19 @@ def _copy(exam: ExamFolder, folder: Path) -> None:
 def _keys(kept: KeptExam) -> Iterator[KeyPaper]:
     """The keys of the papers that stay, for the instructor's book. Raises ExamError."""
     head, bank = kept.exam.head, kept.bank
-    return (make_key_paper(bank, kept.paper(each), head.language) for each in head.students)
+    papers = map(kept.paper, head.everybody)
+    return (make_key_paper(bank, paper, head.language) for paper in papers)
 
 
 def _grown_head(
     exam: ExamFolder, dealt: ClassDeal, run: PrintRun, students: LateClass, keys: Iterable[KeyPaper]
 ) -> ExamHead:
     newcomers = map(candidate, students.late.students, keys)
-    return make_exam_head(dealt, (*exam.head.students, *newcomers), run)
+    head = make_exam_head(dealt, (*exam.head.students, *newcomers), run)
+    return structs.replace(head, spares=exam.head.spares)
 
 
-def _write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> None:
+def write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> None:
     """The booklets of rooms, the answer sheets, with what was typed into the one that people type
     into, and the head.
 

@@ -18,7 +18,7 @@ from msgspec import structs
 
 from kinegrade.errors import ExamError, Problem, suggest
 from kinegrade.exam.bank.blueprint import Bank
-from kinegrade.exam.folder.contents import KEY, PAPERS, SOLUTIONS, TEMPLATES
+from kinegrade.exam.folder.contents import KEY, PAPERS, SOLUTIONS, SPARES, TEMPLATES
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.writing import encode_line
@@ -129,7 +129,7 @@ def _settle_changes(exam: ExamFolder, kept: KeptExam, *, accept: bool) -> tuple[
 
     Raises ExamError where it is not, and where nothing follows from the values any more.
     """
-    reworked = [kept.rework(candidate) for candidate in kept.exam.head.students]
+    reworked = [kept.rework(candidate) for candidate in kept.exam.head.everybody]
     changes = tuple(each for _, differences in reworked for each in differences)
     if changes and not accept:
         more = [Message("exam.more-changes", count=len(changes) - _NAMED)]
@@ -141,11 +141,15 @@ def _settle_changes(exam: ExamFolder, kept: KeptExam, *, accept: bool) -> tuple[
 
 
 def _write_key(kept: KeptExam, papers: list[SetPaper]) -> None:
-    lines = (
+    """The key of the students, and that of the spare papers."""
+    lines = [
         encode_line(make_key_line(paper, mistakes, shuffled=kept.bank.shuffle))
         for paper, mistakes in zip(papers, find_mistaken_answers(papers), strict=True)
-    )
-    kept.exam.key.write_bytes(b"".join(lines))
+    ]
+    students = len(kept.exam.head.students)
+    kept.exam.key.write_bytes(b"".join(lines[:students]))
+    if lines[students:]:
+        kept.exam.spares.write_bytes(b"".join(lines[students:]))
 
 
 def _print_alike(
@@ -154,12 +158,15 @@ def _print_alike(
     """Print all papers over those of the folder, and give the number of pages that each has: that
     of the longest, or as many as before.
     """
-    key = (folder / KEY).read_bytes()
+    keys = {
+        name: (folder / name).read_bytes() for name in (KEY, SPARES) if (folder / name).exists()
+    }
     pages = _print_once(exam, run, progress, print_again, folder)
     if min(pages) < max(pages):
         pages = _print_once(exam, replace(run, pages=max(pages)), progress, print_again, folder)
     write_room_booklets(folder, map(student_of, exam.head.students))
-    (folder / KEY).write_bytes(key)  # as it was, where another version would write other mistakes
+    for name, lines in keys.items():  # as they were: another version might write other mistakes
+        (folder / name).write_bytes(lines)
     return max(pages)
 
 
@@ -169,7 +176,10 @@ def _print_once(
     for name in (PAPERS, *([SOLUTIONS] if run.extras.solutions else ())):
         shutil.rmtree(folder / name)
         (folder / f"{name}.pdf").unlink(missing_ok=True)
-    students = tuple(map(student_of, exam.head.students))
+    head = exam.head
+    students = tuple(
+        replace(student_of(each), spare=each in head.spares) for each in head.everybody
+    )
     with closing(print_again(run)) as papers:
         shown = progress(papers, len(students))
         return write_papers(folder, run, run.press_order.press(), students, shown).pages

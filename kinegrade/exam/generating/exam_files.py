@@ -6,9 +6,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
+from itertools import chain, groupby
 from pathlib import Path
-from typing import BinaryIO
 
 from msgspec import structs
 
@@ -22,6 +21,7 @@ from kinegrade.exam.folder.contents import (
     KEY,
     LOGO,
     NOTICE,
+    SPARES,
     TEMPLATES,
 )
 from kinegrade.exam.folder.records import ExamHead
@@ -68,11 +68,8 @@ def write_papers(
     was written for each of `students`.
     """
     written: list[tuple[KeyPaper, int]] = []
-    with (
-        (folder / KEY).open("ab") as lines,
-        printed_files(folder, solutions=run.extras.solutions) as write,
-    ):
-        papers = _noted(_written(results, students, write), lines, written)
+    with printed_files(folder, solutions=run.extras.solutions) as write:
+        papers = _noted(_written(folder, results, students, write), written)
         book = make_key_book(run.bank, chain(earlier, papers), run.language)
         write_key(folder, press.key(book))
     keys, pages = zip(*written, strict=True) if written else ((), ())
@@ -80,20 +77,25 @@ def write_papers(
 
 
 def _written(
-    results: Iterator[Printed], students: Sequence[Student], write: Callable[[str, Printed], None]
+    folder: Path,
+    results: Iterator[Printed],
+    students: Sequence[Student],
+    write: Callable[[str, Printed], None],
 ) -> Iterator[Printed]:
-    """The same papers, each written under the file name of its student."""
-    for student, result in zip(students, results, strict=True):
-        write(student.file_name, result)
-        yield result
+    """The same papers, each written under the file name of its student, its key in a file of the
+    folder.
+    """
+    for spare, part in groupby(zip(students, results, strict=True), lambda pair: pair[0].spare):
+        with (folder / (SPARES if spare else KEY)).open("ab") as lines:
+            for student, result in part:
+                write(student.file_name, result)
+                lines.write(result.record)
+                yield result
 
 
-def _noted(
-    results: Iterator[Printed], lines: BinaryIO, written: list[tuple[KeyPaper, int]]
-) -> Iterator[KeyPaper]:
-    """The keys of papers as they come; a line of each goes to `lines`, its head to `written`."""
+def _noted(results: Iterator[Printed], written: list[tuple[KeyPaper, int]]) -> Iterator[KeyPaper]:
+    """The keys of papers as they come; the head of each goes to `written`."""
     for result in results:
-        lines.write(result.record)
         written.append((replace(result.key, entries=()), result.pages))
         yield result.key
 

@@ -47,6 +47,7 @@ from kinegrade.exam.printing.printing import PrintRun, require_tools
 from kinegrade.exam.printing.room_booklets import write_room_booklets
 from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.spare_papers import add_spare_papers
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.figure.sketchbook import open_sketchbook
@@ -93,9 +94,10 @@ def generate(
 
     Raises KinegradeError; then nothing is written.
     """
-    wish, extras, roster = options.wish, options.extras, roster.seated
+    wish, extras = options.wish, options.extras
     require_tools(extras)
     old = replaced_exam(output, new_numbers=wish.new) if force else None
+    roster = add_spare_papers(roster.seated, options.spare, () if old is None else old.spares)
     secret = wish.secret(None if old is None else old.secret)
     stays = None if wish.new else old
     earlier = read_earlier_exams(options.avoid, stays.head if stays else None)
@@ -103,9 +105,9 @@ def generate(
     require_languages(bank, language, roster)
     sources = source_files(bank) | translation_files(bank, known_languages())
     jobs = max(min(options.jobs, len(roster.students) // CHUNK), 1)
-    place = _open_exam_folder(output, options.access, force=force)
+    exam = _open_exam_folder(output, options.access, force=force)
     processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
-    with bulk_work(), place as folder, processes as workers, book as sketchbook:
+    with bulk_work(), exam as folder, processes as workers, book as sketchbook:
         run = PrintRun(bank, language, options.press_order(bank), extras)
         press = run.press_order.press()
         kept = _find_kept_papers(stays, secret)

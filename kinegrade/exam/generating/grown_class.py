@@ -78,12 +78,13 @@ def late_class(exam: ExamFolder, roster: Roster, late: Roster) -> LateClass:
     already, or would need the file name of somebody who has one.
     """
     earlier = tuple(map(student_of, exam.head.students))
+    spares = tuple(map(student_of, exam.head.spares))
     known = {make_student_key(each.student): each for each in earlier}
     faults = [*_roster_faults(exam, known, roster), *_known_faults(exam, known, late)]
     if faults:
         raise TableError(*faults)
-    _require_names_kept(earlier, late)
-    stems = make_file_names(each.student for each in (*earlier, *late.students))
+    _require_names_kept((*earlier, *spares), late)
+    stems = make_file_names(each.student for each in (*earlier, *spares, *late.students))
     newcomers = tuple(replace(each, file_name=stems[each.student]) for each in late.seated.students)
     return LateClass(replace(late, students=newcomers), (*earlier, *newcomers))
 
@@ -161,6 +162,18 @@ def _require_names_kept(earlier: Sequence[Student], late: Roster) -> None:
     ]
     if faults:
         raise TableError(*faults)
+
+
+def find_stem(exam: ExamFolder, student: Student) -> str:
+    """The file name of somebody new. Raises TableError where that of a student with a paper would
+    change.
+    """
+    everybody = exam.head.everybody
+    late = Roster((student,), (), str(exam.head_file))
+    _require_names_kept(tuple(map(student_of, everybody)), late)
+    return make_file_names([*(each.student for each in everybody), student.student])[
+        student.student
+    ]
 
 
 def _place(roster: Roster, student: Student) -> str:

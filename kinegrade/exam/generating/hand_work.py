@@ -70,7 +70,8 @@ def _find_added(old: Path, head: ExamHead | None, new: Path) -> Iterator[str]:
     """The files below the folders of an exam that `generate` did not write there, such as notes
     beside the papers; files that people edit are left to `find_edited`.
     """
-    stems = {Path(each.file).stem for each in head.students} if head else set()
+    everybody = head.everybody if head else ()
+    stems = {Path(each.file).stem for each in everybody}
     stems |= set(name_booklets(each.room for each in head.students).values()) if head else set()
     for file in sorted(old.glob("*/**/*")) if stems else ():
         printed = file.stem in stems and file.suffix == ".pdf"

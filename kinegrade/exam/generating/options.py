@@ -31,11 +31,11 @@ class GenerateOptions:
     Its numbers are drawn from a random secret into which `seed`, a label, is mixed, or from the
     words of `reproducible` alone; with `new_numbers`, a folder that is replaced does not keep its
     numbers. Nobody gets numbers that anybody had in the exams whose folders are to `avoid`.
-    `share_with_group` lets the user's group read the folder. `engine` is the bank's unless
-    one is given. `solutions` writes worked solutions, by `method` where several serve; `also` names
-    the other kinds of files in which papers are wanted. What would be a complaint is refused where
-    `strict`. Papers are printed by up to `jobs` processes; `progress` is given them one after
-    another, and their number.
+    `share_with_group` lets the user's group read the folder. `engine` is the bank's unless one is
+    given. `solutions` writes worked solutions, by `method` where several serve; `spare` papers have
+    no student; `also` names the other kinds of files in which papers are wanted. What would be a
+    complaint is refused where `strict`. Papers are printed by up to `jobs` processes; `progress` is
+    given them one after another, and their number.
     """
 
     seed: str | None = None
@@ -47,6 +47,7 @@ class GenerateOptions:
     engine: Engine | None = None
     solutions: bool = False
     method: Method | None = None
+    spare: int = 0
     also: tuple[str, ...] = ()
     strict: bool = False
     jobs: int = 1

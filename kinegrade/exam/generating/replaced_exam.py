@@ -70,6 +70,11 @@ class ReplacedExam:
     papers: Mapping[str, bytes]
     kept: Mapping[str, KeyLine]
 
+    @property
+    def spares(self) -> tuple[str, ...]:
+        """The spare papers by their names: they may be printed, and so they stay."""
+        return tuple(each.student for each in self.head.spares) if self.head else ()
+
     def changes(self, new: Path) -> PaperChanges:
         """How the papers differ from those of the folder `new`. Raises ExamError."""
         papers = _paper_digests(open_exam(new))
@@ -125,7 +130,7 @@ def read_replaced(exam: ExamFolder) -> ReplacedExam:
     secret = required_secret(exam)
     exam.require_sound_key()
     papers = _paper_digests(exam)
-    kept = {line.student: line for line in exam.lines()}
+    kept = {line.student: line for line in (*exam.lines(), *exam.spare_lines())}
     _require_places(exam, kept)
     return ReplacedExam(exam.path, exam.head, secret, papers, kept)
 

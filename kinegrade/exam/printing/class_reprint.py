@@ -32,7 +32,7 @@ def print_class_again(
     Raises ExamError where something else follows than the key says, BankError, TypesetError.
     """
     shared_kept, shared_run = Shared(KeptExam(kept.exam)), Shared(run)
-    students = kept.exam.head.students
+    students = kept.exam.head.everybody
     tasks = (
         _ReprintTask(shared_kept, shared_run, students[part.start : part.stop])
         for part in split_class(len(students), jobs)

@@ -32,7 +32,11 @@ def write_warning() -> str:
 
 
 def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: PrintRun) -> ExamHead:
-    """The head of an exam, printed by that run, whose number of pages is known."""
+    """The head of an exam, printed by that run, whose number of pages is known; `candidates` are
+    its students and its spare papers.
+    """
+    everybody = tuple(candidates)
+    spare = {each.student for each in dealt.roster.students if each.spare}
     bank, language, order = dealt.bank, run.language, run.press_order
     head = ExamHead(
         format=FORMAT,
@@ -50,7 +54,8 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
         credit=bank.credit.record() or None,
         solutions=bank.solutions,
         questions=tuple(_make_exam_question(dealt, each, language) for each in bank.questions),
-        students=tuple(candidates),
+        students=tuple(each for each in everybody if each.student not in spare),
+        spares=tuple(each for each in everybody if each.student in spare),
         by_hand=tuple(
             HandQuestion(each.identifier, each.points, each.title.in_language(language))
             for each in bank.by_hand

@@ -76,7 +76,7 @@ def lay_out_paper(
         bank.course.in_language(language),
         write_title(bank, paper, language),
         bank.date,
-        paper.student.student,
+        "" if paper.student.spare else paper.student.student,
         paper.student.name,
         paper.code,
         write_rules(bank, language),

@@ -25,6 +25,7 @@ from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.students import make_student_key
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.exam.setting.setting import SetPaper
@@ -77,12 +78,23 @@ class Reprint:
 
 
 def reprint(exam: ExamFolder, student: str) -> Reprint:
-    """The paper of a student by id, as it was generated.
+    """The paper of a student by id, or by its code, as it was generated.
 
     Raises ExamError where there is no such student, or where something else follows from the
     folder than its key says, BankError.
     """
+    coded = {each.paper: each for each in exam.head.everybody if each.paper}
+    code = StudentIds(exam.students, {each: each for each in coded}).coded(student)
+    if code is not None and make_student_key(student) not in map(make_student_key, exam.students):
+        return reprint_candidate(exam, coded[code])
     (candidate,) = find_candidates(exam, (student,))
+    return reprint_candidate(exam, candidate)
+
+
+def reprint_candidate(exam: ExamFolder, candidate: Candidate) -> Reprint:
+    """The paper of a student, or a spare one, as it was generated. Raises ExamError where something
+    else follows from the folder than its key says, BankError.
+    """
     kept = KeptExam(exam)
     paper = kept.paper(candidate)
     return Reprint(kept_run(exam, kept), paper, str(exam.head_file))

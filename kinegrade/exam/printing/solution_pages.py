@@ -51,7 +51,7 @@ def write_solution_sheet(bank: Bank, paper: SetPaper, writer: SolutionWriter) ->
         bank.course.in_language(language),
         write_title(bank, paper, language),
         bank.date,
-        paper.student.student,
+        "" if paper.student.spare else paper.student.student,
         paper.student.name,
         paper.code,
         questions,

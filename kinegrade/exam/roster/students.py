@@ -25,7 +25,8 @@ class Student:
 
     What a roster does not say is "": `language`, in which the paper is printed, is then that of the
     exam; `extra_time` is a text such as "25 %" or "30 min". `line` is where the student stands in
-    the roster's file, 0 where there is none.
+    the roster's file, 0 where there is none. A `spare` paper has no student yet: its id is a name
+    for it, which is not printed.
     """
 
     student: str
@@ -37,6 +38,7 @@ class Student:
     seat: str = ""
     language: str = ""
     extra_time: str = ""
+    spare: bool = False
     line: int = field(default=0, compare=False)
 
 

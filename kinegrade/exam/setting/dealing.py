@@ -7,7 +7,7 @@ deals them alike; after that `ClassDeal` says what anyone was dealt, and nothing
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import partial
@@ -42,7 +42,8 @@ class ClassDeal:
     """A bank dealt to a class: `places`, `codes` and `versions` by student, `deals` by question.
 
     `values` has for each question what everyone gets, by student, or by letter where there are
-    versions. What all papers are made from is `shared` by the processes that make them.
+    versions. `orders` are those of the questions on papers that stay. What all papers are made from
+    is `shared` by the processes that make them.
     """
 
     shared: Shared[Exam]
@@ -51,6 +52,7 @@ class ClassDeal:
     places: Mapping[str, int]
     codes: Mapping[str, str]
     versions: Mapping[str, str]
+    orders: Mapping[str, Sequence[str]]
     deals: Mapping[str, Deal]
     values: Mapping[str, Mapping[str, Combination]]
 
@@ -77,7 +79,7 @@ class ClassDeal:
             place,
             f"{letter}-{code}" if letter else code,
             letter,
-            self._order(f"version {letter}" if letter else student.student),
+            self._find_order(student.student, letter),
             tuple(each[letter or student.student] for each in self.values.values()),
         )
 
@@ -139,6 +141,14 @@ class ClassDeal:
         """What has numbers of its own."""
         return "versions" if self.bank.versions else "students"
 
+    def _find_order(self, student: str, letter: str) -> tuple[int, ...]:
+        """The order in which the questions of a student are printed."""
+        names = [each.identifier for each in self.bank.questions]
+        kept = self.orders.get(student)
+        if kept is not None and self.bank.shuffle and sorted(kept) == sorted(names):
+            return tuple(map(names.index, kept))
+        return self._order(f"version {letter}" if letter else student)
+
     def _order(self, whose: str) -> tuple[int, ...]:
         """The order in which the questions of a student, or of a version, are printed."""
         questions = self.bank.questions
@@ -179,9 +189,19 @@ def deal_exam(
     }
     look = _look_by(workers, shared) if workers else partial(look_here, exam.filters)
     dealt = deal_alike(exam, units, stated, look)
-    codes = make_paper_codes(secret.coding, places)
+    codes = make_paper_codes(secret.coding, places, _list_codes(kept))
+    orders = {whose: paper.order for whose, paper in kept.items() if not letters}
     deals = {name: pool.deal for name, pool in dealt.pools.items()}
-    return ClassDeal(shared, roster, secret, places, codes, versions, deals, dealt.values)
+    return ClassDeal(shared, roster, secret, places, codes, versions, orders, deals, dealt.values)
+
+
+def _list_codes(kept: Mapping[str, KeyLine]) -> dict[str, str]:
+    """The codes of papers that stay, without the letters of versions."""
+    return {
+        whose: paper.paper.removeprefix(f"{paper.version}-")
+        for whose, paper in kept.items()
+        if paper.paper
+    }
 
 
 def _assign_places(roster: Roster, secret: str, kept: Mapping[str, KeyLine]) -> dict[str, int]:

@@ -84,7 +84,7 @@ class KeptExam:
         self._require_same_paper(candidate, line, names)
         stated = {each.question: each for each in line.questions}
         return SetPaper(
-            student_of(candidate),
+            replace(student_of(candidate), spare=candidate in self.exam.head.spares),
             line.paper,
             tuple(self.derive(line, stated[name], self._plans[name]) for name in names),
             tuple(map(names.index, line.order)),

@@ -75,6 +75,7 @@ HEAD = ExamHead(
             extra_time="25 %",
         ),
     ),
+    spares=(Candidate("spare-1", "", paper="B-C9PV-269B", file="papers/spare-1.pdf"),),
     editable={"bank.toml": "0f"},
 )
 ANSWER = StatedAnswer(

@@ -1,0 +1,28 @@
+"""Papers without a student, for those who come unannounced: named `spare-1`, `spare-2` ... until
+they are assigned.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+from itertools import count, islice
+
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import Student, make_file_names, make_student_key
+
+_NAME = "spare-{}"
+
+
+def add_spare_papers(roster: Roster, wanted: int, existing: Collection[str]) -> Roster:
+    """The roster with as many spare papers behind its students; those that exist stay, whatever is
+    wanted.
+    """
+    taken = {make_student_key(each.student) for each in roster.students}
+    names = (_NAME.format(number) for number in count(1))
+    free = (name for name in names if name not in taken and name not in existing)
+    spares = [*existing, *islice(free, max(wanted - len(existing), 0))]
+    stems = make_file_names([*(each.student for each in roster.students), *spares])
+    students = tuple(replace(each, file_name=stems[each.student]) for each in roster.students)
+    papers = (Student(name, "", "", stems[name], spare=True) for name in spares)
+    return replace(roster, students=(*students, *papers))

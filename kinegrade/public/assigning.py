@@ -1,0 +1,31 @@
+"""`kinegrade.assign`: a spare paper becomes that of a student."""
+
+from __future__ import annotations
+
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.generating.assigning import assign_paper
+from kinegrade.exam.roster.students import Student
+from kinegrade.language.message import Message
+from kinegrade.public.opened import expect_opened
+from kinegrade.public.outcome import Outcome
+
+
+def assign(
+    exam: ExamFolder, code: str, student: str, *, name: str = "", email: str = "", group: str = ""
+) -> Outcome:
+    """Give the spare paper of that code to a student who has none, as `kinegrade assign` does.
+
+    Every other paper stays; the numbers are those on the paper. Raises KinegradeError.
+
+    >>> bank, roster = kinegrade.Bank.read("bank.toml"), kinegrade.Roster.read("roster.csv")
+    >>> spare = kinegrade.GenerateOptions(spare=1)
+    >>> exam = kinegrade.generate(bank, roster, "SUMMER", options=spare).exam
+    >>> assign(exam, exam.head.spares[0].paper, "0099", name="Dora")
+    SUMMER: paper ... is that of "0099"; 0 spare papers are left
+    >>> assign(exam, "XXXX-XXXX", "0100")
+    Traceback (most recent call last):
+    kinegrade.errors.ExamError: ...
+    """
+    expect_opened(exam=exam)
+    done = assign_paper(exam.path, code, Student(student, name, email, "", group=group))
+    return Outcome(exam.path, (Message("terminal.of", where=str(exam.path), what=done.summary),))

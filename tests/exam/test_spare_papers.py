@@ -1,0 +1,129 @@
+"""Papers without a student, and how they come to belong to one; through the command line."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from kinegrade.exam.folder.exam_folder import open_exam
+from tests.small_class import BANK, ROSTER, contents, generate, kinegrade, write_class
+
+
+@pytest.fixture
+def exam(tmp_path: Path) -> Path:
+    """An exam with two spare papers, questions shuffled."""
+    folder = write_class(tmp_path)
+    (folder / "bank.toml").write_text(f"shuffle = true\n{BANK}", encoding="utf-8")
+    result = generate(folder, "EXAM", "--spare", "2", "--solutions", "--also", "html")
+    assert result.exit_code == 0, result.stderr
+    return folder / "EXAM"
+
+
+def list_codes(exam: Path) -> list[str]:
+    """The codes of the spare papers."""
+    return [each.paper for each in open_exam(exam).head.spares]
+
+
+def read_ids(sheet: Path) -> list[str]:
+    """Whose rows an answer sheet has."""
+    with sheet.open(encoding="utf-8-sig", newline="") as lines:
+        return [row["student"] for row in csv.DictReader(lines)]
+
+
+def test_a_spare_paper_has_a_code_and_lines_to_write_on(exam: Path) -> None:
+    code, _ = list_codes(exam)
+    text = PdfReader(exam / "papers" / "spare-1.pdf").pages[0].extract_text()
+    assert code in text
+    assert "spare" not in text
+    again = kinegrade("paper", exam, code.lower().replace("-", ""))
+    assert again.stdout_bytes == (exam / "papers" / "spare-1.pdf").read_bytes()
+    assert open_exam(exam).students == ("007", "0012", "a/b", "=2")
+    assert read_ids(exam / "answers.csv") == ["007", "0012", "a/b", "=2"]
+
+
+def test_an_assigned_paper_is_that_of_the_student(exam: Path, tmp_path: Path) -> None:
+    before, code = contents(exam), list_codes(exam)[0]
+    line = open_exam(exam).line_of("spare-1")
+    done = kinegrade("assign", exam, code, "0099", "--name", "Dora Noble")
+    assert done.exit_code == 0, done.stderr
+    assert f'EXAM: paper {code} is that of "0099"; 1 spare paper is left' in done.stderr
+    after, folder = contents(exam), open_exam(exam)
+    assert folder.line_of("0099").questions == line.questions
+    assert folder.head.candidates["0099"].paper == code
+    own = {"papers/0099.pdf", "papers/0099.html", "solutions/0099.pdf"}
+    assert set(after) - set(before) == own
+    gone = {name.replace("0099", "spare-1") for name in own}
+    assert set(before) - set(after) == gone
+    changed = {name for name in set(after) & set(before) if after[name] != before[name]}
+    assert changed == {
+        "answers.csv",
+        "answers.xlsx",
+        "exam.json",
+        "key.jsonl",
+        "spares.jsonl",
+        "papers.pdf",
+        "solutions.pdf",
+    }
+    assert "Dora Noble" in PdfReader(exam / "papers" / "0099.pdf").pages[0].extract_text()
+    assert kinegrade("paper", exam, "0099").stdout_bytes == after["papers/0099.pdf"]
+    right = folder.line_of("0099").questions[0].asks["v_B"].decimal
+    (tmp_path / "answers.csv").write_text(f"paper,q1.v_B\n{code},{right}\n", encoding="utf-8")
+    kinegrade("grade", exam, tmp_path / "answers.csv", "-o", tmp_path / "MARKS")
+    with (tmp_path / "MARKS" / "grades.csv").open(encoding="utf-8-sig", newline="") as lines:
+        totals = {row["student"]: row["total"] for row in csv.DictReader(lines)}
+    assert totals["0099"] == "3"
+
+
+def test_spare_and_assigned_papers_outlive_a_class_that_grows_or_is_set_again(
+    exam: Path, tmp_path: Path
+) -> None:
+    first, second = list_codes(exam)
+    assert kinegrade("assign", exam, first, "0099", "--name", "Dora").exit_code == 0
+    paper, spare = (exam / "papers" / f"{name}.pdf" for name in ("0099", "spare-2"))
+    printed = paper.read_bytes(), spare.read_bytes()
+    (tmp_path / "roster.csv").write_text(f"{ROSTER}0099,Dora,\n", encoding="utf-8")
+    (tmp_path / "late.csv").write_text("student,name\n0100,Eve\n", encoding="utf-8")
+    files = (tmp_path / "bank.toml", tmp_path / "roster.csv", "-o", exam, "--allow-odd-ids")
+    added = kinegrade("generate", *files, "--add", tmp_path / "late.csv")
+    assert added.exit_code == 0, added.stderr
+    assert list_codes(exam) == [second]
+    (tmp_path / "roster.csv").write_text(f"{ROSTER}0099,Dora,\n0100,Eve,\n", encoding="utf-8")
+    again = generate(tmp_path, "EXAM", "--force", "--spare", "2", "--solutions", "--also", "html")
+    assert again.exit_code == 0, again.stderr
+    assert "6 papers keep their numbers, 0 changed, 0 gone, 0 new" in again.stderr
+    assert (paper.read_bytes(), spare.read_bytes()) == printed
+    assert list_codes(exam)[0] == second
+    codes = [each.paper for each in open_exam(exam).head.students]
+    assert len({*codes, *list_codes(exam)}) == 8
+
+
+@pytest.mark.parametrize(
+    ("code", "student", "said"),
+    [
+        ("XXXX-XXXX", "0099", 'no spare paper has the code "XXXX-XXXX" - the codes of spare'),
+        ("CODE", "0012", '"0012" has a paper already - expected students without one'),
+        ("CODE", " ", "EXAM/exam.json: "),
+        ("OF 0012", "0099", 'is that of "0012" already'),
+    ],
+)
+def test_what_cannot_be_assigned_is_refused_and_nothing_is_written(
+    exam: Path, code: str, student: str, said: str
+) -> None:
+    before = contents(exam)
+    codes = {"CODE": list_codes(exam)[0], "OF 0012": open_exam(exam).head.candidates["0012"].paper}
+    result = kinegrade("assign", exam, codes.get(code, code), student)
+    assert result.exit_code == 2
+    (line,) = result.stderr.splitlines()
+    assert said in line
+    assert contents(exam) == before
+
+
+def test_an_exam_without_spare_papers_says_how_late_students_get_theirs(tmp_path: Path) -> None:
+    write_class(tmp_path)
+    assert generate(tmp_path).exit_code == 0
+    assert not (tmp_path / "EXAM" / "spares.jsonl").exists()
+    result = kinegrade("assign", tmp_path / "EXAM", "XXXX-XXXX", "0099")
+    assert "all spare papers are assigned, or there were none; late students" in result.stderr
