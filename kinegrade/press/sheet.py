@@ -23,6 +23,7 @@ from kinegrade.press.paper_head import PLAIN_HEAD, PaperHead
 from kinegrade.worked.document import Block
 
 PaperSize = Literal["a4", "letter"]
+MOST_FORMULA_PAGES = 10
 
 
 @dataclass(frozen=True)
@@ -73,6 +74,14 @@ class Paper:
     def points(self) -> Fraction:
         """The total of all questions."""
         return sum((question.points for question in self.questions), Fraction(0))
+
+
+@dataclass(frozen=True)
+class FormulaSheet:
+    """What is bound behind every paper: a `pdf`, or a `text`, prose; one of the two is empty."""
+
+    pdf: bytes = b""
+    text: str = ""
 
 
 @dataclass(frozen=True)

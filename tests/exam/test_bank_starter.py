@@ -70,6 +70,7 @@ def test_what_is_not_in_force_is_read_where_it_is_put_in_force(tmp_path: Path) -
     assert everything != STARTER
     path.write_text(everything, encoding="utf-8")
     (tmp_path / "crest.svg").write_text(CREST, encoding="utf-8")
+    (tmp_path / "formulas.md").write_text("$v = \\omega r$", encoding="utf-8")
     bank = read_bank(path, "secret")
     assert (bank.versions, bank.lms, bank.header.logo != "") == (3, "canvas", True)
 

@@ -15,6 +15,7 @@ from typing import get_args
 from kinegrade.errors import BankError, suggest
 from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
 from kinegrade.exam.bank.by_hand import HandQuestion
+from kinegrade.exam.bank.formula_sheet import read_formula_sheet
 from kinegrade.exam.bank.header import HEADER_TEXTS, read_header
 from kinegrade.exam.bank.keys import BANK
 from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
@@ -100,7 +101,8 @@ def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False
     whole, faults = _open(path, text, translations)
     table = whole.only(*BANK)
     header = read_header(table, path.parent, kept=kept)
-    frame = replace(_read_frame(table, text, translations), header=header)
+    formulas = read_formula_sheet(table, path.parent, kept=kept)
+    frame = replace(_read_frame(table, text, translations), header=header, formula_sheet=formulas)
     shipped = folder or find_shipped("templates")
     entries = Entries(table.faults, shipped, path.parent, kept, frame.space)
     slots, by_hand = _read_questions(table, entries, frame)

@@ -18,6 +18,7 @@ from kinegrade.exam.bank.by_hand import HandQuestion
 from kinegrade.exam.bank.header import NO_HEADER, Header
 from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.press.protocol import Engine
+from kinegrade.press.sheet import FormulaSheet
 from kinegrade.problem.template.beside import Translations
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.translated import Translated
@@ -75,8 +76,9 @@ class Bank:
     instructor asks for another; `credit` is for answers that are not right; with `solutions`,
     feedback includes the worked solutions unless requested otherwise; `lms` is the system that the
     exam will be imported into, if its draws have to suit one; `header` is the head of the papers;
-    the questions `by_hand` have no mechanism, and stand between the others. `earlier` is no part of
-    the file: what earlier exams dealt, and this one is not to deal again.
+    the questions `by_hand` have no mechanism, and stand between the others; the `formula_sheet` is
+    bound behind every paper. `earlier` is no part of the file: what earlier exams dealt, and this
+    one is not to deal again.
     """
 
     title: Translated
@@ -98,6 +100,7 @@ class Bank:
     header: Header = NO_HEADER
     by_hand: tuple[HandQuestion, ...] = ()
     earlier: Earlier = field(default_factory=dict)
+    formula_sheet: FormulaSheet | None = None
 
     @property
     def texts(self) -> Mapping[str, Translated]:

@@ -18,9 +18,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from stat import S_ISREG
 
 from kinegrade.errors import FieldError
+from kinegrade.exam.bank.files_beside import read_file_beside
 from kinegrade.exam.bank.keys import HEADER
 from kinegrade.exam.folder.contents import LOGO
 from kinegrade.files.fields.table import Table
@@ -38,6 +38,7 @@ _LOGO_FILE = re.compile(r"[\w. -]{1,100}\.(png|svg|pdf)")
 _SENTENCES = ("institution", "duration", "aids", "instructions")
 _PLACES = ("room", "seat")
 HEADER_TEXTS = (*_SENTENCES, *_PLACES)  # what a translation beside a bank may hold
+_BESIDE = Message("bank.logo-beside")
 _NOTHING = Translated(plain="")
 
 
@@ -93,11 +94,11 @@ def _read_logo(folder: Path, value: object) -> str:
     name = text(value)
     kind = _LOGO_FILE.fullmatch(name)
     if kind is None:
-        raise FieldError(found(value), Message("bank.logo-beside"))
+        raise FieldError(found(value), _BESIDE)
     # Loads the typesetter, which most banks do not need
     from kinegrade.press.typst.logo import convert_logo  # noqa: PLC0415
 
-    svg = convert_logo(_read_file(folder / name, _MOST_BYTES), kind[1], _MEGAPIXELS)
+    svg = convert_logo(read_file_beside(folder / name, _MOST_BYTES, _BESIDE), kind[1], _MEGAPIXELS)
     if not svg:
         sound = Message("bank.logo-of-kind", kind=kind[1].upper(), most=_MEGAPIXELS)
         raise FieldError(found(value), sound)
@@ -106,20 +107,4 @@ def _read_logo(folder: Path, value: object) -> str:
 
 def _read_kept_logo(folder: Path, value: object) -> str:
     """The logo that an exam folder keeps."""
-    return _read_file(folder / LOGO, _MOST_KEPT).decode(errors="replace")
-
-
-def _read_file(path: Path, most: int) -> bytes:
-    """The bytes of a file that has no more than `most`."""
-    try:
-        status = path.stat()
-        if not S_ISREG(status.st_mode):
-            raise FieldError(found(path.name), Message("bank.logo-beside"))
-        with path.open("rb") as file:
-            content = file.read(most + 1)
-    except OSError as fault:
-        what = Message("files.cannot-be-read", reason=str(fault.strerror))
-        raise FieldError(what, Message("bank.logo-beside")) from fault
-    if len(content) > most:
-        raise FieldError(Message("bank.logo-too-large", name=found(path.name), most=most // 1000))
-    return content
+    return read_file_beside(folder / LOGO, _MOST_KEPT, _BESIDE).decode(errors="replace")

@@ -27,6 +27,10 @@ BANK = (
     "space",
     #: The number of versions, `3` for A, B and C, in place of a paper for each student.
     "versions",
+    #: What is bound behind every paper: a PDF of at most 10 pages and 5 MB beside the bank,
+    #: `"formulas.pdf"`, or a text (`.md`, `.txt`) with bold, emphasis, lists and `$...$` formulas.
+    #: The exam folder keeps it.
+    "formula-sheet",
     #: What typesets the exam.
     "engine",
     #: Shares of the points for answers that are not right.

@@ -22,6 +22,10 @@ POOL = "variants.jsonl"
 BANK = "bank.toml"
 #: The logo of the papers, where the bank has one.
 LOGO = "logo.svg"
+#: The formula sheet behind the papers, where the bank has one that is a PDF.
+FORMULA_PAGES = "formula-sheet.pdf"
+#: The same where it is a text.
+FORMULA_TEXT = "formula-sheet.md"
 #: The templates as they were.
 TEMPLATES = "templates"
 #: Says who may see what.
@@ -48,6 +52,8 @@ CONTENTS = (
     BANK,
     *(name_beside(BANK, language) for language in known_languages()),
     LOGO,
+    FORMULA_PAGES,
+    FORMULA_TEXT,
     TEMPLATES,
     *FOR_STUDENTS,
     ANSWERS,

@@ -13,6 +13,7 @@ from msgspec import structs
 
 from kinegrade.errors import BankError
 from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.bank.formula_sheet import list_formula_files
 from kinegrade.exam.folder.contents import (
     ANSWER_WORKBOOK,
     ANSWERS,
@@ -100,9 +101,9 @@ def _noted(results: Iterator[Printed], written: list[tuple[KeyPaper, int]]) -> I
         yield result.key
 
 
-def source_files(bank: Bank) -> dict[str, str]:
-    """The bank, its logo, every template and every mechanism as they were, so that a newer
-    kinegrade can mark the exam again.
+def source_files(bank: Bank) -> dict[str, bytes]:
+    """The bank, its logo, its formula sheet, every template and every mechanism as they were, so
+    that a newer kinegrade can mark the exam again.
 
     Raises BankError where two templates share different mechanisms of one name, as the folder keeps
     one file of a name.
@@ -120,15 +121,20 @@ def source_files(bank: Bank) -> dict[str, str]:
     if faults:
         raise BankError(*faults.values())
     logo = {LOGO: bank.header.logo} if bank.header.logo else {}
-    return {
+    texts = {
         BANK: bank.text,
         **logo,
         **{f"{TEMPLATES}/{template.name}.toml": template.file.text for template in templates},
         **{f"{TEMPLATES}/{FOLDER}/{name}.toml": each.text for name, each in mechanisms.items()},
     }
+    return _encode(texts) | list_formula_files(bank.formula_sheet)
 
 
-def translation_files(bank: Bank, languages: Collection[Language]) -> dict[str, str]:
+def _encode(texts: Mapping[str, str]) -> dict[str, bytes]:
+    return {name: text.encode() for name, text in texts.items()}
+
+
+def translation_files(bank: Bank, languages: Collection[Language]) -> dict[str, bytes]:
     """The files that translate what `source_files` gives into these languages, as they were."""
     files: dict[str, Translations] = {BANK: bank.translations}
     for template in (question.template for question in bank.questions):
@@ -136,20 +142,22 @@ def translation_files(bank: Bank, languages: Collection[Language]) -> dict[str, 
         if template.file.mechanism is not None:
             shared = template.file.mechanism
             files[f"{TEMPLATES}/{FOLDER}/{shared.name}.toml"] = shared.translations
-    return {
-        name_beside(file, language): text
-        for file, translations in files.items()
-        for language, text in translations.items()
-        if language in languages
-    }
+    return _encode(
+        {
+            name_beside(file, language): text
+            for file, translations in files.items()
+            for language, text in translations.items()
+            if language in languages
+        }
+    )
 
 
-def write_sources(sources: Mapping[str, str], folder: Path) -> None:
-    """Texts by their path below the folder."""
-    for name, text in sources.items():
+def write_sources(sources: Mapping[str, bytes], folder: Path) -> None:
+    """Files by their path below the folder."""
+    for name, content in sources.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8", newline="")
+        path.write_bytes(content)
 
 
 def write_blank_answers(head: ExamHead, folder: Path) -> None:

@@ -6,7 +6,7 @@ and says so.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass, replace
 from functools import partial
@@ -43,7 +43,7 @@ from kinegrade.exam.generating.replaced_exam import (
 from kinegrade.exam.printing.class_printing import CHUNK, print_class
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.paper_languages import require_languages
-from kinegrade.exam.printing.printing import PrintRun, require_tools
+from kinegrade.exam.printing.printing import Extras, PrintRun, require_tools
 from kinegrade.exam.printing.room_booklets import write_room_booklets
 from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
@@ -54,7 +54,7 @@ from kinegrade.figure.sketchbook import open_sketchbook
 from kinegrade.files.output import Access, output_folder
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages
-from kinegrade.language.message import Message
+from kinegrade.language.message import Fault, Message
 from kinegrade.press.protocol import Press
 from kinegrade.processes.executor import open_executor
 from kinegrade.processes.garbage_collection import bulk_work
@@ -114,6 +114,7 @@ def generate(
         dealt = deal_exam(bank, roster, secret, workers, kept, sketchbook=sketchbook)
         require_enough(dealt)
         said = list_complaints(roster, press, dealt, strict=options.strict)
+        said += tuple(_list_unbound(bank, extras))
         printer = partial(print_class, workers=workers, jobs=jobs)
         with closing(printer(run, dealt)) as papers:
             shown = options.progress(papers, len(roster.students))
@@ -130,7 +131,7 @@ def _open_exam_folder(output: Path, access: Access, *, force: bool) -> AbstractC
     return output_folder(output, marker=HEAD, contents=CONTENTS, force=force, access=access)
 
 
-def _write_rest(head: ExamHead, sources: Mapping[str, str], folder: Path) -> None:
+def _write_rest(head: ExamHead, sources: Mapping[str, bytes], folder: Path) -> None:
     """The booklets of rooms, the sources, the answer sheets and the head, which says what all other
     files were when they were made.
     """
@@ -153,6 +154,13 @@ def _list_drawn_templates(blueprint: Blueprint, bank: Bank) -> dict[str, str]:
 def _find_kept_papers(old: ReplacedExam | None, secret: ExamSecret) -> Mapping[str, KeyLine]:
     """The papers that stay: those of the folder that is replaced, where the secret stays too."""
     return old.kept if old is not None and old.secret == secret else {}
+
+
+def _list_unbound(bank: Bank, extras: Extras) -> Iterator[Fault]:
+    """That papers in other kinds of files lack the formula sheet."""
+    if bank.formula_sheet is not None and extras.also:
+        what, do = Message("exam.without-formulas"), Message("exam.hand-out-formulas")
+        yield Fault(", ".join(extras.also), what, do=do)
 
 
 def list_complaints(

@@ -37,8 +37,8 @@ def require_same_sources(exam: ExamFolder, blueprint: Blueprint) -> None:
     found = {question.template.name for question in bank.questions}
     faults = [
         Fault(str(exam.path / name), Message("exam.differs-from-given"), _EXPECTED, _RESTORING)
-        for name, text in sources.items()
-        if not _holds(exam.path / name, text)
+        for name, content in sources.items()
+        if not _holds(exam.path / name, content)
     ]
     faults += [
         Fault(
@@ -66,9 +66,9 @@ def _same_choice(exam: ExamFolder, blueprint: Blueprint) -> Bank:
     return replace(blueprint.frame, questions=questions)
 
 
-def _holds(file: Path, text: str) -> bool:
+def _holds(file: Path, content: bytes) -> bool:
     """Whether that is what stands in a file."""
-    return file.is_file() and file.read_bytes() == text.encode()
+    return file.is_file() and file.read_bytes() == content
 
 
 def late_class(exam: ExamFolder, roster: Roster, late: Roster) -> LateClass:

@@ -16,6 +16,7 @@ from kinegrade.exam.setting.key_record import make_key_line
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language import Language
+from kinegrade.press.formula_sheet import bind
 from kinegrade.press.join import count_pages
 from kinegrade.press.protocol import Engine, Press, Printout
 from kinegrade.press.sheet import KeyPaper, Paper, PaperSize
@@ -70,6 +71,13 @@ class PrintRun:
     extras: Extras
     pages: int | None = None
 
+    def bind(self, paper: Printout) -> Printout:
+        """A paper with the formula sheet of the bank behind it, whose pages do not count. Raises
+        TypesetError.
+        """
+        sheet, size = self.bank.formula_sheet, self.press_order.paper_size
+        return replace(paper, pdf=bind(paper.pdf, sheet, self.language, size))
+
 
 @dataclass(frozen=True)
 class Printed:
@@ -112,7 +120,7 @@ def print_papers(
     also = _print_also(pages, run) if run.extras.also else {}
     return [
         Printed(
-            printouts[name],
+            run.bind(printouts[name]),
             counts[name],
             solutions.get(name),
             also.get(name, {}),

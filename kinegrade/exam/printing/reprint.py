@@ -30,7 +30,7 @@ from kinegrade.exam.roster.students import make_student_key
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language.message import Fault, Message, Quoted
-from kinegrade.press.protocol import Press, Printout
+from kinegrade.press.protocol import Press
 
 _Kind = TypeVar("_Kind")
 
@@ -47,7 +47,8 @@ class Reprint:
         """The paper as PDF. Raises TypesetError."""
         sheet = lay_out_paper(self.run.bank, self.paper, self.run.language)
         sheet = replace(sheet, pages=self.run.pages or 0)
-        return self._only(self._press.papers({self._name: sheet}))
+        printed = self._press.papers({self._name: sheet})[self._name]
+        return self.run.bind(printed).pdf
 
     def solution(self) -> bytes:
         """Its worked solutions as PDF. Raises TypesetError."""
@@ -59,14 +60,11 @@ class Reprint:
 
         writer = SolutionWriter(self.run.language, self.run.extras.method)
         sheet = write_solution_sheet(self.run.bank, self.paper, writer)
-        return self._only(self._press.solutions({self._name: sheet}))
+        return self._press.solutions({self._name: sheet})[self._name].pdf
 
     def complaints(self) -> tuple[Problem, ...]:
         """What a person should look at before it is handed out."""
         return roster_complaints(Roster((self.paper.student,), (), self.file), self._press)
-
-    def _only(self, printouts: Mapping[str, Printout]) -> bytes:
-        return printouts[self._name].pdf
 
     @property
     def _name(self) -> str:
