@@ -14,7 +14,7 @@ import click
 
 from kinegrade import __version__
 from kinegrade.cli.choosing import list_templates, show
-from kinegrade.cli.exams import generate
+from kinegrade.cli.exams import archive, generate, verify
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
 from kinegrade.cli.printing import paper, papers, reprint_exam, sample, solutions
@@ -51,6 +51,8 @@ for command in (
     reprint_exam,
     solutions,
     assign,
+    archive,
+    verify,
     grade,
     diff,
     class_report,

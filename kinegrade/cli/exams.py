@@ -1,4 +1,4 @@
-"""The command that sets an exam: generate."""
+"""The commands that set an exam and keep it: generate, archive, verify."""
 
 from __future__ import annotations
 
@@ -18,11 +18,12 @@ from kinegrade.cli.options import (
     LANGUAGE,
     METHOD,
     finish,
+    finish_with_complaints,
     refusing,
     require_writable,
     show_progress,
 )
-from kinegrade.cli.terminal import refuse_usage
+from kinegrade.cli.terminal import refuse_usage, say
 from kinegrade.language.message import Message, list_plainly
 
 if TYPE_CHECKING:
@@ -162,3 +163,40 @@ def _expect_no_other_wishes() -> None:
     ]
     if given:
         raise refuse_usage(Message("terminal.add-alone", options=list_plainly(given)))
+
+
+@command()
+@click.argument("exam", type=FILE)
+@click.option("--marks", type=FILE, metavar="MARKS")
+@click.option("-o", "--output", type=FILE, required=True, metavar="FILE")
+@FORCE
+@refusing
+def archive(exam: Path, *, marks: Path | None, output: Path, force: bool) -> None:
+    """Keep all of EXAM in one file, with a page to print."""
+    from kinegrade.exam.archiving.archive import PRIVATE, write_archive
+    from kinegrade.exam.archiving.page import print_archive_page
+    from kinegrade.files.output import output_file
+
+    folder = kinegrade.open_exam(exam)
+    marked = None if marks is None else kinegrade.open_marks(marks).path
+    page = output.with_name(f"{output.stem}-page.pdf")
+    with output_file(page, force=force) as partial:
+        archived = write_archive(folder, marked, output, force=force)
+        partial.write_bytes(print_archive_page(folder, archived, output))
+        partial.chmod(PRIVATE)
+    say(Message("archive.written", file=str(output), count=archived.files, page=str(page)))
+
+
+@command()
+@click.argument("path", type=FILE, metavar="FILE")
+@click.option("--all", "everything", is_flag=True)
+@refusing
+def verify(path: Path, *, everything: bool) -> None:
+    """Check an archive or an exam folder: its files, and that its key still follows."""
+    from kinegrade.exam.archiving.verification import verify as verify_exam
+
+    found = verify_exam(path, everything=everything)
+    if found.files:
+        say(Message("archive.compared", file=str(path), count=found.files))
+    say(Message("archive.solved", file=str(path), count=found.solved, papers=found.papers))
+    finish_with_complaints(found.problems)

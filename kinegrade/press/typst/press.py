@@ -21,11 +21,13 @@ from kinegrade.errors import Problem, TypesetError
 from kinegrade.language.gathering import convert_each
 from kinegrade.language.message import Fault, Location, Message
 from kinegrade.language.typst_text import write_literal
+from kinegrade.press.archive_page import ArchivePage
 from kinegrade.press.join import count_pages, join_pages
-from kinegrade.press.legible import make_owner_legible, make_owners_legible
+from kinegrade.press.legible import make_legible, make_owner_legible, make_owners_legible
 from kinegrade.press.places import GALLERY, KEY, locate_paper, locate_question, locate_solutions
 from kinegrade.press.protocol import Press, Printout, unprintable_character
 from kinegrade.press.sheet import Gallery, KeyBook, Paper, PaperSize, SolutionSheet
+from kinegrade.press.typst.archive_page import write_archive_page_source
 from kinegrade.press.typst.compiler import make_compiler
 from kinegrade.press.typst.gallery import write_gallery_source
 from kinegrade.press.typst.key import write_key_source
@@ -109,6 +111,16 @@ class TypstPress(Press):
         reported at `where`.
         """
         return self._explaining(write_gallery_source(gallery, self._size), where)
+
+    def archive_page(self, page: ArchivePage) -> bytes:
+        """The page that is kept with an archive, as PDF. Raises TypesetError; characters of ids
+        that no font has are printed as code points.
+        """
+        texts = (page.title, *(part for line in (*page.facts, *page.codes) for part in line))
+        missing = self.unprintable(texts)
+        codes = tuple((make_legible(student, missing), code) for student, code in page.codes)
+        source = write_archive_page_source(replace(page, codes=codes), self._size)
+        return self._explaining(source, Message("archive.page"))
 
     def require_printable(self, source: str, where: Location) -> None:
         """Raises TypesetError, naming `where`, for Typst code that cannot be typeset."""

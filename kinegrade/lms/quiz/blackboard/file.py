@@ -14,10 +14,11 @@ from pathlib import Path
 from kinegrade.errors import Problem, TypesetError
 from kinegrade.exam.quiz.document import Quiz, QuizPaper
 from kinegrade.files.output import output_file
+from kinegrade.files.zip_package import Package, open_package
 from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.lms.quiz.blackboard.line import write_question_line
 from kinegrade.lms.quiz.decimals import write_decimal
-from kinegrade.lms.quiz.packaging import Package, make_stable_name, open_package
+from kinegrade.lms.quiz.packaging import make_stable_name
 from kinegrade.lms.quiz.remarks import Remarks
 
 _MOST = 250  # questions in one upload to Ultra; Original takes 500

@@ -16,10 +16,11 @@ from xml.sax.saxutils import quoteattr
 
 from kinegrade.errors import Problem
 from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizPaper, QuizQuestion
+from kinegrade.files.zip_package import Package, open_package
 from kinegrade.language.message import Fault, Message
 from kinegrade.language.prose.plain import write_one_plain_line
 from kinegrade.lms.quiz.manifest import Manifest
-from kinegrade.lms.quiz.packaging import Package, make_pool_name, make_stable_name, open_package
+from kinegrade.lms.quiz.packaging import make_pool_name, make_stable_name
 from kinegrade.lms.quiz.qti12 import manifest as qti12_manifest
 from kinegrade.lms.quiz.qti12.groups import Groups
 from kinegrade.lms.quiz.qti12.item import NumericalItem, write_item_element

@@ -9,10 +9,11 @@ from pathlib import Path
 
 from kinegrade.errors import Problem, TypesetError
 from kinegrade.exam.quiz.document import Quiz, QuizPaper, QuizQuestion
+from kinegrade.files.zip_package import Package, open_package
 from kinegrade.language.message import Message
 from kinegrade.language.prose.plain import write_one_plain_line
 from kinegrade.lms.quiz.manifest import Manifest
-from kinegrade.lms.quiz.packaging import Package, make_pool_name, make_stable_name, open_package
+from kinegrade.lms.quiz.packaging import make_pool_name, make_stable_name
 from kinegrade.lms.quiz.qti21.item import NAMES, write_item_document
 from kinegrade.lms.quiz.remarks import Remarks
 from kinegrade.lms.quiz.xml_text import Xml, write_document, write_element, write_on_lines
