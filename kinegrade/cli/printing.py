@@ -54,15 +54,22 @@ def sample(bank: Path, *, output: Path, seed: str, language: Language, force: bo
     required=True,
     metavar="DIR",
 )
+@click.option("--send-list", "listed", type=FILE, metavar="FILE")
 @FORCE
 @refusing
-def papers(exam: Path, output: Path, *, force: bool) -> None:
+def papers(exam: Path, output: Path, *, listed: Path | None, force: bool) -> None:
     """Copy from EXAM what students may have: everybody's paper as PDF, and for Word and the browser
     where it exists.
     """
-    from kinegrade.exam.printing.handout import hand_out
+    from kinegrade.exam.printing.handout import hand_out, send_list
 
-    count = hand_out(kinegrade.open_exam(exam), output, force=force)
+    folder = kinegrade.open_exam(exam)
+    if listed is None:
+        count = hand_out(folder, output, force=force)
+    else:
+        with send_list(folder, output, listed, force=force) as reached:
+            count = hand_out(folder, output, force=force)
+        say(Message("terminal.send-list", file=str(listed), count=reached))
     say(Message("terminal.handed-out", folder=str(output), count=count))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import shutil
@@ -124,3 +125,32 @@ def test_marks_in_place_of_the_exam_are_named(tmp_path: Path) -> None:
         f"error: {marks}: you gave MARKS where EXAM is expected - expected an exam folder made by "
         "kinegrade generate - name that folder"
     )
+
+
+def test_a_list_for_mail_merges_says_whose_each_file_is(small_class: Path, tmp_path: Path) -> None:
+    folder, listed = tmp_path / "PAPERS", tmp_path / "send.csv"
+    options = ("-o", folder, "--send-list", listed)
+    result = kinegrade("papers", small_class / "EXAM", *options)
+    assert result.exit_code == 0
+    assert f"{listed}: a row for each student, 1 with an address" in result.stderr
+    with listed.open(encoding="utf-8-sig", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["email"] for row in rows] == ["wei@example.org", "", "", ""]
+    assert rows[0]["student"] == "007"
+    assert rows[3]["student"] == "'=2"  # no spreadsheet works it out
+    assert all(Path(row["file"]).is_file() for row in rows)
+    assert {Path(row["file"]) for row in rows} == set(folder.resolve().glob("*.pdf"))
+
+
+def test_the_list_may_not_lie_among_the_papers(small_class: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "PAPERS"
+    options = ("-o", folder, "--send-list", folder / "send.csv")
+    result = kinegrade("papers", small_class / "EXAM", *options)
+    assert result.exit_code == 2
+    (tmp_path / "TAKEN").mkdir()
+    (tmp_path / "TAKEN" / "mine.txt").write_text("mine", encoding="utf-8")
+    taken = ("-o", tmp_path / "TAKEN", "--send-list", tmp_path / "send.csv")
+    assert kinegrade("papers", small_class / "EXAM", *taken).exit_code == 2
+    assert not (tmp_path / "send.csv").exists()
+    assert "would lie among the papers" in result.stderr
+    assert not folder.exists()

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from kinegrade.errors import ExamError, OutputError
 from kinegrade.exam.folder.contents import HEAD, PAPERS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import explain_broken
-from kinegrade.files.output import output_folder
+from kinegrade.files.csv_writing import neutralise, write_for_people
+from kinegrade.files.output import output_file, output_folder
 from kinegrade.language.message import Fault, Message, Quoted
 
+SEND_COLUMNS = ("student", "name", "email", "file")
 KINDS = (".pdf", ".docx", ".html")  # every student has the first
 
 
@@ -30,6 +33,33 @@ def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
         for file in files:
             (folder / file.name).write_bytes(_read_paper(file))
     return len(stems)
+
+
+@contextmanager
+def send_list(
+    exam: ExamFolder, papers: Path, target: Path, *, force: bool = False
+) -> Iterator[int]:
+    """A table for mail merges, which takes its place when the block ends: who gets which of the
+    papers that the block copies to the folder `papers`, by its whole path. Gives how many have an
+    address.
+
+    Raises OutputError, also where it would lie among the papers, which others may see.
+    """
+    if papers.resolve() in target.resolve().parents:
+        what = Message("exam.list-among-papers", folder=str(papers))
+        raise OutputError(Fault(str(target), what, do=Message("exam.list-elsewhere")))
+    rows = [
+        [
+            neutralise(each.student),
+            neutralise(each.name),
+            neutralise(each.email),
+            str((papers / Path(each.file).name).resolve()),
+        ]
+        for each in exam.head.students
+    ]
+    with output_file(target, force=force) as partial:
+        write_for_people(partial, SEND_COLUMNS, rows)
+        yield sum(bool(each.email) for each in exam.head.students)
 
 
 def _require_outside(exam: Path, output: Path) -> None:
