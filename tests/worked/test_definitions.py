@@ -66,3 +66,8 @@ def test_a_component_follows_from_what_is_known_of_the_vector() -> None:
     told = displayed(kept("elliptic-trammel-crank-driven"))
     (line,) = (line for line in told if line.startswith("v_{B,x} &="))
     assert line.startswith(r"v_{B,x} &= -v_{D}\sin\varphi - \omega_{AB}(y_{B} - y_{D}) = ")
+
+
+def test_a_given_length_is_not_worked_out_from_coordinates() -> None:
+    told = displayed(kept("pose-four-bar-coupler"))
+    assert [line for line in told if line.startswith("BC &=")] == [r"BC &= l_{BC} = 1.3\,\unit{m}"]

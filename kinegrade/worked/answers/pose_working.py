@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import AXES, Symbol
+from kinegrade.worked.formulas.equation import equate
+from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import name_component
 from kinegrade.worked.positions.algebra import ONE, ZERO, Pair
 from kinegrade.worked.positions.constructions import write_length_lines
-from kinegrade.worked.positions.instance import Instance
+from kinegrade.worked.positions.instance import METRE, Instance
+from kinegrade.worked.vectors.arms import find_stated_length
 
 AXIS_X, AXIS_Y = (ONE, ZERO), (ZERO, ONE)
 _AXES: Mapping[Pair, Message] = {
@@ -49,8 +53,25 @@ class Working:
     def sized(self, *sizes: Expression) -> tuple[tuple[Row, ...], Working]:
         """The equations of lengths that are not known yet."""
         fresh = [size for size in dict.fromkeys(sizes) if size not in self.found]
-        lines = tuple(line for size in fresh for line in write_length_lines(size, self.instance))
+        lines = tuple(line for size in fresh for line in self._state_length(size))
         return lines, replace(self, found=self.found | set(fresh))
+
+    def _state_length(self, size: Expression) -> tuple[Row, ...]:
+        """The equation of a length: by the statement's symbol, else by coordinates."""
+        match size:
+            case Call(function="distance", arguments=(Name(start), Name(end))):
+                stated = find_stated_length(start, end, self.instance.case)
+            case Number() | Name() | Operation() | Call():
+                stated = None
+            case _:
+                assert_never(size)
+        if stated is None:
+            return write_length_lines(size, self.instance)
+        left = self.instance.formula(size)
+        if left.looks_like(stated):
+            return ()
+        value = state_quantity(self.instance.quantity(self.instance.value(size), METRE))
+        return self.instance.lines(left, (*equate(stated), *value))
 
     def phrase(self, vector: Expression, letter: str = "") -> Message:
         """A vector in a sentence, with the letter that denotes it."""

@@ -22,12 +22,12 @@ from kinegrade.worked.vectors.vectors import vanishes
 
 def name_length(start: str, end: str, case: Case) -> Symbol:
     """The distance of two points: as the figure names it, else OA; always the same letters."""
-    stated = _find_stated(start, end, case)
+    stated = find_stated_length(start, end, case)
     letters = join_letters(map(case.naming.letter, (start, end)))
     return stated or case.findings.arms.get(frozenset((start, end)), letters)
 
 
-def _find_stated(start: str, end: str, case: Case) -> Symbol | None:
+def find_stated_length(start: str, end: str, case: Case) -> Symbol | None:
     """The symbol of the statement for the distance of two points: their letters, what the figure
     writes between them, or the given at which one is placed from the other.
     """
@@ -47,7 +47,7 @@ def introduce_lengths(ends: Iterable[tuple[str, str]], case: Case) -> Iterator[E
     """How distances that no symbol of the statement names follow from it, each told once."""
     for start, end in ends:
         pair = frozenset((start, end))
-        if pair in case.findings.arms or _find_stated(start, end, case):
+        if pair in case.findings.arms or find_stated_length(start, end, case):
             continue
         found = _state_length(start, end, case)
         if found is not None:
