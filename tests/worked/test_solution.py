@@ -333,8 +333,8 @@ def test_a_point_whose_motion_a_step_takes_as_known_is_told_before() -> None:
 def test_the_sense_in_which_a_driver_counts_is_kept() -> None:
     # The wheel is driven to the left, which counts positive
     lines = lines_of("rolling-wheel-pin-slotted-rocker")
-    assert r"v_{O} &= R\,\omega_{1}" in lines
-    assert r"\omega_{1} &= \frac{0.2\,\unit{m/s}}{0.5\,\unit{m}}" in lines
+    rolling = r"\omega_{1} &= \frac{v_{O}}{R} = \frac{0.2\,\unit{m/s}}{0.5\,\unit{m}} = "
+    assert any(line.startswith(rolling) for line in lines)
 
 
 def test_a_known_vector_told_negative_stands_between_bars() -> None:

@@ -29,7 +29,7 @@ def make_archive_page(exam: ExamFolder, archived: Archived, target: Path) -> Arc
         (words.text("archive.fact-file"), target.name),
         (words.text("archive.fact-checksum"), _group(archived.checksum)),
         (words.text("archive.fact-files"), str(archived.files)),
-        (words.text("archive.fact-papers"), str(len(head.students))),
+        (words.text("archive.fact-papers"), str(len(head.everybody))),
         (words.text("archive.fact-version"), head.kinegrade),
     )
     return ArchivePage(
@@ -43,7 +43,7 @@ def make_archive_page(exam: ExamFolder, archived: Archived, target: Path) -> Arc
             words.text("archive.step-verify"),
             words.text("archive.step-go-on", version=head.kinegrade),
         ),
-        tuple((each.student, each.paper) for each in head.students),
+        tuple((each.student, each.paper) for each in head.everybody),
     )
 
 
