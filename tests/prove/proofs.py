@@ -19,6 +19,7 @@ from tests.prove import (
     printed_pages,
     properties,
     round_trips,
+    solution_pages,
     sound_templates,
     whole_papers,
 )
@@ -32,6 +33,8 @@ PROOFS = (
     Proof("clear figures", clear_figures.hold, cases=2_000, batch=100, sample=50),
     Proof("printed figures", printed_figures.hold, cases=1_020, batch=51, sample=153),
     Proof("printed mathematics", printed_mathematics.hold, cases=1_020, batch=51, sample=17),
+    Proof("solution pages", solution_pages.hold, cases=510, batch=51, sample=0),
+    Proof("short solutions", solution_pages.hold_short, cases=2, batch=1, sample=0),
     Proof("graded figures", graded_figures.hold, cases=51, batch=51, sample=0),
     Proof("round trips", round_trips.hold, cases=500, batch=25, sample=9),
     Proof("by hand", by_hand.hold, cases=len(TAUGHT), batch=1, sample=0),

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from kinegrade.exam.printing.sample import print_worked_solution
 from kinegrade.language import Language
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_shipped, list_names, load_template
 from kinegrade.problem.template.template import Method
@@ -44,8 +45,16 @@ def measure_length(
     method: Method | None = None,
 ) -> Length:
     """The length of a template's solution at the values given, or at the published ones."""
-    solution = solve_template(load_template(name), given or {})
-    pdf = print_worked_solution(solution, language, method)
+    return measure_printed_length(
+        solve_template(load_template(name), given or {}), language, method
+    )
+
+
+def measure_printed_length(
+    solution: Solution, language: Language, method: Method | None = None
+) -> Length:
+    """The length of the solution of an instance."""
+    pdf = print_worked_solution(solution, language, method=method)
     command = ["pdftoppm", "-r", str(_DPI), "-gray", "-"]
     images = subprocess.run(command, input=pdf, capture_output=True, check=True).stdout
     return Length(tuple(_measure_pages(images)))
