@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row, Sign, Space, Text
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
@@ -67,8 +68,10 @@ def state_sense_along(
 
 
 def say_beside(message: Message, case: Case) -> Row:
-    """A message in brackets beside a value."""
-    return (_APART, Text(f"({case.write(message)})"))
+    """A message in brackets beside a value; its formulas stand between its words."""
+    parts = f"({case.write(message)})".split("$")
+    read = (read_math(part, "") if place % 2 else (Text(part),) for place, part in enumerate(parts))
+    return (_APART, *(node for row in read for node in row))
 
 
 def state_way(vector: Vector, case: Case) -> Row:
