@@ -384,7 +384,7 @@ def test_an_existing_folder_is_kept_unless_it_is_kinegrades_own(folder: Path) ->
     ("roster", "fault"),
     [
         ("student,name\n1,Ann\n1,Bob\n", 'student id "1" stands on lines 2 and 3'),
-        ("who,name\n1,Ann\n", 'no column "student"'),
+        ("who,name\n1,Ann\n", 'no column for "student"'),
         ("student,name\n,Ann\n", 'no student id ("Ann")'),
         ("student,name\n", "has no students"),
         ("", "is empty"),
