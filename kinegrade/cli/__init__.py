@@ -14,6 +14,7 @@ import click
 
 from kinegrade import __version__
 from kinegrade.cli.choosing import list_templates, show
+from kinegrade.cli.doctor import doctor
 from kinegrade.cli.exams import archive, generate, verify
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
@@ -53,6 +54,7 @@ for command in (
     assign,
     archive,
     verify,
+    doctor,
     grade,
     diff,
     class_report,

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from kinegrade.cli.help import command
-from kinegrade.cli.language_choice import LanguageChoice
+from kinegrade.cli.option_types import LanguageChoice
 from kinegrade.cli.options import FILE, FORCE, finish_with_complaints, refusing, require_writable
 from kinegrade.cli.terminal import write_line
 from kinegrade.files.fields.values import found

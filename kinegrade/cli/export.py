@@ -13,8 +13,7 @@ import click
 
 import kinegrade
 from kinegrade.cli.help import command
-from kinegrade.cli.language_choice import LanguageChoice
-from kinegrade.cli.late_choice import LateChoice
+from kinegrade.cli.option_types import LanguageChoice, LateChoice
 from kinegrade.cli.options import FILE, FORCE, finish, refusing
 from kinegrade.cli.terminal import refuse_value
 from kinegrade.language.message import Message, Quoted, list_plainly

@@ -10,9 +10,8 @@ import click
 
 import kinegrade
 from kinegrade.cli.help import command
-from kinegrade.cli.language_choice import LanguageChoice
-from kinegrade.cli.late_choice import LateChoice
 from kinegrade.cli.opening import open_both
+from kinegrade.cli.option_types import LanguageChoice, LateChoice
 from kinegrade.cli.options import (
     FILE,
     FORCE,

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from kinegrade.cli.language_choice import LanguageChoice
+from kinegrade.cli.option_types import LanguageChoice
 from kinegrade.cli.terminal import refuse_value, say, terminal_words, write_line
 from kinegrade.errors import KinegradeError, OutputError, Problem
 from kinegrade.language.message import Message

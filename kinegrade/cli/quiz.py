@@ -11,8 +11,7 @@ import click
 
 import kinegrade
 from kinegrade.cli.help import command
-from kinegrade.cli.language_choice import LanguageChoice
-from kinegrade.cli.late_choice import LateChoice
+from kinegrade.cli.option_types import LanguageChoice, LateChoice
 from kinegrade.cli.options import FILE, FORCE, JOBS, METHOD, finish, refusing, show_progress
 
 if TYPE_CHECKING:

@@ -1,6 +1,8 @@
-"""The value of --lang: one of the languages that have a catalogue."""
+"""The types of options: a language, one of the names of a table, a level or a range of levels."""
 
 from __future__ import annotations
+
+from collections.abc import Callable, Iterable
 
 import click
 
@@ -27,3 +29,22 @@ class LanguageChoice(click.ParamType[Language]):
             return read_language(str(value))
         except FieldError as error:
             self.fail("; ".join(map(write_line, error.faults)), param, ctx)
+
+
+class LateChoice(click.Choice[str]):
+    """Reads one of the names that `read_names` gives, of a table that is imported only when
+    the option is read or described.
+    """
+
+    def __init__(self, read_names: Callable[[], Iterable[str]]) -> None:
+        super().__init__(())
+        self.read_names = read_names
+
+    @property
+    def choices(self) -> tuple[str, ...]:
+        """The names, in the order of their table."""
+        return tuple(self.read_names())
+
+    @choices.setter
+    def choices(self, names: tuple[str, ...]) -> None:
+        """click sets the names at first, when they are not known yet."""
