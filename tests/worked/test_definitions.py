@@ -71,3 +71,11 @@ def test_a_component_follows_from_what_is_known_of_the_vector() -> None:
 def test_a_given_length_is_not_worked_out_from_coordinates() -> None:
     told = displayed(kept("pose-four-bar-coupler"))
     assert [line for line in told if line.startswith("BC &=")] == [r"BC &= l_{BC} = 1.3\,\unit{m}"]
+
+
+def test_a_direction_beside_an_answer_is_a_formula() -> None:
+    # it was printed as text, with its dollar signs
+    told = displayed(kept("planetary-gear-external-rim-velocities"))
+    assert not any(r"\text{(in the direction" in line for line in told)
+    (line,) = (line for line in told if line.startswith("v_{C} &="))
+    assert line.endswith(r"= 0.72\,\unit{m/s},\quad 105^\circ")

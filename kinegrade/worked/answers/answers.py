@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from kinegrade.expressions.tree import Call, Name
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.problem.kinds.kinds import Scalar
 from kinegrade.problem.quantities.functions import find_motion_calls
@@ -23,14 +24,10 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import ZERO
 from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
-from kinegrade.worked.formulas.measures import double, is_zero
+from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import state_number, state_quantity
 from kinegrade.worked.formulas.symbols import read_symbol
-from kinegrade.worked.senses import (
-    describe_direction,
-    find_rotation_sense,
-    say_beside,
-)
+from kinegrade.worked.senses import say_beside, state_rotation_sense, state_way
 from kinegrade.worked.steps.poles import explain_pole
 
 _PREFIXED = re.compile(r"[cm]m(?=$|/|\^)")  # centimetres and millimetres, also per second
@@ -94,9 +91,8 @@ def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
         one for one in (working.symbols, *numbers) if one != ZERO and not one.looks_like(symbol)
     ]
     values = state_value(ask, case) if between else state_quantity(answer)
-    sense = _find_sense(ask, case)
     links = drop_repetition(equate(*between), values)
-    return Equation(symbol, links, say_beside(sense, case) if sense else ())
+    return Equation(symbol, links, _state_sense(ask, case))
 
 
 def state_value(ask: Ask, case: Case) -> tuple[Link, ...]:
@@ -111,16 +107,15 @@ def state_value(ask: Ask, case: Case) -> tuple[Link, ...]:
     return (*base, prefixed)
 
 
-def _find_sense(ask: Ask, case: Case) -> Message | None:
-    """The sense or direction of an answer, None where there is none."""
+def _state_sense(ask: Ask, case: Case) -> Row:
+    """The sense or direction of an answer beside its value, nothing where there is none."""
     tree = ask.quantity
     if not isinstance(tree, Call):
-        return None
+        return ()
     if tree.function in MOTION_FUNCTIONS and isinstance(
         MOTION_FUNCTIONS[tree.function].gives, Scalar
     ):
-        return find_rotation_sense(case.solution.answers[ask.name].value)
+        return state_rotation_sense(case.solution.answers[ask.name].value, case)
     if tree.function == "magnitude" and is_vector_call(tree.arguments[0]):
-        value = find_value(tree.arguments[0], case)
-        return None if is_zero(value) else describe_direction(value, case)
-    return None
+        return state_way(find_value(tree.arguments[0], case), case)
+    return ()
