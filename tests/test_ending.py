@@ -27,7 +27,7 @@ draw = { h = "0 .. 10 step 1", omega = "1 .. 40 step 1" }
 """
 CRASHING = """
 import click
-from kinegrade.cli.program import Program
+from kinegrade.cli.running.program import Program
 
 @click.group(cls=Program)
 def main(): pass
@@ -253,7 +253,7 @@ def test_a_crash_without_room_for_a_report_is_still_one_line(room: Path) -> None
 def test_the_report_of_a_crash_in_a_worker_says_where_in_the_worker(room: Path) -> None:
     program = (
         "import click\nfrom functools import partial\n"
-        "from kinegrade.cli.program import Program\nfrom kinegrade.processes.executor import open_executor\n"
+        "from kinegrade.cli.running.program import Program\nfrom kinegrade.processes.executor import open_executor\n"
         "@click.group(cls=Program)\ndef main(): pass\n"
         "@main.command()\ndef fall():\n"
         "    with open_executor(2, 'fall', 'fork') as others:\n"

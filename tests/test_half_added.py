@@ -18,11 +18,11 @@ from click.testing import CliRunner, Result
 
 import kinegrade
 from kinegrade.cli import main
+from kinegrade.cli.choosing import show
 from kinegrade.cli.exams import generate
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import feedback
 from kinegrade.cli.quiz import quiz
-from kinegrade.cli.templates import show
 from kinegrade.errors import TemplateError, TypesetError
 from kinegrade.exam.printing.printing import PressOrder
 from kinegrade.language import Language

@@ -13,7 +13,7 @@ from docs.generator.described import read_constants, read_words
 from docs.generator.markdown import write_code, write_page, write_table, write_words
 from kinegrade import __main__ as process
 from kinegrade.cli import main, options, program
-from kinegrade.cli.signals import BY_SIGNAL
+from kinegrade.cli.running.signals import BY_SIGNAL
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.known import known_languages

@@ -19,9 +19,9 @@ from kinegrade.cli.exams import archive, generate, verify
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
 from kinegrade.cli.printing import paper, papers, reprint_exam, sample, solutions
-from kinegrade.cli.program import Program
 from kinegrade.cli.quiz import quiz
 from kinegrade.cli.rosters import assign, roster
+from kinegrade.cli.running.program import Program
 from kinegrade.cli.sharing import sharing
 from kinegrade.cli.solve import solve
 from kinegrade.cli.starters import new

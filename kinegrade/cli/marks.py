@@ -10,7 +10,6 @@ import click
 
 import kinegrade
 from kinegrade.cli.help import command
-from kinegrade.cli.opening import open_both
 from kinegrade.cli.option_types import LanguageChoice, LateChoice
 from kinegrade.cli.options import (
     FILE,
@@ -21,6 +20,7 @@ from kinegrade.cli.options import (
     finish_with_complaints,
     refusing,
 )
+from kinegrade.cli.running.opening import open_both
 from kinegrade.cli.terminal import say, terminal_words
 from kinegrade.language.catalogue import open_catalogue
 
@@ -98,7 +98,7 @@ def grade(
     Several ANSWERS are one class: the quizzes of versions, or parts of the exam that several people
     typed.
     """
-    from kinegrade.cli.shortlist import shorten_list
+    from kinegrade.cli.running.shortlist import shorten_list
     from kinegrade.public.folders import expect_folders
 
     expect_folders((exam, "EXAM"), (never_lower, "MARKS"))

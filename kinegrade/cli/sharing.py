@@ -7,8 +7,8 @@ from pathlib import Path
 import click
 
 from kinegrade.cli.help import command
-from kinegrade.cli.opening import open_both
 from kinegrade.cli.options import FILE, FORCE, refusing
+from kinegrade.cli.running.opening import open_both
 from kinegrade.cli.terminal import say
 
 

@@ -12,12 +12,8 @@ import pytest
 from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.exam_secret import FromWords
-from kinegrade.exam.printing.pages import (
-    lay_out_paper,
-    make_key_book,
-    make_key_paper,
-    write_interval,
-)
+from kinegrade.exam.printing.key_pages import make_key_book, make_key_paper, write_interval
+from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.printing.sample import make_sample_bank
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import Student

@@ -27,7 +27,7 @@ from kinegrade.exam.generating.page_counts import list_longer_papers
 from kinegrade.exam.generating.replaced_exam import read_replaced, required_secret
 from kinegrade.exam.printing.class_printing import CHUNK, print_class
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
-from kinegrade.exam.printing.pages import make_key_paper
+from kinegrade.exam.printing.key_pages import make_key_paper
 from kinegrade.exam.printing.paper_languages import require_languages
 from kinegrade.exam.printing.printing import PrintRun, require_tools
 from kinegrade.exam.printing.reprint import find_kinds, kept_run
@@ -96,7 +96,7 @@ def add_students(
             results = options.progress(papers, len(students.late.students))
             earlier = _keys(kept)
             newcomers = students.late.students
-            written = write_papers(folder, run, press, newcomers, results, earlier=earlier)
+            written = write_papers(folder, run, newcomers, results, earlier=earlier)
         longer = tuple(list_longer_papers(run, newcomers, written.pages))
         require_none(longer if options.strict else ())
         write_rest(exam, folder, _grown_head(exam, dealt, run, students, written.keys))

@@ -182,7 +182,7 @@ def _print_once(
     )
     with closing(print_again(run)) as papers:
         shown = progress(papers, len(students))
-        return write_papers(folder, run, run.press_order.press(), students, shown).pages
+        return write_papers(folder, run, students, shown).pages
 
 
 def _restate(head: ExamHead, bank: Bank) -> ExamHead:

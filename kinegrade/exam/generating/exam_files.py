@@ -30,14 +30,13 @@ from kinegrade.exam.folder.writing import encode_head
 from kinegrade.exam.generating.answer_workbook import write_answer_workbook
 from kinegrade.exam.generating.hand_work import OWN_COLUMNS
 from kinegrade.exam.printing.head_record import write_warning
-from kinegrade.exam.printing.pages import make_key_book
+from kinegrade.exam.printing.key_pages import make_key_book
 from kinegrade.exam.printing.printed_files import printed_files, write_key
 from kinegrade.exam.printing.printing import Printed, PrintRun
 from kinegrade.exam.roster.students import Student
 from kinegrade.files.csv_writing import neutralise, write_for_people
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message, Quoted
-from kinegrade.press.protocol import Press
 from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.template.beside import Translations
 from kinegrade.problem.template.sections.opening import FOLDER
@@ -56,7 +55,6 @@ class WrittenPapers:
 def write_papers(
     folder: Path,
     run: PrintRun,
-    press: Press,
     students: Sequence[Student],
     results: Iterator[Printed],
     *,
@@ -72,7 +70,7 @@ def write_papers(
     with printed_files(folder, solutions=run.extras.solutions) as write:
         papers = _noted(_written(folder, results, students, write), written)
         book = make_key_book(run.bank, chain(earlier, papers), run.language)
-        write_key(folder, press.key(book))
+        write_key(folder, run.press_order.press().key(book))
     keys, pages = zip(*written, strict=True) if written else ((), ())
     return WrittenPapers(keys, pages)
 

@@ -23,6 +23,7 @@ from kinegrade.exam.generating.earlier_exams import (
     require_enough,
 )
 from kinegrade.exam.generating.exam_files import (
+    WrittenPapers,
     source_files,
     translation_files,
     write_blank_answers,
@@ -33,7 +34,7 @@ from kinegrade.exam.generating.exam_files import (
 )
 from kinegrade.exam.generating.hand_work import digest_editable
 from kinegrade.exam.generating.options import GenerateOptions
-from kinegrade.exam.generating.page_counts import fill_up_papers
+from kinegrade.exam.generating.page_counts import Printer, fill_up_papers
 from kinegrade.exam.generating.replaced_exam import (
     PaperChanges,
     ReplacedExam,
@@ -100,8 +101,7 @@ def generate(
     roster = add_spare_papers(roster.seated, options.spare, () if old is None else old.spares)
     secret = wish.secret(None if old is None else old.secret)
     stays = None if wish.new else old
-    earlier = read_earlier_exams(options.avoid, stays.head if stays else None)
-    bank = replace(blueprint.bank(secret.drawing), earlier=earlier)
+    bank = _choose_bank(blueprint, secret, options, stays)
     require_languages(bank, language, roster)
     sources = source_files(bank) | translation_files(bank, known_languages())
     jobs = max(min(options.jobs, len(roster.students) // CHUNK), 1)
@@ -109,21 +109,35 @@ def generate(
     processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
     with bulk_work(), exam as folder, processes as workers, book as sketchbook:
         run = PrintRun(bank, language, options.press_order(bank), extras)
-        press = run.press_order.press()
         kept = _find_kept_papers(stays, secret)
         dealt = deal_exam(bank, roster, secret, workers, kept, sketchbook=sketchbook)
         require_enough(dealt)
-        said = list_complaints(roster, press, dealt, strict=options.strict)
-        said += tuple(_list_unbound(bank, extras))
+        found = list_complaints(roster, run.press_order.press(), dealt, strict=options.strict)
+        said = (*found, *_list_unbound(bank, extras))
         printer = partial(print_class, workers=workers, jobs=jobs)
-        with closing(printer(run, dealt)) as papers:
-            shown = options.progress(papers, len(roster.students))
-            written = write_papers(folder, run, press, roster.students, shown)
+        written = _print_papers(folder, run, dealt, printer, options)
         run = fill_up_papers(folder, run, dealt, written.pages, printer)
         candidates = map(candidate, roster.students, written.keys)
         _write_rest(make_exam_head(dealt, candidates, run), sources, folder)
         settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
     return Generated(dealt, _list_drawn_templates(blueprint, bank), said, *settled)
+
+
+def _choose_bank(
+    blueprint: Blueprint, secret: ExamSecret, options: GenerateOptions, stays: ReplacedExam | None
+) -> Bank:
+    """The bank that a secret makes, which keeps to what earlier exams leave."""
+    earlier = read_earlier_exams(options.avoid, stays.head if stays else None)
+    return replace(blueprint.bank(secret.drawing), earlier=earlier)
+
+
+def _print_papers(
+    folder: Path, run: PrintRun, dealt: ClassDeal, printer: Printer, options: GenerateOptions
+) -> WrittenPapers:
+    """Every paper, while its progress is shown."""
+    students = dealt.roster.students
+    with closing(printer(run, dealt)) as papers:
+        return write_papers(folder, run, students, options.progress(papers, len(students)))
 
 
 def _open_exam_folder(output: Path, access: Access, *, force: bool) -> AbstractContextManager[Path]:

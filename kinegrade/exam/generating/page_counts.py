@@ -15,11 +15,11 @@ from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import ClassDeal
 from kinegrade.language.message import Fault, Message
 
-_Printer = Callable[[PrintRun, ClassDeal], Generator[Printed, None, None]]
+Printer = Callable[[PrintRun, ClassDeal], Generator[Printed, None, None]]
 
 
 def fill_up_papers(
-    folder: Path, run: PrintRun, dealt: ClassDeal, pages: Sequence[int], print_again: _Printer
+    folder: Path, run: PrintRun, dealt: ClassDeal, pages: Sequence[int], print_again: Printer
 ) -> PrintRun:
     """Print those papers of a class anew in `folder` that have fewer pages than others, and give
     the run with the number of pages that all have.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -16,18 +16,11 @@ from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
 from kinegrade.press.paper_head import PaperHead
-from kinegrade.press.paper_parts import write_points_in_words, write_points_text
 from kinegrade.press.sheet import (
     AnswerRow,
-    KeyAnswer,
-    KeyBook,
-    KeyEntry,
-    KeyPaper,
-    KeyParameter,
     Paper,
     QuestionSheet,
 )
@@ -181,92 +174,3 @@ def _make_paper_row(entry: SetAsk, ask: Ask, motion: Motion, language: Language)
         return row
     words = open_catalogue(language)
     return replace(row, sign=words.text("paper.sign-with-full-turns", sign=row.sign))
-
-
-def make_key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyBook:
-    """The instructor's book: a key for each paper, which may come one after another, or for each
-    version.
-    """
-    shown = _select_versions(tuple(papers), language) if bank.versions else papers
-    return KeyBook(
-        language,
-        bank.course.in_language(language),
-        bank.title.in_language(language),
-        open_catalogue(language).text("paper.key-warning"),
-        shown,
-    )
-
-
-def _select_versions(papers: Sequence[KeyPaper], language: Language) -> tuple[KeyPaper, ...]:
-    """One key for each version that a student got, by letter."""
-    first = {paper.version: paper for paper in reversed(papers)}
-    return tuple(
-        replace(first[letter], student="", name=write_version_name(letter, language), code=letter)
-        for letter in sorted(first)
-    )
-
-
-def make_key_paper(bank: Bank, paper: SetPaper, language: Language) -> KeyPaper:
-    """The key of one paper."""
-    entries = [_make_key_entry(question, language) for question in paper.questions]
-    for question in bank.by_hand:
-        entries.insert(question.number - 1, _make_hand_entry(question, language))
-    student = paper.student
-    return KeyPaper(student.student, student.name, paper.code, tuple(entries), paper.version)
-
-
-def _make_hand_entry(question: HandQuestion, language: Language) -> KeyEntry:
-    """That a question is marked by hand."""
-    words = open_catalogue(language)
-    points = write_points_in_words(question.points, words)
-    note = words.text("paper.by-hand", points=points)
-    return KeyEntry(question.identifier, question.title.in_language(language), (), (), note)
-
-
-def _make_key_entry(question: SetQuestion, language: Language) -> KeyEntry:
-    """The key of one question."""
-    template, solution = question.question.template, question.drawn.solution
-    parameters = tuple(
-        KeyParameter(
-            template.parameters[name].symbol,
-            None if quantity.is_plain else _write_exact(quantity, language),
-            write_decimal_text(quantity.decimal(6), language),
-            quantity.unit,
-        )
-        for name, quantity in solution.parameters.items()
-    )
-    answers = tuple(
-        KeyAnswer(
-            template.asks[entry.ask.name].symbol,
-            _write_exact(entry.answer, language),
-            write_decimal_text(entry.answer.decimal(6), language),
-            entry.answer.unit,
-            write_interval(entry, language),
-            write_points_text(entry.ask.points, language),
-        )
-        for entry in question.asks
-    )
-    return KeyEntry(
-        question.question.identifier,
-        template.about.title.in_language(language),
-        parameters,
-        answers,
-    )
-
-
-def _write_exact(quantity: Quantity, language: Language) -> str | None:
-    """The exact number in LaTeX math where it fits a line."""
-    exact = quantity.closed_form
-    return exact and write_decimals_of_math(exact, language)
-
-
-def write_interval(entry: SetAsk, language: Language) -> str:
-    """The closed interval of what is marked right, rounded to six figures for the reader."""
-    ends = entry.tolerance.interval(_read_decimal(entry.answer))
-    low, high = (write_decimal_text(f"{float(end):.6g}", language) for end in ends)
-    return open_catalogue(language).text("paper.interval", low=low, high=high)
-
-
-def _read_decimal(quantity: Quantity) -> Fraction:
-    """The value to 40 digits as a fraction."""
-    return Fraction(quantity.certified)

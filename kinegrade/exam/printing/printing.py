@@ -10,7 +10,8 @@ from typing import assert_never
 
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.writing import encode_line
-from kinegrade.exam.printing.pages import lay_out_paper, make_key_paper
+from kinegrade.exam.printing.key_pages import make_key_paper
+from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.setting.key_mistakes import find_mistaken_answers
 from kinegrade.exam.setting.key_record import make_key_line
 from kinegrade.exam.setting.setting import SetPaper

@@ -20,7 +20,7 @@ import click
 
 from kinegrade.cli.help import read_help
 from kinegrade.cli.options import FAILURE, FULL, full_output
-from kinegrade.cli.signals import BY_SIGNAL, Signalled, signals_obeyed
+from kinegrade.cli.running.signals import BY_SIGNAL, Signalled, signals_obeyed
 from kinegrade.cli.terminal import say
 from kinegrade.language.message import Message, Part
 
@@ -121,7 +121,7 @@ def _run_to_end(run: Callable[[], object]) -> int:
 
 
 def _report_crash(fault: BaseException) -> int:
-    from kinegrade.cli.crash import write_crash  # what it loads would slow every start
+    from kinegrade.cli.running.crash import write_crash  # what it loads would slow every start
 
     _echo(write_crash(fault, sys.argv[1:]))
     return CRASH
