@@ -102,6 +102,7 @@ def test_nothing_that_readers_do_is_taken_from_a_pdf(tmp_path: Path) -> None:
         ("formulas.pdf", make_pdf(11)),
         ("formulas.pdf", make_pdf(1, password="secret")),
     ],
+    ids=["empty", "garbage", "long", "locked"],
 )
 def test_what_is_no_sound_pdf_is_refused(tmp_path: Path, name: str, content: bytes) -> None:
     made = set_exam(tmp_path, name, content)
@@ -121,6 +122,7 @@ def test_what_is_no_sound_pdf_is_refused(tmp_path: Path, name: str, content: byt
         ("formulas.md", b"x" * 5_000_001, '"formulas.md" is larger than 5000 kB'),
         ("formulas.md", b"$\\frac{1$", "the formula sheet: "),
     ],
+    ids=["not UTF-8", "blank", "another kind", "large", "no formula"],
 )
 def test_what_is_no_text_is_refused(tmp_path: Path, name: str, content: bytes, fault: str) -> None:
     made = set_exam(tmp_path, name, content)

@@ -42,6 +42,31 @@ def test_codes_and_ids_may_stand_in_one_column(exam: Path, tmp_path: Path) -> No
     assert mark(exam, tmp_path, "student", ["007", code]) == {"007": "3", "0012": "3"}
 
 
+def type_row(exam: Path, folder: Path, student: str, code: str) -> tuple[str, str]:
+    """Marks a row that has both, with one answer; what is said, and whose answers it has."""
+    row = [student, code, "1"]
+    text = write_csv_text(["student", "paper", open_exam(exam).head.columns[0]], [row])
+    (folder / "answers.csv").write_text(text, encoding="utf-8")
+    result = kinegrade("grade", exam, folder / "answers.csv", "-o", folder / "MARKS")
+    with (folder / "MARKS" / "marks.csv").open(encoding="utf-8-sig", newline="") as lines:
+        (owner,) = {row["student"] for row in csv.DictReader(lines) if row["response"]}
+    return result.stderr, owner
+
+
+def test_a_code_that_contradicts_the_id_is_said(exam: Path, tmp_path: Path) -> None:
+    code = open_exam(exam).head.candidates["0012"].paper
+    said, owner = type_row(exam, tmp_path, "007", code)
+    assert owner == "007"
+    assert 'the paper with this code is that of "0012"' in said
+    assert 'marked as the paper of "007", by the id; correct the row if the code is right' in said
+
+
+def test_a_code_beside_the_id_that_no_paper_has_is_said(exam: Path, tmp_path: Path) -> None:
+    said, owner = type_row(exam, tmp_path, "007", "XXXX-XXXX")
+    assert owner == "007"
+    assert "no paper of the exam has this code" in said
+
+
 @pytest.mark.parametrize("column", ["paper", "Code", "试卷编号"])
 def test_a_sheet_may_have_codes_alone(exam: Path, tmp_path: Path, column: str) -> None:
     code = open_exam(exam).head.candidates["a/b"].paper

@@ -98,8 +98,13 @@ def list_key_columns() -> tuple[str, ...]:
     """The names of columns that say in a sheet of answers whose they are: of ids, then of the codes
     of papers.
     """
-    codes = list_preferred_spellings(Message("roster.columns-paper"))
-    return (*list_column_names("student"), *codes)
+    return (*list_column_names("student"), *list_code_columns())
+
+
+@cache
+def list_code_columns() -> tuple[str, ...]:
+    """The names of columns of the codes of papers."""
+    return list_preferred_spellings(Message("roster.columns-paper"))
 
 
 @cache

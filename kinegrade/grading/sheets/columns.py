@@ -1,0 +1,130 @@
+"""The columns of a file of answers: whose rows they are, what they answer, and what is neither."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from operator import itemgetter
+from unicodedata import normalize
+
+from kinegrade.errors import TableError
+from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.roster.known_columns import (
+    list_code_columns,
+    list_column_names,
+    list_key_columns,
+)
+from kinegrade.files.answer_file import AnswerFile, Sources
+from kinegrade.files.cell_text import make_header_key, trim
+from kinegrade.files.tables import Table
+from kinegrade.language.message import Fault, Message, Text, list_plainly
+
+_NO_STUDENT_COLUMN = Message("marking.no-student-column")
+_ANSWER_COLUMN = re.compile(r"q[0-9]+\.\w+")  # as generate writes the headers of the answer sheet
+
+
+@dataclass(frozen=True, slots=True)
+class Columns:
+    """The column that says whose a row is, that of each ask, those that answer nothing, and those
+    of codes of papers beside the first.
+    """
+
+    student: int
+    asks: tuple[int | None, ...]
+    extra: tuple[int, ...]
+    codes: tuple[int, ...]
+
+    def responses(self) -> Callable[[tuple[str, ...]], tuple[str, ...]]:
+        """A function that picks the responses from the cells of a row; missing ones are blank."""
+
+        def one_by_one(cells: tuple[str, ...]) -> tuple[str, ...]:
+            return tuple(
+                [
+                    cells[index] if index is not None and index < len(cells) else ""
+                    for index in self.asks
+                ]
+            )
+
+        places = [index for index in self.asks if index is not None]
+        if len(places) < len(self.asks) or len(places) == 1:
+            return one_by_one
+        all_at_once, width = itemgetter(*places), max(places) + 1
+        return lambda cells: all_at_once(cells) if len(cells) >= width else one_by_one(cells)
+
+    def sources(self, answers: AnswerFile) -> Mapping[int, Sources]:
+        """By line, the student whose line of the key each ask is marked by, in the order of the
+        asks.
+        """
+        return {
+            line: tuple(["" if index is None else sources[index - 1] for index in self.asks])
+            for line, sources in answers.put.items()
+        }
+
+
+def find_columns(table: Table, asks: Sequence[Ask]) -> Columns:
+    """What the columns of a table are.
+
+    Raises TableError where none identifies students, none answers an ask, or most answer those of
+    another exam.
+    """
+    header = [make_header_key(cell) for cell in table.header]
+    named = (header.index(name) for name in list_key_columns() if name in header)
+    student = next(named, None)
+    found = _find_ask_columns(table.header, asks)
+    faults = []
+    if student is None:
+        faults.append(_explain(table, _NO_STUDENT_COLUMN, Message("marking.column-of-ids")))
+    if all(index is None for index in found):
+        first = list_plainly(ask.column for ask in asks[:4])
+        expected = Message("marking.answer-columns", columns=first)
+        faults.append(_explain(table, Message("marking.no-answer-column"), expected))
+    strange = [
+        cell for cell in header if _ANSWER_COLUMN.fullmatch(cell) and cell not in _list_keys(asks)
+    ]
+    if not faults and len(strange) > sum(index is not None for index in found):
+        first = list_plainly(strange[:4])
+        faults.append(_explain(table, Message("marking.another-exam", columns=first)))
+    if student is None or faults:
+        raise TableError(*faults)
+    needless = {*list_column_names("name"), *list_column_names("email"), *list_key_columns()}
+    unused = (index for index in range(len(header)) if index not in {student, *found})
+    return Columns(
+        student,
+        found,
+        tuple(index for index in unused if header[index] not in needless),
+        tuple(
+            index
+            for index, name in enumerate(header)
+            if name in list_code_columns() and index != student
+        ),
+    )
+
+
+def _explain(table: Table, problem: Message, expected: Text = "") -> Fault:
+    return Fault(table.file, problem, expected, Message("marking.fill-in"))
+
+
+def _list_keys(asks: Sequence[Ask]) -> set[str]:
+    return {make_header_key(ask.column) for ask in asks}
+
+
+def _find_ask_columns(header: Sequence[str], asks: Sequence[Ask]) -> tuple[int | None, ...]:
+    """Exact spelling comes first, because v_A and v_a may both be asked; otherwise case does not
+    matter.
+    """
+    backwards = list(enumerate(header))[::-1]  # so that of two equal columns the first is kept
+    exact = {_make_exact_key(cell): index for index, cell in backwards}
+    folded = {make_header_key(cell): index for index, cell in backwards}
+    alike = Counter(make_header_key(ask.column) for ask in asks)
+
+    def find(column: str) -> int | None:
+        key = make_header_key(column)
+        return exact.get(_make_exact_key(column), folded.get(key) if alike[key] == 1 else None)
+
+    return tuple(find(ask.column) for ask in asks)
+
+
+def _make_exact_key(column: str) -> str:
+    return trim(normalize("NFKC", column))
