@@ -51,7 +51,7 @@ def state_sense_along(
     value: float, positive: Vector, ends: tuple[str, str] | None, case: Case
 ) -> Row:
     """The direction of a vector beside its value: left, right, up, down, from point to point, or
-    reversed.
+    by its angle where it points against its positive sense.
 
     `ends` are points of its line in the positive sense, None where it has none.
     """
@@ -64,7 +64,7 @@ def state_sense_along(
         start, end = map(case.naming.point, ends if value > 0 else reversed(ends))
         way = read_symbol(case.write(Message("solution.from-to", start=start, end=end)))
         return (_APART, Sign("("), *way.row, Sign(")"))
-    return () if value > 0 else say_beside(Message("solution.opposite"), case)
+    return () if value > 0 else say_beside(describe_direction(-positive, case), case)
 
 
 def say_beside(message: Message, case: Case) -> Row:

@@ -56,8 +56,9 @@ def test_a_composition_of_velocities() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
-            positive in the direction assumed for it; a known one stands for its magnitude.
+            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
+            vector denotes its component in the direction assumed for it, of a rotation the
+            counter-clockwise one; that of a known vector denotes its magnitude.
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. Composition of motions: moving point $A$, moving frame on $OB$
@@ -123,7 +124,7 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OB} &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{C}}
         a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{C}} + a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OB} =
             -12.29\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \sin 36.87^\circ
-        &= -2.688\,\unit{m/s^2}\quad\text{(opposite to the direction assumed)}
+        &= -2.688\,\unit{m/s^2}\quad\text{(clockwise about }O\text{)}
         \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} = \frac{-2.688\,\unit{m/s^2}}{5\,\unit{m}}
             = -0.5376\,\unit{rad/s^2}\quad\text{(clockwise)}
         """

@@ -159,8 +159,9 @@ def test_a_rod_in_instantaneous_translation() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
-            positive in the direction assumed for it; a known one stands for its magnitude.
+            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
+            vector denotes its component in the direction assumed for it, of a rotation the
+            counter-clockwise one; that of a known vector denotes its magnitude.
         Given: the angular velocity of $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. $AB$: instantaneous centre of velocity

@@ -64,8 +64,9 @@ def test_meshing_seen_from_the_carrier() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
-            positive in the direction assumed for it; a known one stands for its magnitude.
+            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
+            vector denotes its component in the direction assumed for it, of a rotation the
+            counter-clockwise one; that of a known vector denotes its magnitude.
         Given: the angular velocity of the carrier $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         Given: the angular velocity of the sun gear.
@@ -110,8 +111,9 @@ def test_a_given_relative_rate() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
-            positive in the direction assumed for it; a known one stands for its magnitude.
+            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
+            vector denotes its component in the direction assumed for it, of a rotation the
+            counter-clockwise one; that of a known vector denotes its magnitude.
         Given: the angular velocity of the carrier $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. The given motion

@@ -58,8 +58,9 @@ def test_rolling_on_a_line() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
-            positive in the direction assumed for it; a known one stands for its magnitude.
+            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
+            vector denotes its component in the direction assumed for it, of a rotation the
+            counter-clockwise one; that of a known vector denotes its magnitude.
         Given: the velocity of $C$, positive to the right.
         v_{C} &= 6\,\unit{m/s}\quad\text{(to the right)}
         ## 1. The wheel rolls without slipping on the ground
@@ -118,8 +119,9 @@ def test_rolling_inside_a_circle() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
-            positive in the direction assumed for it; a known one stands for its magnitude.
+            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
+            vector denotes its component in the direction assumed for it, of a rotation the
+            counter-clockwise one; that of a known vector denotes its magnitude.
         Given: the angular velocity of the wheel.
         \omega_{CD} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. The wheel rolls without slipping on a fixed circle
@@ -156,8 +158,9 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
-            positive in the direction assumed for it; a known one stands for its magnitude.
+            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
+            vector denotes its component in the direction assumed for it, of a rotation the
+            counter-clockwise one; that of a known vector denotes its magnitude.
         Given: the velocity of $A$ on its circle about $O$, positive counter-clockwise.
         v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise)}
         ## 1. The wheel rolls without slipping on a fixed circle
@@ -192,8 +195,9 @@ def test_gears_with_fixed_axes() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. An unknown vector counts
-            positive in the direction assumed for it; a known one stands for its magnitude.
+            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
+            vector denotes its component in the direction assumed for it, of a rotation the
+            counter-clockwise one; that of a known vector denotes its magnitude.
         Given: the angular velocity of the gear.
         \omega_{O} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. Composition of motions: moving point $C$, moving frame on the gear

@@ -11,6 +11,7 @@ from kinegrade.language.message import Message
 from kinegrade.problem.kinds.kinds import Scalar
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
+from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.asked_vectors import (
     explain_prerequisites,
@@ -27,7 +28,7 @@ from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, 
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import state_number, state_quantity
 from kinegrade.worked.formulas.symbols import read_symbol
-from kinegrade.worked.senses import say_beside, state_rotation_sense, state_way
+from kinegrade.worked.senses import state_rotation_sense, state_way
 from kinegrade.worked.steps.poles import explain_pole
 
 _PREFIXED = re.compile(r"[cm]m(?=$|/|\^)")  # centimetres and millimetres, also per second
@@ -55,7 +56,7 @@ def explain_answer(ask: Ask, case: Case) -> Iterator[Block]:
         yield case.show(Equation(working.symbols, state_quantity(answer)))
     elif working.symbols.looks_like(-symbol):
         if double(answer.number):
-            yield case.show(_count_as_asked(ask, case))
+            yield from _count_as_asked(ask, case)
     elif not working.symbols.looks_like(symbol):  # else a step has already given it
         yield case.show(_state_last_line(ask, working, case))
         _note_size(ask, case)
@@ -74,13 +75,13 @@ def _note_size(ask: Ask, case: Case) -> None:
             case.findings.sized.add(fact.symbol)
 
 
-def _count_as_asked(ask: Ask, case: Case) -> Equation:
-    """An answer that a step has given under the same symbol with the opposite positive sense."""
-    answer, symbol = case.solution.answers[ask.name], read_symbol(ask.symbol)
-    size = abs(symbol)
-    links = equate(-size if double(answer.number) < 0 else size)
-    aside = say_beside(Message("solution.as-asked"), case)
-    return Equation(symbol, (*links, *state_value(ask, case)), aside)
+def _count_as_asked(ask: Ask, case: Case) -> Iterator[Block]:
+    """An answer that a step has given under the same symbol with the opposite positive sense: the
+    question's, and the value in it.
+    """
+    sign = write_sign(ask.sign, case.language)
+    yield case.say(Message("solution.as-asked", sign=sign))
+    yield case.show(Equation(read_symbol(ask.symbol), state_value(ask, case)))
 
 
 def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:

@@ -6,8 +6,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display
@@ -20,7 +22,12 @@ from kinegrade.worked.formulas.equation import (
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.senses import state_rotation_sense, state_sense_along
+from kinegrade.worked.senses import (
+    find_axis_sense,
+    say_beside,
+    state_rotation_sense,
+    state_sense_along,
+)
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.inclinations import find_ends, introduce_angle
 from kinegrade.worked.vectors.magnitudes import find_track_ends
@@ -170,9 +177,18 @@ def _state_vector_value(symbol: Formula, part: Part, case: Case, level: Level) -
     if part.term is None or part.coefficient is None:
         return Equation(symbol, state_number(length(part.value, case.arithmetic), unit))
     value = measure_along_direction(part.term, case, level)
-    ends = _find_path_ends(part, case)
-    sense = state_sense_along(double(value), part.coefficient, ends, case)
+    sense = _state_sense(double(value), part.coefficient, part, case)
     return Equation(symbol, state_number(value, unit), sense)
+
+
+def _state_sense(value: float, positive: Vector, part: Part, case: Case) -> Row:
+    """The direction beside the value of an unknown vector; of a clockwise rotation about what,
+    where the vector is slanting.
+    """
+    if part.base and value < 0 and find_axis_sense(positive) is None:
+        base = case.naming.point(part.base)
+        return say_beside(Message("solution.clockwise-about", point=base), case)
+    return state_sense_along(value, positive, _find_path_ends(part, case), case)
 
 
 def _find_path_ends(part: Part, case: Case) -> tuple[str, str] | None:
