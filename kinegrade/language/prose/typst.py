@@ -7,13 +7,22 @@ a statement or title can become Typst code.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
-from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.math.equation_line import begins_with_relation, split_equation_line
+from kinegrade.language.math.printed_size import measure_printed
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Row
+from kinegrade.language.math.typst import write_typst_math, write_typst_row
 from kinegrade.language.message import Location
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 from kinegrade.language.typst_text import write_literal
 
 _PARAGRAPH_END = "parbreak();"
+# In em: a longer formula may have no room on one line, in the narrowest column beside a drawing
+_LONGEST_UNBROKEN = 18.0
+_BEFORE_RELATION = "h(0.2778em,weak:true);"  # TeX's thick space; none where a line begins
+_NO_OPERAND = '""'  # before a sign, so that it is set as between two terms
 
 
 class _TypstRenderer(TextRenderer):
@@ -25,8 +34,8 @@ class _TypstRenderer(TextRenderer):
         return f"{write_literal(glue + plain)};"
 
     def inline_formula(self, latex: str, where: Location) -> str:
-        # In a box, so that a value is not separated from its symbol
-        return f"box(${write_typst_math(latex, where)}$);"
+        read_math(latex, where)
+        return _write_boxes(latex)
 
     def displayed_formula(self, latex: str, where: Location) -> str:
         return f"$ {write_typst_math(latex, where)} $;"
@@ -54,6 +63,26 @@ class _TypstRenderer(TextRenderer):
 
     def numbered_list(self, items: Sequence[Sequence[str]], start: int) -> str:
         return f"enum(start: {start}, {_write_items(items)});"
+
+
+@lru_cache(maxsize=8192)
+def _write_boxes(latex: str) -> str:
+    """A formula in its line: in one box, so that a value is not separated from its symbol; a long
+    one in several, between which the line may end.
+    """
+    row = read_math(latex, "")
+    if measure_printed(row).width <= _LONGEST_UNBROKEN:
+        return f"box(${write_typst_row(row)}$);"
+    first, *others = split_equation_line(row).pieces
+    return f"box(${write_typst_row(first)}$);" + "".join(map(_write_continuation, others))
+
+
+def _write_continuation(piece: Row) -> str:
+    """The box of a relation or a sign with what follows it."""
+    written = write_typst_row(piece)
+    if begins_with_relation(piece):
+        return f"{_BEFORE_RELATION}box(${written}$);"
+    return f"box(${_NO_OPERAND}{written}$);"
 
 
 _WRITER = ProseWriter(_TypstRenderer)

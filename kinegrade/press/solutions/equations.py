@@ -8,14 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from kinegrade.language.math.printed_size import measure_printed
-from kinegrade.language.math.tree import Mark, Row, Space, Text
-from kinegrade.press.equation_line import (
+from kinegrade.language.math.equation_line import (
     EquationLine,
     begins_with_relation,
     begins_with_sign,
     split_equation_line,
 )
+from kinegrade.language.math.printed_size import measure_printed
+from kinegrade.language.math.tree import Mark, Row, Space, Text
 from kinegrade.worked.document import Display
 
 _APART = Space("qquad")  # between two equations on one row

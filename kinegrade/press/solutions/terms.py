@@ -11,9 +11,9 @@ from functools import lru_cache
 from math import ceil
 from re import fullmatch
 
+from kinegrade.language.math.equation_line import begins_with_sign, split_equation_line
 from kinegrade.language.math.printed_size import measure_printed
 from kinegrade.language.math.tree import Mark, Row
-from kinegrade.press.equation_line import begins_with_sign, split_equation_line
 from kinegrade.press.solutions.chains import FORMULA_ALONE
 from kinegrade.press.solutions.prose_size import list_formulas, measure_text
 from kinegrade.worked.document import Term, TermTable

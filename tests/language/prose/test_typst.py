@@ -11,7 +11,20 @@ from hypothesis import strategies as st
 from kinegrade.errors import TypesetError
 from kinegrade.language.prose.typst import write_line, write_prose
 
-WORDS = {"box", "strong", "emph", "list", "enum", "start", "parbreak", "linebreak"}
+WORDS = {
+    "box",
+    "strong",
+    "emph",
+    "list",
+    "enum",
+    "start",
+    "parbreak",
+    "linebreak",
+    "h",
+    "em",
+    "weak",
+    "true",
+}
 
 
 @pytest.mark.parametrize(
@@ -44,6 +57,13 @@ def test_no_text_becomes_code(text: str) -> None:
     code = re.sub(r"\$[^$#]*\$", "", code)
     assert set(re.findall(r"[^\W\d]+", code)) <= WORDS
     assert not set(code) & set('#$@\\"`')
+
+
+def test_a_long_formula_may_end_a_line_only_before_a_relation_or_a_sign() -> None:
+    root = r"\sqrt{(x_M - 0.16\,\mathrm{m})^2 + (y_M)^2}"
+    assert write_line(rf"So $OM = {root} + a - b = 1$.", "q1").count("box(") == 5
+    short = write_line("So $OM = a + b = 1$.", "q1")
+    assert short == '{"So ";box($O M = a + b = 1$);".";}'
 
 
 def test_a_chinese_colon_after_a_formula_does_not_begin_a_line() -> None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 
+from kinegrade.language.math.equation_line import split_equation_line
 from kinegrade.language.math.latex import TEX, write_latex_row
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Mark, Row
-from kinegrade.press.equation_line import split_equation_line
 from tests.language.math.formulas import TREES
 
 
