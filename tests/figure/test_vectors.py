@@ -14,6 +14,7 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Strokes
 from kinegrade.figure.vectors.mechanism import (
     CROWDED,
+    LARGE,
     LONGEST,
     PointArrow,
     draw_with_vectors,
@@ -92,6 +93,15 @@ def test_many_arrows_at_one_point_are_longer_and_all_named() -> None:
     assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
+def test_arrows_to_all_sides_do_not_make_the_mechanism_small() -> None:
+    sides = {"N": Vector(0.0, 1.0), "E": Vector(1.0, 0.0)}
+    sides |= {"S": Vector(0.0, -1.0), "W": Vector(-1.0, 0.0)}
+    arrows = [PointArrow(f"a_{name}", AT_A, side) for name, side in sides.items()]
+    scene = draw_with_vectors(MECHANISM, HINTS, arrows)
+    assert scene.scale > 0.6 * draw_with_vectors(MECHANISM, HINTS, []).scale
+    assert faults(scene, LARGE.width, LARGE.height) == []
+
+
 @pytest.mark.parametrize("sense", ["ccw", "cw"])
 def test_a_rotation_has_its_sense(sense: str) -> None:
     scene = draw_with_vectors(MECHANISM, HINTS, ARROWS, [Turning(r"\omega_{AB}", "AB", sense)])  # type: ignore[arg-type]
@@ -126,5 +136,5 @@ def test_velocities_and_accelerations_of_shipped_templates_are_clear(name: str) 
             Turning(r"\omega", body, "ccw" if size > 0 else "cw") for body, size in rates if size
         ]
         scene = draw_with_vectors(mechanism, template.figure, arrows, turnings)
-        assert faults(scene, PICTURE.width, PICTURE.height) == []
+        assert faults(scene, LARGE.width, LARGE.height) == []
         assert write_typst(scene).startswith("#box(")

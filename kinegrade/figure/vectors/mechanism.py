@@ -5,13 +5,14 @@ curved arrows.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import product
 
 from kinegrade.figure.marks.names import label_bodies, label_points
 from kinegrade.figure.marks.rotations import add_rotations
-from kinegrade.figure.mechanism.fitting import fit_scene
+from kinegrade.figure.mechanism.fitting import Room, fit_scene
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import length
@@ -30,7 +31,10 @@ from kinegrade.problem.template.hints import FigureHints, Turning
 # Millimetres, of the longest arrow; of one that starts at a point with more than FEW
 LONGEST, CROWDED = (16.0, 21.0)
 _FEW = 3
+LARGE = Room(80.0, 64.0)  # millimetres, for a picture whose arrows leave too little room
 _SHORTEST = 1.2  # millimetres: a shorter arrow would not be visible and is left out
+_LEAST_SCALE = 0.6  # of the scale without arrows: a smaller mechanism is not told apart
+_TOO_SMALL = 2  # as bad as so many crowded symbols
 # Millimetres between arrows, or an arrow and a bar, on one line
 _OFFSETS = (1.5, -1.5, 3.0, -3.0, 4.5)
 
@@ -47,6 +51,17 @@ class PointArrow:
     known: bool = True
 
 
+@dataclass(frozen=True)
+class _Size:
+    """The room of a picture, and the length of its arrows as a share of their full length."""
+
+    room: Room
+    share: float
+
+
+_SIZES = (_Size(PICTURE, 1.0), _Size(LARGE, 1.0), _Size(LARGE, 0.75))
+
+
 def draw_with_vectors(
     mechanism: Mechanism,
     hints: FigureHints,
@@ -57,35 +72,41 @@ def draw_with_vectors(
     scale.
 
     The longest arrow is 16 mm long (21 mm where many start at one point); vectors that are zero or
-    too short to be visible are left out. `turnings` are the curved arrows of rotations, each with
-    its sense. The scale of the scene is that of the mechanism.
+    too short to be visible are left out. Where the arrows leave the mechanism or the symbols too
+    little room, the picture is larger, then its arrows shorter. `turnings` are the curved arrows of
+    rotations, each with its sense. The scale of the scene is that of the mechanism.
 
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
     plain = BareMechanism.of(mechanism, hints, (arrow.at for arrow in arrows))
-    first = _fit(partial(_compose, plain, arrows, turnings, symbols_first=False), plain)
-    if not first.crowded:
-        return first
-    other = _fit(partial(_compose, plain, arrows, turnings, symbols_first=True), plain)
-    return min(first, other, key=lambda scene: len(scene.crowded))
-
-
-def _fit(compose: Callable[[float], Layout], plain: BareMechanism) -> Scene:
-    return fit_scene(compose, plain.first_scale(), plain.span, PICTURE)
+    bare = plain.first_scale()
+    least = _LEAST_SCALE * bare
+    scenes: list[Scene] = []
+    for size, symbols_first in product(_SIZES, (False, True)):
+        compose = partial(
+            _compose, plain, arrows, turnings, share=size.share, symbols_first=symbols_first
+        )
+        scene = fit_scene(compose, bare, plain.span, size.room)
+        if not scene.crowded and scene.scale >= least:
+            return scene
+        scenes.append(scene)
+    return min(scenes, key=lambda scene: len(scene.crowded) + _TOO_SMALL * (scene.scale < least))
 
 
 def place_arrows(
-    arrows: Sequence[PointArrow], scale: float, drawing: Drawing, shortest: float = _SHORTEST
+    arrows: Sequence[PointArrow],
+    scale: float,
+    drawing: Drawing,
+    *,
+    shortest: float = _SHORTEST,
+    share: float = 1.0,
 ) -> tuple[VectorArrow, ...]:
     """The arrows on paper to one common scale, next to bold lines and to each other, the longest
-    first.
+    first; `share` of their full length.
     """
     longest = max((length(arrow.value) for arrow in arrows), default=0.0)
-    reach = (
-        CROWDED
-        if max(Counter(arrow.at for arrow in arrows).values(), default=0) > _FEW
-        else LONGEST
-    )
+    most = max(Counter(arrow.at for arrow in arrows).values(), default=0)
+    reach = share * (CROWDED if most > _FEW else LONGEST)
     visible = [arrow for arrow in arrows if length(arrow.value) * reach > shortest * longest]
     ordered = sorted(visible, key=lambda arrow: -round(length(arrow.value) / longest, 6))
     on_paper = [
@@ -121,13 +142,14 @@ def _compose(
     turnings: Sequence[Turning],
     scale: float,
     *,
+    share: float,
     symbols_first: bool,
 ) -> Layout:
     """The mechanism and its arrows, then the labels with the fewest possible places first: letters,
     symbols, names of bodies; symbols before letters where these leave them no place.
     """
     paper, drawing = plain.at(scale)
-    placed = place_arrows(arrows, scale, drawing)
+    placed = place_arrows(arrows, scale, drawing, share=share)
     layout = add_arrows(Layout.of(drawing.primitives), placed, drawing)
     named = tuple(label_points(paper, plain.hints, drawing))
     early, late = ((), named) if symbols_first else (named, ())
