@@ -12,7 +12,8 @@ from docs.generator.commands import read_help
 from docs.generator.described import read_constants, read_words
 from docs.generator.markdown import write_code, write_page, write_table, write_words
 from kinegrade import __main__ as process
-from kinegrade.cli import main, options, program
+from kinegrade.cli import main, options
+from kinegrade.cli.running import program
 from kinegrade.cli.running.signals import BY_SIGNAL
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue

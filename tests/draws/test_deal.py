@@ -38,7 +38,7 @@ def of(verdicts: list[bool], places: int) -> Deal:
     return Deal(len(told), places, tuple(told[: LOOKS * places]))
 
 
-@given(st.integers(0, 400), st.data())
+@given(st.integers(0, 80), st.data())
 def test_parts_that_are_filtered_alone_are_the_whole(first: int, data: st.DataObject) -> None:
     template = cranks(r=("1", "2"), h=("1/2", "1", "2"), omega=ONE_TO_SIXTY)
     count = min(first, template.deck.size)

@@ -374,7 +374,7 @@ number = 2
         (
             '[[questions]]\ntag = "velocty"',
             ':4: questions[1].tag: no shipped template has the tag "velocty" - did you mean '
-            '"velocity"? (known here: acceleration, position, velocity)',
+            '"velocity"?',
         ),
         (
             '[[questions]]\nfamily = "rolling"\nwithout = ["slider-crank", 3]',

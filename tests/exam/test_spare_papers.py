@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import shutil
 from pathlib import Path
 
 import pytest
@@ -12,14 +13,21 @@ from kinegrade.exam.folder.exam_folder import open_exam
 from tests.small_class import BANK, ROSTER, contents, generate, kinegrade, write_class
 
 
-@pytest.fixture
-def exam(tmp_path: Path) -> Path:
-    """An exam with two spare papers, questions shuffled."""
-    folder = write_class(tmp_path)
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A class with an exam that has two spare papers, questions shuffled; not to be changed."""
+    folder = write_class(tmp_path_factory.mktemp("spare"))
     (folder / "bank.toml").write_text(f"shuffle = true\n{BANK}", encoding="utf-8")
     result = generate(folder, "EXAM", "--spare", "2", "--solutions", "--also", "html")
     assert result.exit_code == 0, result.stderr
-    return folder / "EXAM"
+    return folder
+
+
+@pytest.fixture
+def exam(made: Path, tmp_path: Path) -> Path:
+    """The exam, to be changed."""
+    shutil.copytree(made, tmp_path, dirs_exist_ok=True)
+    return tmp_path / "EXAM"
 
 
 def list_codes(exam: Path) -> list[str]:

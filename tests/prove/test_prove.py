@@ -42,7 +42,15 @@ def test_what_once_failed_holds_now(name: str, seed: int, folder: Path) -> None:
 def test_every_proof_has_a_sample() -> None:
     without = [proof.name for proof in PROOFS if not proof.sample]
     # whose samples are the suite, tests/figures and tests/by_hand
-    assert without == ["properties", "graded figures", "by hand", "whole papers", "printed pages"]
+    assert without == [
+        "properties",
+        "solution pages",
+        "short solutions",
+        "graded figures",
+        "by hand",
+        "whole papers",
+        "printed pages",
+    ]
     assert "tests/laws/test_laws.py" in properties.files()
 
 

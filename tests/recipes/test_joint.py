@@ -184,7 +184,10 @@ def add_statement(room: Path) -> None:
             "        case DoubledRotation():\n            return state_doubling(source, case, level)\n"
             "        case EqualRotation():\n            return",
         ),
-        ("        case NoSlip() | ", "        case DoubledRotation() | NoSlip() | "),
+        (
+            "        case EqualPitchSpeed() | ",
+            "        case DoubledRotation() | EqualPitchSpeed() | ",
+        ),
     )
 
 

@@ -96,7 +96,7 @@ def arrange_equations(display: MeasuredDisplay, room: float) -> tuple[Equations,
 
     >>> from kinegrade.language.math.reading import read_math
     >>> short = Display((read_math("x_A &= 0", ""), read_math("y_A &= 1", "")))
-    >>> [len(arrange_equations(measure_display(short), room)[0].rows) for room in (40.0, 6.0)]
+    >>> [len(arrange_equations(measure_display(short), room)[0].rows) for room in (40.0, 8.0)]
     [1, 2]
     """
     groups: list[Equations] = []

@@ -19,6 +19,7 @@ from kinegrade.exam.folder.records import (
     Candidate,
     ExamHead,
     ExamQuestion,
+    HandQuestion,
     KeyLine,
     KeyQuestion,
     StatedAnswer,
@@ -76,6 +77,8 @@ HEAD = ExamHead(
         ),
     ),
     spares=(Candidate("spare-1", "", paper="B-C9PV-269B", file="papers/spare-1.pdf"),),
+    by_hand=(HandQuestion("q2", Fraction(5), "Velocity poles"),),
+    earlier={"slider-crank": ({"r": "0.35"},)},
     editable={"bank.toml": "0f"},
 )
 ANSWER = StatedAnswer(
