@@ -13,6 +13,7 @@ from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask
+from kinegrade.problem.template.translated import Translated
 from kinegrade.worked.answers.asked_vectors import (
     explain_prerequisites,
     find_fact,
@@ -79,9 +80,15 @@ def _count_as_asked(ask: Ask, case: Case) -> Iterator[Block]:
     """An answer that a step has given under the same symbol with the opposite positive sense: the
     question's, and the value in it.
     """
-    sign = write_sign(ask.sign, case.language)
-    yield case.say(Message("solution.as-asked", sign=sign))
+    yield case.say(_name_convention(ask, case))
     yield case.show(Equation(read_symbol(ask.symbol), state_value(ask, case)))
+
+
+def _name_convention(ask: Ask, case: Case) -> Message:
+    """The question's sign convention, in the author's words where these are in the language."""
+    if isinstance(ask.sign, Translated) and not ask.sign.has(case.language):
+        return Message("solution.as-asked-there")
+    return Message("solution.as-asked", sign=write_sign(ask.sign, case.language))
 
 
 def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
