@@ -7,7 +7,7 @@ accelerations, as far as the answers need them, each answer where it is found, i
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from kinegrade.language import Language
@@ -38,6 +38,7 @@ from kinegrade.worked.vectors.facts import note_equation
 from kinegrade.worked.vectors.needed_rates import NOTHING, Needs, find_needs, select_steps
 from kinegrade.worked.vectors.relatives import claim_plain_symbols
 from kinegrade.worked.vectors.stage import Stage
+from kinegrade.worked.vectors.used_points import find_used_points
 
 
 def write_worked_solution(
@@ -73,12 +74,13 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     given = [step for step in velocities if _is_given(step, case)]
     stages = _find_stages(velocities, case, "velocity", _list_found(given))
     yield from explain_idea(given, stages.items(), asked, case)
-    if accelerations:
+    if accelerations and _follow_alike(stages, accelerations, case):
         yield case.say(Message("solution.idea-accelerations"))
     if case.motion.rates:
         yield Heading(case.write(Message("solution.kinds")), 1)
         yield from describe_motions(case)
-    yield from _write_position_chapter(case)
+    points = find_used_points(case, moving, (*velocities, *accelerations))
+    yield from _write_position_chapter(case, None if still else points)
     yield from explain_pose_answers(case, (ask.name for ask in still))
     yield from boxes.state_missing(still)
     if velocities:
@@ -116,10 +118,10 @@ def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:
     return needs
 
 
-def _write_position_chapter(case: Case) -> Iterator[Block]:
-    """Where the points of the mechanism are."""
+def _write_position_chapter(case: Case, used: Collection[str] | None) -> Iterator[Block]:
+    """Where the points used are, or all points where answers are about the positions alone."""
     yield Heading(case.write(Message("solution.positions")), 1)
-    yield from explain_positions(case, tuple(case.template.scheme.points))
+    yield from explain_positions(case, case.template.scheme.points if used is None else used)
 
 
 @dataclass
@@ -175,6 +177,17 @@ def _find_stages(
                 stages[step] = find_stage(step, case, level, frozenset(known))
             known |= set(step.unknowns)
     return stages
+
+
+def _follow_alike(
+    velocities: Mapping[Step, Stage], accelerations: Sequence[Step], case: Case
+) -> bool:
+    """Whether the accelerations take the steps of the velocities, with vectors, by one method."""
+    given = _list_found(step for step in accelerations if _is_given(step, case))
+    stages = _find_stages(accelerations, case, "acceleration", given)
+    by_other_method = any(map(name_method, velocities.values()))
+    vectorial = any(stage.equations for stage in stages.values())
+    return vectorial and list(stages) == list(velocities) and not by_other_method
 
 
 def _list_found(steps: Iterable[Step]) -> frozenset[Rate]:

@@ -10,6 +10,7 @@ from kinegrade.problem.template.template import METHODS, Method
 from kinegrade.worked.document import Heading, Prose
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import kept
+from tests.worked.telling import proses
 
 IDLE = "The method asked for changes nothing here"
 
@@ -89,3 +90,20 @@ def test_a_method_that_applies_says_nothing_of_it() -> None:
         isinstance(block, Prose) and block.text.startswith(IDLE)
         for block in kept("slider-crank", 0, "pole")
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "method", "alike"),
+    [
+        ("slider-crank", "base-point", True),
+        ("slider-crank", "pole", False),  # accelerations go by the base point
+        ("stone-crusher", None, False),  # velocities of two bodies, accelerations of one
+        ("crossed-belt-drive", None, False),  # no step finds a vector
+    ],
+)
+def test_accelerations_follow_alike_only_where_their_steps_are_those_of_velocities(
+    name: str, method: Method | None, alike: bool
+) -> None:
+    asked = load_template(name).asked()
+    blocks = write_worked_solution(solve_template(load_template(name), {}), asked, "en", method)
+    assert ("The accelerations follow in the same order." in proses(blocks.blocks)) == alike

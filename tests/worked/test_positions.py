@@ -26,11 +26,12 @@ from kinegrade.worked.document import Block, Prose
 from kinegrade.worked.formulas.equation import WIDEST
 from kinegrade.worked.formulas.numbers import has_short_form
 from kinegrade.worked.positions.positions import explain_positions
+from kinegrade.worked.solution import write_worked_solution
 from tests.problem.draws import draw_filter
 from tests.problem.draws import drawn as draws_of
 from tests.worked.chains import chains, disagreements, part_value
 from tests.worked.telling import displayed as lines
-from tests.worked.telling import tidy, tidy_prose
+from tests.worked.telling import proses, tidy, tidy_prose
 
 TEXTS = '{ en = "a length", zh = "长度" }'
 HEAD = f"""
@@ -344,3 +345,20 @@ def test_the_quadrant_of_an_angle_is_told_from_the_signs_of_its_cosine_and_sine(
     )
     solution = solve_template(read_template("test", text), {"r": "2", "phi": phi})
     assert told in sentences(explain_pose_answers(Case(solution, "en"), ("q",)))[-1]
+
+
+@pytest.mark.parametrize(
+    ("name", "place", "told"),
+    [
+        ("stone-crusher", "$F$ lies at", False),  # only drawn
+        ("wheel-on-circular-track", "$E$ lies at", False),  # marks an angle in the figure
+        ("wheel-on-circular-track", "$D$ lies at", True),  # the pole, about which B turns
+        ("slider-crank", "$A$ lies at", True),
+    ],
+)
+def test_a_point_is_placed_only_where_the_solution_uses_it(
+    name: str, place: str, told: bool
+) -> None:
+    template = load_template(name)
+    blocks = write_worked_solution(solve_template(template, {}), template.asked(), "en").blocks
+    assert any(text.startswith(place) for text in proses(blocks)) == told

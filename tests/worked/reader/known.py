@@ -59,7 +59,6 @@ KNOWN: Mapping[Law, frozenset[str]] = {
             "rolling-wheel-pin-slotted-rocker",
             "stone-crusher",
             "triangle-pose-three-frames",
-            "wheel-on-circular-track",
         )
     ),
 }

@@ -1,0 +1,51 @@
+"""The points whose places a solution uses: those of its answers and of the steps that lead to them;
+others serve only to draw the mechanism.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from kinegrade.expressions.tree import Expression, find_names
+from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.relations import Term
+from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.template.template import Ask
+from kinegrade.worked.case import Case
+from kinegrade.worked.vectors.contacts import turn_about_contact
+from kinegrade.worked.vectors.needed_rates import find_references
+
+
+def find_used_points(case: Case, asked: Iterable[Ask], steps: Iterable[Step]) -> tuple[str, ...]:
+    """The points that answers and steps refer to, in the template's order."""
+    trees = [*case.template.scheme.lengths.values()]
+    terms = list[Term]()
+    for ask in asked:
+        trees.append(ask.quantity)
+        terms += _list_asked_terms(ask.quantity, case)
+    for step in steps:
+        for index in step.relations:
+            relation = case.motion.frames.relations[index]
+            terms += (*relation.left, *relation.right)
+    used = {name for tree in trees for name in find_names(tree)}
+    used |= {name for term in terms for name in _list_points(term, case)}
+    return tuple(point for point in case.template.scheme.points if point in used)
+
+
+def _list_asked_terms(quantity: Expression, case: Case) -> Iterator[Term]:
+    """The terms that make up the vectors of which a quantity is measured."""
+    for call in find_motion_calls(quantity):
+        for body, point in find_references(call, case.reader).points:
+            yield from case.motion.frames.chain(body, point)
+
+
+def _list_points(term: Term, case: Case) -> Iterator[str]:
+    """The points of a term: that which moves, about which, and those that give its path."""
+    yield from (term.point, term.base)
+    about_contact = turn_about_contact(term, case)
+    if about_contact is not None:
+        yield about_contact.base
+    sentence = case.joint(term)
+    for shape in (sentence.on, sentence.circle) if sentence else ():
+        if shape is not None:
+            yield from find_names(shape)
