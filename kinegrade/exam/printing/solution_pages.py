@@ -10,6 +10,7 @@ from kinegrade.exam.setting.setting import SetPaper, SetQuestion
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
+from kinegrade.press.solutions.axes import names_axes
 from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement import write_statement
@@ -74,14 +75,20 @@ def work_question(
     language: Language,
     method: Method | None = None,
 ) -> WorkedQuestion:
-    """A solved instance with its statement, its figure as on a paper, and its worked solution."""
+    """A solved instance with its statement, its figure as on a paper, and its worked solution;
+    where this speaks of axes that the paper has no need of, they stand aside in the figure.
+    """
     template = solution.template
+    hints = mark_question(template, asks)
+    blocks = write_worked_solution(solution, asks, language, method).blocks
+    if hints.axes is None and names_axes(blocks):
+        hints = replace(hints, axes="aside")
     return WorkedQuestion(
         place.number,
         place.identifier,
         template.about.title.in_language(language),
         write_statement(template, solution.parameters, language, asks),
-        write_worked_solution(solution, asks, language, method).blocks,
-        sketch(solution.assembly.mechanism.map(float), mark_question(template, asks)),
+        blocks,
+        sketch(solution.assembly.mechanism.map(float), hints),
         template.name,
     )
