@@ -56,7 +56,8 @@ class Findings:
     `inclined` the lines whose angle with the x axis has been found; `sized` the symbols of vectors
     known by components whose magnitude has been given as well; `directed` the Coriolis
     accelerations whose direction has been said; `arms` the distances of two points that have been
-    worked out.
+    worked out; `places_alone` whether all answers are places of poles that normals lead to, so that
+    speeds are left out.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -68,3 +69,4 @@ class Findings:
     inclined: set[tuple[str, str]] = field(default_factory=set)
     directed: set[VectorSymbol] = field(default_factory=set)
     arms: dict[frozenset[str], Symbol] = field(default_factory=dict)
+    places_alone: bool = False

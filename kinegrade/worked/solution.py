@@ -25,9 +25,9 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading, TermTable, WorkedSolution
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.rates.kinds import describe_motions
-from kinegrade.worked.rates.scalars import imposes_single_rate
 from kinegrade.worked.steps.checks import check_last
-from kinegrade.worked.steps.couplers import find_coupler, name_method
+from kinegrade.worked.steps.couplers import find_coupler, goes_by_pole, name_method
+from kinegrade.worked.steps.given_steps import holds_still, is_given
 from kinegrade.worked.steps.ideas import explain_idea
 from kinegrade.worked.steps.methods import explain_by_method
 from kinegrade.worked.steps.pictures import draw_stage
@@ -35,7 +35,13 @@ from kinegrade.worked.steps.polygons import find_common_scale
 from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step
 from kinegrade.worked.vectors.facts import note_equation
-from kinegrade.worked.vectors.needed_rates import NOTHING, Needs, find_needs, select_steps
+from kinegrade.worked.vectors.needed_rates import (
+    NOTHING,
+    Needs,
+    are_places,
+    find_needs,
+    select_steps,
+)
 from kinegrade.worked.vectors.relatives import claim_plain_symbols
 from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.used_points import find_used_points
@@ -71,9 +77,12 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     still = tuple(ask for ask in asked if is_positional(ask))
     moving = tuple(ask for ask in asked if ask not in still)
     velocities, accelerations = select_steps(case.motion, collect_needs(case, moving))
-    given = [step for step in velocities if _is_given(step, case)]
+    given = [step for step in velocities if is_given(step, case)]
     stages = _find_stages(velocities, case, "velocity", _list_found(given))
-    yield from explain_idea(given, stages.items(), asked, case)
+    places = are_places(ask.quantity for ask in moving)
+    case.findings.places_alone = places and all(map(goes_by_pole, stages.values()))
+    known = () if case.findings.places_alone else given
+    yield from explain_idea(known, stages.items(), asked, case)
     if accelerations and _follow_alike(stages, accelerations, case):
         yield case.say(Message("solution.idea-accelerations"))
     if case.motion.rates:
@@ -105,7 +114,7 @@ def find_course(case: Case, asked: Iterable[Ask]) -> tuple[tuple[Step, Stage], .
     )
     course: list[tuple[Step, Stage]] = []
     for level, steps in levels:
-        given = _list_found(step for step in steps if _is_given(step, case))
+        given = _list_found(step for step in steps if is_given(step, case))
         course += _find_stages(steps, case, level, given).items()
     return tuple(course)
 
@@ -148,10 +157,10 @@ def _write_level_chapter(
     """The given motions, then the steps of velocities, or of accelerations, numbered, each with the
     answers that follow.
     """
-    imposed = [step for step in steps if _is_given(step, case)]
+    imposed = [step for step in steps if is_given(step, case)]
     known = set(_list_found(imposed))
     number = 0
-    for step in imposed:
+    for step in () if case.findings.places_alone else imposed:
         yield from explain_step(step, find_stage(step, case, level, set()))
     stages = _find_stages(steps, case, level, known)
     scale = find_common_scale(stages.values())
@@ -173,7 +182,7 @@ def _find_stages(
     known, stages = set(given), {}
     for step in steps:
         if not known.issuperset(step.unknowns):
-            if not _holds_still(step, case):
+            if not holds_still(step, case):
                 stages[step] = find_stage(step, case, level, frozenset(known))
             known |= set(step.unknowns)
     return stages
@@ -183,11 +192,11 @@ def _follow_alike(
     velocities: Mapping[Step, Stage], accelerations: Sequence[Step], case: Case
 ) -> bool:
     """Whether the accelerations take the steps of the velocities, with vectors, by one method."""
-    given = _list_found(step for step in accelerations if _is_given(step, case))
+    given = _list_found(step for step in accelerations if is_given(step, case))
     stages = _find_stages(accelerations, case, "acceleration", given)
-    by_other_method = any(map(name_method, velocities.values()))
     vectorial = any(stage.equations for stage in stages.values())
-    return vectorial and list(stages) == list(velocities) and not by_other_method
+    alike = list(stages) == list(velocities) and not any(map(name_method, velocities.values()))
+    return vectorial and alike
 
 
 def _list_found(steps: Iterable[Step]) -> frozenset[Rate]:
@@ -230,21 +239,3 @@ def _place_pictures(blocks: Sequence[Block], pictures: Iterable[Block]) -> Itera
 
 def _write_step_title(number: int, title: Message, case: Case) -> Heading:
     return Heading(case.write(Message("solution.step", number=number, title=title)), 2)
-
-
-def _is_given(step: Step, case: Case) -> bool:
-    """Whether a step only says what a driver imposes on one rate."""
-    relations = [case.motion.frames.relations[index] for index in step.relations]
-    law = relations[0].source
-    imposed = law is not None and law.is_given and not law.keeps_parallel
-    return len(relations) == 1 and imposed and imposes_single_rate(relations[0])
-
-
-def _holds_still(step: Step, case: Case) -> bool:
-    """Whether a step only says that a body does not turn, which the first chapter has already
-    said.
-    """
-    relations = [case.motion.frames.relations[index] for index in step.relations]
-    law = relations[0].source
-    held = law is not None and law.keeps_parallel
-    return len(relations) == 1 and held and len(relations[0].turning) == 1

@@ -75,3 +75,11 @@ def test_where_no_proof_applies_the_solution_says_what_it_shows() -> None:
     blocks = write_worked_solution(solution, ["rho"], "en").blocks
     assert any(SHOWN in text for text in proses(blocks))
     assert any(line.startswith(r"\rho &= 2\,\unit{m}") for line in displayed(blocks))
+
+
+def test_a_centrode_found_by_normals_needs_no_speeds() -> None:
+    """The statement gives none, and the circle does not depend on them."""
+    solution = solve_template(load_template("rod-ground-incline-fixed-centrode"), {})
+    blocks = write_worked_solution(solution, ["x_S", "y_S", "rho"], "en").blocks
+    assert not any("Known:" in text or "Given:" in text for text in proses(blocks))
+    assert not any("v_{" in line or "omega" in line for line in displayed(blocks))

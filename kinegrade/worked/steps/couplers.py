@@ -76,6 +76,14 @@ def choose_method(coupler: Coupler, case: Case) -> Method:
     return "pole" if coupler.body in asked or still else "base-point"
 
 
+def goes_by_pole(stage: Stage) -> bool:
+    """Whether a step is told by the pole of a body that turns."""
+    coupler, case = find_coupler(stage), stage.case
+    if coupler is None or case.arithmetic.is_zero(case.motion.omega(coupler.body)):
+        return False
+    return choose_method(coupler, case) == "pole"
+
+
 def find_coupler(stage: Stage) -> Coupler | None:
     """The two points of a step of one velocity equation v_B = v_A + v_BA; None for any other
     step.

@@ -37,6 +37,10 @@ def explain_by_pole(coupler: Coupler, case: Case) -> Iterator[Block]:
         yield case.show(still, *_state_found_speed(coupler, equate(known), case))
         return
     case.findings.poles[body] = name
+    if case.findings.places_alone:
+        pole = case.motion.pole(body, case.arithmetic)
+        yield case.show(_state_place(case.naming.letter(name), pole, case))
+        return
     yield from explain_base_speed(coupler, case)
     yield case.show(*_state_pole(coupler, case.naming.letter(name), case))
 

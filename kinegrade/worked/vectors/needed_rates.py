@@ -56,6 +56,13 @@ def find_needs(tree: Expression, reader: MotionReader) -> Needs:
     return needs
 
 
+def are_places(trees: Iterable[Expression]) -> bool:
+    """Whether quantities are about poles alone: places, which no speed changes."""
+    calls = [call for tree in trees for call in find_motion_calls(tree)]
+    derivations = {MOTION_FUNCTIONS[call.function].derivation for call in calls}
+    return bool(derivations) and derivations <= {"pole", "centrode"}
+
+
 def select_steps(motion: Motion, needs: Needs) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
     """The steps of the plan for velocities and for accelerations that the needs ask for, in the
     plan's order.
