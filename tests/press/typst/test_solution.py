@@ -156,6 +156,16 @@ def test_nothing_sticks_out_of_the_page(compiler: typst.Compiler) -> None:
         assert right <= 194 / 210 * width
 
 
+def test_the_unit_of_a_caption_stands_on_one_line(compiler: typst.Compiler) -> None:
+    captions = ("a" * length + " 1 mm corresponds to 0.1 m/s" for length in range(1, 30))
+    drawn = (Pictures((Picture(polygon_scene(), caption),)) for caption in captions)
+    source = write_solution_source(worked(*drawn))
+    pdf = compiler.compile(source.encode(), format="pdf")
+    assert isinstance(pdf, bytes)
+    text = "\n".join(page.extract_text() for page in PdfReader(BytesIO(pdf)).pages)
+    assert text.count("0.1 m/s") == 29
+
+
 def test_a_long_line_goes_on_in_further_rows(compiler: typst.Compiler) -> None:
     pdf = compiler.compile(
         write_solution_source(worked(read_display((LONG,)))).encode(), format="pdf"
