@@ -54,7 +54,7 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard)
 FAR = {
     "syntax nodes": 491_230,
-    "lines of code": 52_810,
+    "lines of code": 52_930,
     "syntax nodes a line": 9.31,
     "modules of more than 250 lines": 12,
 }

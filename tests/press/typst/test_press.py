@@ -13,7 +13,9 @@ from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
 from kinegrade.figure.scene import Scene
-from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Row
+from kinegrade.language.math.typst import write_typst_row
 from kinegrade.language.prose import typst as prose
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize
@@ -241,10 +243,10 @@ def test_all_faults_of_a_paper_are_told_at_once(press: TypstPress) -> None:
 def test_math_that_does_not_compile_is_named_by_its_question(
     press: TypstPress, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def write(latex: str, where: str) -> str:
-        return "infinityy" if latex == r"\infty y" else write_typst_math(latex, where)
+    def write(row: Row) -> str:
+        return "infinityy" if row == read_math(r"\infty y", "") else write_typst_row(row)
 
-    monkeypatch.setattr(prose, "write_typst_math", write)
+    monkeypatch.setattr(prose, "write_typst_row", write)
     question = replace(ENGLISH_QUESTION, statement=r"$\infty y$")
     with pytest.raises(TypesetError) as refusal:
         press.paper(

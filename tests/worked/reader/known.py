@@ -65,5 +65,10 @@ KNOWN: Mapping[Law, frozenset[str]] = {
 
 # Those that break a law at some draws, and not at the two that `make test` looks at
 RARE: Mapping[Law, frozenset[str]] = {
-    "angle": frozenset(("wheel-on-circular-track",)),
+    # the direction beside a velocity, in degrees from the x axis
+    "angle": frozenset(("two-rods-driven-ends", "wheel-on-circular-track")),
+    # the unknown of a projection in which no vector stands on the left
+    "symbol": frozenset(("bar-pushing-rolling-disc",)),
+    # a magnitude goes on under the symbol of what was told with its sign
+    "equal": frozenset(("ring-gear-planet-relative-spin", "slotted-bar-between-two-rods")),
 }
