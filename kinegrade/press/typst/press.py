@@ -91,16 +91,21 @@ class TypstPress(Press):
         return [page for page in pages if page is not None]
 
     def solution(self, sheet: SolutionSheet) -> bytes:
-        """One student's worked solutions as PDF; names are printed and errors raised as by
+        """One student's worked solutions as PDF, set tighter where that saves a page, so that
+        the last one does not hold a few lines only; names are printed and errors raised as by
         `paper`.
         """
         # Loaded here, as few exams print solutions
         from kinegrade.press.typst.solution import write_solution_source  # noqa: PLC0415
 
         named = self._legible(sheet)
-        return self._explaining(
-            write_solution_source(named, self._size), locate_solutions(sheet.code)
-        )
+        where = locate_solutions(sheet.code)
+        usual = self._explaining(write_solution_source(named, self._size), where)
+        pages = count_pages(usual)
+        if pages == 1:
+            return usual
+        tight = self._explaining(write_solution_source(named, self._size, tight=True), where)
+        return tight if count_pages(tight) < pages else usual
 
     def key(self, book: KeyBook) -> Printout:
         """The instructor's key; names are printed and errors raised as by `paper`."""

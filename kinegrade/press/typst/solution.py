@@ -31,19 +31,23 @@ from kinegrade.press.solutions.settings import (
 from kinegrade.press.solutions.terms import Cell, TermColumn
 from kinegrade.press.typst.layout_call import Sheet, write_layout_call, write_signed
 
+_TIGHT_HOLDS = 1.1  # times what a page holds otherwise
 # Millimetres, as in the layout
 _SIDES, _TOP_AND_BOTTOM = 34.0, 33.5
 _PAPER: dict[PaperSize, tuple[float, float]] = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
 
 
-def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
-    """Typst source of one student's worked solutions; raises TypesetError with all faults of their
-    texts.
+def write_solution_source(
+    sheet: SolutionSheet, size: PaperSize = "a4", *, tight: bool = False
+) -> str:
+    """Typst source of one student's worked solutions, with less room between blocks and lines if
+    `tight`; raises TypesetError with all faults of their texts.
     """
     words = open_catalogue(sheet.language)
     width, height = _PAPER[size]
     column = Column(width - _SIDES, words.raw("language", "page.")["script"])
-    courses = arrange_courses(sheet.questions, TextArea(column, height - _TOP_AND_BOTTOM))
+    area = TextArea(column, (height - _TOP_AND_BOTTOM) * (_TIGHT_HOLDS if tight else 1.0))
+    courses = arrange_courses(sheet.questions, area)
     data: Sheet = {
         "questions": convert_each(
             lambda pair: _write_question(*pair, sheet, words),
@@ -55,7 +59,7 @@ def write_solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
         for name in ("course", "title", "date", "student", "name", "code")
     }
     data |= {"language": words.raw("language", "page.")}
-    data |= {"size": size, "words": words.raw("solution", "layout.")}
+    data |= {"size": size, "tight": tight, "words": words.raw("solution", "layout.")}
     return write_layout_call("solution", data)
 
 

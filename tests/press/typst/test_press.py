@@ -20,7 +20,9 @@ from kinegrade.language.prose import typst as prose
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize
 from kinegrade.press.typst.press import KEY_CHUNK, TypstPress
+from kinegrade.worked.document import Heading, Prose
 from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
+from tests.press.solutions import ENGLISH_SOLUTION
 
 NAMES = [
     '#read("/etc/passwd")',
@@ -292,3 +294,17 @@ def test_papers_are_joined_in_order(press: TypstPress, tmp_path: Path) -> None:
     pages = pages_of(whole, tmp_path)
     assert ["Bo" in pages[0], "Al" in pages[1], len(pages)] == [True, True, 2]
     assert join_pages(papers) == whole
+
+
+def test_a_solution_is_set_tighter_where_that_saves_its_last_page(press: TypstPress) -> None:
+    said = (Heading("Step", 2), Prose("The point $A$ moves to the right along the guide."))
+    question = ENGLISH_SOLUTION.questions[0]
+    pages = [
+        count_pages(
+            press.solution(
+                replace(ENGLISH_SOLUTION, questions=(replace(question, blocks=said * count),))
+            )
+        )
+        for count in (44, 48, 80)
+    ]
+    assert pages == [1, 1, 2]
