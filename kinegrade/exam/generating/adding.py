@@ -25,7 +25,7 @@ from kinegrade.exam.generating.hand_work import find_edited, refuse_edited
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.page_counts import list_longer_papers
 from kinegrade.exam.generating.replaced_exam import read_replaced, required_secret
-from kinegrade.exam.printing.class_printing import CHUNK, print_class
+from kinegrade.exam.printing.class_printing import count_processes, print_class
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.key_pages import make_key_paper
 from kinegrade.exam.printing.paper_languages import require_languages
@@ -82,7 +82,7 @@ def add_students(
     run = _run(exam, kept, late)
     require_tools(run.extras)
     old = read_replaced(exam)
-    jobs = max(min(options.jobs, len(students.together) // CHUNK), 1)
+    jobs = count_processes(options.jobs, len(students.together))
     processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
     with bulk_work(), open_grown_folder(exam) as folder, processes as workers, book as sketchbook:
         press = run.press_order.press()

@@ -8,7 +8,7 @@ values that the folder keeps and compared with its key, and the papers are print
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import partial
@@ -31,7 +31,8 @@ from kinegrade.exam.generating.exam_files import (
 )
 from kinegrade.exam.generating.grown_folder import copy_exam, digest_grown, open_grown_folder
 from kinegrade.exam.generating.hand_work import find_edited, refuse_edited
-from kinegrade.exam.printing.class_printing import CHUNK
+from kinegrade.exam.generating.options import Progress
+from kinegrade.exam.printing.class_printing import count_processes
 from kinegrade.exam.printing.class_reprint import print_class_again
 from kinegrade.exam.printing.head_record import make_ask
 from kinegrade.exam.printing.printing import Printed, PrintRun
@@ -52,7 +53,6 @@ from kinegrade.processes.executor import open_executor
 from kinegrade.processes.garbage_collection import bulk_work
 
 _NAMED = 10  # changes that a refusal names
-Progress = Callable[[Iterator[Printed], int], Iterator[Printed]]
 _Printer = Callable[[PrintRun], Generator[Printed, None, None]]
 
 
@@ -83,7 +83,7 @@ def correct_template(exam: ExamFolder, file: Path, wishes: CorrectionWishes) -> 
     points would change that may not; TemplateError, OutputError; then nothing is written.
     """
     template = _read_correction(exam, file)
-    jobs = max(min(wishes.jobs, len(exam.students) // CHUNK), 1)
+    jobs = count_processes(wishes.jobs, len(exam.students))
     with bulk_work(), open_grown_folder(exam) as folder, open_executor(jobs, "reprint") as workers:
         copy_exam(exam, folder)
         _write_template(template, exam, folder)

@@ -41,7 +41,7 @@ from kinegrade.exam.generating.replaced_exam import (
     replaced_exam,
     settle,
 )
-from kinegrade.exam.printing.class_printing import CHUNK, print_class
+from kinegrade.exam.printing.class_printing import count_processes, print_class
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.paper_languages import require_languages
 from kinegrade.exam.printing.printing import Extras, PrintRun, require_tools
@@ -104,7 +104,7 @@ def generate(
     bank = _choose_bank(blueprint, secret, options, stays)
     require_languages(bank, language, roster)
     sources = source_files(bank) | translation_files(bank, known_languages())
-    jobs = max(min(options.jobs, len(roster.students) // CHUNK), 1)
+    jobs = count_processes(options.jobs, len(roster.students))
     exam = _open_exam_folder(output, options.access, force=force)
     processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
     with bulk_work(), exam as folder, processes as workers, book as sketchbook:

@@ -18,7 +18,7 @@ from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.generating.exam_files import write_head
 from kinegrade.exam.generating.grown_folder import copy_exam, digest_grown, open_grown_folder
 from kinegrade.exam.generating.hand_work import find_edited, refuse_edited
-from kinegrade.exam.printing.class_printing import CHUNK
+from kinegrade.exam.printing.class_printing import count_processes
 from kinegrade.exam.printing.class_solutions import print_class_solutions
 from kinegrade.exam.printing.printed_files import write_solutions
 from kinegrade.exam.printing.printing import PrintRun
@@ -61,7 +61,7 @@ def add_solutions(exam: ExamFolder, wishes: SolutionWishes) -> int:
     run = _make_run(exam, wishes, students)
     if not wishes.force:
         _require_new(exam, students)
-    jobs = max(min(wishes.jobs, len(students) // CHUNK), 1)
+    jobs = count_processes(wishes.jobs, len(students))
     processes = open_executor(jobs, "solutions")
     with bulk_work(), open_grown_folder(exam) as folder, processes as workers:
         copy_exam(exam, folder)

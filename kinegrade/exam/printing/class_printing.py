@@ -48,6 +48,11 @@ def print_class(
         yield from part
 
 
+def count_processes(wanted: int, students: int) -> int:
+    """How many processes print a class: no more than there are parts worth one."""
+    return max(min(wanted, students // CHUNK), 1)
+
+
 def split_class(count: int, jobs: int) -> Iterator[range]:
     """The class in parts, smaller ones at the end, so that all processes end together."""
     first = 0
