@@ -3,8 +3,8 @@
     python -m tests.prove [--minutes 55] [--scale 0.01] [--seed 1] [--only PROOF]
 
 Prints a table of the proofs, each with its first seed and how many cases were run of those that the
-proof in full has, then every failure as the line that belongs into `tests/prove/failed_seeds.py`.
-The status is 1 if there is any. No batch begins after the minutes are over: a table with fewer
+proof in full has; below a proof its failures, each as the line that belongs into
+`tests/prove/failed_seeds.py`. The status is 1 if there is any. No batch begins after the minutes are over: a table with fewer
 cases than it should have says so by its numbers.
 """
 
@@ -30,7 +30,7 @@ def main(arguments: Sequence[str] | None = None, proofs: Sequence[Proof] = PROOF
     """Run the proofs, print what came of them; 1 where one failed."""
     wanted = _parser(proofs).parse_args(arguments)
     until = time.monotonic() + 60 * wanted.minutes
-    failures: list[str] = []
+    failed = False
     print(HEADER, flush=True)
     for proof in _chosen(proofs, wanted.only):
         cases = max(1, round(wanted.scale * proof.cases))
@@ -40,11 +40,9 @@ def main(arguments: Sequence[str] | None = None, proofs: Sequence[Proof] = PROOF
         lines = [_line(proof, each) for each in found if each.fault]
         seconds = time.monotonic() - begin
         row = f"{proof.name:24}{first:12}{len(found):8}{proof.cases:8}{seconds:9.0f}{len(lines):10}"
-        print(row, flush=True)
-        failures += lines
-    if failures:
-        print("failures, for tests/prove/failed_seeds.py:", *failures, sep="\n")
-    return 1 if failures else 0
+        print(row, *lines, sep="\n", flush=True)
+        failed = failed or bool(lines)
+    return 1 if failed else 0
 
 
 def _chosen(proofs: Sequence[Proof], only: Sequence[str] | None) -> list[Proof]:

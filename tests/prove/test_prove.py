@@ -68,12 +68,11 @@ def test_a_failure_is_the_line_that_belongs_into_the_list(
     assert status == 1
     name, seed, cases, full, _, failures = lines[1].split()
     assert (name, seed, cases, full, failures) == ("invented", "10", "10", "10", "4")
-    assert lines[2] == "failures, for tests/prove/failed_seeds.py:"
-    assert lines[3].startswith("    ('invented', 11): 'AssertionError in invented.py:")
-    assert lines[3].endswith(": 11 ends in 1',")
-    assert lines[4].endswith(": no such thing',")
-    assert lines[5] == "    ('invented', 13): 'the process died',"
-    assert lines[6].startswith("    ('invented', 14): 'memory: 1")
+    assert lines[2].startswith("    ('invented', 11): 'AssertionError in invented.py:")
+    assert lines[2].endswith(": 11 ends in 1',")
+    assert lines[3].endswith(": no such thing',")
+    assert lines[4] == "    ('invented', 13): 'the process died',"
+    assert lines[5].startswith("    ('invented', 14): 'memory: 1")
 
 
 def test_a_run_without_failure_ends_well(capsys: pytest.CaptureFixture[str]) -> None:
