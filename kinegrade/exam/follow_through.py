@@ -86,7 +86,7 @@ class FollowThrough:
         if template is None or not template.scheme.drivers or kept is None:
             return None
         texts = kept.values
-        if texts.keys() < template.parameters.keys():
+        if not template.parameters.keys() <= texts.keys():
             return None
         values = {
             name: convert_parameter(parameter, texts[name])

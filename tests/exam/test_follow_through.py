@@ -99,6 +99,7 @@ def test_where_nothing_follows(tmp_path: Path, own: Mapping[str, Fraction], late
     ("student", "content", "template"),
     [
         ("007", line("007", {"r": "1"}), "slider-crank"),
+        ("007", line("007", {"r": "1", "phi_0": "60"}), "slider-crank"),
         ("007", '{"student": "007", "questions": []}', "slider-crank"),
         ("007", line("007"), "slider-clank"),
         ("007", line("007", {**GIVEN, "k": "1/10"}), "slider-crank"),

@@ -11,5 +11,6 @@ FAILED = {
     ("damaged files", 200636443): "a workbook: a crash where packed bytes of a part are damaged",
     ("damaged files", 200636542): "a workbook: a crash where packed bytes of a part are damaged",
     ("damaged files", 159443907): "feedback: a crash where an exact answer is a number of JSON",
+    ("damaged files", 888567026): "key: a crash where a given quantity has another name",
     ("damaged files", 700576): "quiz: a crash where the tolerance of an ask is missing in the key",
 }

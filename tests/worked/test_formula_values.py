@@ -5,6 +5,7 @@ brackets as a textbook sets them.
 from __future__ import annotations
 
 import math
+import operator
 from functools import reduce
 
 import pytest
@@ -74,7 +75,7 @@ ATOMS = st.sampled_from([A, B, C, TWO, MINUS_TWO, Number("0.5"), Number("1"), Nu
 FORMULAS = st.recursive(
     ATOMS,
     lambda inner: (
-        st.builds(Negative, inner)
+        st.builds(operator.neg, inner)
         | st.builds(lambda first, second: first + second, inner, inner)
         | st.builds(lambda first, second: first - second, inner, inner)
         | st.builds(lambda first, second: first * second, inner, inner)
