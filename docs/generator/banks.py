@@ -78,6 +78,8 @@ def write_bank_page() -> str:
         ),
         "How the numbers of any of them are dealt:",
         write_words("key", read_words(_BANK, "DEALT")),
+        "How the points of any entry count, one with a text as well:",
+        write_words("key", read_words(_BANK, "COUNTED")),
         "An entry may also be a text, whose answers are marked by hand:",
         write_words("key", {**read_words(_BANK, "TEXT"), **read_words(_BANK, "BY_HAND")}),
         "In `asks`, an ask is followed by its points, or by a table:",

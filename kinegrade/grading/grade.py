@@ -86,6 +86,7 @@ def grade(
         folder.policy(rules.text)
         folder.printed(exam.printed_orders())
         folder.open([OpenQuestion(each.question, each.points) for each in exam.head.by_hand])
+        folder.bonus(exam.head.bonus)
         _write_exports(path, wishes.exports)
     return grades
 

@@ -12,7 +12,7 @@ from fractions import Fraction
 from itertools import chain, islice
 from typing import assert_never
 
-from kinegrade.exam.folder.keys import Ask, Paper, Sitting
+from kinegrade.exam.folder.keys import Ask, Paper, Sitting, add_counted
 from kinegrade.files.cell_text import is_answered
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.doubts import find_doubts
@@ -70,7 +70,7 @@ def mark_blocks(exam: Sitting, sheet: Sheet, terms: MarkingTerms) -> Iterator[Ma
     papers = PapersAnswered(exam)
     judge = BlockJudge(papers, policy, terms.alternatives, styles, terms.follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
-    marker = _Marker(sheet, judge, asks, add_amounts(ask.points for ask in asks), terms.pool)
+    marker = _Marker(sheet, judge, asks, add_counted(asks), terms.pool)
     each = exam.papers()
     while block := list(islice(each, _BLOCK)):
         yield marker.block(block)

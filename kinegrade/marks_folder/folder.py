@@ -32,6 +32,7 @@ from kinegrade.marks_folder.check import refuse_changed_totals
 from kinegrade.marks_folder.earlier import find_named_mistakes, names_policy
 from kinegrade.marks_folder.layout import (
     ANSWERS,
+    BONUS,
     BY_POLICY,
     COMPLAINTS,
     FOR_PEOPLE,
@@ -115,6 +116,11 @@ class MarksFolder:
             found.append(OpenQuestion(question, amount))
         return tuple(found)
 
+    @cached_property
+    def bonus(self) -> frozenset[str]:
+        """The questions whose points come on top of the maximum."""
+        return frozenset(question for _, (question, _) in read_records_if_any(self.path, BONUS))
+
     def _repr_html_(self) -> str:
         return write_table_html(read_whole(self.path, GRADES))
 
@@ -148,7 +154,7 @@ class MarksFolder:
 
     def sums(self) -> Iterator[StudentSums]:
         """The sums of marks.csv, one student at a time."""
-        return read_sums(self.path)
+        return read_sums(self.path, self.bonus)
 
     def complaints(self) -> tuple[Complaint, ...]:
         """The lines of complaints.csv."""

@@ -95,10 +95,13 @@ PRINTED: Final = TableFile("printed.csv", ("student", "questions"))
 #: Questions that are still to be marked by hand, with their points, which nothing else counts; only
 #: where there are some.
 OPEN: Final = TableFile("open.csv", ("question", "points"))
+#: Questions whose points, as the papers state them, come on top of the maximum; only where there
+#: are some.
+BONUS: Final = TableFile("bonus.csv", ("question", "points"))
 QUESTIONS_BETWEEN: Final = " "  # question identifiers contain no blank
 #: A copy of the policy; only where there was one.
 POLICY: Final = "policy.toml"
-_TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED, OPEN)
+_TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED, OPEN, BONUS)
 FILES: Final = (*(file.name for file in _TABLES), POLICY)
 MARKER: Final = COMPLAINTS.name  # the file by which kinegrade recognises a marks folder
 

@@ -139,7 +139,8 @@ class StudentSums:
     """The sums of one student's lines in marks.csv, by question; `lines` counts them, and `line` is
     the line number of the last.
 
-    `answered` is whether anything other than blanks and dashes was typed.
+    `answered` is whether anything other than blanks and dashes was typed, `bonus` what could be had
+    on top of the maximum.
     """
 
     line: int
@@ -148,6 +149,7 @@ class StudentSums:
     out_of: Mapping[str, Fraction]
     lines: Mapping[str, int]
     answered: bool
+    bonus: Fraction = Fraction(0)
 
     @property
     def total(self) -> Fraction:
@@ -156,5 +158,5 @@ class StudentSums:
 
     @property
     def total_out_of(self) -> Fraction:
-        """The maximum."""
-        return add_amounts(self.out_of.values())
+        """The maximum, without the bonus."""
+        return add_amounts(self.out_of.values()) - self.bonus

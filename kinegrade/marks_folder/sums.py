@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
-from itertools import groupby
+from itertools import chain, groupby
 from pathlib import Path
 
 from kinegrade.errors import TableError
@@ -20,14 +20,14 @@ from kinegrade.numbers.amounts import add_amounts
 _Line = tuple[int, Record]
 
 
-def read_sums(folder: Path) -> Iterator[StudentSums]:
-    """The sums of each student, in the order of marks.csv. Raises TableError at the line of the
-    fault.
+def read_sums(folder: Path, bonus: Set[str]) -> Iterator[StudentSums]:
+    """The sums of each student, in the order of marks.csv; the points of the questions `bonus` come
+    on top of the maximum. Raises TableError at the line of the fault.
     """
     path = folder / ANSWERS.name
     seen: set[str] = set()
     for student, lines in groupby(read_records(folder, ANSWERS), _read_student):
-        sums = _find_sums(student, lines, path)
+        sums = _find_sums(student, lines, path, bonus)
         if student in seen:
             problem = Message("marks.lines-apart", student=Quoted(student))
             raise TableError(explain_edited(f"{path}:{sums.line}", problem))
@@ -39,7 +39,7 @@ def _read_student(line: _Line) -> str:
     return line[1][0]
 
 
-def _find_sums(student: str, lines: Iterable[_Line], path: Path) -> StudentSums:
+def _find_sums(student: str, lines: Iterable[_Line], path: Path, bonus: Set[str]) -> StudentSums:
     points, out_of = defaultdict[str, list[Fraction]](list), defaultdict[str, list[Fraction]](list)
     answered, line = False, 0
     for line, (_, question, _, response, _, _, _, got, possible, *_) in lines:
@@ -48,7 +48,13 @@ def _find_sums(student: str, lines: Iterable[_Line], path: Path) -> StudentSums:
         answered = answered or is_answered(restore(response))
     counts = {question: len(amounts) for question, amounts in points.items()}
     return StudentSums(
-        line, student, _sum_by_question(points), _sum_by_question(out_of), counts, answered
+        line,
+        student,
+        _sum_by_question(points),
+        _sum_by_question(out_of),
+        counts,
+        answered,
+        add_amounts(chain.from_iterable(out_of[each] for each in bonus & out_of.keys())),
     )
 
 

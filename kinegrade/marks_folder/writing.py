@@ -7,7 +7,7 @@ ids and numbers are written as they are.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
@@ -25,6 +25,7 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.marks_folder.layout import (
     ANSWERS,
+    BONUS,
     COMPLAINTS,
     GRADES,
     KEPT,
@@ -94,6 +95,12 @@ class MarksWriter:
         if orders:
             rows = [(student, QUESTIONS_BETWEEN.join(order)) for student, order in orders.items()]
             write_csv(self.path / PRINTED.name, PRINTED.columns, rows)
+
+    def bonus(self, points: Mapping[str, Fraction]) -> None:
+        """The questions whose points come on top of the maximum, with these points."""
+        if points:
+            rows = [(question, write_amount(each)) for question, each in points.items()]
+            write_csv(self.path / BONUS.name, BONUS.columns, rows)
 
     def open(self, questions: Sequence[OpenQuestion]) -> None:
         """The questions that are still to be marked by hand."""

@@ -31,11 +31,22 @@ def write_points_text(points: Fraction, language: Language) -> str:
     return write_decimal_text(decimal, language) if exact else str(points)
 
 
-def write_points_in_words(points: Fraction, words: Catalogue) -> str:
-    """Points with the word for them: "1 point", "2.5 points"."""
+def write_share(points: Fraction, language: Language, *, bonus: bool) -> str:
+    """What points are of the total, or, with a plus sign, on top of it."""
+    text = write_points_text(points, language)
+    return f"+{text}" if bonus else text
+
+
+def write_points_in_words(points: Fraction, words: Catalogue, *, bonus: bool = False) -> str:
+    """Points with the word for them: "1 point", "2.5 points", "2 bonus points"."""
     whole = points.denominator == 1
     count = int(points) if whole else write_points_text(points, words.language)
-    return words.text("paper.points", count=count)
+    return words.text("paper.bonus-points" if bonus else "paper.points", count=count)
+
+
+def write_worth(question: QuestionSheet, words: Catalogue) -> str:
+    """The points of a question with the word for them: "2 points", "2 bonus points"."""
+    return write_points_in_words(question.points, words, bonus=question.bonus)
 
 
 def write_other_number(question: QuestionSheet, words: Catalogue) -> str:
@@ -48,10 +59,12 @@ def arrange_marks(
     paper: Paper, total: str, widest: int = COLUMNS_OF_MARKS
 ) -> list[Sequence[tuple[str, str]]]:
     """The columns of the marker's table, number and points of each question and of the total, in
-    rows of at most `widest`.
+    rows of at most `widest`; those of a bonus, which are not in the total, with a plus sign.
     """
-    questions = ((str(each.number), each.points) for each in paper.questions)
-    columns = [(name, write_points_text(points, paper.language)) for name, points in questions]
+    columns = [
+        (str(each.number), write_share(each.points, paper.language, bonus=each.bonus))
+        for each in paper.questions
+    ]
     columns.append((total, write_points_text(paper.points, paper.language)))
     return [columns[start : start + widest] for start in range(0, len(columns), widest)]
 

@@ -52,6 +52,7 @@ class QuestionSheet:
     source: str = ""  # plain, where the problem was published; "" prints nothing
     template: str = ""  # plain, named where its texts cannot be typeset
     space: float = 0.0  # millimetres, at least left for working
+    bonus: bool = False  # its points come on top of the total
 
 
 @dataclass(frozen=True)
@@ -72,8 +73,8 @@ class Paper:
 
     @property
     def points(self) -> Fraction:
-        """The total of all questions."""
-        return sum((question.points for question in self.questions), Fraction(0))
+        """The total of all questions that are no bonus."""
+        return sum((each.points for each in self.questions if not each.bonus), Fraction(0))
 
 
 @dataclass(frozen=True)

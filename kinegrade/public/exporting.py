@@ -16,7 +16,7 @@ from kinegrade.language.message import Fault, Message, Part, Quoted, list_plainl
 from kinegrade.lms.grades.dialect import Dialect, ExportOptions
 from kinegrade.lms.grades.fill_in import fill_in
 from kinegrade.lms.grades.from_scratch import new_file
-from kinegrade.lms.grades.grades import ClassGrades, read_grades
+from kinegrade.lms.grades.grades import TOTAL, ClassGrades, read_grades
 from kinegrade.lms.grades.systems import GRADE_FILES, SYSTEMS, WORKBOOK
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.open_questions import describe_open
@@ -62,7 +62,7 @@ def export(
     options = replace(options, title=options.title.strip())
     made = _make_file(SYSTEMS[to], grades, options)
     write_file(place, made.content, force=force)
-    notes = *made.notes, _tell(made, place, grades, options)
+    notes = *made.notes, _tell(made, place, grades, options), *_list_above(grades, options)
     return Outcome(place, notes, (*made.complaints, *_list_open(marks, place)))
 
 
@@ -82,6 +82,14 @@ def _list_open(marks: MarksFolder, place: Path) -> Iterator[Fault]:
     """That the grades lack what is still to be marked by hand."""
     if marks.open:
         yield Fault(str(place), describe_open(marks.open), do=Message("marks.add-by-hand"))
+
+
+def _list_above(grades: ClassGrades, options: ExportOptions) -> Iterator[Message]:
+    """That some totals are above the maximum, by their bonus."""
+    exported = () if options.per_question else grades.exported(ungraded=options.ungraded)
+    above = sum(each.points[TOTAL] > each.out_of[TOTAL] for each in exported)
+    if above:
+        yield Message("terminal.above-maximum", count=above)
 
 
 @dataclass(frozen=True, slots=True)

@@ -100,8 +100,8 @@ def quiz(
         with variants_stored(exam, options.variants or 0):
             remarks = writer(put, place, force=force)
     written = Message("terminal.quiz-written", file=str(place))
-    left_out = tuple(_list_left_out(exam, place))
-    return Outcome(place, (written, Message("terminal.marked-there")), (*remarks, *left_out))
+    other = (*_list_left_out(exam, place), *_list_bonus(exam, place))
+    return Outcome(place, (written, Message("terminal.marked-there")), (*remarks, *other))
 
 
 def _list_left_out(exam: ExamFolder, place: Path) -> Iterator[Fault]:
@@ -111,6 +111,15 @@ def _list_left_out(exam: ExamFolder, place: Path) -> Iterator[Fault]:
         numbers = list_all([find_bank_number(each.question) for each in by_hand])
         what = Message("quiz.by-hand", count=len(by_hand), questions=numbers)
         yield Fault(str(place), what, do=Message("quiz.ask-by-hand"))
+
+
+def _list_bonus(exam: ExamFolder, place: Path) -> Iterator[Fault]:
+    """That bonus questions are questions like any other in the quiz."""
+    bonus = exam.head.bonus
+    if bonus:
+        numbers = list_all([find_bank_number(each) for each in bonus])
+        what = Message("quiz.bonus", count=len(bonus), questions=numbers)
+        yield Fault(str(place), what, do=Message("quiz.mark-bonus"))
 
 
 def _read(

@@ -331,7 +331,7 @@ number = 2
         "bank.toml:16: questions[2].points: asks gives the points already "
         "- leave one of the two out",
         "bank.toml:17: questions[2].number: unknown key "
-        "- known here: asks, draw, points, repeats, same, space, template, tolerance",
+        "- known here: asks, bonus, draw and 6 more",
     ]
 
 

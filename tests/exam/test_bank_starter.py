@@ -14,6 +14,7 @@ from kinegrade.exam.bank.keys import (
     ASK,
     BANK,
     BY_HAND,
+    COUNTED,
     DEALT,
     DRAWN,
     FAMILY,
@@ -55,7 +56,7 @@ def test_every_key_is_there_and_explained_in_the_line_above_it() -> None:
     assert shown == set(BANK)
     assert set(keys["header"]) == set(HEADER)
     assert set(keys["questions"]) == {
-        *(*NAMED, *FAMILY, *TAG, *DRAWN, *DEALT),
+        *(*NAMED, *FAMILY, *TAG, *DRAWN, *DEALT, *COUNTED),
         *(*TEXT, *BY_HAND),
     }
     asked = tomllib.loads(STARTER)["questions"][0]["asks"].values()

@@ -181,7 +181,7 @@ def test_shuffled_papers_keep_its_number(tmp_path: Path) -> None:
         ('text = "Why?"\npoints = 0', ":10: questions[2].points: 0 - expected points above 0"),
         (
             'text = "Why?"\npoints = 1\nasks = { v_B = 1 }',
-            ":11: questions[2].asks: unknown key - known here: points, space, text, title",
+            ":11: questions[2].asks: unknown key - known here: bonus, points, space, text, title",
         ),
     ],
 )

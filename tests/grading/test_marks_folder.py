@@ -22,7 +22,7 @@ from tests.grading.marked_folder import RIGHT, mark_class
 from tests.small_class import kinegrade
 
 HALF = Fraction(1, 2)
-ANNA = Grade("7", "=Anna, B.", (HALF, Fraction(2)), Fraction(4))
+ANNA = Grade("7", "=Anna, B.", (HALF, Fraction(2)), Fraction(2))
 KEPT_ANNA = KeptTotal(
     *("7", "=Anna, B.", "earlier total kept"),
     *(Fraction(3), Fraction(4), Fraction(5, 2), Fraction(4), Fraction(3)),
@@ -42,12 +42,13 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     writer.put([("7", "q1", "v", "8")])
     writer.printed({"7": ("q2", "q1")})
     writer.open([OpenQuestion("q3", HALF)])
+    writer.bonus({"q2": Fraction(2)})
     writer.policy("")
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(FILES)
     (total,) = open_marks(tmp_path).totals.students
     assert (total.student, total.name, total.kept) == ("7", "=Anna, B.", KEPT_ANNA)
-    assert (total.points, total.total, total.out_of) == ({"q1": HALF, "q2": 2}, 3, 4)
-    assert (total.percent, total.status) == (75, "marked")
+    assert (total.points, total.total, total.out_of) == ({"q1": HALF, "q2": 2}, 3, 2)
+    assert (total.percent, total.status) == (150, "marked")
     assert [(each.column, each.typed, each.points) for each in folder.answers()] == [
         ("q1.v", "=1", HALF),
         ("q2.v", "0,5", 2),

@@ -6,20 +6,20 @@ which tolerance.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 from typing import get_args
 
 from kinegrade.errors import BankError, suggest
-from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot, list_wishes, match_slots
+from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot
 from kinegrade.exam.bank.by_hand import HandQuestion
 from kinegrade.exam.bank.formula_sheet import read_formula_sheet
 from kinegrade.exam.bank.header import HEADER_TEXTS, read_header
 from kinegrade.exam.bank.keys import BANK
 from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
+from kinegrade.exam.bank.together import require_carried, require_fit
 from kinegrade.exam.bank.versions import LETTERS
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import REMEDY
@@ -35,7 +35,6 @@ from kinegrade.numbers.tolerance import LEAST_CARRY, MOST_CARRY, USUAL_CARRY
 from kinegrade.press.protocol import ENGINES
 from kinegrade.problem.template.beside import Beside, Translations, lay_in, read_translations
 from kinegrade.problem.template.library.library import find_shipped, list_names
-from kinegrade.problem.template.template import TemplateFile
 from kinegrade.problem.template.translated import Translated
 from kinegrade.problem.template.translations import translated
 from kinegrade.stated_marking import read_credit
@@ -184,16 +183,9 @@ def _read_questions(
         read.append(entries.read(entry, first, stated))
     slots = tuple(slot for entry in read for slot in entry.slots)
     by_hand = tuple(entry.by_hand for entry in read if entry.by_hand is not None)
-    if by_hand and not slots and len(by_hand) == len(tables):
-        table.fault("questions", Message("bank.all-by-hand"), Message("bank.one-with-template"))
-    count = len(slots) + len(by_hand)
-    if count > MAX_QUESTIONS:
-        what = Message("bank.questions", count=count)
-        table.fault("questions", what, Message("bank.questions-at-most", most=MAX_QUESTIONS))
-    _require_different_names(read)
-    _require_enough(read, slots)
+    require_fit(table, read)
     if not entries.kept:
-        _require_carried(read, frame.carry)
+        require_carried(read, frame.carry)
     return slots, by_hand
 
 
@@ -203,48 +195,3 @@ def _miscounted(table: Table, count: int) -> None:
         table.missing("questions", expected)
     elif isinstance(table.value("questions"), list):
         table.fault("questions", Message("bank.tables", count=count), expected)
-
-
-def _require_different_names(entries: Sequence[Entry]) -> None:
-    """A fault where two different template files share a name: the exam folder keeps one file per
-    name.
-    """
-    files: dict[str, TemplateFile] = {}
-    for entry in entries:
-        for template in (slot.candidates[0].template for slot in entry.slots if not slot.drawn):
-            if files.setdefault(template.name, template.file) != template.file:
-                entry.table.fault(
-                    "template",
-                    Message("bank.name-taken", name=Quoted(template.name)),
-                    do=Message("bank.rename-file"),
-                )
-
-
-def _require_enough(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:
-    """A fault if there are not enough templates to give every question a different one."""
-    chosen = match_slots(list_wishes(slots, lambda slot, name: 0))
-    for entry in entries:
-        count = len(entry.slots)
-        left = sum(not slot.drawn or slot.identifier in chosen for slot in entry.slots)
-        if left < count:
-            entry.table.fault(
-                "number",
-                Message("bank.too-few-templates", count=count, left=left),
-                do=Message("bank.draw-fewer"),
-            )
-
-
-def _require_carried(entries: Iterable[Entry], carry: int) -> None:
-    """A fault for each entry with an ask whose tolerance the figures carried cannot meet."""
-    for entry in entries:
-        asks = (ask for slot in entry.slots for ask in slot.candidates[0].asks)
-        needed = {ask.name: ask.tolerance.carried(Fraction(0)) for ask in asks}
-        for name, figures in needed.items():
-            if figures > carry:
-                more = Message("bank.carry-or-allow-more", figures=figures)
-                entry.table.fault(
-                    None,
-                    Message("bank.takes-figures", ask=name, figures=figures),
-                    Message("bank.figures-carried", carry=carry),
-                    more if figures <= MOST_CARRY else Message("bank.allow-more"),
-                )

@@ -44,7 +44,8 @@ class BankAsk:
 @dataclass(frozen=True)
 class BankQuestion:
     """One question: its template, what is asked, domains that replace the template's, the
-    millimetres left for working, and how its numbers are dealt.
+    millimetres left for working, how its numbers are dealt, and whether its points are a `bonus` on
+    top of the maximum.
     """
 
     identifier: str
@@ -53,6 +54,7 @@ class BankQuestion:
     domains: Mapping[str, tuple[str, ...]]
     space: float = 0.0
     dealing: Dealing = "own"
+    bonus: bool = False
 
     @property
     def points(self) -> Fraction:
@@ -112,6 +114,12 @@ class Bank:
             for name, text in (("title", each.title), ("text", each.text))
         }
         return {"title": self.title, "course": self.course, **head, **by_hand}
+
+    @property
+    def has_bonus(self) -> bool:
+        """Whether points of some questions come on top of the maximum."""
+        marked = any(each.bonus for each in self.questions)
+        return marked or any(each.bonus for each in self.by_hand)
 
     @property
     def four_decimals(self) -> bool:

@@ -11,9 +11,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kinegrade.exam.bank.keys import BY_HAND, TEXT
+from kinegrade.exam.bank.keys import BY_HAND, COUNTED, TEXT
 from kinegrade.exam.bank.terms import read_points, read_room
 from kinegrade.files.fields.table import Table
+from kinegrade.files.fields.values import flag
 from kinegrade.problem.template.translated import Translated
 from kinegrade.problem.template.translations import translated
 
@@ -23,7 +24,8 @@ _NO_TITLE = Translated(plain="")
 @dataclass(frozen=True)
 class HandQuestion:
     """A question to be marked by hand: its title, empty for none, and its text, both Markdown with
-    LaTeX math; `space` is the millimetres left for the answer.
+    LaTeX math; `space` is the millimetres left for the answer, `bonus` whether its points come on
+    top of the maximum.
     """
 
     identifier: str
@@ -31,6 +33,7 @@ class HandQuestion:
     text: Translated
     points: Fraction
     space: float
+    bonus: bool = False
 
     @property
     def number(self) -> int:
@@ -42,11 +45,12 @@ def read_hand_question(entry: Table, identifier: str, space: float) -> HandQuest
     """The question of an entry `[[questions]]` with a text; `space` where it states none. None
     after a fault.
     """
-    known = entry.only(*TEXT, *BY_HAND)
+    known = entry.only(*TEXT, *BY_HAND, *COUNTED)
     text = known.required("text", translated)
     points = known.required("points", read_points)
     title = known.with_default("title", translated, _NO_TITLE)
     room = known.with_default("space", read_room, space)
+    bonus = known.with_default("bonus", flag, False)
     if text is None or points is None:
         return None
-    return HandQuestion(identifier, title, text, points, room)
+    return HandQuestion(identifier, title, text, points, room, bonus)

@@ -88,6 +88,11 @@ DEALT = (
     #: are students; how many share theirs is said. Otherwise that is a complaint.
     "repeats",
 )
+# How the points of any entry count
+COUNTED = (
+    #: `true` makes it a bonus: its points come on top of the maximum.
+    "bonus",
+)
 TEXT = (
     #: The text of a question without a mechanism, whose answer is marked by hand: Markdown with
     #: `$...$` LaTeX math, or one for each language.

@@ -9,14 +9,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
-from typing import Literal, TypeAlias, assert_never
+from typing import Literal, NamedTuple, TypeAlias, assert_never
 
 from kinegrade.errors import FieldError, KinegradeError, suggest
 from kinegrade.exam.bank.asks import read_asks, read_kind, weigh_asks
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Dealing, Slot
 from kinegrade.exam.bank.by_hand import HandQuestion, read_hand_question
 from kinegrade.exam.bank.domains import read_domains
-from kinegrade.exam.bank.keys import BY_HAND, DEALT, DRAWN, FAMILY, NAMED, TAG, TEXT
+from kinegrade.exam.bank.keys import BY_HAND, COUNTED, DEALT, DRAWN, FAMILY, NAMED, TAG, TEXT
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
 from kinegrade.files.fields.faults import Faults
@@ -31,13 +31,21 @@ MAX_QUESTIONS = 50
 _TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
 _Kind: TypeAlias = Literal["template", "text"] | Grouping  # the key that says what an entry is
 _ENTRY_KEYS: Mapping[_Kind, tuple[str, ...]] = {
-    "template": (*NAMED, *DEALT),
-    "family": (*FAMILY, *DRAWN, *DEALT),
-    "tag": (*TAG, *DRAWN, *DEALT),
-    "text": (*TEXT, *BY_HAND),
+    "template": (*NAMED, *DEALT, *COUNTED),
+    "family": (*FAMILY, *DRAWN, *DEALT, *COUNTED),
+    "tag": (*TAG, *DRAWN, *DEALT, *COUNTED),
+    "text": (*TEXT, *BY_HAND, *COUNTED),
 }
 _ALL_KEYS = tuple(dict.fromkeys(key for keys in _ENTRY_KEYS.values() for key in keys))
 _ONE_KIND = Message("bank.one-of-four")
+
+
+class _Terms(NamedTuple):
+    """The room for working, how numbers are dealt, and whether the points are a bonus."""
+
+    space: float
+    dealing: Dealing
+    bonus: bool
 
 
 @dataclass(frozen=True)
@@ -95,9 +103,7 @@ class Entries:
             return ()
         asks = read_asks(entry, template, read_bank_tolerance(entry, wider))
         domains = read_domains(entry, template, kept=self.kept)
-        space = entry.with_default("space", read_room, self.space)
-        dealing = _read_dealing(entry)
-        question = BankQuestion(identifier, template, asks, domains, space, dealing)
+        question = BankQuestion(identifier, template, asks, domains, *self._read_terms(entry))
         return (Slot(identifier, (question,), drawn=False),)
 
     def _drawn(
@@ -106,8 +112,7 @@ class Entries:
         """The questions whose templates are drawn by family or tag."""
         number = entry.with_default("number", whole(1, MAX_QUESTIONS), 1)
         entry_tolerance = read_bank_tolerance(entry, wider)
-        space = entry.with_default("space", read_room, self.space)
-        dealing = _read_dealing(entry)
+        terms = self._read_terms(entry)
         kind = read_kind(entry)
         pool = self._pool(entry, by)
         if kind is None:
@@ -120,8 +125,14 @@ class Entries:
         if not candidates:
             return ()
         choice = [(template, asks[template.name]) for template in candidates]
-        return tuple(
-            _make_slot(f"q{first + index}", choice, space, dealing) for index in range(number)
+        return tuple(_make_slot(f"q{first + index}", choice, terms) for index in range(number))
+
+    def _read_terms(self, entry: Table) -> _Terms:
+        """What holds for each question of an entry with a template."""
+        return _Terms(
+            entry.with_default("space", read_room, self.space),
+            _read_dealing(entry),
+            entry.with_default("bonus", flag, False),
         )
 
     def _pool(self, entry: Table, by: Grouping) -> list[Template]:
@@ -193,15 +204,10 @@ def _read_dealing(entry: Table) -> Dealing:
 
 
 def _make_slot(
-    identifier: str,
-    choice: Sequence[tuple[Template, tuple[BankAsk, ...]]],
-    space: float,
-    dealing: Dealing,
+    identifier: str, choice: Sequence[tuple[Template, tuple[BankAsk, ...]]], terms: _Terms
 ) -> Slot:
     """A question that becomes one of these templates with their asks."""
-    questions = (
-        BankQuestion(identifier, template, asks, {}, space, dealing) for template, asks in choice
-    )
+    questions = (BankQuestion(identifier, template, asks, {}, *terms) for template, asks in choice)
     return Slot(identifier, tuple(questions), drawn=True)
 
 

@@ -111,12 +111,12 @@ def _read_question(value: object) -> ExamQuestion:
 
 
 def _name_owner(item: object) -> object:
-    """A question whose asks name the question to which they belong, and the keyword of their sign
-    convention where an earlier version wrote only its words.
+    """A question whose asks name the question to which they belong and say whether that is a bonus,
+    with the keyword of their sign convention where an earlier version wrote only its words.
     """
     if not isinstance(item, dict) or not isinstance(item.get("asks"), list):
         return item
-    whose = {"question": item.get("question")}
+    whose = {"question": item.get("question"), "bonus": item.get("bonus", False)}
     asks = [
         {"convention": recognise_convention(ask.get("sign")), **ask, **whose}
         if isinstance(ask, dict)

@@ -5,13 +5,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import groupby
 from typing import NamedTuple, Protocol, assert_never
 
 from kinegrade.language import ENGLISH, Language
+from kinegrade.numbers.amounts import add_amounts
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.sign_conventions import Convention
 
@@ -21,7 +22,8 @@ class Ask:
     """One answer box, the same on every paper; `unit` is "1" for a pure number.
 
     `sign` is the sign convention in words, as it stands on papers; "" where it is not known.
-    `convention` is its keyword, None for one that the template's author put into words.
+    `convention` is its keyword, None for one that the template's author put into words. The points
+    of a `bonus` come on top of the maximum.
     """
 
     question: str
@@ -30,6 +32,7 @@ class Ask:
     points: Fraction
     sign: str = ""
     convention: Convention | None = None
+    bonus: bool = False
 
     @property
     def column(self) -> str:
@@ -199,6 +202,11 @@ def group_places(asks: Sequence[Ask]) -> Sequence[range]:
     """The positions of each question's asks among all asks."""
     groups = groupby(range(len(asks)), lambda place: asks[place].question)
     return [range(places[0], places[-1] + 1) for places in (list(group) for _, group in groups)]
+
+
+def add_counted(asks: Iterable[Ask]) -> Fraction:
+    """The maximum: the points of these asks, without those that are a bonus."""
+    return add_amounts(ask.points for ask in asks if not ask.bonus)
 
 
 def list_questions(asks: Sequence[Ask]) -> tuple[str, ...]:

@@ -18,6 +18,7 @@ from kinegrade.exam.folder.exam_secret import ExamSecret, find_secret
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.roster.students import make_file_names
 from kinegrade.language import Language
+from kinegrade.numbers.amounts import add_amounts
 
 
 class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
@@ -41,7 +42,8 @@ class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
 
 class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):
     """A question of the exam: `refused` counts by reason those of its `combinations` that were not
-    good; `good` is the number of different ones dealt, if they are fewer than the papers.
+    good; `good` is the number of different ones dealt, if they are fewer than the papers. The
+    points of a `bonus` come on top of the maximum.
     """
 
     question: str
@@ -50,6 +52,7 @@ class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):
     combinations: int = 0
     refused: dict[str, int] = {}
     good: int | msgspec.UnsetType = msgspec.UNSET
+    bonus: bool = False
     asks: tuple[Ask, ...]
 
 
@@ -59,6 +62,7 @@ class HandQuestion(msgspec.Struct, frozen=True, omit_defaults=True):
     question: str
     points: Fraction
     title: str = ""
+    bonus: bool = False
 
 
 class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, dict=True):
@@ -126,6 +130,19 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     def asks(self) -> tuple[Ask, ...]:
         """The asks of all questions, in the order of the bank."""
         return tuple(ask for question in self.questions for ask in question.asks)
+
+    @property
+    def bonus(self) -> Mapping[str, Fraction]:
+        """The questions whose points come on top of the maximum, of those marked here, with these
+        points.
+        """
+        return {each.question: each.points for each in self.questions if each.bonus}
+
+    @property
+    def bonus_points(self) -> Fraction:
+        """What comes on top of the maximum: the points of these, and of those marked by hand."""
+        by_hand = (each.points for each in self.by_hand if each.bonus)
+        return add_amounts((*self.bonus.values(), *by_hand))
 
     @cached_property
     def columns(self) -> tuple[str, ...]:

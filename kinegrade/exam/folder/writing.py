@@ -17,8 +17,10 @@ def encode_head(head: ExamHead) -> bytes:
     """The bytes of exam.json, laid out for people."""
     table = msgspec.to_builtins(head, enc_hook=_encode_points, builtin_types=(Decimal,))
     for question in table["questions"]:
+        if not question["bonus"]:
+            del question["bonus"]
         for ask in question["asks"]:
-            del ask["question"]  # the ask is listed under its question
+            del ask["question"], ask["bonus"]  # the ask is listed under its question
     return msgspec.json.format(_ENCODER.encode(table), indent=1) + b"\n"
 
 

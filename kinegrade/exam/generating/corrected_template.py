@@ -191,10 +191,7 @@ def _restate(head: ExamHead, bank: Bank) -> ExamHead:
     questions = []
     for stated in head.questions:
         question = asked[stated.question]
-        asks = tuple(
-            make_ask(stated.question, ask, question.template.asks[ask.name], head.language)
-            for ask in question.asks
-        )
+        asks = tuple(make_ask(question, ask, head.language) for ask in question.asks)
         questions.append(structs.replace(stated, points=question.points, asks=asks))
     return structs.replace(head, questions=tuple(questions))
 

@@ -21,7 +21,6 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.known import known_languages
 from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.template.signs import write_sign
-from kinegrade.problem.template.template import Ask as TemplateAsk
 from kinegrade.problem.template.translated import Translated
 
 
@@ -57,7 +56,7 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
         students=tuple(each for each in everybody if each.student not in spare),
         spares=tuple(each for each in everybody if each.student in spare),
         by_hand=tuple(
-            HandQuestion(each.identifier, each.points, each.title.in_language(language))
+            HandQuestion(each.identifier, each.points, each.title.in_language(language), each.bonus)
             for each in bank.by_hand
         ),
         earlier={name: tuple(map(dict, dealt)) for name, dealt in bank.earlier.items()},
@@ -76,22 +75,22 @@ def _make_exam_question(
         combinations=deal.size,
         refused={str(reason): count for reason, count in deal.refused.items()},
         good=UNSET if deal.lasting else deal.good,
-        asks=tuple(
-            make_ask(question.identifier, ask, question.template.asks[ask.name], language)
-            for ask in question.asks
-        ),
+        asks=tuple(make_ask(question, ask, language) for ask in question.asks),
+        bonus=question.bonus,
     )
 
 
-def make_ask(question: str, asked: BankAsk, ask: TemplateAsk, language: Language) -> Ask:
-    """An ask as the head states it."""
+def make_ask(question: BankQuestion, asked: BankAsk, language: Language) -> Ask:
+    """An ask of a question as the head states it."""
+    ask = question.template.asks[asked.name]
     return Ask(
-        question,
+        question.identifier,
         asked.name,
         ask.unit.text,
         asked.points,
         write_sign(ask.sign, language),
         None if isinstance(ask.sign, Translated) else ask.sign,
+        question.bonus,
     )
 
 

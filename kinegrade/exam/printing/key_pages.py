@@ -13,7 +13,7 @@ from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
-from kinegrade.press.paper_parts import write_points_in_words, write_points_text
+from kinegrade.press.paper_parts import write_points_in_words, write_share
 from kinegrade.press.sheet import (
     KeyAnswer,
     KeyBook,
@@ -59,7 +59,7 @@ def make_key_paper(bank: Bank, paper: SetPaper, language: Language) -> KeyPaper:
 def _make_hand_entry(question: HandQuestion, language: Language) -> KeyEntry:
     """That a question is marked by hand."""
     words = open_catalogue(language)
-    points = write_points_in_words(question.points, words)
+    points = write_points_in_words(question.points, words, bonus=question.bonus)
     note = words.text("paper.by-hand", points=points)
     return KeyEntry(question.identifier, question.title.in_language(language), (), (), note)
 
@@ -83,7 +83,7 @@ def _make_key_entry(question: SetQuestion, language: Language) -> KeyEntry:
             write_decimal_text(entry.answer.decimal(6), language),
             entry.answer.unit,
             write_interval(entry, language),
-            write_points_text(entry.ask.points, language),
+            write_share(entry.ask.points, language, bonus=question.question.bonus),
         )
         for entry in question.asks
     )

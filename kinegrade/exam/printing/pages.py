@@ -120,7 +120,7 @@ def _lay_out_set_question(
     shown = ShownInstance(template, solution.parameters, mechanism, asks)
     place = QuestionPlace(number, question.question.identifier)
     sheet = lay_out_question(place, shown, rows, language, figure)
-    return replace(sheet, space=question.question.space)
+    return replace(sheet, space=question.question.space, bonus=question.question.bonus)
 
 
 def _lay_out_hand_question(question: HandQuestion, language: Language) -> QuestionSheet:
@@ -134,6 +134,7 @@ def _lay_out_hand_question(question: HandQuestion, language: Language) -> Questi
         None,
         (),
         space=question.space,
+        bonus=question.bonus,
     )
 
 

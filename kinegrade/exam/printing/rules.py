@@ -39,7 +39,8 @@ def write_rules(bank: Bank, language: Language) -> tuple[str, ...]:
         right,
         *(Message("paper.rule-of-figures", **_give_example(each)) for each in figures),
     )
-    return tuple(map(open_catalogue(language).write, rules))
+    of_bonus = (Message("paper.rule-of-bonus"),) if bank.has_bonus else ()
+    return tuple(map(open_catalogue(language).write, (*rules, *of_bonus)))
 
 
 def _make_writing_rule(bank: Bank, asked: Iterable[Tolerance]) -> Message:

@@ -8,7 +8,7 @@ files.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import NamedTuple, assert_never
@@ -33,7 +33,8 @@ class StudentGrade:
     """One student's points by question and in total (item TOTAL), and the maximum of each.
 
     `name` is that of grades.csv, neutralised against spreadsheets; `email` is empty where no exam
-    was read. `printed` are the questions in the order of the paper, empty where that is the bank's.
+    was read. `printed` are the questions in the order of the paper, empty where that is the bank's;
+    the points of those that are a `bonus` come on top of the maximum.
     """
 
     student: str
@@ -43,6 +44,7 @@ class StudentGrade:
     out_of: Mapping[str, Fraction]
     handed_in: bool
     printed: tuple[str, ...] = ()
+    bonus: Set[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +93,9 @@ def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrad
     totals, orders = marks.totals, marks.printed
     possible = {each.student: each for each in _read_possible(marks.sums())}
     students = tuple(
-        _make_student_grade(total, possible.get(total.student), orders.get(total.student, ()))
+        _make_student_grade(
+            total, possible.get(total.student), orders.get(total.student, ()), marks.bonus
+        )
         for total in totals.students
     )
     found = ClassGrades(totals.questions, students)
@@ -111,7 +115,7 @@ def _read_possible(sums: Iterable[StudentSums]) -> Iterator[_Possible]:
 
 
 def _make_student_grade(
-    total: StudentTotal, possible: _Possible | None, printed: tuple[str, ...]
+    total: StudentTotal, possible: _Possible | None, printed: tuple[str, ...], bonus: Set[str]
 ) -> StudentGrade:
     """A student's grade for an export; the maxima of one without lines in marks.csv are zero."""
     points = {**total.points, TOTAL: total.total}
@@ -121,12 +125,14 @@ def _make_student_grade(
     else:
         handed_in = total.status != "absent" or total.kept is not None
     name = neutralise(total.name)
-    return StudentGrade(total.student, name, "", points, out_of, handed_in, printed)
+    return StudentGrade(
+        total.student, name, "", points, out_of, handed_in, printed, bonus & out_of.keys()
+    )
 
 
 def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
     """What the system shows a student: points by the number of the question on the student's paper,
-    and nothing that the student typed.
+    and nothing that the student typed; those of a bonus have a plus sign.
 
     >>> points = {"q1": Fraction(5, 2), "q2": Fraction(0)}
     >>> out_of = {"q1": Fraction(4), "q2": Fraction(3)}
@@ -141,7 +147,7 @@ def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
         else [(find_bank_number(name), name) for name in questions]
     )
     parts = [
-        f"{number}: "
+        f"{number}: {'+' if name in grade.bonus else ''}"
         f"{write_amount(grade.points[name])}/{write_amount(grade.out_of.get(name, Fraction(0)))}"
         for number, name in numbered
     ]

@@ -12,7 +12,7 @@ from fractions import Fraction
 from kinegrade.errors import Problem
 from kinegrade.language.message import Fault, Message, Quoted, Text
 from kinegrade.lms.grades.dialect import ExportOptions
-from kinegrade.lms.grades.grades import StudentGrade
+from kinegrade.lms.grades.grades import TOTAL, StudentGrade
 from kinegrade.numbers.amounts import write_amount
 
 
@@ -63,9 +63,11 @@ def _explain_scale(
 
 
 def _find_above(students: Sequence[StudentGrade], item: str) -> Iterator[Message]:
-    """The students with more points than the item has."""
+    """The students with more points than the item has, unless a bonus may have brought them there:
+    then a total that was kept may be as high, too, where the bonus has been dropped since.
+    """
     for each in students:
-        if each.points[item] > each.out_of[item]:
+        if each.points[item] > each.out_of[item] and not (item == TOTAL and each.bonus):
             yield Message(
                 "grades.above-maximum",
                 student=Quoted(each.student),

@@ -21,8 +21,8 @@ from kinegrade.press.paper_parts import (
     arrange_marks,
     fits_beside,
     write_other_number,
-    write_points_in_words,
     write_points_text,
+    write_worth,
 )
 from kinegrade.press.places import RULES, locate_paper, locate_part, locate_question
 from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
@@ -134,7 +134,7 @@ def _write_question(question: QuestionSheet, words: Catalogue, paper: Location) 
         str(question.number),
         parts["title"],
         write_plain(write_other_number(question, words)),
-        write_plain(write_points_in_words(question.points, words)),
+        write_plain(write_worth(question, words)),
     )
     source = words.text("paper.source", source=question.source) if question.source else ""
     lines = (

@@ -22,8 +22,8 @@ from kinegrade.press.paper_parts import (
     arrange_marks,
     fits_beside,
     write_other_number,
-    write_points_in_words,
     write_points_text,
+    write_worth,
 )
 from kinegrade.press.places import RULES, locate_part
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, QuestionSheet
@@ -104,7 +104,7 @@ def _write_question(question: QuestionSheet, words: Catalogue) -> Sheet:
     return sheet | {
         "number": str(question.number),
         "known": write_other_number(question, words) or None,
-        "points": write_points_in_words(question.points, words),
+        "points": write_worth(question, words),
         "source": words.text("paper.source", source=question.source) if question.source else None,
         "short": fits_page(question),
         "space": fit_space(question),

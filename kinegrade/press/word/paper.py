@@ -26,8 +26,8 @@ from kinegrade.language.prose.pandoc_tree import (
 from kinegrade.press.paper_parts import (
     arrange_marks,
     write_other_number,
-    write_points_in_words,
     write_points_text,
+    write_worth,
 )
 from kinegrade.press.places import RULES, locate_part
 from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
@@ -176,7 +176,7 @@ def _write_head(question: QuestionSheet, title: Sequence[Node], words: Catalogue
     """Number, title, the number in the answer sheet where that is another, and points."""
     other = write_other_number(question, words)
     known = other and _GAP + other
-    points = write_points_in_words(question.points, words)
+    points = write_worth(question, words)
     return [
         make_text(f"{question.number}{_GAP}"),
         *title,

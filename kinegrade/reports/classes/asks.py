@@ -5,7 +5,7 @@ from weak ones, and how it was answered.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
@@ -43,14 +43,17 @@ _UNKNOWN = "shade5"
 _SHADES = {verdict: f"shade{place}" for place, verdict in enumerate(_VERDICTS)}
 
 
-def list_asks(counts: ClassTally, wording: Wording, catalogue: Catalogue) -> Iterator[AskLine]:
-    """One line for each ask."""
+def list_asks(
+    counts: ClassTally, bonus: Container[str], wording: Wording, catalogue: Catalogue
+) -> Iterator[AskLine]:
+    """One line for each ask; the points of questions that are a `bonus` have a plus sign."""
     facilities = find_facilities(counts.points, counts.out_of)
     discriminations = find_discriminations(counts.points)
     before, students = "", len(counts.answered)
     for place, column in enumerate(counts.columns):
         facility, discrimination = facilities[place], discriminations[place]
         question, share = column.split(".")[0], write_share(facility, catalogue)
+        sign = "+" if question in bonus else ""
         verdicts = _write_verdicts(counts.verdicts[column], catalogue)
         yield AskLine(
             name_question(question, catalogue),
@@ -58,7 +61,7 @@ def list_asks(counts: ClassTally, wording: Wording, catalogue: Catalogue) -> Ite
             question != before,
             find_symbol(column, wording),
             wording.meanings.get(column, ""),
-            write_plain(float(counts.out_of[place]), catalogue),
+            sign + write_plain(float(counts.out_of[place]), catalogue),
             share,
             Bar(facility or 0.0, "column", share, _WIDTH, track=True),
             write_decimal(discrimination, catalogue),

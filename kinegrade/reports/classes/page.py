@@ -95,7 +95,7 @@ def _make_figures(
             catalogue.text("report.page.students"),
             catalogue.text("report.marks-on-axis"),
         ),
-        tuple(list_asks(counts, wording, catalogue)),
+        tuple(list_asks(counts, exam.head.bonus, wording, catalogue)),
         tuple(list_legend(counts, catalogue)),
         tuple(list_losses(counts, wording, catalogue)),
         judge_hardness(counts, exam, wording, catalogue),
@@ -104,12 +104,19 @@ def _make_figures(
 
 
 def _write_maximum(points: str, exam: ExamFolder, catalogue: Catalogue) -> str:
-    """How many points there are; of those marked here alone, where others are marked by hand."""
-    by_hand = sum((each.points for each in exam.head.by_hand), Fraction(0))
-    if not by_hand:
-        return catalogue.write(Message("report.of-points", points=points))
-    others = write_plain(float(by_hand), catalogue)
-    return catalogue.write(Message("report.of-marked-points", points=points, others=others))
+    """How many points there are; of those marked here alone, where others are marked by hand; and
+    how many come on top of them.
+    """
+    head = exam.head
+    by_hand = sum((each.points for each in head.by_hand if not each.bonus), Fraction(0))
+    said = Message("report.of-points", points=points)
+    if by_hand:
+        others = write_plain(float(by_hand), catalogue)
+        said = Message("report.of-marked-points", points=points, others=others)
+    if head.bonus_points:
+        more = write_plain(float(head.bonus_points), catalogue)
+        said = Message("report.and-bonus", points=said, bonus=more)
+    return catalogue.write(said)
 
 
 def _list_cards(

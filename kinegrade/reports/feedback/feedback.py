@@ -7,7 +7,7 @@ Markdown and PDF.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import groupby
 from math import isnan, nan
@@ -115,7 +115,8 @@ def _order_questions(
 ) -> Iterator[FeedbackQuestion]:
     """All questions in the order of the paper, those to be marked by hand between the others."""
     numbers = number_printed(paper.printed)
-    questions = zip(numbers, _make_questions(answers, paper, wording, catalogue), strict=True)
+    marked = _make_questions(answers, paper, wording, head.bonus, catalogue)
+    questions = zip(numbers, marked, strict=True)
     by_number = {int(find_bank_number(each.question)): each for each in head.by_hand}
     found = dict(questions)
     found |= {number: _make_open(number, each, catalogue) for number, each in by_number.items()}
@@ -125,15 +126,22 @@ def _order_questions(
 def _make_open(number: int, question: HandQuestion, catalogue: Catalogue) -> FeedbackQuestion:
     """A question that is marked by hand."""
     points = _mark_decimals(write_amount(question.points), catalogue)
-    said = catalogue.text("feedback.by-hand", points=points)
+    worth = _say_bonus(points, catalogue) if question.bonus else points
+    said = catalogue.text("feedback.by-hand", points=worth)
     heading = catalogue.write(_head_question(question.question, number))
     return FeedbackQuestion(heading, question.title, said, "", ())
 
 
 def _make_questions(
-    answers: Sequence[MarkedAnswer], paper: PaperRecord, wording: Wording, catalogue: Catalogue
+    answers: Sequence[MarkedAnswer],
+    paper: PaperRecord,
+    wording: Wording,
+    bonus: Container[str],
+    catalogue: Catalogue,
 ) -> Iterator[FeedbackQuestion]:
-    """The questions that are marked here, in the order of the paper."""
+    """The questions that are marked here, in the order of the paper; the points of those that are a
+    `bonus` say so.
+    """
     by_question = {
         question: tuple(group)
         for question, group in groupby(answers, lambda answer: answer.question)
@@ -146,8 +154,14 @@ def _make_questions(
         out_of = sum((answer.out_of for answer in asked), Fraction(0))
         rows = tuple(_make_feedback_row(answer, paper, wording, catalogue) for answer in asked)
         share = _write_share(points, out_of, catalogue)
+        worth = _say_bonus(share, catalogue) if question in bonus else share
         givens = ", ".join(_list_givens(question, paper, wording, catalogue))
-        yield FeedbackQuestion(heading, wording.titles.get(question, ""), share, givens, rows)
+        yield FeedbackQuestion(heading, wording.titles.get(question, ""), worth, givens, rows)
+
+
+def _say_bonus(points: str, catalogue: Catalogue) -> str:
+    """Points that come on top of the maximum."""
+    return catalogue.text("feedback.bonus", points=points)
 
 
 def _list_givens(

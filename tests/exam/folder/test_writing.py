@@ -56,9 +56,10 @@ HEAD = ExamHead(
             good=1,
             refused={"mistake": 1},
             asks=(
-                Ask("q1", "v_B", "m/s", Fraction(3), "not negative", "magnitude"),
-                Ask("q1", "a_B", "m/s^2", Fraction(5, 2), "to the right"),
+                Ask("q1", "v_B", "m/s", Fraction(3), "not negative", "magnitude", bonus=True),
+                Ask("q1", "a_B", "m/s^2", Fraction(5, 2), "to the right", bonus=True),
             ),
+            bonus=True,
         ),
     ),
     students=(
@@ -77,7 +78,7 @@ HEAD = ExamHead(
         ),
     ),
     spares=(Candidate("spare-1", "", paper="B-C9PV-269B", file="papers/spare-1.pdf"),),
-    by_hand=(HandQuestion("q2", Fraction(5), "Velocity poles"),),
+    by_hand=(HandQuestion("q2", Fraction(5), "Velocity poles", bonus=True),),
     earlier={"slider-crank": ({"r": "0.35"},)},
     editable={"bank.toml": "0f"},
 )

@@ -1,0 +1,73 @@
+"""What the questions of a bank have to be together, whatever each is alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+
+from kinegrade.exam.bank.blueprint import Slot, list_wishes, match_slots
+from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entry
+from kinegrade.files.fields.table import Table
+from kinegrade.language.message import Message, Quoted
+from kinegrade.numbers.tolerance import MOST_CARRY
+from kinegrade.problem.template.template import TemplateFile
+
+
+def require_fit(table: Table, entries: Sequence[Entry]) -> None:
+    """A fault for each thing in which the entries of a bank's table do not make an exam."""
+    slots = tuple(slot for entry in entries for slot in entry.slots)
+    if not slots and all(entry.by_hand is not None for entry in entries):
+        table.fault("questions", Message("bank.all-by-hand"), Message("bank.one-with-template"))
+    if slots and all(slot.candidates[0].bonus for slot in slots):
+        table.fault("questions", Message("bank.all-bonus"), Message("bank.one-that-counts"))
+    count = sum(entry.count for entry in entries)
+    if count > MAX_QUESTIONS:
+        what = Message("bank.questions", count=count)
+        table.fault("questions", what, Message("bank.questions-at-most", most=MAX_QUESTIONS))
+    _require_different_names(entries)
+    _require_enough(entries, slots)
+
+
+def _require_different_names(entries: Sequence[Entry]) -> None:
+    """A fault where two different template files share a name: the exam folder keeps one file per
+    name.
+    """
+    files: dict[str, TemplateFile] = {}
+    for entry in entries:
+        for template in (slot.candidates[0].template for slot in entry.slots if not slot.drawn):
+            if files.setdefault(template.name, template.file) != template.file:
+                entry.table.fault(
+                    "template",
+                    Message("bank.name-taken", name=Quoted(template.name)),
+                    do=Message("bank.rename-file"),
+                )
+
+
+def _require_enough(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:
+    """A fault if there are not enough templates to give every question a different one."""
+    chosen = match_slots(list_wishes(slots, lambda slot, name: 0))
+    for entry in entries:
+        count = len(entry.slots)
+        left = sum(not slot.drawn or slot.identifier in chosen for slot in entry.slots)
+        if left < count:
+            entry.table.fault(
+                "number",
+                Message("bank.too-few-templates", count=count, left=left),
+                do=Message("bank.draw-fewer"),
+            )
+
+
+def require_carried(entries: Iterable[Entry], carry: int) -> None:
+    """A fault for each entry with an ask whose tolerance the figures carried cannot meet."""
+    for entry in entries:
+        asks = (ask for slot in entry.slots for ask in slot.candidates[0].asks)
+        needed = {ask.name: ask.tolerance.carried(Fraction(0)) for ask in asks}
+        for name, figures in needed.items():
+            if figures > carry:
+                more = Message("bank.carry-or-allow-more", figures=figures)
+                entry.table.fault(
+                    None,
+                    Message("bank.takes-figures", ask=name, figures=figures),
+                    Message("bank.figures-carried", carry=carry),
+                    more if figures <= MOST_CARRY else Message("bank.allow-more"),
+                )
