@@ -80,10 +80,14 @@ VERTEX = Vector(0.0, 0.0)
 
 
 def draw_at_o(
-    start: str, end: str, *, lines: Sequence[Strokes] = (), bars: Sequence[Bar] = ()
+    start: str,
+    end: str,
+    *,
+    lines: Sequence[Strokes] = (),
+    bars: Sequence[Bar] = (),
 ) -> Layout:
-    """The angle phi at O in a drawing of some firm lines and bars, with points P and Q."""
-    at = {"O": VERTEX, "P": polar(30.0, 40), "Q": polar(6.0, 80)}
+    """An angle at O in a drawing of some firm lines and bars, with points P, Q and R."""
+    at = {"O": VERTEX, "P": polar(30.0, 40), "Q": polar(6.0, 80), "R": polar(30.0, 16)}
     strokes = [Strokes(((bar.start, bar.end),), BOLD) for bar in bars if is_slender(bar)]
     drawing = Drawing((*lines, *strokes), (), (), tuple(bars), (), ())
     hint = Angle(r"\varphi", "O", start, end)
@@ -133,3 +137,16 @@ def test_the_ground_takes_the_place_of_a_side_that_it_would_double() -> None:
 def find_arc_of(layout: Layout) -> Bow:
     (arc,) = [part for part in layout.lines if isinstance(part, Bow)]
     return arc
+
+
+def test_a_letter_that_has_no_room_at_its_arc_is_led_to_it() -> None:
+    rod = Bar("OR", VERTEX, polar(30.0, 16))
+    far = Bar("BC", Vector(13.0, -15.0), Vector(13.0, 15.0))
+    layout = draw_at_o("right", "R", bars=[far, rod])
+    arc, [letter] = find_arc_of(layout), layout.labels
+    ends = [
+        line for line in list_thin_lines(layout) if hypot(*line[0]) == pytest.approx(arc.radius)
+    ]
+    [(start, end)] = ends
+    assert 0 < degrees(angle_of(start)) < 16
+    assert hypot(*(end - letter.centre)) < max(letter.width, letter.height)

@@ -5,17 +5,16 @@ bar.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import asin, inf, pi
+from operator import attrgetter
 
-from kinegrade.figure.marks.sides import LEFT, Side
-from kinegrade.figure.placing.mark import Mark, chords
-from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Wish
-from kinegrade.figure.placing.wedge import list_spots_in_wedge, measure_narrow
-from kinegrade.figure.plane import NEAR, length, polar, shorter_way, unit
+from kinegrade.figure.marks.angle_arc import AngleArc, list_led_arcs
+from kinegrade.figure.marks.sides import Side
+from kinegrade.figure.placing.mark import Mark
+from kinegrade.figure.placing.wedge import measure_narrow
+from kinegrade.figure.plane import NEAR, polar, shorter_way, unit
 from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
-from kinegrade.figure.symbols import draw_arc_head
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import TURN, Angle
 
@@ -31,18 +30,20 @@ _EXTENDED = 2.5  # demerit of an arc beyond the end of a bar, which needs a thin
 _ON_PIN, _ON_BLOCK = 12.0, 4.0
 _PIN_ROOM, _BLOCK_ROOM = 1.6, 3.2
 _LANE = 0.4  # millimetres on either side of a line to come that are kept clear of letters
-_TRIM = 1.5  # millimetres at either end of an arc where it meets its sides, as it should
+_LED = 3  # arcs of the preferred radii that may have a leader
 
 
 def mark_angles(
     at: Mapping[str, Vector], hint: Angle, legs: tuple[Side, ...]
 ) -> Iterator[list[Mark]]:
-    """Arcs of several radii between two sides; none when the angle is too small to be visible."""
+    """Arcs of several radii between two sides, each with its letter between them or at the end of a
+    leader; none when the angle is too small to be visible.
+    """
     reaches = _measure_reaches(at[hint.at], legs, at.values())
     nicest = _choose_bow(at, hint, legs)
     if abs(nicest.sweep) > _SMALLEST_ANGLE:
-        yield [
-            _AngleArc(
+        arcs = [
+            AngleArc(
                 _reach_ground(nicest, radius, legs),
                 legs,
                 hint,
@@ -50,6 +51,8 @@ def mark_angles(
             )
             for radius in _RADII
         ]
+        nearest = sorted(arcs, key=attrgetter("demerit"))[:_LED]
+        yield [*arcs, *(led for arc in nearest for led in list_led_arcs(arc))]
 
 
 def _reach_ground(bow: Bow, radius: float, legs: Sequence[Side]) -> Bow:
@@ -111,43 +114,3 @@ def _measure_reaches(vertex: Vector, legs: Iterable[Side], points: Iterable[Vect
     steps = [(point - vertex, side) for point in points for side in sides]
     reaches = [step.dot(toward) for step, toward in steps if abs(step.cross(toward)) < NEAR]
     return [reach for reach in reaches if reach > NEAR]
-
-
-@dataclass(frozen=True)
-class _AngleArc:
-    """An arc, with an arrowhead when the sense matters, and the thin lines its sides need."""
-
-    bow: Bow
-    legs: tuple[Side, ...]
-    hint: Angle
-    demerit: float
-    shared: bool = True
-
-    def path(self) -> tuple[Segment, ...]:
-        """The arc between its sides, and the lines along them beyond what leaves the vertex."""
-        bow = self.bow
-        inset = min(_TRIM / bow.radius, abs(bow.sweep) / 3)
-        inset = inset if bow.sweep > 0 else -inset
-        arc = chords(replace(bow, start=bow.start + inset, sweep=bow.sweep - 2 * inset))
-        return (*arc, *self._list_far_lines())
-
-    def _list_far_lines(self) -> Iterator[Segment]:
-        bow = self.bow
-        for leg in self.legs:
-            line = None if leg.broad else leg.line(bow.centre, bow.radius)
-            near = max(leg.drawn + LEFT / 2 if leg.drawn else 0.0, LEFT)
-            if line and length(line[1] - bow.centre) > near:
-                yield bow.centre + polar(leg.angle) * near, line[1]
-
-    def wish(self) -> Wish:
-        """Between the sides."""
-        return list_spots_in_wedge(self.hint.symbol, self.bow)
-
-    def primitives(self) -> tuple[Primitive, ...]:
-        """The sides, the arrowhead, the arc."""
-        bow = self.bow
-        sides = tuple(line for leg in self.legs if (line := leg.line(bow.centre, bow.radius)))
-        parts: tuple[Primitive, ...] = (Strokes(sides, THIN),) if sides else ()
-        if self.hint.sense or self.hint.signed:
-            parts += (draw_arc_head(bow),)
-        return (*parts, bow)

@@ -40,7 +40,7 @@ def list_spots_in_wedge(symbol: str, bow: Bow) -> Wish:
     demerits = _AWAY * late + _OUTSIDE * _find_outside(symbol, steps, bow)
     demerits = demerits + _LOST * (late > _LATEST)
     order = np.argsort(demerits.round(6), kind="stable")
-    return Wish(symbol, spots[order], along.at, demerits[order])
+    return Wish(symbol, spots[order], demerits=demerits[order])
 
 
 def measure_narrow(symbol: str, bow: Bow) -> float:
