@@ -266,6 +266,13 @@ def test_merged_cells_leave_gaps_that_are_named(tmp_path: Path) -> None:
     assert "room: nothing for 1 student, 2 - line 3; in a spreadsheet" in result.stderr
 
 
+def test_a_cell_that_is_empty_is_not_taken_for_merged(tmp_path: Path) -> None:
+    text = "id,name,room\n1,Ann,H1\n2,Ben,H1\n3,Cy,\n4,Dee,H2\n"
+    result = kinegrade("roster", write(tmp_path, text))
+    assert result.exit_code == 1
+    assert result.stderr.endswith("room: nothing for 1 student, 3 - line 4\n")
+
+
 @pytest.mark.parametrize(
     ("content", "said"),
     [

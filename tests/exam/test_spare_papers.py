@@ -71,11 +71,16 @@ def test_an_assigned_paper_is_that_of_the_student(exam: Path, tmp_path: Path) ->
         "answers.xlsx",
         "exam.json",
         "key.jsonl",
+        "key.pdf",
         "spares.jsonl",
         "papers.pdf",
         "solutions.pdf",
     }
     assert "Dora Noble" in PdfReader(exam / "papers" / "0099.pdf").pages[0].extract_text()
+    key = "".join(page.extract_text() for page in PdfReader(exam / "key.pdf").pages)
+    assert "Dora Noble" in key
+    assert "spare-1" not in key
+    assert "spare-2" in key
     assert kinegrade("paper", exam, "0099").stdout_bytes == after["papers/0099.pdf"]
     right = folder.line_of("0099").questions[0].asks["v_B"].decimal
     (tmp_path / "answers.csv").write_text(f"paper,q1.v_B\n{code},{right}\n", encoding="utf-8")

@@ -71,3 +71,22 @@ def test_a_code_beside_the_id_that_no_paper_has_is_said(exam: Path, tmp_path: Pa
 def test_a_sheet_may_have_codes_alone(exam: Path, tmp_path: Path, column: str) -> None:
     code = open_exam(exam).head.candidates["a/b"].paper
     assert mark(exam, tmp_path, column, [code]) == {"a/b": "3"}
+
+
+def test_a_row_without_an_id_is_marked_by_the_code_which_is_said(
+    exam: Path, tmp_path: Path
+) -> None:
+    code = open_exam(exam).head.candidates["0012"].paper
+    said, owner = type_row(exam, tmp_path, " ", code)
+    assert owner == "0012"
+    what = "answers.csv:2: paper: no student id and no e-mail address"
+    assert f'{what} - marked as the paper of "0012", by its code' in said
+
+
+def test_a_row_without_an_id_and_with_two_codes_is_not_marked(exam: Path, tmp_path: Path) -> None:
+    head = open_exam(exam).head
+    codes = [head.candidates[each].paper for each in ("007", "0012")]
+    text = write_csv_text(["student", "paper", "code", head.columns[0]], [["", *codes, "1"]])
+    (tmp_path / "answers.csv").write_text(text, encoding="utf-8")
+    result = kinegrade("grade", exam, tmp_path / "answers.csv", "-o", tmp_path / "MARKS")
+    assert "answers.csv:2: no student id and no e-mail address - not graded" in result.stderr

@@ -4,7 +4,7 @@ paper changes.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -27,7 +27,7 @@ from kinegrade.exam.generating.page_counts import list_longer_papers
 from kinegrade.exam.generating.replaced_exam import read_replaced, required_secret
 from kinegrade.exam.printing.class_printing import count_processes, print_class
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
-from kinegrade.exam.printing.key_pages import make_key_paper
+from kinegrade.exam.printing.key_pages import make_kept_keys
 from kinegrade.exam.printing.paper_languages import require_languages
 from kinegrade.exam.printing.printing import PrintRun, require_tools
 from kinegrade.exam.printing.reprint import find_kinds, kept_run
@@ -94,7 +94,7 @@ def add_students(
             print_class(run, replace(dealt, roster=students.late), workers, jobs)
         ) as papers:
             results = options.progress(papers, len(students.late.students))
-            earlier = _keys(kept)
+            earlier = make_kept_keys(kept, exam.head.everybody)
             newcomers = students.late.students
             written = write_papers(folder, run, newcomers, results, earlier=earlier)
         longer = tuple(list_longer_papers(run, newcomers, written.pages))
@@ -127,13 +127,6 @@ def _copy(exam: ExamFolder, folder: Path) -> None:
     lines = key.read_bytes()
     if not lines.endswith(b"\n"):
         key.write_bytes(lines + b"\n")
-
-
-def _keys(kept: KeptExam) -> Iterator[KeyPaper]:
-    """The keys of the papers that stay, for the instructor's book. Raises ExamError."""
-    head, bank = kept.exam.head, kept.bank
-    papers = map(kept.paper, head.everybody)
-    return (make_key_paper(bank, paper, head.language) for paper in papers)
 
 
 def _grown_head(

@@ -19,10 +19,12 @@ from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.generating.adding import write_rest
 from kinegrade.exam.generating.grown_class import find_stem
 from kinegrade.exam.generating.grown_folder import copy_exam, open_grown_folder
-from kinegrade.exam.printing.printed_files import replace_papers, write_solutions
-from kinegrade.exam.printing.reprint import reprint_candidate
+from kinegrade.exam.printing.key_pages import make_kept_keys, make_key_book
+from kinegrade.exam.printing.printed_files import replace_papers, write_key, write_solutions
+from kinegrade.exam.printing.reprint import kept_run, reprint_candidate
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.students import Student, make_student_key
+from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.press.protocol import Printout
 
@@ -60,6 +62,7 @@ def assign_paper(path: Path, code: str, student: Student) -> Assigned:
         _move_line(exam, folder, spare, owner)
         _rename_files(folder, Path(spare.file).stem, Path(owner.file).stem)
         _print_again(ExamFolder(folder, head), owner)
+        _print_key(ExamFolder(folder, head))
         write_rest(exam, folder, head)
     return Assigned(owner.student, owner.paper, len(left))
 
@@ -129,6 +132,14 @@ def _print_again(exam: ExamFolder, owner: Candidate) -> None:
     if (exam.path / SOLUTIONS / f"{stem}.pdf").exists():
         solution = Printout(again.solution())
         write_solutions(exam.path, [(stem, solution)], stems)
+
+
+def _print_key(exam: ExamFolder) -> None:
+    """The instructor's key, in which the paper is the student's."""
+    kept = KeptExam(exam)
+    run = kept_run(exam, kept)
+    book = make_key_book(kept.bank, make_kept_keys(kept, exam.head.everybody), exam.language)
+    write_key(exam.path, run.press_order.press().key(book))
 
 
 def _list_stems(head: ExamHead) -> Sequence[str]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.bank.by_hand import HandQuestion
+from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.printing.pages import write_version_name
+from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
@@ -54,6 +56,12 @@ def make_key_paper(bank: Bank, paper: SetPaper, language: Language) -> KeyPaper:
         entries.insert(question.number - 1, _make_hand_entry(question, language))
     student = paper.student
     return KeyPaper(student.student, student.name, paper.code, tuple(entries), paper.version)
+
+
+def make_kept_keys(kept: KeptExam, candidates: Iterable[Candidate]) -> Iterator[KeyPaper]:
+    """The keys of papers that an exam has. Raises ExamError, BankError."""
+    language = kept.exam.head.language
+    return (make_key_paper(kept.bank, kept.paper(each), language) for each in candidates)
 
 
 def _make_hand_entry(question: HandQuestion, language: Language) -> KeyEntry:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from kinegrade.errors import FieldError, Problem, TableError
 from kinegrade.exam.roster.cell_values import read_extra_time, read_paper_language
@@ -167,5 +168,17 @@ def _find_partial(
         ]
         if blank and len(blank) < len(students):
             problem = Message("roster.partial", count=len(blank), student=blank[0].student)
-            done = Message("roster.partial-done", line=blank[0].line)
+            merged = _looks_merged(values[column])
+            done = Message(
+                "roster.partial-done" if merged else "roster.partial-blank", line=blank[0].line
+            )
             yield Complaint(table.file, None, column, "", problem, done)
+
+
+def _looks_merged(values: Sequence[str]) -> bool:
+    """Whether blanks are what merged cells leave: the first line of each block has the value, and
+    the others nothing.
+    """
+    filled = [value for value in values if value]
+    twice = any(value and value == after for value, after in pairwise(values))
+    return bool(values[0]) and not twice and 2 * len(filled) <= len(values)

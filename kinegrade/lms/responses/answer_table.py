@@ -152,7 +152,7 @@ def _answers(read: _Read, variants: Variants | None, exam: ExamFolder) -> Answer
     complaints = (
         *_about_answers(table, typed, read.columns),
         *typed.complaints,
-        *_unknown(table, pairs),
+        *_about_people(table, pairs),
         *(each.complaint for each in left if not each.student),
     )
     header = ("student", *typed.columns)
@@ -205,20 +205,17 @@ def _rows(found: Sequence[tuple[TypedRow, Found]]) -> Iterator[Row]:
             yield Row(each.row.line, (who.student, *each.responses))
 
 
-def _unknown(table: Table, found: Sequence[tuple[TypedRow, Found]]) -> Iterator[Complaint]:
+def _about_people(table: Table, found: Sequence[tuple[TypedRow, Found]]) -> Iterator[Complaint]:
+    """Rows of nobody in the exam, and rows that only the code of a paper gives to a student."""
     for each, who in found:
-        if who.student is None:
-            yield Complaint(
-                table.file,
-                each.row.line,
-                who.column,
-                whole(each.row),
-                who.problem,
-                _explain_left_out(who),
-            )
+        if who.student is None or who.code:
+            content, done = who.code or whole(each.row), _explain_done(who)
+            yield Complaint(table.file, each.row.line, who.column, content, who.problem, done)
 
 
-def _explain_left_out(who: Found) -> Message:
+def _explain_done(who: Found) -> Message:
+    if who.student is not None:
+        return Message("marking.marked-by-code", student=Quoted(who.student))
     if not who.likely:
         return Message("marking.not-graded")
     return Message("marking.correct-file", students=list_choices(map(Quoted, who.likely)))

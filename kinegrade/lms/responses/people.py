@@ -16,14 +16,15 @@ from kinegrade.files.cell_text import make_header_key, shorten, trim
 from kinegrade.files.tables import Row
 from kinegrade.language.message import Message, Quoted, Text, list_all
 
-Kind = Literal["id", "email"]
+Kind = Literal["id", "email", "code"]
 
 
 @dataclass(frozen=True, slots=True)
 class Found:
     """The student of a row; else the column at fault, why, and the students who may be meant.
 
-    `restored` is the id as it stands in the file where it is not the exam's.
+    `restored` is the id as it stands in the file where it is not the exam's; `code` is that of the
+    paper where nothing else names the student.
     """
 
     student: str | None
@@ -31,14 +32,18 @@ class Found:
     problem: Text = ""
     likely: tuple[str, ...] = ()
     restored: str = ""
+    code: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """The columns that identify the student; None where the file has none."""
+    """The columns that identify the student; None where the file has none. Where they are blank,
+    the `codes` of papers do.
+    """
 
     identifier: int | None
     email: int | None
+    codes: tuple[int, ...] = ()
 
     @property
     def indices(self) -> tuple[int, ...]:
@@ -82,6 +87,7 @@ class People:
         return Columns(
             self._best(rows, named.get("id") or (), candidates, self.by_id),
             self._best(rows, named.get("email") or (), candidates, self.by_email),
+            tuple(named.get("code") or ()),
         )
 
     def _best(
@@ -156,11 +162,21 @@ class People:
             return Found(named.pop())
         index = next((index for index, cell in cells.items() if make_student_key(cell)), None)
         if index is None:
-            return Found(None, "", Message("responses.no-id"))
+            return self._by_code({place: row.cell(place) for place in columns.codes}, header)
         if named:
             students = list_all(sorted(named))
             return Found(None, header[index], Message("responses.different", students=students))
         return self._unknown(cells[index], header[index])
+
+    def _by_code(self, cells: Mapping[int, str], header: Sequence[str]) -> Found:
+        """The student of a row that has the code of one paper and nothing else that names one."""
+        written = {place: trim(cell) for place, cell in cells.items() if trim(cell)}
+        owners = {self._ids.coded(code) for code in written.values()}
+        owner = owners.pop() if len(owners) == 1 else None
+        if owner is None:
+            return Found(None, "", Message("responses.no-id"))
+        place, code = next(iter(written.items()))
+        return Found(owner, header[place], Message("responses.no-id"), code=code)
 
     def _unknown(self, cell: str, column: str) -> Found:
         shown = Quoted(shorten(make_student_key(cell)))

@@ -8,7 +8,11 @@ from collections.abc import Sequence
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.roster.known_columns import list_column_names, list_key_columns
+from kinegrade.exam.roster.known_columns import (
+    list_code_columns,
+    list_column_names,
+    list_key_columns,
+)
 from kinegrade.files.cell_text import make_header_key
 from kinegrade.files.tables import Table
 from kinegrade.language.message import Fault, Message
@@ -29,7 +33,8 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
         raise TableError(Fault(table.file, Message("responses.no-student-column")))
     student = _places(table.header, list_key_columns())
     email = _places(table.header, list_column_names("email"))
-    named: dict[Kind, Sequence[int]] = {"id": student[:1], "email": email[:1]}
+    codes = [each for each in _places(table.header, list_code_columns()) if each not in student[:1]]
+    named: dict[Kind, Sequence[int]] = {"id": student[:1], "email": email[:1], "code": codes}
     others = [place for place in range(len(table.header)) if place not in student[:1]]
     rows = tuple(TypedRow(row, tuple(map(row.cell, others))) for row in table.rows)
     return TypedRows(
