@@ -30,14 +30,13 @@ def meets_line(strip: Numbers, line: Numbers, shared: bool) -> bool:
     """Whether a strip meets a line; one that may be shared does not count on the strip's axis."""
     centre_x, centre_y, along, across, half_length, half_width = strip
     x, y, dx, dy, _, _, pen, _ = line
-    start, off = resolve(x - centre_x, y - centre_y, along, across)
-    further, sideways = resolve(dx, dy, along, across)
+    x, y = x - centre_x, y - centre_y
+    off, sideways = y * along - x * across, dy * along - dx * across
     if shared and abs(off) <= SAME_AXIS and abs(off + sideways) <= SAME_AXIS:
         return False
-    return crosses_box(
-        (off, invert_step(sideways), half_width + pen),
-        (start, invert_step(further), half_length + pen),
-    )
+    start, further = x * along + y * across, dx * along + dy * across
+    wide, high = half_width + pen, half_length + pen
+    return crosses_box((off, invert_step(sideways), wide), (start, invert_step(further), high))
 
 
 def meets_ring(strip: Numbers, ring: Numbers) -> bool:
@@ -61,11 +60,15 @@ def crosses_box(across: Numbers, upward: Numbers) -> bool:
     """
     x, pace_x, wide = across
     middle, reach = x * pace_x, (wide - _TOUCH) * abs(pace_x)
-    if middle - reach > 1.0 or middle + reach < 0.0:
+    enters, leaves = middle - reach, middle + reach
+    if enters > 1.0 or leaves < 0.0:
         return False
     y, pace_y, high = upward
     level, rise = y * pace_y, (high - _TOUCH) * abs(pace_y)
-    return max(middle - reach, level - rise, 0.0) <= min(middle + reach, level + rise, 1.0)
+    comes, goes = level - rise, level + rise
+    if comes > 1.0 or goes < 0.0 or comes > leaves or goes < enters:
+        return False
+    return enters <= leaves and comes <= goes
 
 
 def encircles_box(

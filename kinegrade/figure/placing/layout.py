@@ -146,7 +146,7 @@ def _choose_least_covering(
             cost, number, crossed = heappop(waiting)
             mark = marks[number]
             if not crossed:
-                covered = obstacles.along(mark.path(), mark.shared)
+                covered = obstacles.along(mark.path(), mark.shared, least - mark.demerit)
                 heappush(waiting, (round(covered + mark.demerit, 6), number, True))
                 continue
             wish = mark.wish()

@@ -97,11 +97,8 @@ class Obstacles:
         for low_x, low_y, high_x, high_y, line in self.lines:
             if low_x <= right and high_x >= left and low_y <= top and high_y >= bottom:
                 start_x, start_y, _, _, pace_x, pace_y, pen, cost = line
-                across, upward = (
-                    (start_x - x, pace_x, wide + pen),
-                    (start_y - y, pace_y, high + pen),
-                )
-                if crosses_box(across, upward):
+                across = (start_x - x, pace_x, wide + pen)
+                if crosses_box(across, (start_y - y, pace_y, high + pen)):
                     total += cost
                     if total >= enough:
                         return total
@@ -112,11 +109,11 @@ class Obstacles:
                     total += cost
         return total
 
-    def along(self, path: Sequence[Segment], shared: bool) -> float:
+    def along(self, path: Sequence[Segment], shared: bool, enough: float = inf) -> float:
         """The cost of drawing something thin along straight pieces.
 
         Whatever the path meets counts once; where lines may be shared, a thin line on the axis of a
-        piece does not count.
+        piece does not count. Not all are counted once they are `enough`.
         """
         half = _SHARED_ROOM if shared else _ROOM
         if not path:
@@ -124,16 +121,19 @@ class Obstacles:
         strips = [_make_boxed_strip(start, end, half) for start, end in path]
         lefts, bottoms, rights, tops, _ = zip(*strips, strict=True)
         near = self.near((min(lefts), min(bottoms), max(rights), max(tops)))
-        lines = _list_meetings(near.lines, strips)
-        rings = _list_meetings(near.rings, strips)
-        met = {
-            number: line[-1]
-            for number, strip, line in lines
-            if meets_line(strip, line, shared and line[-1] <= COST_THIN)
-        }
-        return sum(met.values()) + sum(
-            {number: ring[-1] for number, strip, ring in rings if meets_ring(strip, ring)}.values()
-        )
+        total = 0.0
+        for boxed in near.lines:
+            *_, line = boxed
+            thin = shared and line[-1] <= COST_THIN
+            if any(meets_line(strip, line, thin) for strip in _list_meeting(strips, boxed)):
+                total += line[-1]
+                if total >= enough:
+                    return total
+        for boxed in near.rings:
+            *_, ring = boxed
+            if any(meets_ring(strip, ring) for strip in _list_meeting(strips, boxed)):
+                total += ring[-1]
+        return total
 
 
 def _find_near(things: Sequence[Boxed], box: Bounds) -> list[Boxed]:
@@ -154,14 +154,12 @@ def _make_boxed_strip(start: Vector, end: Vector, half: float) -> Boxed:
     return (left - half, bottom - half, right + half, top + half, strip)
 
 
-def _list_meetings(
-    things: Sequence[Boxed], strips: Sequence[Boxed]
-) -> list[tuple[int, Numbers, Numbers]]:
-    """The strips and the lines or rings whose boxes meet, with the numbers of the latter."""
+def _list_meeting(strips: Sequence[Boxed], thing: Boxed) -> list[Numbers]:
+    """The strips whose boxes meet that of a line or a ring."""
+    start, low, end, high, _ = thing
     return [
-        (number, strip, thing)
+        strip
         for left, bottom, right, top, strip in strips
-        for number, (start, low, end, high, thing) in enumerate(things)
         if start <= right and end >= left and low <= top and high >= bottom
     ]
 
