@@ -14,6 +14,8 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+# Modules are kept compiled, as those of an installed program are
+unexport PYTHONDONTWRITEBYTECODE
 READY := $(VENV)/.ready
 
 .PHONY: docs picture demo demo-answers test lint types bench measure fairness prove catalogue golden check-templates tools clean
