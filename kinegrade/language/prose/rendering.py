@@ -10,7 +10,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Sequence
 from typing import ClassVar, Generic, TypeVar
-from unicodedata import east_asian_width
+from unicodedata import category, east_asian_width
 
 from markdown_it import MarkdownIt
 from markdown_it.renderer import RendererProtocol
@@ -137,7 +137,7 @@ class ProseRenderer(RendererProtocol, Generic[Piece]):
                 after = place > 0 and nodes[place - 1].type == "math_inline"
                 return self.text(node.content, follows_formula=after)
             case "softbreak":
-                return self.line_end(printed=not _is_between_wide(nodes, place))
+                return self.line_end(printed=not _is_beside_wide(nodes, place))
             case "hardbreak":
                 return self.line_break()
             case "math_inline":
@@ -174,8 +174,12 @@ def _refuse(node: SyntaxTreeNode, where: Location) -> TypesetError:
     )
 
 
-def _is_between_wide(nodes: Sequence[SyntaxTreeNode], place: int) -> bool:
-    """Whether a line ends between two Chinese characters, where it must not print a blank."""
+def _is_beside_wide(nodes: Sequence[SyntaxTreeNode], place: int) -> bool:
+    """Whether a line ends between two Chinese characters or at Chinese punctuation, where it must
+    not print a blank.
+    """
     before = nodes[place - 1].content[-1:] if place else ""
     after = nodes[place + 1].content[:1] if place + 1 < len(nodes) else ""
-    return all(character and east_asian_width(character) in "WF" for character in (before, after))
+    around = [character for character in (before, after) if character]
+    wide = [character for character in around if east_asian_width(character) in "WF"]
+    return len(wide) == 2 or any(category(character).startswith("P") for character in wide)

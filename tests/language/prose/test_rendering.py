@@ -97,3 +97,18 @@ $$ (w)
         typst.write_prose(everything, "q1")
     assert all(" cannot be printed" in problem for problem in refusal.value.problems)
     assert len(refusal.value.problems) == 12
+
+
+@pytest.mark.parametrize(
+    ("lines", "printed"),
+    [
+        ("转动，\n$B$ 在下方", "转动，B 在下方"),
+        ("转动\n（向右）", "转动（向右）"),
+        ("$A$\n，$B$", "A，B"),
+        ("转动\n向右", "转动向右"),
+        ("位于\n$B$", "位于 B"),
+        ("turns;\n$B$ is below", "turns; B is below"),
+    ],
+)
+def test_a_line_that_ends_at_chinese_punctuation_prints_no_blank(lines: str, printed: str) -> None:
+    assert plain.write_prose(lines, "q1") == printed
