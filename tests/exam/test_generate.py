@@ -180,7 +180,7 @@ def test_exam_json_says_who_got_what(exam: Path) -> None:
         {
             "ask": "v_B",
             "unit": "m/s",
-            "sign": "magnitude, not negative",
+            "sign": "not negative",
             "convention": "magnitude",
             "points": 3,
         },
