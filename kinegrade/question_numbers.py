@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+
+_NUMBERED = re.compile("q(?P<number>[0-9]+)[a-z]?")
 
 
 def find_bank_number(identifier: str) -> str:
-    """The number of a question in the bank's order; an identifier of another form is its own
-    number.
+    """The number of a question in the bank's order, of an alternative with its letter; an
+    identifier of another form is its own number.
 
-    >>> find_bank_number("q3"), find_bank_number("bonus")
-    ('3', 'bonus')
+    >>> find_bank_number("q3"), find_bank_number("q2b"), find_bank_number("bonus")
+    ('3', '2b', 'bonus')
     """
-    number = identifier.removeprefix("q")
-    return number if number.isdecimal() else identifier
+    return identifier.removeprefix("q") if _NUMBERED.fullmatch(identifier) else identifier
 
 
 def find_other_number(identifier: str, number: int) -> str | None:
@@ -28,12 +30,18 @@ def find_other_number(identifier: str, number: int) -> str | None:
 
 def number_printed(printed: Sequence[str]) -> list[int]:
     """The numbers on a paper of the questions that are marked here, in their order there: those of
-    the bank's order, between which the questions that are marked by hand keep theirs.
+    the bank's order, between which the questions that are marked by hand keep theirs. Several
+    alternatives of one number are counted on from it.
 
     >>> number_printed(["q4", "q1", "q3"]), number_printed(["bonus", "q2"])
     ([1, 3, 4], [1, 2])
+    >>> number_printed(["q1", "q2c", "q2a", "q5"])
+    [1, 2, 3, 5]
     """
-    numbers = [find_bank_number(each) for each in printed]
-    if all(number.isdecimal() for number in numbers):
-        return sorted(map(int, numbers))
-    return [*range(1, len(numbers) + 1)]
+    found = [_NUMBERED.fullmatch(each) for each in printed]
+    if not all(found):
+        return [*range(1, len(printed) + 1)]
+    numbers: list[int] = []
+    for number in sorted(int(each["number"]) for each in found if each):
+        numbers.append(max(number, numbers[-1] + 1) if numbers else number)
+    return numbers

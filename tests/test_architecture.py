@@ -163,14 +163,15 @@ def test_grading_uses_of_setting_nothing_but_the_exam_folder_the_roster_and_its_
     assert {target for target in above if not target.startswith(EXAM_FOLDER)} <= GRADING_MAY_USE
 
 
-def test_the_exam_folder_knows_of_setting_nothing_but_the_roster() -> None:
+def test_the_exam_folder_knows_of_setting_nothing_but_the_roster_and_alternatives() -> None:
     below = {
         target
         for module, target in edges()
         if module.startswith(EXAM_FOLDER) and not target.startswith(EXAM_FOLDER)
     }
     assert {target for target in below if floor(target) == "exam"} == {
-        "kinegrade.exam.roster.students"
+        "kinegrade.exam.choices",
+        "kinegrade.exam.roster.students",
     }
     assert not {target for target in below if FLOORS[floor(target)] > FLOORS["exam"]}
 

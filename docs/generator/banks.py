@@ -67,6 +67,8 @@ def write_bank_page() -> str:
         "## Questions",
         "An entry `[[questions]]` names a template:",
         write_words("key", read_words(_BANK, "NAMED")),
+        "or several, of which each student gets one:",
+        write_words("key", read_words(_BANK, "ANY")),
         "or a family or a tag to draw from:",
         write_words(
             "key",

@@ -39,7 +39,21 @@ def write_marks(folder: MarksWriter, blocks: Iterable[MarkedBlock]) -> Iterator[
 
 
 def _write_answer_cells(block: MarkedBlock, words: Catalogue) -> AnswerCells:
-    """A line for each answer, assembled column by column."""
+    """A line for each answer, assembled column by column; none for what a paper does not ask."""
+    cells = _write_all_cells(block, words)
+    width = len(block.asks)
+    lacking = {
+        row * width + number
+        for row, (paper, _) in enumerate(block.judged.rows)
+        for number in paper.lacks
+    }
+    if not lacking:
+        return cells
+    held = [place for place in range(len(block.judged.kinds)) if place not in lacking]
+    return AnswerCells(*([column[place] for place in held] for column in cells))
+
+
+def _write_all_cells(block: MarkedBlock, words: Catalogue) -> AnswerCells:
     judged, asks, count = block.judged, block.asks, len(block.judged.rows)
     points = [[write_amount(share * ask.points) for share in judged.credits] for ask in asks]
     students = ([write_csv_cell(paper.student)] * len(asks) for paper, _ in judged.rows)

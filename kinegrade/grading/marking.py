@@ -23,6 +23,7 @@ from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.marks import MarkedBlock, Marks, collect_grades
 from kinegrade.grading.policy.accepted import Alternatives
 from kinegrade.grading.policy.policy import AS_PRINTED, Policy
+from kinegrade.grading.sheets.alternatives import find_strange, leave_out
 from kinegrade.grading.sheets.pool import Pool
 from kinegrade.grading.sheets.sheet import Entry, Sheet, find_repeated
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
@@ -94,12 +95,17 @@ class _Marker:
     def block(self, papers: Sequence[Paper]) -> MarkedBlock:
         """The marks of some papers."""
         rows = self._counted(papers)
-        judged = self.judge.judged(rows)
+        judged = self.judge.judged([(paper, leave_out(paper, entry)) for paper, entry in rows])
         grades = [
-            Grade(paper.student, paper.name, points, self.out_of, None, self._is_absent(paper))
+            self._make_grade(paper, points)
             for (paper, _), points in zip(rows, self._points(judged), strict=True)
         ]
         complaints = [
+            complaint
+            for paper, entry in rows
+            for complaint in find_strange(paper, entry, self.asks, self.sheet.columns)
+        ]
+        complaints += [
             complaint
             for paper, entry in rows
             if len(self._entries(paper)) > 1
@@ -112,6 +118,19 @@ class _Marker:
             else:
                 complaints.append(doubt.complaint)
         return MarkedBlock(self.asks, judged, grades, complaints, general)
+
+    def _make_grade(self, paper: Paper, points: tuple[Fraction, ...]) -> Grade:
+        """A student's grade; that of a paper without some alternatives is of the others alone."""
+        lacks, absent = paper.lacks, self._is_absent(paper)
+        if not lacks:
+            return Grade(paper.student, paper.name, points, self.out_of, None, absent)
+        asked = [ask for number, ask in enumerate(self.asks) if number not in lacks]
+        held = {ask.question for ask in asked}
+        own = tuple(
+            each if self.asks[question.start].question in held else None
+            for question, each in zip(self.judge.papers.questions, points, strict=True)
+        )
+        return Grade(paper.student, paper.name, own, add_counted(asked), None, absent)
 
     def _entries(self, paper: Paper) -> Sequence[Entry]:
         return self.sheet.entries[paper.student]

@@ -69,6 +69,8 @@ class MarkedBlock:
         """Every single mark."""
         for place in range(len(self.judged.kinds)):
             row, number = divmod(place, len(self.asks))
+            if number in self.judged.rows[row][0].lacks:
+                continue
             (verdict, share), ask = self.judged.decision(place), self.asks[number]
             yield Mark(
                 self.judged.rows[row][0].student,

@@ -73,7 +73,8 @@ class MarksFolder:
     @cached_property
     def totals(self) -> ClassTotals:
         """grades.csv, with what kept.csv adds about its students."""
-        return read_totals(self.path, self.kept)
+        some = {student for _, (student, _) in read_records_if_any(self.path, PRINTED)}
+        return read_totals(self.path, self.kept, some)
 
     @cached_property
     def kept(self) -> Mapping[str, KeptTotal]:
@@ -94,11 +95,13 @@ class MarksFolder:
 
     @cached_property
     def printed(self) -> Orders:
-        """The orders of questions on paper, where they differ from grades.csv."""
+        """The questions on paper in their order, where they differ from those of grades.csv."""
         found: dict[str, tuple[str, ...]] = {}
         for line, (student, listed) in read_records_if_any(self.path, PRINTED):
             found[student] = tuple(listed.split(QUESTIONS_BETWEEN))
-            if sorted(found[student]) != sorted(self.totals.questions):
+            total = self.totals.by_student.get(student)
+            held = self.totals.questions if total is None else total.points
+            if sorted(found[student]) != sorted(held):
                 expected = Message("marks.printed-order", file=GRADES.name)
                 path = self.path / PRINTED.name
                 raise TableError(explain_cell(path, line, "questions", listed, expected))

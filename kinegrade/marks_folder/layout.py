@@ -90,7 +90,7 @@ COMPLAINTS: Final = TableFile(
 KEPT: Final = TableFile("kept.csv", ("student", "name", *_KEPT_AMOUNTS, "reason"))
 #: Whose line of the key each answer was marked by; only where questions came from a pool.
 PUT: Final = TableFile("variants.csv", ("student", "question", "ask", "key_of"))
-#: The order of the questions on each paper; only where it differs from the bank's.
+#: The questions of each paper in their order; only where they differ from the bank's.
 PRINTED: Final = TableFile("printed.csv", ("student", "questions"))
 #: Questions that are still to be marked by hand, with their points, which nothing else counts; only
 #: where there are some.

@@ -67,8 +67,8 @@ class KeptTotal:
 
 @dataclass(frozen=True, slots=True)
 class Grade:
-    """One line of grades.csv as it is written: a student's points for each question, in the order
-    of the paper, and the total.
+    """One line of grades.csv as it is written: a student's points for each question of the exam,
+    None for an alternative that the paper does not hold, and the total.
 
     `kept` is the total that stands instead of the sum, where an earlier one was higher and no total
     may fall. A student who is `absent` answered nothing at all.
@@ -76,7 +76,7 @@ class Grade:
 
     student: str
     name: str
-    points: tuple[Fraction, ...]
+    points: tuple[Fraction | None, ...]
     out_of: Fraction
     kept: Fraction | None = None
     absent: bool = False
@@ -84,7 +84,9 @@ class Grade:
     @property
     def total(self) -> Fraction:
         """The sum of the points, or the total that was kept."""
-        return add_amounts(self.points) if self.kept is None else self.kept
+        if self.kept is not None:
+            return self.kept
+        return add_amounts(each for each in self.points if each is not None)
 
     @property
     def percent(self) -> Fraction:
@@ -96,8 +98,8 @@ class Grade:
 class StudentTotal:
     """One line of grades.csv as it is read; `kept` is the student's line of kept.csv.
 
-    `line` is its line number. `percent` is None where the column was left out, `status` in folders
-    of earlier versions.
+    `points` are those of the questions that the paper holds, `line` is its line number. `percent`
+    is None where the column was left out, `status` in folders of earlier versions.
     """
 
     line: int

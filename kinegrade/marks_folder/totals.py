@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
@@ -16,13 +16,13 @@ from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import ClassTotals, KeptTotal, StudentTotal
 
 
-def read_totals(folder: Path, kept: Mapping[str, KeptTotal]) -> ClassTotals:
-    """Every student's line of grades.csv. Raises TableError naming all cells that hold no
-    amount.
+def read_totals(folder: Path, kept: Mapping[str, KeptTotal], some: Set[str]) -> ClassTotals:
+    """Every student's line of grades.csv; those who may hold only `some` of the questions have
+    empty cells at the others. Raises TableError naming all cells that hold no amount.
     """
     table = read_whole(folder, GRADES)
     questions = tuple(name for name in table.header if name not in GRADES.columns)
-    reader = _Reader(folder / GRADES.name, table, questions, kept)
+    reader = _Reader(folder / GRADES.name, table, questions, kept, some)
     students = tuple(map(reader.total, table.rows))
     if reader.faults:
         raise TableError(*reader.faults)
@@ -37,21 +37,24 @@ class _Reader:
     table: Table
     questions: tuple[str, ...]
     kept: Mapping[str, KeptTotal]
+    some: Set[str]
     faults: list[Fault] = field(default_factory=list)
 
     def total(self, row: Row) -> StudentTotal:
         """A row, typed."""
         cells = {name: row.cell(place) for place, name in enumerate(self.table.header)}
+        whole = cells["student"] not in self.some
+        held = [name for name in self.questions if whole or cells[name]]
         amounts = {
             name: self._amount(row, name, cells[name])
-            for name in (*self.questions, "total", "out_of", "percent")
+            for name in (*held, "total", "out_of", "percent")
             if name in cells
         }
         return StudentTotal(
             row.line,
             cells["student"],
             restore(cells["name"]),
-            {name: amounts[name] for name in self.questions},
+            {name: amounts[name] for name in held},
             amounts["total"],
             amounts["out_of"],
             amounts.get("percent"),

@@ -135,8 +135,9 @@ def _grade_rows(grades: Iterable[Grade]) -> Iterator[tuple[str, ...]]:
 
 def _write_amounts(grade: Grade) -> tuple[str, ...]:
     """Points by question, the total, the maximum, and the percentage."""
-    amounts = map(write_amount, (*grade.points, grade.total, grade.out_of))
-    return (*amounts, write_amount(grade.percent, places=2))
+    points = ("" if each is None else write_amount(each) for each in grade.points)
+    total = write_amount(grade.total), write_amount(grade.out_of)
+    return (*points, *total, write_amount(grade.percent, places=2))
 
 
 def _write_complaint(complaint: Complaint, words: Catalogue) -> tuple[str, ...]:

@@ -20,7 +20,10 @@ class Bank:
 
     def __repr__(self) -> str:
         slots = self.blueprint.slots
-        named = (each.candidates[0].template.name if not each.drawn else "..." for each in slots)
+        named = (
+            "..." if each.drawn else " or ".join(one.template.name for one in each.candidates)
+            for each in slots
+        )
         return f"<{', '.join(map('{}: {}'.format, (each.identifier for each in slots), named))}>"
 
     @classmethod

@@ -130,6 +130,13 @@ def _require_sense(options: ExportOptions, grades: ClassGrades) -> None:
     """
     if options.maximum is not None and options.maximum <= 0:
         raise OptionError(Message("terminal.maximum", text=Quoted(str(options.maximum))))
+    partly = [
+        name
+        for name in grades.questions
+        if any(name not in each.points for each in grades.students)
+    ]
+    if options.per_question and partly:
+        raise OptionError(Message("terminal.alternatives", questions=list_plainly(partly)))
     items = grades.questions if options.per_question else ("",)
     for item in options.columns:
         if item not in items:

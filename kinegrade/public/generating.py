@@ -111,6 +111,7 @@ def _list_notes(written: Written, place: Path, options: GenerateOptions) -> Iter
     for question, count in written.dealt.combinations().items():
         refused = count_reasons(refusals[question])
         yield Message("terminal.combinations", question=question, count=count, refused=refused)
+    yield from written.dealt.giving()
     yield from written.dealt.sharing()
     yield from count_avoided(written.dealt)
     changes = () if written.changes is None else (written.changes.summary,)

@@ -9,6 +9,7 @@ from fractions import Fraction
 from os import PathLike
 from pathlib import Path
 
+from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.quiz.document import Quiz, QuizPaper
 from kinegrade.exam.quiz.paper import QuizWishes
@@ -93,6 +94,7 @@ def quiz(
     expect_own_place(place)
     require_word("to", to, FORMATS)
     require_known(options)
+    _refuse_alternatives(exam)
     chosen = None if language is None else find_language(language)
     writer = choose_writer(to, options.file)
     with open_executor(options.jobs, "quiz") as workers:
@@ -102,6 +104,15 @@ def quiz(
     written = Message("terminal.quiz-written", file=str(place))
     other = (*_list_left_out(exam, place), *_list_bonus(exam, place))
     return Outcome(place, (written, Message("terminal.marked-there")), (*remarks, *other))
+
+
+def _refuse_alternatives(exam: ExamFolder) -> None:
+    """Raises ExamError where papers hold different questions, which no quiz can ask."""
+    listed = [name for choice in exam.head.choices for name in choice.questions]
+    if listed:
+        numbers = list_all([find_bank_number(each) for each in listed])
+        what = Message("quiz.alternatives", questions=numbers)
+        raise ExamError(Fault(str(exam.head_file), what, do=Message("quiz.one-for-all")))
 
 
 def _list_left_out(exam: ExamFolder, place: Path) -> Iterator[Fault]:

@@ -36,7 +36,7 @@ TABLES = [
     ("kinegrade.problem.template.sections.keys", template_keys, "PARAMETER INPUT ASK PUBLISHED"),
     ("kinegrade.problem.template.sections.keys", template_keys, "FIGURE LENGTH ANGLE RADIUS"),
     ("kinegrade.problem.template.sections.keys", template_keys, "CIRCLE MOVING TURNING"),
-    ("kinegrade.exam.bank.keys", bank_keys, "BANK NAMED FAMILY TAG DRAWN DEALT"),
+    ("kinegrade.exam.bank.keys", bank_keys, "BANK NAMED ANY FAMILY TAG DRAWN DEALT"),
     ("kinegrade.exam.bank.keys", bank_keys, "COUNTED TEXT BY_HAND ASK"),
     ("kinegrade.grading.policy.keys", policy_keys, "POLICY QUESTION ASK ACCEPTED"),
 ]

@@ -28,7 +28,9 @@ KIND = (
     "expected position, velocity, acceleration or a table of asks with their points, "
     "like { v_B = 3 }"
 )
-ONE_OF = 'expected one of template = "...", family = "...", tag = "..." and text = "..."'
+ONE_OF = (
+    'expected one of template = "...", any = [...], family = "...", tag = "..." and text = "..."'
+)
 SHARE = 'expected a share from 0 to 1, like 0.5, "50 %" or "1/2"'
 HONEST = (
     "honest widens a relative tolerance only, and significant figures are not widened - "
@@ -330,8 +332,7 @@ number = 2
         "bank.toml:15: questions[2].tolerance: allows nothing - expected a tolerance above zero",
         "bank.toml:16: questions[2].points: asks gives the points already "
         "- leave one of the two out",
-        "bank.toml:17: questions[2].number: unknown key "
-        "- known here: asks, bonus, draw and 6 more",
+        "bank.toml:17: questions[2].number: unknown key - known here: asks, bonus, draw and 6 more",
     ]
 
 

@@ -11,6 +11,7 @@ import pytest
 
 from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.bank.keys import (
+    ANY,
     ASK,
     BANK,
     BY_HAND,
@@ -56,7 +57,7 @@ def test_every_key_is_there_and_explained_in_the_line_above_it() -> None:
     assert shown == set(BANK)
     assert set(keys["header"]) == set(HEADER)
     assert set(keys["questions"]) == {
-        *(*NAMED, *FAMILY, *TAG, *DRAWN, *DEALT, *COUNTED),
+        *(*NAMED, *ANY, *FAMILY, *TAG, *DRAWN, *DEALT, *COUNTED),
         *(*TEXT, *BY_HAND),
     }
     asked = tomllib.loads(STARTER)["questions"][0]["asks"].values()

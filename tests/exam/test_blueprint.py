@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import BankError
 from kinegrade.exam.bank.bank import read_blueprint
-from kinegrade.exam.bank.blueprint import Bank, Blueprint, match_slots
+from kinegrade.exam.bank.blueprint import Bank, Blueprint
+from kinegrade.exam.bank.matching import match_slots
 from tests.exam.folder_of_cranks import write_shelf
 from tests.problem.crank import crank_text
 
@@ -147,7 +148,7 @@ def test_points_are_shared_out_as_each_template_weighs(shelf: Path) -> None:
                 ":5: questions[1].number: 0 - expected a whole number from 1 to 50",
                 ':6: questions[1].without[1]: "gear-3" would not be drawn - did you mean "gear-2"? (known '
                 "here: gear-1, gear-2)",
-                ":7: questions[1].draw: unknown key - known here: asks, family, number and 6 more",
+                ":7: questions[1].draw: unknown key - known here: asks, bonus, family and 8 more",
             ],
         ),
         (

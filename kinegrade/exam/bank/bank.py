@@ -76,18 +76,12 @@ def read_kept_bank(path: Path, folder: Path, chosen: Mapping[str, str]) -> Bank:
 
     Raises BankError with all faults at once.
     """
-    kept = read_blueprint(path, folder, kept=True)
-    found = tuple(
-        candidate
-        for slot in kept.slots
-        for candidate in slot.candidates
-        if candidate.template.name == chosen.get(slot.identifier)
-    )
-    if [question.identifier for question in found] != list(chosen):
+    bank = read_blueprint(path, folder, kept=True).choose(chosen)
+    if [(each.identifier, each.template.name) for each in bank.questions] != [*chosen.items()]:
         what = Message("bank.differing-questions", head=HEAD)
         expected = Message("bank.questions-of-exam", questions=list_plainly(chosen))
         raise BankError(Fault(str(path), what, expected, REMEDY))
-    return replace(kept.frame, questions=found)
+    return bank
 
 
 def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False) -> Blueprint:

@@ -7,15 +7,18 @@ sheet.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
+from string import ascii_lowercase
 from typing import Literal, TypeAlias, assert_never
 
 from kinegrade.draws.keyed_order import address
 from kinegrade.exam.bank.by_hand import HandQuestion
 from kinegrade.exam.bank.header import NO_HEADER, Header
+from kinegrade.exam.bank.matching import match_slots
+from kinegrade.exam.choices import Choice
 from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.press.protocol import Engine
 from kinegrade.press.sheet import FormulaSheet
@@ -71,16 +74,16 @@ class Bank:
     with the exam, as are the texts of the `translations` beside it.
 
     `tolerance`, `honest` as for an ask, is what asks have of which nothing else is stated; `carry`
-    is the number of significant figures that students are asked to carry.
-    `space` is what questions have for working that state nothing else, in millimetres;
-    `shuffle` gives every paper its own order of the questions; `versions` is the number of
-    different papers, 0 for a different one for each student; `engine` is the typesetter unless an
-    instructor asks for another; `credit` is for answers that are not right; with `solutions`,
-    feedback includes the worked solutions unless requested otherwise; `lms` is the system that the
-    exam will be imported into, if its draws have to suit one; `header` is the head of the papers;
-    the questions `by_hand` have no mechanism, and stand between the others; the `formula_sheet` is
-    bound behind every paper. `earlier` is no part of the file: what earlier exams dealt, and this
-    one is not to deal again.
+    is the number of significant figures that students are asked to carry. `space` is what questions
+    have for working that state nothing else, in millimetres; `shuffle` gives every paper its own
+    order of the questions; `versions` is the number of different papers, 0 for a different one for
+    each student; `engine` is the typesetter unless an instructor asks for another; `credit` is for
+    answers that are not right; with `solutions`, feedback includes the worked solutions unless
+    requested otherwise; `lms` is the system that the exam will be imported into, if its draws have
+    to suit one; `header` is the head of the papers; the questions `by_hand` have no mechanism, and
+    stand between the others; the `formula_sheet` is bound behind every paper; of the questions of
+    `choices` each paper holds only some. `earlier` is no part of the file: what earlier exams
+    dealt, and this one is not to deal again.
     """
 
     title: Translated
@@ -103,6 +106,12 @@ class Bank:
     by_hand: tuple[HandQuestion, ...] = ()
     earlier: Earlier = field(default_factory=dict)
     formula_sheet: FormulaSheet | None = None
+    choices: tuple[Choice, ...] = ()
+
+    @property
+    def states_orders(self) -> bool:
+        """Whether the key states for each paper which questions it holds in which order."""
+        return self.shuffle or bool(self.choices)
 
     @property
     def texts(self) -> Mapping[str, Translated]:
@@ -137,11 +146,30 @@ class Bank:
 class Slot:
     """One question of an exam: the questions it may become; one of them is `drawn`, or there is
     only one.
+
+    Where some are `given` to each paper, it stands for so many questions, and the candidates, those
+    that are drawn without what the bank names elsewhere, are alternatives.
     """
 
     identifier: str
     candidates: tuple[BankQuestion, ...]
     drawn: bool
+    given: int = 0
+
+    @property
+    def count(self) -> int:
+        """How many questions of a paper it stands for."""
+        return self.given or 1
+
+    def list_alternatives(self, named: Set[str]) -> tuple[BankQuestion, ...]:
+        """The alternatives, each with a letter; `named` are the templates that the bank names."""
+        left = [
+            each for each in self.candidates if not self.drawn or each.template.name not in named
+        ]
+        return tuple(
+            replace(each, identifier=f"{self.identifier}{letter}")
+            for each, letter in zip(left, ascii_lowercase, strict=False)
+        )
 
 
 @dataclass(frozen=True)
@@ -159,65 +187,56 @@ class Blueprint:
 
         A blueprint that was read has enough templates for every slot.
         """
-        names = match_slots(
-            list_wishes(self.slots, lambda slot, name: address(secret, "template", slot, name))
+        return self.choose(
+            match_slots(
+                list_wishes(self.slots, lambda slot, name: address(secret, "template", slot, name))
+            )
         )
-        questions = tuple(
-            candidate
-            for slot in self.slots
-            for candidate in slot.candidates
-            if names.get(slot.identifier, candidate.template.name) == candidate.template.name
-        )
-        return replace(self.frame, questions=questions)
+
+    def choose(self, names: Mapping[str, str]) -> Bank:
+        """The exam in which the questions that are drawn become those of these templates, by
+        question.
+        """
+        named = name_templates(self.slots)
+        questions: list[BankQuestion] = []
+        choices: list[Choice] = []
+        for slot in self.slots:
+            if slot.given:
+                alternatives = slot.list_alternatives(named)
+                questions += alternatives
+                choices.append(Choice(tuple(each.identifier for each in alternatives), slot.given))
+                continue
+            drawn = slot.identifier in names
+            questions += (
+                each
+                for each in slot.candidates
+                if not drawn or each.template.name == names[slot.identifier]
+            )
+        return replace(self.frame, questions=tuple(questions), choices=tuple(choices))
+
+
+def name_templates(slots: Iterable[Slot]) -> set[str]:
+    """The templates that a bank names, which are not drawn besides."""
+    return {each.template.name for slot in slots if not slot.drawn for each in slot.candidates}
 
 
 def list_wishes(
     slots: Iterable[Slot], rank: Callable[[str, str], int]
 ) -> dict[str, tuple[str, ...]]:
-    """For each slot that is drawn the templates it may take, those of lowest rank first."""
+    """For each slot that is drawn once for the class the templates it may take, those of lowest
+    rank first.
+    """
     slots = tuple(slots)
-    named = {slot.candidates[0].template.name for slot in slots if not slot.drawn}
+    given = {each.template.name for slot in slots if slot.given for each in slot.candidates}
+    taken = name_templates(slots) | given
     return {
-        slot.identifier: _rank_templates(slot, named, partial(rank, slot.identifier))
+        slot.identifier: _rank_templates(slot, taken, partial(rank, slot.identifier))
         for slot in slots
-        if slot.drawn
+        if slot.drawn and not slot.given
     }
 
 
-def _rank_templates(slot: Slot, named: set[str], rank: Callable[[str], int]) -> tuple[str, ...]:
-    """The templates that a slot may take, without those that the bank names, by rank and name."""
-    candidates = {question.template.name for question in slot.candidates} - named
+def _rank_templates(slot: Slot, taken: set[str], rank: Callable[[str], int]) -> tuple[str, ...]:
+    """The templates that a slot may take, without those that are `taken`, by rank and name."""
+    candidates = {question.template.name for question in slot.candidates} - taken
     return tuple(sorted(candidates, key=lambda name: (rank(name), name)))
-
-
-def match_slots(wanted: Mapping[str, Sequence[str]]) -> dict[str, str]:
-    """A name for as many slots as can have one, no name twice: the first that is free, or one that
-    is made free.
-
-    >>> match_slots({"q1": ["crank", "cam"], "q2": ["crank"], "q3": ["cam"]})
-    {'q2': 'crank', 'q1': 'cam'}
-    """
-    holders: dict[str, str] = {}
-    for slot, names in wanted.items():
-        free = next((name for name in names if name not in holders), None)
-        if free is not None:
-            holders[free] = slot
-        else:
-            _displace(slot, wanted, holders, set())
-    return {slot: name for name, slot in holders.items()}
-
-
-def _displace(
-    slot: str, wanted: Mapping[str, Sequence[str]], holders: dict[str, str], tried: set[str]
-) -> bool:
-    """Let a slot take a name whose holder can take another one, and return whether that was
-    possible (Kuhn's algorithm).
-    """
-    for name in wanted[slot]:
-        if name in tried:
-            continue
-        tried.add(name)
-        if name not in holders or _displace(holders[name], wanted, holders, tried):
-            holders[name] = slot
-            return True
-    return False

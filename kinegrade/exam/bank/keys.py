@@ -106,6 +106,19 @@ BY_HAND = (
     #: The room that students have for their answer, in place of the bank's.
     "space",
 )
+ANY = (
+    #: Templates, of which each student gets one: `["slider-crank", "mine.toml"]`, shipped ones or
+    #: files beside the bank, 2 to 26. All carry the same points.
+    "any",
+    #: The kind of asks: `"velocity"`, `"acceleration"` or `"position"`; all where it is not stated.
+    "asks",
+    #: The points of the question, shared out as each template weighs what it asks.
+    "points",
+    #: How far an answer to this question may be off.
+    "tolerance",
+    #: The room for working at this question, in place of the bank's.
+    "space",
+)
 FAMILY = (
     #: Draws from the shipped templates of this family, once for the class.
     "family",
@@ -117,6 +130,8 @@ TAG = (
 DRAWN = (
     #: How many different templates are drawn; one where it is not stated.
     "number",
+    #: `true` draws for each student; then all templates carry the same points, and are 26 at most.
+    "per-student",
     #: Templates that are not to be drawn: `["slider-crank"]`.
     "without",
     #: The kind of asks: `"velocity"`, `"acceleration"` or `"position"`; all where it is not stated.

@@ -6,17 +6,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Literal, NamedTuple, TypeAlias, assert_never
 
 from kinegrade.errors import FieldError, KinegradeError, suggest
+from kinegrade.exam.bank.alternatives import require_different, require_equal_points
 from kinegrade.exam.bank.asks import read_asks, read_kind, weigh_asks
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Dealing, Slot
 from kinegrade.exam.bank.by_hand import HandQuestion, read_hand_question
 from kinegrade.exam.bank.domains import read_domains
-from kinegrade.exam.bank.keys import BY_HAND, COUNTED, DEALT, DRAWN, FAMILY, NAMED, TAG, TEXT
+from kinegrade.exam.bank.keys import ANY, BY_HAND, COUNTED, DEALT, DRAWN, FAMILY, NAMED, TAG, TEXT
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
 from kinegrade.files.fields.faults import Faults
@@ -28,16 +29,20 @@ from kinegrade.problem.template.library.library import load_kept_template, load_
 from kinegrade.problem.template.template import Template
 
 MAX_QUESTIONS = 50
+_ANY_EXAMPLE = '["slider-crank", "four-bar-parallel-coupler"]'
 _TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
-_Kind: TypeAlias = Literal["template", "text"] | Grouping  # the key that says what an entry is
+_Kind: TypeAlias = (
+    Literal["template", "any", "text"] | Grouping
+)  # the key that says what an entry is
 _ENTRY_KEYS: Mapping[_Kind, tuple[str, ...]] = {
     "template": (*NAMED, *DEALT, *COUNTED),
+    "any": (*ANY, *DEALT, *COUNTED),
     "family": (*FAMILY, *DRAWN, *DEALT, *COUNTED),
     "tag": (*TAG, *DRAWN, *DEALT, *COUNTED),
     "text": (*TEXT, *BY_HAND, *COUNTED),
 }
 _ALL_KEYS = tuple(dict.fromkeys(key for keys in _ENTRY_KEYS.values() for key in keys))
-_ONE_KIND = Message("bank.one-of-four")
+_ONE_KIND = Message("bank.one-of-five")
 
 
 class _Terms(NamedTuple):
@@ -59,7 +64,7 @@ class Entry:
     @property
     def count(self) -> int:
         """How many questions it stands for."""
-        return len(self.slots) + (self.by_hand is not None)
+        return sum(slot.count for slot in self.slots) + (self.by_hand is not None)
 
 
 @dataclass(frozen=True)
@@ -88,6 +93,9 @@ class Entries:
             case "template":
                 known = entry.only(*_ENTRY_KEYS[by])
                 return Entry(entry, self._named(known, identifier, wider))
+            case "any":
+                known = entry.only(*_ENTRY_KEYS[by])
+                return Entry(entry, self._given(known, identifier, wider))
             case "family" | "tag":
                 if not entry.required(by, text):
                     return Entry(entry, ())
@@ -113,19 +121,38 @@ class Entries:
         number = entry.with_default("number", whole(1, MAX_QUESTIONS), 1)
         entry_tolerance = read_bank_tolerance(entry, wider)
         terms = self._read_terms(entry)
+        per_student = entry.with_default("per-student", flag, False)
         kind = read_kind(entry)
         pool = self._pool(entry, by)
         if kind is None:
             return ()
         asks = weigh_asks(entry, pool, kind, entry_tolerance)
-        candidates = [template for template in pool if template.name in asks]
-        if pool and not candidates:
+        choice = [(each, asks[each.name]) for each in pool if each.name in asks]
+        if pool and not choice:
             name = Quoted(str(entry.value(by)))
             entry.fault("asks", Message(f"bank.none-of-{by}-asked", name=name))
-        if not candidates:
+        if not choice:
             return ()
-        choice = [(template, asks[template.name]) for template in candidates]
+        if per_student:
+            require_equal_points(entry, choice)
+            return (replace(_make_slot(f"q{first}", choice, terms), given=number),)
         return tuple(_make_slot(f"q{first + index}", choice, terms) for index in range(number))
+
+    def _given(self, entry: Table, identifier: str, wider: BankTolerance) -> tuple[Slot, ...]:
+        """The question of which each student gets one of the templates that the bank names."""
+        entry_tolerance = read_bank_tolerance(entry, wider)
+        terms, kind = self._read_terms(entry), read_kind(entry)
+        templates = entry.listing("any", self._template, _ANY_EXAMPLE)
+        require_different(entry, templates)
+        if kind is None or len(templates) < 2:
+            return ()
+        asks = weigh_asks(entry, templates, kind, entry_tolerance)
+        for each in templates:
+            if each.name not in asks:
+                entry.fault("asks", Message("bank.gives-no-points", template=each.name))
+        choice = [(each, asks[each.name]) for each in templates if each.name in asks]
+        require_equal_points(entry, choice)
+        return (replace(_make_slot(identifier, choice, terms), drawn=False, given=1),)
 
     def _read_terms(self, entry: Table) -> _Terms:
         """What holds for each question of an entry with a template."""

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from kinegrade.exam.bank.blueprint import Slot, list_wishes, match_slots
+from kinegrade.exam.bank.alternatives import MOST_ALTERNATIVES
+from kinegrade.exam.bank.blueprint import Slot, list_wishes, name_templates
+from kinegrade.exam.bank.matching import match_slots
 from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entry
 from kinegrade.files.fields.table import Table
 from kinegrade.language.message import Message, Quoted
@@ -26,6 +28,34 @@ def require_fit(table: Table, entries: Sequence[Entry]) -> None:
         table.fault("questions", what, Message("bank.questions-at-most", most=MAX_QUESTIONS))
     _require_different_names(entries)
     _require_enough(entries, slots)
+    _require_alternatives(entries, slots)
+
+
+def _require_alternatives(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:
+    """A fault where what is drawn for each student leaves no choice, is more than there are letters
+    for, or might give a student one template twice.
+    """
+    named = name_templates(slots)
+    seen: dict[str, str] = {}
+    drawn = [(entry, slot) for entry in entries for slot in entry.slots if slot.drawn]
+    for entry, slot in drawn:
+        if not slot.given:
+            continue
+        left = [each.template.name for each in slot.candidates if each.template.name not in named]
+        if not slot.given < len(left) <= MOST_ALTERNATIVES:
+            what = Message("bank.templates-to-give", count=len(left))
+            entry.table.fault(
+                "per-student",
+                what,
+                Message("bank.more-than-given", given=slot.given, most=MOST_ALTERNATIVES),
+                Message("bank.choose-without"),
+            )
+        for name in left:
+            other = seen.setdefault(name, slot.identifier)
+            if other != slot.identifier:
+                what = Message("bank.given-twice", template=name, question=other)
+                entry.table.fault("per-student", what, do=Message("bank.choose-without"))
+                break
 
 
 def _require_different_names(entries: Sequence[Entry]) -> None:
@@ -34,7 +64,8 @@ def _require_different_names(entries: Sequence[Entry]) -> None:
     """
     files: dict[str, TemplateFile] = {}
     for entry in entries:
-        for template in (slot.candidates[0].template for slot in entry.slots if not slot.drawn):
+        named = (slot.candidates for slot in entry.slots if not slot.drawn)
+        for template in (each.template for candidates in named for each in candidates):
             if files.setdefault(template.name, template.file) != template.file:
                 entry.table.fault(
                     "template",
@@ -47,8 +78,9 @@ def _require_enough(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:
     """A fault if there are not enough templates to give every question a different one."""
     chosen = match_slots(list_wishes(slots, lambda slot, name: 0))
     for entry in entries:
-        count = len(entry.slots)
-        left = sum(not slot.drawn or slot.identifier in chosen for slot in entry.slots)
+        once = [slot for slot in entry.slots if not slot.given]
+        count = len(once)
+        left = sum(not slot.drawn or slot.identifier in chosen for slot in once)
         if left < count:
             entry.table.fault(
                 "number",
@@ -60,7 +92,8 @@ def _require_enough(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:
 def require_carried(entries: Iterable[Entry], carry: int) -> None:
     """A fault for each entry with an ask whose tolerance the figures carried cannot meet."""
     for entry in entries:
-        asks = (ask for slot in entry.slots for ask in slot.candidates[0].asks)
+        first = (slot.candidates if slot.given else slot.candidates[:1] for slot in entry.slots)
+        asks = (ask for candidates in first for each in candidates for ask in each.asks)
         needed = {ask.name: ask.tolerance.carried(Fraction(0)) for ask in asks}
         for name, figures in needed.items():
             if figures > carry:

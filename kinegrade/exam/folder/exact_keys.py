@@ -6,16 +6,17 @@ it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from math import isclose
 
 import msgspec
 
 from kinegrade.errors import FieldError
+from kinegrade.exam.choices import Choice, fits_paper
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import describe_damage
-from kinegrade.exam.folder.keys import Ask, Key
+from kinegrade.exam.folder.keys import NOT_ASKED, Ask, Key, list_questions
 from kinegrade.exam.folder.numbers import RATIONAL, require_not_negative, require_number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer, StatedTolerance
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
@@ -36,19 +37,28 @@ def read_key_line(text: bytes) -> KeyLine:
         raise FieldError(describe_damage(fault)) from fault
 
 
-def read_exact_keys(asks: Sequence[Ask], line: KeyLine) -> list[Key]:
-    """The keys in the order of the asks. Raises FieldError."""
+def read_exact_keys(
+    asks: Sequence[Ask], line: KeyLine, choices: Collection[Choice] = ()
+) -> list[Key]:
+    """The keys in the order of the asks, NOT_ASKED for those of alternatives that the paper does
+    not hold. Raises FieldError.
+    """
     found = {
         f"{question.question}.{name}": answer
         for question in line.questions
         for name, answer in question.asks.items()
     }
-    if found.keys() != {ask.column for ask in asks}:
-        differing = list_plainly(sorted(found.keys() ^ {ask.column for ask in asks}))
+    held = [question.question for question in line.questions]
+    fits = fits_paper(held, list_questions(asks), choices)
+    wanted = {ask.column for ask in asks if not choices or ask.question in held}
+    if found.keys() != wanted or (choices and not fits):
+        differing = list_plainly(sorted(found.keys() ^ wanted or found.keys()))
         what = Message("exam.asks-differ", head=HEAD, asks=differing)
         raise FieldError(Fault(_name_student(line), what, _THE_SAME))
     try:
-        return [_read_key(ask, found[ask.column]) for ask in asks]
+        return [
+            _read_key(ask, found[ask.column]) if ask.column in wanted else NOT_ASKED for ask in asks
+        ]
     except FieldError as fault:
         raise FieldError(Fault(_name_student(line), fault.faults[0])) from fault
 

@@ -96,7 +96,7 @@ class ExamFolder:
 
         Raises ExamError with all faults of the key, after the last line is read.
         """
-        return stream_papers(self.key, self.asks, self.head.candidates)
+        return stream_papers(self.key, self.head)
 
     def papers_of(self, students: Collection[str]) -> Mapping[str, Paper]:
         """The papers of these students, by student. Raises ExamError where one is missing."""
@@ -113,8 +113,9 @@ class ExamFolder:
         columns = [ask.column for ask in self.asks]
 
         def examinee(paper: Paper) -> Examinee:
-            keys = map(paper.key, range(len(columns)))
-            return Examinee(paper.student, paper.name, dict(zip(columns, keys, strict=True)))
+            held = [number for number in range(len(columns)) if number not in paper.lacks]
+            keys = {columns[number]: paper.key(number) for number in held}
+            return Examinee(paper.student, paper.name, keys)
 
         return KeyedExam(self.asks, tuple(map(examinee, self.papers())))
 
@@ -123,7 +124,7 @@ class ExamFolder:
 
         Raises ExamError.
         """
-        return read_printed_orders(self.key, self.questions)
+        return read_printed_orders(self.key, self.questions, self.head.choices)
 
     def line_of(self, student: str) -> KeyLine:
         """The key of a student's paper, or that of a pool's variant for a student who left the
@@ -215,7 +216,7 @@ class ExamFolder:
 
     @cached_property
     def _decoder(self) -> PaperDecoder:
-        return PaperDecoder(self.asks, self.head.candidates)
+        return PaperDecoder(self.head)
 
     @cached_property
     def _recent_line(self) -> Callable[[str], KeyLine | None]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Set
+from collections.abc import Iterable, Sequence, Set
 from fractions import Fraction
 from pathlib import Path
 from typing import Literal, TypeVar
@@ -58,7 +58,9 @@ def read_head(folder: Path) -> ExamHead:
     except FieldError as fault:
         table.faults.note_error(table.place, fault)
         raise table.faults.raised() from fault
-    _require_numbers(table, head, {question.question for question in questions})
+    names = [question.question for question in questions]
+    _require_numbers(table, head, {*names})
+    _require_choices(table, head, names)
     table.faults.require_none()
     return msgspec.structs.replace(head, questions=questions, students=students)
 
@@ -69,6 +71,15 @@ def _require_numbers(table: Table, head: ExamHead, taken: Set[str]) -> None:
         if not _NUMBERED.fullmatch(each.question) or each.question in taken:
             what = Message("exam.is", name=f"by_hand[{place}]", found=found(each.question))
             table.fault("by_hand", what, Message("exam.own-number"))
+
+
+def _require_choices(table: Table, head: ExamHead, names: Sequence[str]) -> None:
+    """A fault where alternatives are no questions of the exam, or leave nothing to choose."""
+    listed = [name for choice in head.choices for name in choice.questions]
+    sound = all(0 < choice.given < len(choice.questions) for choice in head.choices)
+    if not sound or len({*listed}) < len(listed) or not {*listed} <= {*names}:
+        what = Message("exam.choices", questions=list_plainly(listed))
+        table.fault("choices", what, Message("exam.own-alternatives"))
 
 
 def _read_format(value: object) -> int:

@@ -10,7 +10,7 @@ with them.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
 from itertools import chain, groupby, islice
@@ -26,7 +26,7 @@ from kinegrade.errors import FieldError
 from kinegrade.exam.folder.exact_keys import read_exact_keys, read_key_line, read_rule
 from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.exam.folder.numbers import MOST_DIGITS, require_not_negative
-from kinegrade.exam.folder.records import Candidate, StatedTolerance
+from kinegrade.exam.folder.records import ExamHead, StatedTolerance
 from kinegrade.exam.folder.stated_keys import Entry, Place, StatedKeys, Terms
 from kinegrade.files.csv_writing import encode
 
@@ -52,17 +52,20 @@ _decoded_period = msgspec.json.Decoder(Decimal | None).decode
 
 
 class PaperDecoder:
-    """Reads the lines of one file of keys; the names are those of the candidates."""
+    """Reads the lines of one file of keys, of an exam with that head."""
 
-    def __init__(self, asks: Sequence[Ask], candidates: Mapping[str, Candidate]) -> None:
-        self._asks, self._candidates = asks, candidates
+    def __init__(self, head: ExamHead) -> None:
+        asks = head.asks
+        self._asks, self._candidates, self._choices = asks, head.candidates, head.choices
         self._decode = msgspec.json.Decoder(_define_line_type(asks), strict=False).decode
         self._terms: dict[bytes, Terms] = {}
 
     def usual(self, lines: Sequence[bytes], places: Sequence[Place]) -> list[Paper] | None:
         """The papers on these lines, or None if one is not of the usual shape; `places` are the
-        lines' in messages.
+        lines' in messages. Papers with alternatives are of different shapes.
         """
+        if self._choices:
+            return None
         try:
             return self._papers(lines, places)
         except _UNUSUAL:
@@ -75,7 +78,7 @@ class PaperDecoder:
         for paper in self.usual([line], [place]) or ():
             return paper
         record = read_key_line(line)
-        keys = read_exact_keys(self._asks, record)
+        keys = read_exact_keys(self._asks, record, self._choices)
         return Paper(record.student, self._name(record.student), keys)
 
     def _name(self, student: str) -> str:

@@ -4,16 +4,16 @@ takes the memory of a few papers.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
 from kinegrade.errors import FieldError, Problem
 from kinegrade.exam.folder.faults import explain_broken, explain_unreadable, name_line
 from kinegrade.exam.folder.key_decoding import PaperDecoder
-from kinegrade.exam.folder.keys import Ask, Paper
+from kinegrade.exam.folder.keys import Paper
 from kinegrade.exam.folder.ownership import find_ownership_faults
-from kinegrade.exam.folder.records import Candidate
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.stated_keys import Place
 from kinegrade.language.message import Fault
 
@@ -21,16 +21,14 @@ from kinegrade.language.message import Fault
 _BUFFER = 2**17
 
 
-def stream_papers(
-    path: Path, asks: Sequence[Ask], candidates: Mapping[str, Candidate]
-) -> Iterator[Paper]:
-    """The papers of all candidates, read as they are asked for.
+def stream_papers(path: Path, head: ExamHead) -> Iterator[Paper]:
+    """The papers of all candidates of an exam with that head, read as they are asked for.
 
     Raises ExamError with all faults of the file, after its last line is read.
     """
     try:
         with path.open("rb", _BUFFER) as stream:
-            yield from _Papers(path, asks, candidates, stream).in_roster_order()
+            yield from _Papers(path, head, stream).in_roster_order()
     except (OSError, UnicodeDecodeError) as fault:
         raise explain_unreadable(path, fault) from fault
 
@@ -48,15 +46,9 @@ class _Papers:
     position is kept, not the text.
     """
 
-    def __init__(
-        self,
-        path: Path,
-        asks: Sequence[Ask],
-        candidates: Mapping[str, Candidate],
-        stream: BinaryIO,
-    ) -> None:
-        self.path, self.candidates, self.stream = path, candidates, stream
-        self.decoder = PaperDecoder(asks, candidates)
+    def __init__(self, path: Path, head: ExamHead, stream: BinaryIO) -> None:
+        self.path, self.candidates, self.stream = path, head.candidates, stream
+        self.decoder = PaperDecoder(head)
         self.early: dict[str, _Line] = {}
         self.seen: list[str] = []
         self.faults: list[Problem] = []

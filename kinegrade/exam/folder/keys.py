@@ -62,6 +62,11 @@ class Key:
         return self.rule.interval(self.value)
 
 
+_NOTHING_LACKED: frozenset[int] = frozenset()
+# In place of the key of an alternative that a paper does not hold
+NOT_ASKED = Key(Fraction(0), Tolerance())
+
+
 class StatedKey(NamedTuple):
     """A key as it stands in key.jsonl; `key` works it out exactly, only when that is needed.
 
@@ -109,6 +114,13 @@ class Paper(NamedTuple):
     keys: Keys
     put: tuple[str, ...] = ()
 
+    @property
+    def lacks(self) -> frozenset[int]:
+        """The numbers of the asks that it does not hold; their keys are NOT_ASKED."""
+        if not isinstance(self.keys, list):
+            return _NOTHING_LACKED
+        return frozenset(number for number, key in enumerate(self.keys) if key is NOT_ASKED)
+
     def source(self, ask: int) -> str:
         """The student on whose line of the key this ask stands as it was asked."""
         return (self.put[ask] if self.put else "") or self.student
@@ -130,7 +142,7 @@ class Paper(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Examinee:
-    """Whose paper it is, and its key by answer column."""
+    """Whose paper it is, and its key by answer column, of those that it asks for."""
 
     student: str
     name: str
@@ -191,7 +203,8 @@ class KeyedExam:
     def papers(self) -> Iterator[Paper]:
         """The papers of the examinees."""
         for each in self.examinees:
-            yield Paper(each.student, each.name, [each.keys[ask.column] for ask in self.asks])
+            keys = [each.keys.get(ask.column, NOT_ASKED) for ask in self.asks]
+            yield Paper(each.student, each.name, keys)
 
     def variants(self) -> Sequence[Paper]:
         """None: an exam in memory has the papers of its examinees alone."""

@@ -14,6 +14,7 @@ from functools import cached_property
 
 import msgspec
 
+from kinegrade.exam.choices import Choice
 from kinegrade.exam.folder.exam_secret import ExamSecret, find_secret
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.roster.students import make_file_names
@@ -75,8 +76,9 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     `editable` a digest of each file that people edit, as it was generated. `earlier` has by
     template the values that earlier exams dealt and nobody is to get again. `paper_size` and
     `engine` printed the papers, which all have so many `pages`, 0 where earlier versions printed
-    them; `method` found the velocities of worked solutions, where one was
-    asked for. `spares` are papers without a student, each by the name that stands for one.
+    them; `method` found the velocities of worked solutions, where one was asked for. Of the
+    questions of `choices` each paper holds only some. `spares` are papers without a student, each
+    by the name that stands for one.
     """
 
     format: int
@@ -101,6 +103,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     questions: tuple[ExamQuestion, ...]
     students: tuple[Candidate, ...]
     by_hand: tuple[HandQuestion, ...] = ()
+    choices: tuple[Choice, ...] = ()
     spares: tuple[Candidate, ...] = ()
     editable: dict[str, str] | None = None
     earlier: dict[str, tuple[dict[str, str], ...]] = {}

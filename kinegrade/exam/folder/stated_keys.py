@@ -20,7 +20,7 @@ import msgspec
 from kinegrade.errors import ExamError, FieldError, Problem
 from kinegrade.exam.folder.exact_keys import read_mistakes as read_exact_mistakes
 from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line
-from kinegrade.exam.folder.keys import Ask, Keys, StatedKey
+from kinegrade.exam.folder.keys import NOT_ASKED, Ask, Keys, StatedKey
 from kinegrade.exam.folder.numbers import RATIONAL
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.numbers.tolerance import Tolerance
@@ -140,17 +140,19 @@ def _read_stated_mistakes(
 
 
 def read_centres(keys: Keys) -> Sequence[float]:
-    """The right answers in double precision; NaN where a number of turns is right too."""
+    """The right answers in double precision; NaN where a number of turns is right too, or
+    nothing was asked.
+    """
     if isinstance(keys, StatedKeys):
         return keys.centres
-    return [nan if key.period else float(Fraction(key.value)) for key in keys]
+    return [nan if key.period or key is NOT_ASKED else float(Fraction(key.value)) for key in keys]
 
 
 def read_values(keys: Keys) -> Sequence[float]:
     """The right answers in double precision, those of cyclic angles too; nearly rounded."""
     if isinstance(keys, StatedKeys):
         return [entry.value for entry in keys.entries]
-    return [float(Fraction(key.value)) for key in keys]
+    return [nan if key is NOT_ASKED else float(Fraction(key.value)) for key in keys]
 
 
 def read_periods(keys: Keys) -> Sequence[Fraction | None]:

@@ -14,6 +14,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
+Cells = Sequence[str] | Sequence[str | None]
 _SPACE = "http://schemas.openxmlformats.org"
 _HEAD = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
 _TYPE = "application/vnd.openxmlformats-officedocument.spreadsheetml"
@@ -46,23 +47,25 @@ _PARTS = {
         f'<Relationship Id="rId2" Type="{_SPACE}/officeDocument/2006/relationships/styles" '
         'Target="styles.xml"/></Relationships>'
     ),
-    "xl/styles.xml": (  # style 1 is number format 49: text
+    "xl/styles.xml": (  # styles 1 and 2 are of number format 49, text; 2 is grey
         f'<styleSheet xmlns="{_SPACE}/spreadsheetml/2006/main">'
         '<fonts count="1"><font><sz val="11"/><name val="Calibri"/></font></fonts>'
-        '<fills count="2"><fill><patternFill patternType="none"/></fill>'
-        '<fill><patternFill patternType="gray125"/></fill></fills><borders '
+        '<fills count="3"><fill><patternFill patternType="none"/></fill>'
+        '<fill><patternFill patternType="gray125"/></fill><fill><patternFill patternType="solid">'
+        '<fgColor rgb="FFBFBFBF"/></patternFill></fill></fills><borders '
         'count="1"><border/></borders>'
-        '<cellStyleXfs count="1"><xf numFmtId="0"/></cellStyleXfs><cellXfs count="2">'
-        '<xf numFmtId="0" xfId="0"/><xf numFmtId="49" xfId="0" applyNumberFormat="1"/></cellXfs>'
+        '<cellStyleXfs count="1"><xf numFmtId="0"/></cellStyleXfs><cellXfs count="3">'
+        '<xf numFmtId="0" xfId="0"/><xf numFmtId="49" xfId="0" applyNumberFormat="1"/>'
+        '<xf numFmtId="49" fillId="2" xfId="0" applyNumberFormat="1" applyFill="1"/></cellXfs>'
         '<cellStyles count="1"><cellStyle name="Normal" xfId="0" builtinId="0"/></cellStyles>'
         "</styleSheet>"
     ),
 }
 
 
-def write_answer_workbook(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
+def write_answer_workbook(path: Path, header: Sequence[str], rows: Iterable[Cells]) -> None:
     """Write the workbook; the same rows give the same bytes. Cells that are not written are
-    formatted as text too.
+    formatted as text too; None makes one grey, into which nothing is to be typed.
     """
     with ZipFile(path, "w") as archive:
         for name, content in _PARTS.items():
@@ -78,7 +81,7 @@ def _make_entry(name: str) -> ZipInfo:
     return entry
 
 
-def _write_sheet(header: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
+def _write_sheet(header: Sequence[str], rows: Iterable[Cells]) -> Iterator[str]:
     yield (
         f'{_HEAD}<worksheet xmlns="{_SPACE}/spreadsheetml/2006/main"><sheetViews><sheetView '
         'workbookViewId="0"><pane xSplit="2" ySplit="1" topLeftCell="C2" '
@@ -93,11 +96,13 @@ def _write_sheet(header: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterat
     yield "</sheetData></worksheet>"
 
 
-def _write_row(cells: Sequence[str]) -> str:
+def _write_row(cells: Cells) -> str:
     return f"<row>{''.join(map(_write_cell, cells))}</row>"
 
 
-def _write_cell(text: str) -> str:
+def _write_cell(text: str | None) -> str:
+    if text is None:
+        return '<c s="2"/>'
     if not text:
         return '<c s="1"/>'
     shown = escape(_UNPRINTABLE.sub("·", text))

@@ -143,7 +143,7 @@ def _settle_changes(exam: ExamFolder, kept: KeptExam, *, accept: bool) -> tuple[
 def _write_key(kept: KeptExam, papers: list[SetPaper]) -> None:
     """The key of the students, and that of the spare papers."""
     lines = [
-        encode_line(make_key_line(paper, mistakes, shuffled=kept.bank.shuffle))
+        encode_line(make_key_line(paper, mistakes, ordered=kept.bank.states_orders))
         for paper, mistakes in zip(papers, find_mistaken_answers(papers), strict=True)
     ]
     students = len(kept.exam.head.students)

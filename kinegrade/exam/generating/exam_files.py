@@ -25,6 +25,8 @@ from kinegrade.exam.folder.contents import (
     SPARES,
     TEMPLATES,
 )
+from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.printed_orders import read_held_questions
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.writing import encode_head
 from kinegrade.exam.generating.answer_workbook import write_answer_workbook
@@ -167,9 +169,21 @@ def write_blank_answers(head: ExamHead, folder: Path) -> None:
 
 
 def write_blank_workbook(head: ExamHead, folder: Path) -> None:
-    """The same as a workbook."""
-    rows = ([each.student, each.name, *[""] * len(head.columns)] for each in head.students)
+    """The same as a workbook, in which the cells of questions that a paper does not hold are grey.
+
+    Raises ExamError where the folder's key cannot be read.
+    """
+    held = read_held_questions(folder / KEY, head)
+    rows = (
+        [each.student, each.name, *_write_blanks(head.asks, held.get(each.student))]
+        for each in head.students
+    )
     write_answer_workbook(folder / ANSWER_WORKBOOK, (*OWN_COLUMNS, *head.columns), rows)
+
+
+def _write_blanks(asks: Iterable[Ask], held: Collection[str] | None) -> list[str | None]:
+    """A blank for each ask of the questions held, None for the others."""
+    return ["" if held is None or ask.question in held else None for ask in asks]
 
 
 def write_head(head: ExamHead, editable: Mapping[str, str] | None, folder: Path) -> None:

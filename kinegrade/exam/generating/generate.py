@@ -158,10 +158,9 @@ def _write_rest(head: ExamHead, sources: Mapping[str, bytes], folder: Path) -> N
 
 def _list_drawn_templates(blueprint: Blueprint, bank: Bank) -> dict[str, str]:
     """For each question that was drawn the name of its template."""
+    drawn = {slot.identifier for slot in blueprint.slots if slot.drawn}
     return {
-        slot.identifier: question.template.name
-        for slot, question in zip(blueprint.slots, bank.questions, strict=True)
-        if slot.drawn
+        each.identifier: each.template.name for each in bank.questions if each.identifier in drawn
     }
 
 

@@ -57,13 +57,7 @@ def require_same_sources(exam: ExamFolder, blueprint: Blueprint) -> None:
 def _same_choice(exam: ExamFolder, blueprint: Blueprint) -> Bank:
     """The bank with the templates that the exam has, as far as they are there."""
     chosen = {each.question: each.template for each in exam.head.questions}
-    questions = tuple(
-        candidate
-        for slot in blueprint.slots
-        for candidate in slot.candidates
-        if candidate.template.name == chosen.get(slot.identifier)
-    )
-    return replace(blueprint.frame, questions=questions)
+    return blueprint.choose(chosen)
 
 
 def _holds(file: Path, content: bytes) -> bool:

@@ -59,6 +59,7 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
             HandQuestion(each.identifier, each.points, each.title.in_language(language), each.bonus)
             for each in bank.by_hand
         ),
+        choices=bank.choices,
         earlier={name: tuple(map(dict, dealt)) for name, dealt in bank.earlier.items()},
     )
     return structs.replace(head, **dealt.secret.record())

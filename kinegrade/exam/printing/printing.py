@@ -125,7 +125,7 @@ def print_papers(
             counts[name],
             solutions.get(name),
             also.get(name, {}),
-            encode_line(make_key_line(paper, mistakes, shuffled=run.bank.shuffle)),
+            encode_line(make_key_line(paper, mistakes, ordered=run.bank.states_orders)),
             make_key_paper(run.bank, paper, run.language),
         )
         for name, paper, mistakes in zip(pages, papers, find_mistaken_answers(papers), strict=True)

@@ -8,7 +8,7 @@ that were looked at do not serve, more of a deck is looked at.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -19,6 +19,7 @@ from kinegrade.draws.alike import Candidates, make_alike, order_by_use
 from kinegrade.draws.deal import Deal, Look, look_further
 from kinegrade.draws.deck import Combination, Deck
 from kinegrade.exam.setting.difficulties import find_difficulty
+from kinegrade.exam.setting.given_questions import give_questions
 from kinegrade.exam.setting.kept_deal import Stated, find_kept
 from kinegrade.exam.setting.setting import Exam
 
@@ -32,14 +33,16 @@ Predict = Callable[[Sequence[Combination]], Any]
 
 @dataclass(frozen=True)
 class Pool:
-    """What a question offers to `papers`: the values that some keep, and the good combinations that
-    its `deal` found in its `deck`. `predict` gives difficulties, in points.
+    """What a question offers to those `holders` among `papers` that hold it: the values that some
+    keep, and the good combinations that its `deal` found in its `deck`. `predict` gives
+    difficulties, in points.
 
     Where all have the `same` values, they are those that the first paper keeps, or the first good
     ones.
     """
 
     papers: Sequence[str]
+    holders: Set[str]
     deck: Deck
     predict: Predict
     kept: Mapping[str, Combination]
@@ -51,31 +54,45 @@ class Pool:
         """The numbers of the papers without values yet, among which values may be exchanged."""
         if self.same:
             return np.array([], dtype=np.intp)
-        return np.flatnonzero([paper not in self.kept for paper in self.papers])
+        waiting = self.holders - self.kept.keys()
+        return np.flatnonzero([paper in waiting for paper in self.papers])
 
     @cached_property
-    def combinations(self) -> list[Combination]:
-        """For each paper what it keeps or may get, then those to spare."""
+    def combinations(self) -> list[Combination | None]:
+        """For each paper what it keeps or may get, None where it does not hold the question; then
+        those to spare.
+        """
         good = [self.deck.combination(at) for at in self.deal.positions[: self.deal.wanted]]
         if self.same:
             common = next((self.kept[each] for each in self.papers if each in self.kept), good[0])
-            return [self.kept.get(paper, common) for paper in self.papers]
+            one = {paper: self.kept.get(paper, common) for paper in self.holders}
+            return [one.get(paper) for paper in self.papers]
         held = Counter(tuple(values.values()) for values in self.kept.values())
         used = [held[tuple(values.values())] for values in good]
         dealt, spare = order_by_use(used, len(self.free))
         given = {self.papers[place]: good[at] for place, at in zip(self.free, dealt, strict=True)}
         own = {**self.kept, **given}
-        return [*(own[paper] for paper in self.papers), *(good[number] for number in spare)]
+        return [*(own.get(paper) for paper in self.papers), *(good[number] for number in spare)]
 
     @cached_property
     def candidates(self) -> Candidates:
-        """The combinations by their difficulties."""
-        return Candidates(self.predict(self.combinations), self.free)
+        """The combinations by their difficulties; a question that a paper does not hold adds
+        nothing to it.
+        """
+        known = [each for each in self.combinations if each is not None]
+        predicted = np.zeros(len(self.combinations))
+        predicted[self._known] = self.predict(known)
+        return Candidates(predicted, self.free)
 
     @property
     def variance(self) -> float:
-        """The variance of the difficulties, in squared points."""
-        return float(np.var(self.candidates.predicted))
+        """The variance of the difficulties on the papers that hold it, in squared points."""
+        return float(np.var(self.candidates.predicted[self._known]))
+
+    @property
+    def _known(self) -> Any:
+        """Which of the combinations there are."""
+        return np.array([each is not None for each in self.combinations])
 
     @property
     def more(self) -> int:
@@ -101,8 +118,9 @@ class AlikeDeal:
         numbers, _ = self._dealt
         return {
             name: {
-                paper: pool.combinations[number]
+                paper: values
                 for paper, number in zip(self.papers, given, strict=True)
+                if (values := pool.combinations[number]) is not None
             }
             for (name, pool), given in zip(self.pools.items(), numbers, strict=True)
         }
@@ -113,7 +131,9 @@ class AlikeDeal:
         _, sums = self._dealt
         dealt = np.unique(np.concatenate([pool.free for pool in self.pools.values()]))
         left = float(np.square(sums[dealt] - sums.mean()).sum()) / max(len(dealt), 1)
-        naive = sum(pool.variance for pool in self.pools.values())
+        naive = sum(
+            pool.variance * len(pool.holders) / len(self.papers) for pool in self.pools.values()
+        )
         return left <= SHARE_LEFT**2 * naive + _NEGLIGIBLE
 
     def widest(self) -> str | None:
@@ -144,18 +164,28 @@ def deal_alike(exam: Exam, places: Mapping[str, int], stated: Stated, look: Look
     papers = tuple(places)
     spare = _SPARE_FOR_FEW if len(papers) > 1 else 0
     same = {each.identifier for each in exam.bank.questions if each.dealing == "same"}
+    given = give_questions(exam.bank, exam.secret, places, stated)
+    holders = {
+        name: frozenset(paper for paper in papers if name in given[paper]) for name in exam.filters
+    }
+    left = max(places.values()) + 1 - len(papers)  # places of those who have left
     begun = {
         name: Deal(each.deck.size, 1)
         if name in same
-        else Deal(each.deck.size, max(places.values()) + 1, spare=spare)
+        else Deal(each.deck.size, max(len(holders[name]) + left, 1), spare=spare)
         for name, each in exam.filters.items()
     }
     pools = {
         name: Pool(
             papers,
+            holders[name],
             exam.filters[name].deck,
             find_difficulty(exam, name).predict,
-            find_kept(exam.filters[name].deck, stated, name),
+            {
+                paper: values
+                for paper, values in find_kept(exam.filters[name].deck, stated, name).items()
+                if paper in holders[name]
+            },
             found,
             name in same,
         )

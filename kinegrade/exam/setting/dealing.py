@@ -30,7 +30,7 @@ from kinegrade.exam.setting.alike_deal import deal_alike
 from kinegrade.exam.setting.paper_codes import make_paper_codes
 from kinegrade.exam.setting.places import assign_places
 from kinegrade.exam.setting.setting import DealtPaper, Exam, SetPaper, set_paper
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.processes.executor import Shared, map_in_order
 
 _AHEAD = 8  # parts of decks that are under way or wait
@@ -41,9 +41,10 @@ _NOTHING: Mapping[str, KeyLine] = MappingProxyType({})
 class ClassDeal:
     """A bank dealt to a class: `places`, `codes` and `versions` by student, `deals` by question.
 
-    `values` has for each question what everyone gets, by student, or by letter where there are
-    versions. `orders` are those of the questions on papers that stay. What all papers are made from
-    is `shared` by the processes that make them.
+    `values` has for each question what everyone gets who is given it, by student, or by letter
+    where there are versions: which questions a paper holds is said here. `orders` are those of the
+    questions on papers that stay. What all papers are made from is `shared` by the processes that
+    make them.
     """
 
     shared: Shared[Exam]
@@ -74,13 +75,18 @@ class ClassDeal:
         """What a student of the roster was dealt."""
         place, code = self.places[student.student], self.codes[student.student]
         letter = self.versions.get(student.student, "")
+        values = {
+            name: each[letter or student.student]
+            for name, each in self.values.items()
+            if (letter or student.student) in each
+        }
         return DealtPaper(
             student,
             place,
             f"{letter}-{code}" if letter else code,
             letter,
-            self._find_order(student.student, letter),
-            tuple(each[letter or student.student] for each in self.values.values()),
+            self._find_order(student.student, letter, [*values]),
+            values,
         )
 
     def combinations(self) -> dict[str, int]:
@@ -124,6 +130,17 @@ class ClassDeal:
                 case _:
                     assert_never(question.dealing)
 
+    def giving(self) -> Iterator[Message]:
+        """For each choice how many papers hold which alternative."""
+        templates = {each.identifier: each.template.name for each in self.bank.questions}
+        whose = [self.versions.get(student, student) for student in self.places]
+        for choice in self.bank.choices:
+            held = {name: sum(each in self.values[name] for each in whose) for name in templates}
+            listed = list_plainly(
+                f"{name} ({templates[name]}): {held[name]}" for name in choice.questions
+            )
+            yield Message("exam.alternatives", count=choice.given, questions=listed)
+
     def _count_repeated(self, question: str) -> Message:
         """How many have numbers that somebody else has, too."""
         dealt = self.values[question]
@@ -141,23 +158,19 @@ class ClassDeal:
         """What has numbers of its own."""
         return "versions" if self.bank.versions else "students"
 
-    def _find_order(self, student: str, letter: str) -> tuple[int, ...]:
-        """The order in which the questions of a student are printed."""
-        names = [each.identifier for each in self.bank.questions]
+    def _find_order(self, student: str, letter: str, names: Sequence[str]) -> tuple[int, ...]:
+        """The order in which the questions of a student, of these names, are printed."""
         kept = self.orders.get(student)
         if kept is not None and self.bank.shuffle and sorted(kept) == sorted(names):
             return tuple(map(names.index, kept))
-        return self._order(f"version {letter}" if letter else student)
+        return self._order(f"version {letter}" if letter else student, names)
 
-    def _order(self, whose: str) -> tuple[int, ...]:
-        """The order in which the questions of a student, or of a version, are printed."""
-        questions = self.bank.questions
+    def _order(self, whose: str, names: Sequence[str]) -> tuple[int, ...]:
+        """The order in which these questions of a student, or of a version, are printed."""
         if not self.bank.shuffle:
-            return tuple(range(len(questions)))
-        ranks = [
-            address(self.exam.secret, "order", whose, question.identifier) for question in questions
-        ]
-        return tuple(sorted(range(len(questions)), key=ranks.__getitem__))
+            return tuple(range(len(names)))
+        ranks = [address(self.exam.secret, "order", whose, name) for name in names]
+        return tuple(sorted(range(len(names)), key=ranks.__getitem__))
 
 
 def deal_exam(

@@ -10,6 +10,7 @@ from typing import Literal, TypeAlias
 
 from kinegrade.exam.bank.bank import read_kept_bank
 from kinegrade.exam.bank.blueprint import Bank, BankQuestion
+from kinegrade.exam.choices import fits_paper
 from kinegrade.exam.folder.contents import BANK, HEAD, TEMPLATES
 from kinegrade.exam.folder.contradictions import explain_contradiction, list_names, name_place
 from kinegrade.exam.folder.exam_folder import ExamFolder
@@ -61,9 +62,11 @@ class KeptExam:
         place where that differs from the key. Raises ExamError, BankError.
         """
         line = self._line(candidate.student)
-        names, stated = tuple(self._questions), {each.question: each for each in line.questions}
+        stated = {each.question: each for each in line.questions}
+        names = self._list_held(line)
         questions, differences = [], []
-        for name, question in self._questions.items():
+        for name in names:
+            question = self._questions[name]
             where = Message("exam.student-question", student=Quoted(line.student), question=name)
             reworked = work_out(question, stated[name], where)
             differences += [Fault(where, each) for each in find_differences(reworked, stated[name])]
@@ -80,7 +83,7 @@ class KeptExam:
         Raises ExamError where something else follows than the key says, BankError.
         """
         line = self._line(candidate.student)
-        names = tuple(self._questions)
+        names = self._list_held(line)
         self._require_same_paper(candidate, line, names)
         stated = {each.question: each for each in line.questions}
         return SetPaper(
@@ -91,6 +94,16 @@ class KeptExam:
             line.version,
             line.place,
         )
+
+    def _list_held(self, line: KeyLine) -> tuple[str, ...]:
+        """The questions that a paper holds, in the bank's order; all of the bank where those of its
+        key are not such as one paper may hold.
+        """
+        stated = [each.question for each in line.questions]
+        everything = tuple(self._questions)
+        if not fits_paper(stated, everything, self.bank.choices):
+            return everything
+        return tuple(name for name in everything if name in stated)
 
     def _line(self, student: str) -> KeyLine:
         """The key of a paper. Raises ExamError where the folder has lost it."""

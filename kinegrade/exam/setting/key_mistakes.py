@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 from math import isclose, isfinite
 from typing import Any
 
@@ -23,15 +24,13 @@ def find_mistaken_answers(papers: Sequence[SetPaper]) -> Iterator[dict[str, Mist
     """For each paper and question the values, as decimals in the asks' units; mistakes that change
     nothing are left out.
     """
-    by_question = [
-        _find_class_mistakes([paper.questions[place] for paper in papers])
-        for place in range(len(papers[0].questions))
-    ]
-    for number, paper in enumerate(papers):
-        yield {
-            question.question.identifier: mistakes[number]
-            for question, mistakes in zip(paper.questions, by_question, strict=True)
-        }
+    by_question: dict[str, list[SetQuestion]] = defaultdict(list)
+    for question in chain.from_iterable(paper.questions for paper in papers):
+        by_question[question.question.identifier].append(question)
+    found = {name: iter(_find_class_mistakes(each)) for name, each in by_question.items()}
+    for paper in papers:
+        names = (question.question.identifier for question in paper.questions)
+        yield {name: next(found[name]) for name in names}
 
 
 def _find_class_mistakes(questions: Sequence[SetQuestion]) -> list[Mistaken]:

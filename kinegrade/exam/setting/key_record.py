@@ -23,10 +23,10 @@ _NOTHING_KNOWN: Mapping[str, Mistaken] = MappingProxyType({})
 
 
 def make_key_line(
-    paper: SetPaper, mistakes: Mapping[str, Mistaken] = _NOTHING_KNOWN, *, shuffled: bool = False
+    paper: SetPaper, mistakes: Mapping[str, Mistaken] = _NOTHING_KNOWN, *, ordered: bool = False
 ) -> KeyLine:
-    """The key of a paper; its questions are in the bank's order, and if papers are `shuffled` it
-    states their order on this one.
+    """The key of a paper; its questions are in the bank's order, and where papers are `ordered`
+    each in its own way it states their order on this one.
 
     `mistakes` holds for each question what known mistakes lead to.
     """
@@ -35,7 +35,7 @@ def make_key_line(
         paper=paper.code,
         version=paper.version,
         place=paper.place,
-        printed=_list_identifiers(paper.printed) if shuffled else (),
+        printed=_list_identifiers(paper.printed) if ordered else (),
         questions=tuple(
             make_key_question(question, mistakes.get(question.question.identifier, {}))
             for question in paper.questions

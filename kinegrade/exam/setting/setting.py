@@ -68,9 +68,9 @@ class Exam:
 @dataclass(frozen=True)
 class DealtPaper:
     """What a student was dealt: a place, from which all else follows, a code that is printed on the
-    paper, and the values of each question in the bank's order.
+    paper, and the values of each of its questions, in the bank's order.
 
-    `order` says in which order the questions are printed; `version` is a letter, or "" where the
+    `order` says in which order these are printed; `version` is a letter, or "" where the
     numbers are the student's alone.
     """
 
@@ -79,7 +79,7 @@ class DealtPaper:
     code: str
     version: str
     order: tuple[int, ...]
-    values: tuple[Combination, ...]
+    values: Mapping[str, Combination]
 
 
 @dataclass(frozen=True)
@@ -120,9 +120,9 @@ class SetQuestion:
 class SetPaper:
     """One student's paper; `code` is printed on it and kept in the key.
 
-    `questions` are in the bank's order, `order` is the one in which they are printed; `version` is
-    a letter, or "" where the paper is the student's alone; `place` is the student's in the class,
-    None where a folder of format 1 does not say it.
+    `questions` are those that it holds, in the bank's order, `order` is the one in which they are
+    printed; `version` is a letter, or "" where the paper is the student's alone; `place` is the
+    student's in the class, None where a folder of format 1 does not say it.
     """
 
     student: Student
@@ -148,8 +148,11 @@ class SetPaper:
 def set_paper(exam: Exam, dealt: DealtPaper) -> SetPaper:
     """The paper with what was dealt. Raises MechanismError where that cannot be solved."""
     questions = tuple(
-        _set_question(question, values, exam.filters[question.identifier])
-        for question, values in zip(exam.bank.questions, dealt.values, strict=True)
+        _set_question(
+            question, dealt.values[question.identifier], exam.filters[question.identifier]
+        )
+        for question in exam.bank.questions
+        if question.identifier in dealt.values
     )
     return SetPaper(dealt.student, dealt.code, questions, dealt.order, dealt.version, dealt.place)
 

@@ -233,7 +233,9 @@ class BlockJudge:
     def _void(self, block: JudgedBlock, number: int, ruling: Ruling) -> None:
         """Marks all answers to an ask as void, if it is void."""
         if ruling.void:
-            for row, (_, entry) in enumerate(block.rows):
+            for row, (paper, entry) in enumerate(block.rows):
+                if number in paper.lacks:
+                    continue
                 place = row * len(self.asks) + number
                 block.put(
                     place, void(block.decision(place), ruling, handed_in=entry.line is not None)

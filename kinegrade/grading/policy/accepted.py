@@ -107,7 +107,8 @@ def _find_places(
         for ask, accepted in wanted:
             number = numbers[ask.column]
             meant = accepted.students is None or paper.student in accepted.students
-            if meant and (not paper.put or paper.put[number]):
+            put = not paper.put or paper.put[number]
+            if meant and put and number not in paper.lacks:
                 source = paper.source(number)
                 place = paper.student, source, ask.column
                 yield ask, accepted, sources.get(source, paper), place

@@ -22,7 +22,9 @@ from kinegrade.files.tables import Table
 from kinegrade.language.message import Fault, Message, Text, list_plainly
 
 _NO_STUDENT_COLUMN = Message("marking.no-student-column")
-_ANSWER_COLUMN = re.compile(r"q[0-9]+\.\w+")  # as generate writes the headers of the answer sheet
+_ANSWER_COLUMN = re.compile(
+    r"q[0-9]+[a-z]?\.\w+"
+)  # as generate writes the headers of the answer sheet
 
 
 @dataclass(frozen=True, slots=True)

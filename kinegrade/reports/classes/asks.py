@@ -7,6 +7,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Container, Iterator
 
+import numpy as np
+
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Listing, Message, list_plainly, list_statements
@@ -52,6 +54,7 @@ def list_asks(
     before, students = "", len(counts.answered)
     for place, column in enumerate(counts.columns):
         facility, discrimination = facilities[place], discriminations[place]
+        given = int((~np.isnan(counts.points[:, place])).sum())
         question, share = column.split(".")[0], write_share(facility, catalogue)
         sign = "+" if question in bonus else ""
         verdicts = _write_verdicts(counts.verdicts[column], catalogue)
@@ -65,10 +68,10 @@ def list_asks(
             share,
             Bar(facility or 0.0, "column", share, _WIDTH, track=True),
             write_decimal(discrimination, catalogue),
-            _write_interval(discrimination, students, catalogue),
+            _write_interval(discrimination, given, catalogue),
             StackedBar(_share_out(counts.verdicts[column]), verdicts),
             verdicts,
-            catalogue.write(_note(facility, discrimination, students)),
+            catalogue.write(_note(facility, discrimination, given, students)),
         )
         before = question
 
@@ -114,15 +117,17 @@ def _write_interval(discrimination: float | None, students: int, catalogue: Cata
     return catalogue.write(Message("report.interval", low=low, high=high))
 
 
-def _note(facility: float | None, discrimination: float | None, students: int) -> Listing:
-    """What is worth a look."""
-    notes: list[Message] = []
+def _note(
+    facility: float | None, discrimination: float | None, given: int, students: int
+) -> Listing:
+    """What is worth a look; of an ask that not all students had, how many had it."""
+    notes = [] if given == students else [Message("report.given-to", count=given)]
     if facility is not None and facility < _HARD:
         notes.append(Message("report.hard"))
     if facility is not None and facility > _EASY:
         notes.append(Message("report.easy"))
     if discrimination is not None and discrimination < _FLAT:
-        notes.append(_judge_low(discrimination, students))
+        notes.append(_judge_low(discrimination, given))
     return list_statements(notes)
 
 

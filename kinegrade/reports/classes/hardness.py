@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
@@ -89,7 +91,7 @@ def _name_version(letter: str, figures: Summary, catalogue: Catalogue) -> str:
 def _judge_versions(counts: ClassTally, catalogue: Catalogue) -> Text:
     if len(counts.answered) < ENOUGH:
         return _TOO_FEW
-    test = compare_groups(counts.points.sum(axis=1), counts.versions)
+    test = compare_groups(np.nansum(counts.points, axis=1), counts.versions)
     if test is None:
         return ""
     differ = test.p < SIGNIFICANT

@@ -1,7 +1,8 @@
 """What a class's points say about the asks: how hard each was, and whether it separates good papers
 from weak ones.
 
-Arrays have a row for each student and a column for each ask. A figure for which there are too few
+Arrays have a row for each student and a column for each ask, NaN where a paper does not ask it. A
+figure for which there are too few
 students is None.
 """
 
@@ -61,11 +62,10 @@ def make_histogram(percents: Sequence[float] | Points) -> Histogram:
 
 def find_facilities(points: Points, out_of: Points) -> tuple[float | None, ...]:
     """For each ask the mean share of its points; None where no student or no point counts."""
-    if not len(points):
-        return (None,) * len(out_of)
-    means = points.mean(axis=0).tolist()
+    asked = [column[~np.isnan(column)] for column in points.T]
     return tuple(
-        mean / most if most else None for mean, most in zip(means, out_of.tolist(), strict=True)
+        float(each.mean()) / most if most and len(each) else None
+        for each, most in zip(asked, out_of.tolist(), strict=True)
     )
 
 
@@ -75,11 +75,16 @@ def find_discriminations(points: Points) -> tuple[float | None, ...]:
     None for fewer than three students, or if all have the same points for the ask or for the
     others.
     """
-    students, asks = len(points), range(points.shape[1])
-    if students < _FEWEST:
-        return tuple(None for _ in asks)
-    totals = points.sum(axis=1)
-    return tuple(correlate(points[:, ask], totals - points[:, ask]) for ask in asks)
+    totals = np.nansum(points, axis=1)
+    return tuple(_discriminate(column, totals) for column in points.T)
+
+
+def _discriminate(column: Points, totals: Points) -> float | None:
+    """The correlation for one ask, of the students who were asked it."""
+    asked = ~np.isnan(column)
+    if asked.sum() < _FEWEST:
+        return None
+    return correlate(column[asked], totals[asked] - column[asked])
 
 
 def correlate(first: Points, second: Points) -> float | None:
@@ -108,7 +113,7 @@ def find_interval(correlation: float, students: int) -> tuple[float, float] | No
 
 def find_reliability(points: Points) -> float | None:
     """Cronbach's alpha: how much of the totals' variance the asks share; None for too few students
-    or asks.
+    or asks. No student lacks any.
     """
     students, asks = points.shape
     if students < _FEWEST or asks < 2:

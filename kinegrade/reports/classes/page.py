@@ -87,7 +87,7 @@ def _make_figures(
     out_of = write_plain(float(max(each.out_of for each in counts.answered)), catalogue)
     return ClassFigures(
         _write_maximum(out_of, exam, catalogue),
-        _list_cards(counts, figures, catalogue),
+        _list_cards(counts, figures, exam, catalogue),
         HistogramPlot(
             make_histogram(counts.percents),
             figures,
@@ -120,12 +120,12 @@ def _write_maximum(points: str, exam: ExamFolder, catalogue: Catalogue) -> str:
 
 
 def _list_cards(
-    counts: ClassTally, figures: Summary, catalogue: Catalogue
+    counts: ClassTally, figures: Summary, exam: ExamFolder, catalogue: Catalogue
 ) -> tuple[tuple[str, str], ...]:
     """The distribution of the totals in figures."""
     spread = _write_span(figures.lower, figures.upper, catalogue)
     span = _write_span(figures.minimum, figures.maximum, catalogue)
-    alpha = find_reliability(counts.points)
+    alpha = find_reliability(counts.merge_alternatives(exam.head.choices))
     return (
         (write_percent(figures.mean, catalogue), catalogue.text("report.page.mean")),
         (write_percent(figures.median, catalogue), catalogue.text("report.median")),

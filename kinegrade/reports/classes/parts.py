@@ -5,7 +5,8 @@ and how it did in each question.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import isnan
+
+import numpy as np
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.language.catalogue import Catalogue
@@ -45,5 +46,8 @@ def _write_shares(
 ) -> tuple[str, ...]:
     """The facility of each question in one part."""
     places = [place for place, member in enumerate(members) if member]
-    shares = [float(counts.share(question)[places].mean()) for question in exam.questions]
-    return tuple(write_share(None if isnan(share) else share, catalogue) for share in shares)
+    shares = [counts.share(question)[places] for question in exam.questions]
+    known = [share[~np.isnan(share)] for share in shares]
+    return tuple(
+        write_share(float(each.mean()) if len(each) else None, catalogue) for each in known
+    )

@@ -50,8 +50,9 @@ def _list_predictions(counts: ClassTally) -> tuple[dict[str, Points], dict[str, 
     predicted: dict[str, Points] = dict(counts.difficulties)
     lost = {question: 1 - counts.share(question) for question in predicted}
     if len(predicted) > 1:
-        predicted[_WHOLE] = np.sum([*predicted.values()], axis=0)
-        lost[_WHOLE] = 1 - counts.points.sum(axis=1) / (counts.out_of.sum() or np.nan)
+        asked = [np.where(np.isnan(lost[name]), 0.0, row) for name, row in predicted.items()]
+        predicted[_WHOLE] = np.sum(asked, axis=0)
+        lost[_WHOLE] = counts.lost
     return predicted, lost
 
 

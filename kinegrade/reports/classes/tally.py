@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from array import array
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain
@@ -17,8 +17,9 @@ from math import nan
 import numpy as np
 
 from kinegrade.errors import TableError
+from kinegrade.exam.choices import Choice
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.records import Candidate
+from kinegrade.exam.folder.records import Candidate, ExamHead
 from kinegrade.grading.judging.hints import Hint, find_hint
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.folder import MarksFolder
@@ -35,7 +36,7 @@ _UNEXPLAINED = "unexplained"
 @dataclass(frozen=True)
 class ClassTally:
     """The students who answered anything; `points` has a row for each, and a column for each of
-    `columns`.
+    `columns`, NaN where a student's paper does not ask that.
 
     `answered` are these students, `silent` those who answered nothing. `verdicts` counts verdicts
     by ask. `losses` counts by ask why points were lost: the identifier of a mistake, a kind of
@@ -67,6 +68,26 @@ class ClassTally:
         return shares
 
     @property
+    def lost(self) -> Points:
+        """Each student's share of the points that were lost, of those that there were."""
+        given = np.where(np.isnan(self.points), 0.0, self.out_of).sum(axis=1)
+        lost: Points = 1 - np.nansum(self.points, axis=1) / np.where(given > 0, given, nan)
+        return lost
+
+    def merge_alternatives(self, choices: Iterable[Choice]) -> Points:
+        """The points with one column for all questions of a choice in place of theirs: what a
+        student has of those that the paper holds.
+        """
+        questions = np.array([column.split(".")[0] for column in self.columns])
+        merged, left = [], np.ones(len(questions), dtype=bool)
+        for choice in choices:
+            members = np.isin(questions, choice.questions)
+            merged.append(np.nansum(self.points[:, members], axis=1))
+            left &= ~members
+        points: Points = np.column_stack([self.points[:, left], *merged])
+        return points
+
+    @property
     def percents(self) -> list[float]:
         """The totals as percentages, as in grades.csv; 0 where there are no points to get."""
         return [float(100 * each.share) for each in self.answered]
@@ -79,7 +100,7 @@ class _Count:
     answered: list[StudentTotal] = field(default_factory=list)
     silent: list[StudentTotal] = field(default_factory=list)
     columns: tuple[str, ...] = ()
-    out_of: list[float] = field(default_factory=list)
+    out_of: dict[str, float] = field(default_factory=dict)
     points: list[array[float]] = field(default_factory=list)
     verdicts: dict[str, Counter[str]] = field(default_factory=dict)
     losses: dict[str, Counter[str]] = field(default_factory=dict)
@@ -98,7 +119,8 @@ class _Count:
     ) -> None:
         """Adds a student who answered something."""
         self.answered.append(total)
-        self.points.append(array("d", (float(answer.points) for answer in answers)))
+        got = {answer.column: float(answer.points) for answer in answers}
+        self.points.append(array("d", (got.get(column, nan) for column in self.columns)))
         self.versions.append(candidate.version if candidate else "")
         self.groups.append(candidate.group if candidate else "")
         self.names += tuple(name for name in paper.parameters if name not in self.names)
@@ -115,10 +137,11 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
     ExamError.
     """
     papers, totals, count = PaperRecords(exam, marks.put), marks.totals.by_student, _Count()
+    orders = marks.printed if exam.head.choices else {}
     for student, answers in marks.answers_by_student():
         columns = tuple(answer.column for answer in answers)
-        _open(count, columns, [float(answer.out_of) for answer in answers])
-        if columns != count.columns or student not in totals:
+        _open(count, exam.head, answers)
+        if columns != _list_asked(count, orders.get(student)) or student not in totals:
             what = Message("report.other-asks", student=Quoted(student), grades=GRADES.name)
             raise TableError(Fault(str(marks.path / ANSWERS.name), what))
         if any(answer.verdict != _BLANK and answer.typed.strip() for answer in answers):
@@ -133,12 +156,21 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
     return _close(count)
 
 
-def _open(count: _Count, columns: tuple[str, ...], out_of: list[float]) -> None:
-    """Takes the asks from the first student."""
+def _open(count: _Count, head: ExamHead, answers: Sequence[MarkedAnswer]) -> None:
+    """Takes the asks from the first student, or all of the exam where it has alternatives; and
+    their points from the first student who has them.
+    """
     if not count.columns:
-        count.columns, count.out_of = columns, out_of
-        count.verdicts = {column: Counter() for column in columns}
-        count.losses = {column: Counter() for column in columns}
+        count.columns = head.columns if head.choices else tuple(each.column for each in answers)
+        count.verdicts = {column: Counter() for column in count.columns}
+        count.losses = {column: Counter() for column in count.columns}
+    for answer in answers:
+        count.out_of.setdefault(answer.column, float(answer.out_of))
+
+
+def _list_asked(count: _Count, held: Sequence[str] | None) -> tuple[str, ...]:
+    """The columns of a paper with these questions, None for all."""
+    return tuple(column for column in count.columns if held is None or column.split(".")[0] in held)
 
 
 def _close(count: _Count) -> ClassTally:
@@ -153,7 +185,7 @@ def _close(count: _Count) -> ClassTally:
     }
     return ClassTally(
         count.columns,
-        np.array(count.out_of),
+        np.array([count.out_of.get(column, 0.0) for column in count.columns]),
         tuple(count.answered),
         tuple(count.silent),
         points,

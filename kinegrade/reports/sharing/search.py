@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.keys import Examinee, KeyedExam
+from kinegrade.exam.folder.keys import NOT_ASKED, Examinee, KeyedExam
 from kinegrade.grading.fast.bounds import Numbers
 from kinegrade.grading.poisson import QUESTIONS_THAT_TELL, find_tail
 from kinegrade.reports.sharing.fits import Windows, find_windows
@@ -82,7 +82,7 @@ class Search:
         lead to.
         """
         keys = [
-            [examinee.keys[ask.column] for examinee in self.exam.examinees]
+            [examinee.keys.get(ask.column, NOT_ASKED) for examinee in self.exam.examinees]
             for ask in self.exam.asks
         ]
         return tuple(

@@ -25,7 +25,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import KeyedExam
+from kinegrade.exam.folder.keys import NOT_ASKED, KeyedExam
 from kinegrade.grading.sheets.pool import make_exam_as_put
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import MarkedAnswer
@@ -70,7 +70,8 @@ def find_pairs(exam: KeyedExam, answers: Iterable[MarkedAnswer], level: float = 
     """
     wrong = find_wrong_answers(exam, answers)
     papers = [
-        tuple(examinee.keys[ask.column].value for ask in exam.asks) for examinee in exam.examinees
+        tuple(examinee.keys.get(ask.column, NOT_ASKED).value for ask in exam.asks)
+        for examinee in exam.examinees
     ]
     alike = Counter(papers)
     unlike = np.array([max(1, len(papers) - alike[paper]) for paper in papers], dtype=np.float64)

@@ -11,6 +11,7 @@ from typing import Any
 import msgspec
 import pytest
 
+from kinegrade.exam.choices import Choice
 from kinegrade.exam.folder.contents import CONTENTS
 from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.exam_folder import open_exam
@@ -61,6 +62,7 @@ HEAD = ExamHead(
             ),
             bonus=True,
         ),
+        ExamQuestion(question="q3", asks=(Ask("q3", "v_B", "m/s", Fraction(3)),)),
     ),
     students=(
         Candidate(
@@ -79,6 +81,7 @@ HEAD = ExamHead(
     ),
     spares=(Candidate("spare-1", "", paper="B-C9PV-269B", file="papers/spare-1.pdf"),),
     by_hand=(HandQuestion("q2", Fraction(5), "Velocity poles", bonus=True),),
+    choices=(Choice(("q1", "q3"), 1),),
     earlier={"slider-crank": ({"r": "0.35"},)},
     editable={"bank.toml": "0f"},
 )

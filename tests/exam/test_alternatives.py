@@ -1,0 +1,296 @@
+"""Alternatives: each student gets one of several templates, or some of a tag; papers, answer sheets,
+marks and reports know which.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections import Counter
+from pathlib import Path
+
+import openpyxl
+import pytest
+from click.testing import Result
+from pypdf import PdfReader
+
+from tests.small_class import contents, key_lines, kinegrade, table
+
+HEAD = """title = { en = "Midterm", zh = "期中测验" }
+course = "Mechanics"
+"""
+CRANK = """
+[[questions]]
+template = "slider-crank"
+asks = { v_B = 3 }
+"""
+ANY = """
+[[questions]]
+any = ["bar-through-swivelling-sleeve", "crossed-belt-drive"]
+asks = "velocity"
+points = 6
+"""
+TAGGED = """
+[[questions]]
+tag = "rolling"
+per-student = true
+points = 9
+"""
+THEORY = """
+[[questions]]
+text = { en = "Why?", zh = "为什么？" }
+points = 2
+"""
+TITLES = {"q2a": "Bar sliding through a swivelling sleeve", "q2b": "Crossed belt on a turning arm"}
+STUDENTS = ("1001", "1002", "1003", "1004")
+
+
+def set_exam(folder: Path, bank: str, *options: str) -> Result:
+    """What `generate` says of a bank for four students."""
+    (folder / "bank.toml").write_text(HEAD + bank, encoding="utf-8")
+    roster = "student,name\n" + "".join(f"{each},Student {each}\n" for each in STUDENTS)
+    (folder / "roster.csv").write_text(roster, encoding="utf-8")
+    files = folder / "bank.toml", folder / "roster.csv"
+    return kinegrade("generate", *files, "-o", folder / "EXAM", "--reproducible", "x", *options)
+
+
+def find_held(exam: Path) -> dict[str, list[str]]:
+    """The questions of each paper, by student, in the order of the key."""
+    return {
+        line["student"]: [each["question"] for each in line["questions"]]
+        for line in key_lines(exam)
+    }
+
+
+def mark(folder: Path, *options: str | Path, other: str = "", code: int = 0) -> Path:
+    """A marks folder in which everybody answered what the key says, but 1001 nothing of q1, and
+    typed `other` into the first cell that is not on the paper.
+    """
+    blank = table(folder / "EXAM" / "answers.csv")
+    for row, line in zip(blank, key_lines(folder / "EXAM"), strict=True):
+        for question in line["questions"]:
+            for name, ask in question["asks"].items():
+                row[f"{question['question']}.{name}"] = ask["decimal"]
+    blank[0]["q1.v_B"] = ""
+    strange = next(name for name in list(blank[0])[2:] if not blank[0][name] and name[:2] == "q2")
+    blank[0][strange] = other
+    with (folder / "answers.csv").open("w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, list(blank[0]))
+        writer.writeheader()
+        writer.writerows(blank)
+    marks = folder / "MARKS"
+    made = kinegrade("grade", folder / "EXAM", folder / "answers.csv", "-o", marks, *options)
+    assert made.exit_code == code, made.stderr
+    return marks
+
+
+def read_pdf(path: Path) -> str:
+    """The text of all pages, its words one blank apart."""
+    return " ".join(" ".join(page.extract_text() for page in PdfReader(path).pages).split())
+
+
+@pytest.fixture(scope="module")
+def exam_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An exam with an alternative and a question in words, its marks beside it."""
+    folder = tmp_path_factory.mktemp("alternatives")
+    made = set_exam(folder, CRANK + ANY + THEORY, "--spare", "1")
+    assert made.exit_code == 0, made.stderr
+    assert "each paper holds one of these; how many hold which: q2a (bar-through" in made.stderr
+    mark(folder)
+    return folder
+
+
+def test_each_student_gets_one_and_equally_many_get_each(exam_folder: Path) -> None:
+    held = find_held(exam_folder / "EXAM")
+    assert all(questions[0] == "q1" and len(questions) == 2 for questions in held.values())
+    assert Counter(questions[1] for questions in held.values()) == {"q2a": 2, "q2b": 2}
+
+
+def test_a_paper_and_the_key_show_that_one_alone(exam_folder: Path) -> None:
+    exam = exam_folder / "EXAM"
+    for student, (_, held) in find_held(exam).items():
+        paper = read_pdf(exam / "papers" / f"{student}.pdf")
+        shown = {name for name, title in TITLES.items() if title in paper}
+        assert shown == {held}
+        assert f"(no. {held[1:]} in the answer sheet)" in paper
+        assert " 3 6 2 11 " in paper  # the marker's table: three questions and the total
+    key = read_pdf(exam / "key.pdf")
+    assert key.count(TITLES["q2a"]) + key.count(TITLES["q2b"]) == len(STUDENTS) + 1  # one spare
+
+
+def test_a_paper_is_the_same_again_and_verified(exam_folder: Path, tmp_path: Path) -> None:
+    exam, again = exam_folder / "EXAM", tmp_path / "again.pdf"
+    assert kinegrade("paper", exam, "1003", "-o", again).exit_code == 0
+    assert again.read_bytes() == (exam / "papers" / "1003.pdf").read_bytes()
+    verified = kinegrade("verify", exam)
+    assert verified.exit_code == 0, verified.stderr
+    assert "the keys of 5 of 5 papers solved again" in verified.stderr
+
+
+def test_the_workbook_shades_what_a_student_does_not_have(exam_folder: Path) -> None:
+    exam = exam_folder / "EXAM"
+    header, *rows = openpyxl.load_workbook(exam / "answers.xlsx").active.iter_rows()
+    for row in rows:
+        held = find_held(exam)[row[0].value]
+        grey = {
+            name.value
+            for name, cell in zip(header, row, strict=True)
+            if cell.fill.fill_type == "solid"
+        }
+        assert grey == {name.value for name in header[2:] if name.value.split(".")[0] not in held}
+
+
+def test_marks_are_of_what_each_paper_holds(exam_folder: Path) -> None:
+    held = find_held(exam_folder / "EXAM")
+    for row in table(exam_folder / "MARKS" / "grades.csv"):
+        points = {name: row[name] for name in ("q1", "q2a", "q2b") if row[name]}
+        q1 = "0" if row["student"] == "1001" else "3"
+        assert points == {"q1": q1, held[row["student"]][1]: "6"}
+        assert row["out_of"] == "9"
+    lines = {(row["student"], row["question"]) for row in table(exam_folder / "MARKS/marks.csv")}
+    assert lines == {(student, name) for student in held for name in held[student]}
+
+
+def test_feedback_report_and_export_of_totals(exam_folder: Path, tmp_path: Path) -> None:
+    exam, marks = exam_folder / "EXAM", exam_folder / "MARKS"
+    feedback = tmp_path / "FEEDBACK"
+    assert kinegrade("feedback", exam, marks, "-o", feedback, "--format", "md").exit_code == 0
+    held = find_held(exam)["1002"][1]
+    sheet = (feedback / "sheets" / "1002.md").read_text(encoding="utf-8")
+    assert f"## Question 2 (no. {held[1:]} in the answer sheet) · {TITLES[held]} (6 / 6)" in sheet
+    assert "## Question 3 (to be marked by hand" in sheet
+    assert kinegrade("report", exam, marks, "-o", tmp_path / "report.html").exit_code == 0
+    report = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert report.count("given to 2 students") == 4  # two asks of each
+    moodle = tmp_path / "moodle.csv"
+    kinegrade("export", marks, "--to", "moodle", "-o", moodle)
+    assert ",9,1: 3/3; 2: 6/6" in moodle.read_text(encoding="utf-8-sig")
+
+
+def test_single_questions_and_quizzes_are_refused(exam_folder: Path, tmp_path: Path) -> None:
+    exam, marks = exam_folder / "EXAM", exam_folder / "MARKS"
+    arguments = ("--to", "generic", "--title", "Midterm", "--per-question")
+    made = kinegrade("export", marks, *arguments, "-o", tmp_path / "grades.csv")
+    assert made.exit_code == 2
+    assert "questions q2a, q2b are alternatives, which not all students had" in made.stderr
+    quiz = kinegrade("quiz", exam, "--to", "qti21", "-o", tmp_path / "quiz.zip")
+    assert quiz.exit_code == 2
+    assert "questions 2a and 2b are alternatives, and a quiz asks everybody the same" in quiz.stderr
+    assert not (tmp_path / "quiz.zip").exists()
+
+
+def test_what_is_typed_for_the_other_alternative_is_complained_of_and_kept(tmp_path: Path) -> None:
+    assert set_exam(tmp_path, CRANK + ANY).exit_code == 0
+    other = {"q2a": "2b", "q2b": "2a"}[find_held(tmp_path / "EXAM")["1001"][1]]
+    (tmp_path / "policy.toml").write_text(f'[questions.q{other}]\nvoid = "full"\n', "utf-8")
+    marks = mark(tmp_path, "--policy", tmp_path / "policy.toml", other="12.5", code=1)
+    (complaint,) = table(marks / "complaints.csv")
+    assert complaint["content"] == "12.5"
+    assert complaint["problem"] == f'question {other} is not on the paper of "1001"'
+    assert complaint["done"] == "kept here, not marked"
+    row = table(marks / "grades.csv")[0]
+    assert (row["total"], row["out_of"], row[f"q{other}"]) == ("6", "9", "")
+
+
+def test_late_students_and_spare_papers_have_one_and_nobody_elses_changes(tmp_path: Path) -> None:
+    bank = "shuffle = true\n" + CRANK + ANY
+    assert set_exam(tmp_path, bank, "--spare", "1").exit_code == 0
+    exam, late = tmp_path / "EXAM", tmp_path / "late.csv"
+    before = contents(exam / "papers")
+    lines = key_lines(exam)
+    late.write_text("student,name\n1009,Lise Meitner\n", encoding="utf-8")
+    files = tmp_path / "bank.toml", tmp_path / "roster.csv"
+    added = kinegrade("generate", *files, "-o", exam, "--add", late)
+    assert added.exit_code == 0, added.stderr
+    code = json.loads((exam / "exam.json").read_text(encoding="utf-8"))["spares"][0]["paper"]
+    assigned = kinegrade("assign", exam, code, "1010")
+    assert assigned.exit_code == 0, assigned.stderr
+    assert key_lines(exam)[: len(lines)] == lines
+    after = contents(exam / "papers")
+    assert {name: after[name] for name in before if "spare" not in name} == {
+        name: paper for name, paper in before.items() if "spare" not in name
+    }
+    assert all(len(questions) == 2 for questions in find_held(exam).values())
+    assert {*find_held(exam)} == {*STUDENTS, "1009", "1010"}
+
+
+def test_some_of_a_tag_for_each_student(tmp_path: Path) -> None:
+    made = set_exam(tmp_path, CRANK + TAGGED + "number = 2\n" + ANY)
+    assert made.exit_code == 0, made.stderr
+    for held in find_held(tmp_path / "EXAM").values():
+        drawn = [name for name in held if name.startswith("q2")]
+        assert len({*drawn}) == 2
+        assert [name for name in held if name not in drawn][1] in ("q4a", "q4b")
+    mark(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("entry", "fault"),
+    [
+        ('any = ["slider-crank", "slidr-crank"]', 'any[2]: no template "slidr-crank"'),
+        ('any = ["slider-crank"]', "any: 1 templates to choose from - expected 2 to 26 of them"),
+        ("any = []", "any: 0 templates to choose from - expected 2 to 26 of them"),
+        ('any = ["slider-crank", "slider-crank"]', 'any: "slider-crank" is listed twice'),
+        ('any = "slider-crank"', 'any: "slider-crank" - expected a list like ["slider-crank"'),
+        ('any = ["slider-crank", "crossed-belt-drive"]\ntemplate = "slider-crank"',
+         "expected one of template = "),
+        ('any = ["slider-crank", "crossed-belt-drive"]\nper-student = true',
+         "per-student: unknown key"),
+        ('any = ["slider-crank", "crossed-belt-drive"]\nasks = { v_B = 1 }', "questions[1].asks: "),
+        ('any = ["slider-crank", "bar-through-swivelling-sleeve"]',
+         "points: alternatives carry different points: slider-crank "),
+        ('template = "slider-crank"\nper-student = true', "per-student: unknown key"),
+        ('tag = "rolling"\nper-student = 3', "per-student: 3 - expected true or false"),
+        ('tag = "rolling"\nper-student = true', "points: alternatives carry different points: "),
+        ('tag = "velocity"\nper-student = true\npoints = 9\nnumber = 40',
+         "templates to choose from for each student - expected more than the 40 that each gets"),
+    ],
+)  # fmt: skip
+def test_what_is_no_choice_is_refused(tmp_path: Path, entry: str, fault: str) -> None:
+    made = set_exam(tmp_path, f"[[questions]]\n{entry}\n")
+    assert made.exit_code == 2
+    assert fault in made.stderr
+
+
+def test_a_template_that_might_be_given_twice_is_refused(tmp_path: Path) -> None:
+    entry = '[[questions]]\ntag = "rolling"\nper-student = true\npoints = 9\n'
+    made = set_exam(tmp_path, entry + entry)
+    assert made.exit_code == 2
+    assert "may be given to a student twice: q1 draws it, too" in made.stderr
+
+
+@pytest.mark.parametrize(
+    "choices",
+    [
+        [{"questions": ["q2a", "q9"], "given": 1}],
+        [{"questions": ["q2a", "q2b"], "given": 2}],
+        [{"questions": ["q2a", "q2a"], "given": 1}],
+    ],
+)
+def test_damaged_choices_are_refused(
+    exam_folder: Path, tmp_path: Path, choices: list[dict[str, object]]
+) -> None:
+    head = json.loads((exam_folder / "EXAM" / "exam.json").read_text(encoding="utf-8"))
+    (tmp_path / "EXAM").mkdir()
+    text = json.dumps(head | {"choices": choices})
+    (tmp_path / "EXAM" / "exam.json").write_text(text, encoding="utf-8")
+    refused = kinegrade("verify", tmp_path / "EXAM")
+    assert refused.exit_code == 2
+    assert "expected questions of the exam, each once, more than each paper holds" in refused.stderr
+
+
+def test_a_key_with_both_alternatives_is_refused(exam_folder: Path, tmp_path: Path) -> None:
+    exam = tmp_path / "EXAM"
+    exam.mkdir()
+    for name, content in contents(exam_folder / "EXAM").items():
+        (exam / name).parent.mkdir(parents=True, exist_ok=True)
+        (exam / name).write_bytes(content)
+    lines = key_lines(exam)
+    others = [each for line in lines for each in line["questions"][1:]]
+    held = lines[0]["questions"][1]["question"]
+    lines[0]["questions"].append(next(each for each in others if each["question"] != held))
+    text = "".join(json.dumps(line) + "\n" for line in lines)
+    (exam / "key.jsonl").write_text(text, encoding="utf-8")
+    marked = kinegrade("grade", exam, exam_folder / "answers.csv", "-o", tmp_path / "MARKS")
+    assert marked.exit_code == 2
+    assert "asks" in marked.stderr
