@@ -13,6 +13,7 @@ from kinegrade.press.protocol import ENGINES
 from kinegrade.problem.template.library.library import find_shipped, list_names
 
 _BANK = "kinegrade.exam.bank.keys"
+_STEPWISE = "kinegrade.problem.template.sections.stepwise_keys"
 _POLICY = "kinegrade.grading.policy.keys"
 _STATED = "kinegrade.stated_marking"
 _BANK_EXAMPLE = """```toml
@@ -84,7 +85,17 @@ def write_bank_page() -> str:
         write_words("key", read_words(_BANK, "COUNTED")),
         "An entry may also be a text, whose answers are marked by hand:",
         write_words("key", {**read_words(_BANK, "TEXT"), **read_words(_BANK, "BY_HAND")}),
-        "In `asks`, an ask is followed by its points, or by a table:",
+        "An entry may also have steps in place of a mechanism:",
+        write_words("key", {**read_words(_BANK, "OWN"), **read_words(_STEPWISE, "STEPWISE")}),
+        "There each given has",
+        write_words("key", read_words(_STEPWISE, "STEPWISE_PARAMETER")),
+        "each ask",
+        write_words(
+            "key", {**read_words(_STEPWISE, "STEPWISE_ASK"), **read_words(_BANK, "OWN_ASK")}
+        ),
+        "and each mistake",
+        write_words("key", read_words(_STEPWISE, "STEPWISE_MISTAKE")),
+        "In `asks` of the other entries, an ask is followed by its points, or by a table:",
         write_words("key", read_words(_BANK, "ASK")),
         *_stated(read_words(_BANK, "TOLERANCE")),
         "## Shipped banks",

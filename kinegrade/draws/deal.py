@@ -182,6 +182,8 @@ def _explain_hopeless(where: str, hopeless: Deal, question: DrawFilter) -> Fault
     reasons = count_reasons(hopeless.refused)
     what = Message("template.none-fit", among=hopeless.looked_at(), reasons=reasons)
     expected = Message("template.one-for-each-student")
+    if not question.template.scheme.has_mechanism:
+        what = Message("template.none-fit-as", what=what, why=question.explain_first())
     return Fault(where, what, expected, hopeless.advise(question))
 
 

@@ -26,6 +26,7 @@ from kinegrade.draws.examining import (
     solve_sensible,
 )
 from kinegrade.draws.screening import screen
+from kinegrade.errors import Problem
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
@@ -101,6 +102,11 @@ class DrawFilter:
             or self._examine_one(values, {name: row[place] for name, row in seen.bounds.items()})
             for place, (values, refusal) in enumerate(zip(combinations, screened, strict=True))
         ]
+
+    def explain_first(self) -> Problem:
+        """Why the first combination is refused, as an example; "" where it is good."""
+        (found,) = self.examine([self.deck.combination(0)])
+        return found.detail if isinstance(found, Refused) else ""
 
     def _examine_one(self, values: Combination, bounds: Mapping[str, float]) -> Examined | Refused:
         """An instance in which no mistake is taken for the truth."""

@@ -27,6 +27,7 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.problem.tolerance import find_scale_of_mechanism
+from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.rounding.kept_decimals import RightRange, find_fitting_factor
 
@@ -97,12 +98,23 @@ def solve_sensible(
                 raise Refused("condition", Message("template.no-text-applies", text=name))
         solution = solve_template(template, values, asks, plan)
     except MechanismError as error:
-        raise Refused("mechanism", error.faults[0]) from error
+        reason: Reason = "mechanism" if template.scheme.has_mechanism else "degenerate"
+        raise Refused(reason, error.faults[0]) from error
     for name, answer in solution.answers.items():
         if refusal := find_unfit(template.asks[name], answer):
             raise refusal
+        if not template.scheme.has_mechanism:
+            _require_sign(template.asks[name], answer)
     require_doubles(solution)
     return solution
+
+
+def _require_sign(ask: Ask, answer: Quantity) -> None:
+    """Raises Refused for a negative answer that a paper gives no sign to: of a mechanism `check`
+    proves that there is none.
+    """
+    if ask.sign in UNSIGNED and answer.is_negative:
+        raise Refused("degenerate", Message("template.is-negative", ask=ask.name), ask.name)
 
 
 def require_doubles(solution: Solution) -> None:
@@ -139,6 +151,8 @@ def explain_rounding(ask: str, bound: float, accuracy: Accuracy) -> Message:
 
 def require_legible(solution: Solution, hints: FigureHints, sketcher: Sketcher) -> None:
     """Raises Refused for an instance whose figure with these marks cannot be read well."""
+    if not solution.template.scheme.has_mechanism:
+        return
     why = find_illegible(solution.assembly.mechanism.map(float), hints, sketcher)
     if why is not None:
         raise Refused("figure", why)

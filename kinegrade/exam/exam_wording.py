@@ -16,7 +16,7 @@ from kinegrade.problem.printed_givens import find_printed_givens
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import require_language
-from kinegrade.students.mistaking.mistake_names import describe_mistakes
+from kinegrade.students.mistaking.mistake_names import describe_all_mistakes
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ def read_exam_wording(exam: ExamFolder, language: Language) -> ExamWording:
         },
         {column: write_sign(ask.sign, language) for column, ask in asks.items()},
         dict(_list_givens(exam, templates)),
-        describe_mistakes(language),
+        describe_all_mistakes(templates.values(), language),
     )
 
 

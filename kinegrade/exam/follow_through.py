@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import remainder
+from typing import TypeAlias
 
 from kinegrade.exam.folder.contradictions import (
     describe_difference,
@@ -30,9 +31,11 @@ from kinegrade.students.following.connections import (
     find_stages,
 )
 from kinegrade.students.following.follow_through import Follower
+from kinegrade.students.following.followed_steps import StepFollower
 from kinegrade.students.mistaking.mistakes import convert_parameter
 
 KEPT = 256  # instances kept in memory, so that the student's next answers find theirs
+AnyFollower: TypeAlias = Follower | StepFollower
 _AGREEMENT = (
     1e-6  # relative, between doubles and the key: rounding stays below, an edited template above
 )
@@ -44,7 +47,7 @@ class FollowThrough:
 
     exam: ExamFolder
     plans: dict[str, Plan | None] = field(default_factory=dict, repr=False)
-    instances: dict[tuple[str, str], Follower | None] = field(default_factory=dict, repr=False)
+    instances: dict[tuple[str, str], AnyFollower | None] = field(default_factory=dict, repr=False)
 
     def __call__(
         self, student: str, question: str, own: Mapping[str, Fraction], later: str
@@ -68,7 +71,7 @@ class FollowThrough:
         template = self.templates.get(question)
         return [asks] if template is None else find_stages(template, asks)
 
-    def instance(self, student: str, question: str) -> Follower | None:
+    def instance(self, student: str, question: str) -> AnyFollower | None:
         """A question as it stands on a student's paper; None if it can no longer be worked out."""
         place = student, question
         if place not in self.instances:
@@ -77,13 +80,13 @@ class FollowThrough:
             self.instances[place] = self.follower(student, question)
         return self.instances[place]
 
-    def follower(self, student: str, question: str) -> Follower | None:
+    def follower(self, student: str, question: str) -> AnyFollower | None:
         """The instance, with the plan of its template. Raises ExamError if its answers differ from
         the key's.
         """
         template = self.templates.get(question)
         kept = self.kept(student, question)
-        if template is None or not template.scheme.drivers or kept is None:
+        if template is None or kept is None or not _can_follow(template):
             return None
         texts = kept.values
         if not template.parameters.keys() <= texts.keys():
@@ -92,11 +95,15 @@ class FollowThrough:
             name: convert_parameter(parameter, texts[name])
             for name, parameter in template.parameters.items()
         }
-        follower = Follower(template, values, self.plan(question, template))
+        follower: AnyFollower
+        if template.scheme.has_mechanism:
+            follower = Follower(template, values, self.plan(question, template))
+        else:
+            follower = StepFollower(template, values)
         self._require_same(follower, kept, name_place(self.exam.key, student, question))
         return follower
 
-    def _require_same(self, follower: Follower, kept: KeyQuestion, where: Message) -> None:
+    def _require_same(self, follower: AnyFollower, kept: KeyQuestion, where: Message) -> None:
         """Raises ExamError if an answer of the instance differs from the key's: anything that
         followed would belong to another mechanism.
         """
@@ -122,6 +129,11 @@ class FollowThrough:
     def templates(self) -> Mapping[str, Template]:
         """The templates by question, those that can be read."""
         return self.exam.templates.readable
+
+
+def _can_follow(template: Template) -> bool:
+    """Whether anything follows from anything: a mechanism moves, or there are steps."""
+    return bool(template.scheme.drivers) or not template.scheme.has_mechanism
 
 
 def _is_same(derived: float, answer: StatedAnswer) -> bool:

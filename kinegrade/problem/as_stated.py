@@ -44,6 +44,7 @@ def _turn_scheme(scheme: Scheme, names: Set[str]) -> Scheme:
         scheme,
         lengths=_turn_all(scheme.lengths, names),
         points=_turn_all(scheme.points, names),
+        steps=_turn_all(scheme.steps, names),
         joints=tuple(_turn_joint(joint, names) for joint in scheme.joints),
         drivers=tuple(_turn_driver(driver, names) for driver in scheme.drivers),
     )

@@ -15,7 +15,7 @@ from flint import fmpq
 from kinegrade.errors import ExpressionError, KinegradeError, MechanismError
 from kinegrade.expressions.angular import is_angle
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
-from kinegrade.expressions.tree import Call, Expression, Name
+from kinegrade.expressions.tree import Call, Expression, Name, find_names
 from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.geometry import BRANCHES, Constructions, Round, make_constructions
@@ -91,6 +91,8 @@ def assemble(
         if not isinstance(place, Vector):
             raise ExpressionError(Fault(f"points.{name}", Message("template.point-expected")))
         points[name] = values[name] = _locate(f"points.{name}", _measure_point, place)
+    for name, tree in template.scheme.steps.items():
+        values[name] = _locate(f"steps.{name}", _take_step, tree, values, functions, arithmetic)
     parts = _Parts(values, functions, points, arithmetic)
     joints = tuple(
         _locate(sentence.text, parts.joint, sentence) for sentence in template.scheme.joints
@@ -124,6 +126,24 @@ def _require_bounded(value: Any) -> Any:
     if isinstance(value, (fmpq, Surd)) and height(value) > MAX_HEIGHT:
         raise Inexact  # a number of too many digits
     return value
+
+
+def _take_step(
+    tree: Expression,
+    values: Mapping[str, Any],
+    functions: Mapping[str, Callable[..., Any]],
+    arithmetic: Arithmetic,
+) -> Any:
+    """The value of a step, an angle or a number. Raises Inexact where exact angles are added to
+    numbers, which balls of radians can be.
+    """
+    try:
+        return _require_bounded(evaluate(tree, values, functions, arithmetic))
+    except ExpressionError:
+        angles = (isinstance(values.get(name), Angle) for name in find_names(tree))
+        if arithmetic.exact and any(angles):
+            raise Inexact from None
+        raise
 
 
 def _locate(place: str, make: Callable[..., Any], *arguments: Any) -> Any:

@@ -32,8 +32,14 @@ def find_needs(template: Template, asks: Iterable[str]) -> Needs:
         names |= set(_list_joint_names(joint))
     for driver in scheme.drivers:
         names |= set(_list_driver_names(driver, changes=changes))
-    made = {**scheme.points, **scheme.lengths}
+    made = {**scheme.points, **scheme.lengths, **scheme.steps}
     return Needs(frozenset(template.parameters) & _trace_back(names, made), changes)
+
+
+def find_needed_steps(template: Template, asks: Iterable[str]) -> tuple[str, ...]:
+    """The steps on which these asks depend, themselves among them, in order."""
+    needed = _trace_back(asks, dict(template.scheme.steps))
+    return tuple(name for name in template.scheme.steps if name in needed)
 
 
 def _is_by_changes(ask: Ask) -> bool:

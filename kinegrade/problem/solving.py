@@ -133,6 +133,8 @@ def _answer_ask(
     }
     try:
         number = evaluate(ask.quantity, values, functions, forked)
+        if not circles.template.scheme.has_mechanism:
+            _require_radians_apart(number, ask, forked)
         _require_number(number, ask)
         quantity = express_in_unit(ask.name, number, ask.unit)
     except AtInfinity:
@@ -151,6 +153,15 @@ def _require_number(number: Any, ask: Ask) -> None:
         raise ExpressionError(Message("template.number-of-a-vector"))
     if ask.unit.degrees and not isinstance(number, (Angle, arb)):
         raise ExpressionError(Message("template.angle-expected"))
+
+
+def _require_radians_apart(number: Any, ask: Ask, arithmetic: Arithmetic) -> None:
+    """Raises Inexact for an exact angle that is no answer in radians or degrees, as the arc of a
+    circle has pi in it; and for a number of radians to be stated in degrees.
+    """
+    angle, angular = isinstance(number, Angle), ask.unit.degrees or ask.unit.text == "rad"
+    if arithmetic.exact and ((angle and not angular) or (ask.unit.degrees and not angle)):
+        raise Inexact
 
 
 def _require_certified(number: Any) -> None:

@@ -20,6 +20,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask, Method
 from kinegrade.worked.answers.answers import explain_answer
 from kinegrade.worked.answers.boxes import AnswerBoxes
+from kinegrade.worked.answers.named_steps import explain_steps
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading, TermTable, WorkedSolution
@@ -58,6 +59,9 @@ def write_worked_solution(
     asked = tuple(stated.template.asks[name] for name in asks)
     claim_plain_symbols(asked, case)
     boxes = AnswerBoxes.around(asked, case)
+    if not stated.template.scheme.has_mechanism:
+        with case.arithmetic.context():
+            return WorkedSolution(tuple(boxes.frame(explain_steps(asked, case, boxes))))
     told = boxes.frame(_write_blocks(case, asked, boxes))
     # Centrodes are worked out at other poses too: in the precision of this one
     with case.arithmetic.context():

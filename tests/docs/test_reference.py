@@ -28,6 +28,7 @@ from kinegrade.grading.policy.reading import read_policy
 from kinegrade.marks_folder.layout import FILES
 from kinegrade.problem.quantities.functions import QUANTITIES
 from kinegrade.problem.template.sections import keys as template_keys
+from kinegrade.problem.template.sections import stepwise_keys
 from kinegrade.problem.template.sentences import read_driver, read_joint
 from tests.small_class import generate, write_class
 
@@ -38,6 +39,13 @@ TABLES = [
     ("kinegrade.problem.template.sections.keys", template_keys, "CIRCLE MOVING TURNING"),
     ("kinegrade.exam.bank.keys", bank_keys, "BANK NAMED ANY FAMILY TAG DRAWN DEALT"),
     ("kinegrade.exam.bank.keys", bank_keys, "COUNTED TEXT BY_HAND ASK"),
+    ("kinegrade.exam.bank.keys", bank_keys, "OWN OWN_ASK"),
+    ("kinegrade.problem.template.sections.stepwise_keys", stepwise_keys, "STEPWISE"),
+    (
+        "kinegrade.problem.template.sections.stepwise_keys",
+        stepwise_keys,
+        "STEPWISE_PARAMETER STEPWISE_ASK STEPWISE_MISTAKE",
+    ),
     ("kinegrade.grading.policy.keys", policy_keys, "POLICY QUESTION ASK ACCEPTED"),
 ]
 

@@ -29,7 +29,8 @@ KIND = (
     "like { v_B = 3 }"
 )
 ONE_OF = (
-    'expected one of template = "...", any = [...], family = "...", tag = "..." and text = "..."'
+    'expected one of template = "...", any = [...], family = "...", tag = "...", text = "..." '
+    "and a table steps"
 )
 SHARE = 'expected a share from 0 to 1, like 0.5, "50 %" or "1/2"'
 HONEST = (

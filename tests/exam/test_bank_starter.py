@@ -21,10 +21,12 @@ from kinegrade.exam.bank.keys import (
     FAMILY,
     HEADER,
     NAMED,
+    OWN,
     TAG,
     TEXT,
 )
 from kinegrade.files.starter import read_starter_text
+from kinegrade.problem.template.sections.stepwise_keys import STEPWISE
 from tests.small_class import kinegrade
 from tests.starters import list_keys, list_unexplained, put_in_force
 
@@ -59,6 +61,7 @@ def test_every_key_is_there_and_explained_in_the_line_above_it() -> None:
     assert set(keys["questions"]) == {
         *(*NAMED, *ANY, *FAMILY, *TAG, *DRAWN, *DEALT, *COUNTED),
         *(*TEXT, *BY_HAND),
+        *(*OWN, *STEPWISE),
     }
     asked = tomllib.loads(STARTER)["questions"][0]["asks"].values()
     assert {key for ask in asked if isinstance(ask, dict) for key in ask} == set(ASK)

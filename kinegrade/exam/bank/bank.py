@@ -17,6 +17,7 @@ from kinegrade.exam.bank.by_hand import HandQuestion
 from kinegrade.exam.bank.formula_sheet import read_formula_sheet
 from kinegrade.exam.bank.header import HEADER_TEXTS, read_header
 from kinegrade.exam.bank.keys import BANK
+from kinegrade.exam.bank.own_questions import list_mistake_names
 from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
 from kinegrade.exam.bank.together import require_carried, require_fit
@@ -38,7 +39,6 @@ from kinegrade.problem.template.library.library import find_shipped, list_names
 from kinegrade.problem.template.translated import Translated
 from kinegrade.problem.template.translations import translated
 from kinegrade.stated_marking import read_credit
-from kinegrade.students.mistaking.mistake_names import MISTAKE_NAMES
 
 MAX_BYTES = 200_000
 _BANK_FILE = FileKind(Message("bank.a-bank-file"), BankError, MAX_BYTES)
@@ -154,7 +154,7 @@ def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
         shuffle=table.with_default("shuffle", flag, False),
         versions=table.with_default("versions", whole(1, len(LETTERS)), 0),
         engine=table.with_default("engine", choice(ENGINES), "typst"),
-        credit=read_credit(table, lambda: MISTAKE_NAMES),
+        credit=read_credit(table, lambda: list_mistake_names(table.value("questions"))),
         solutions=table.with_default("solutions", flag, False),
         lms=table.optional("lms", choice(_SYSTEMS)),
     )

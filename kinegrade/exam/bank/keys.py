@@ -98,6 +98,22 @@ TEXT = (
     #: `$...$` LaTeX math, or one for each language.
     "text",
 )
+# An entry with `steps` is a question of the bank's own; the template's tables stand in it, too
+OWN = (
+    #: What the question is called in files, reports and messages, as a template is by its file:
+    #: `"car-from-rest"`.
+    "name",
+    #: How far an answer to this question may be off.
+    "tolerance",
+    #: The room for working at this question, in place of the bank's.
+    "space",
+)
+OWN_ASK = (
+    #: The points of the ask.
+    "points",
+    #: How far the answer may be off.
+    "tolerance",
+)
 BY_HAND = (
     #: What stands beside its number: a text, or one for each language.
     "title",

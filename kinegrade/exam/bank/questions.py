@@ -17,7 +17,19 @@ from kinegrade.exam.bank.asks import read_asks, read_kind, weigh_asks
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Dealing, Slot
 from kinegrade.exam.bank.by_hand import HandQuestion, read_hand_question
 from kinegrade.exam.bank.domains import read_domains
-from kinegrade.exam.bank.keys import ANY, BY_HAND, COUNTED, DEALT, DRAWN, FAMILY, NAMED, TAG, TEXT
+from kinegrade.exam.bank.keys import (
+    ANY,
+    BY_HAND,
+    COUNTED,
+    DEALT,
+    DRAWN,
+    FAMILY,
+    NAMED,
+    OWN,
+    TAG,
+    TEXT,
+)
+from kinegrade.exam.bank.own_questions import read_own_question
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
 from kinegrade.files.fields.faults import Faults
@@ -26,13 +38,14 @@ from kinegrade.files.fields.values import flag, found, text, whole
 from kinegrade.language.message import Message, Quoted, list_all
 from kinegrade.problem.statement_faults import check_statements
 from kinegrade.problem.template.library.library import load_kept_template, load_template
+from kinegrade.problem.template.sections.stepwise_keys import STEPWISE
 from kinegrade.problem.template.template import Template
 
 MAX_QUESTIONS = 50
 _ANY_EXAMPLE = '["slider-crank", "four-bar-parallel-coupler"]'
 _TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
 _Kind: TypeAlias = (
-    Literal["template", "any", "text"] | Grouping
+    Literal["template", "any", "text", "steps"] | Grouping
 )  # the key that says what an entry is
 _ENTRY_KEYS: Mapping[_Kind, tuple[str, ...]] = {
     "template": (*NAMED, *DEALT, *COUNTED),
@@ -40,9 +53,10 @@ _ENTRY_KEYS: Mapping[_Kind, tuple[str, ...]] = {
     "family": (*FAMILY, *DRAWN, *DEALT, *COUNTED),
     "tag": (*TAG, *DRAWN, *DEALT, *COUNTED),
     "text": (*TEXT, *BY_HAND, *COUNTED),
+    "steps": (*OWN, *STEPWISE, *DEALT, *COUNTED),
 }
 _ALL_KEYS = tuple(dict.fromkeys(key for keys in _ENTRY_KEYS.values() for key in keys))
-_ONE_KIND = Message("bank.one-of-five")
+_ONE_KIND = Message("bank.one-kind")
 
 
 class _Terms(NamedTuple):
@@ -90,6 +104,8 @@ class Entries:
                 return Entry(entry, ())
             case "text":
                 return Entry(entry, (), read_hand_question(entry, identifier, self.space))
+            case "steps":
+                return Entry(entry, self._own(entry.only(*_ENTRY_KEYS[by]), identifier, wider))
             case "template":
                 known = entry.only(*_ENTRY_KEYS[by])
                 return Entry(entry, self._named(known, identifier, wider))
@@ -112,6 +128,16 @@ class Entries:
         asks = read_asks(entry, template, read_bank_tolerance(entry, wider))
         domains = read_domains(entry, template, kept=self.kept)
         question = BankQuestion(identifier, template, asks, domains, *self._read_terms(entry))
+        return (Slot(identifier, (question,), drawn=False),)
+
+    def _own(self, entry: Table, identifier: str, wider: BankTolerance) -> tuple[Slot, ...]:
+        """The question that an entry states with steps of its own."""
+        stated = read_bank_tolerance(entry, wider)
+        terms = self._read_terms(entry)
+        own = read_own_question(entry, stated, self.folder if self.kept else None)
+        if own is None:
+            return ()
+        question = BankQuestion(identifier, own.template, own.asks, {}, *terms)
         return (Slot(identifier, (question,), drawn=False),)
 
     def _drawn(

@@ -13,6 +13,7 @@ from kinegrade.files.fields.table import Table
 from kinegrade.language.message import Message, Quoted
 from kinegrade.numbers.tolerance import MOST_CARRY
 from kinegrade.problem.template.template import TemplateFile
+from kinegrade.problem.template.translated import Translated
 
 
 def require_fit(table: Table, entries: Sequence[Entry]) -> None:
@@ -27,6 +28,7 @@ def require_fit(table: Table, entries: Sequence[Entry]) -> None:
         what = Message("bank.questions", count=count)
         table.fault("questions", what, Message("bank.questions-at-most", most=MAX_QUESTIONS))
     _require_different_names(entries)
+    _require_one_explanation(entries)
     _require_enough(entries, slots)
     _require_alternatives(entries, slots)
 
@@ -67,11 +69,26 @@ def _require_different_names(entries: Sequence[Entry]) -> None:
         named = (slot.candidates for slot in entry.slots if not slot.drawn)
         for template in (each.template for candidates in named for each in candidates):
             if files.setdefault(template.name, template.file) != template.file:
+                shared = template.scheme.has_mechanism
                 entry.table.fault(
-                    "template",
+                    "template" if shared else "name",
                     Message("bank.name-taken", name=Quoted(template.name)),
-                    do=Message("bank.rename-file"),
+                    do=Message("bank.rename-file" if shared else "bank.rename"),
                 )
+
+
+def _require_one_explanation(entries: Sequence[Entry]) -> None:
+    """A fault for each mistake that two entries explain in different words: marks name it by its
+    identifier alone.
+    """
+    told: dict[str, Translated] = {}
+    for entry in entries:
+        for template in (slot.candidates[0].template for slot in entry.slots):
+            for mistake in template.scheme.mistakes:
+                if told.setdefault(mistake.identifier, mistake.means) != mistake.means:
+                    what = Message("bank.mistake-told-twice", name=Quoted(mistake.identifier))
+                    place = (*entry.table.place, "mistakes", mistake.identifier)
+                    entry.table.faults.note(place, what, do=Message("bank.tell-alike"))
 
 
 def _require_enough(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:

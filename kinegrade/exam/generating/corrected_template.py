@@ -100,7 +100,7 @@ def correct_template(exam: ExamFolder, file: Path, wishes: CorrectionWishes) -> 
 
 def _read_correction(exam: ExamFolder, file: Path) -> Template:
     """The template of a file, which corrects one of the exam. Raises TemplateError, ExamError."""
-    template = load_template(str(file))
+    template = load_template(str(file), kept=_has_steps(exam, file.stem))
     known = [each.template for each in exam.head.questions]
     if template.name not in known:
         what = Message("exam.no-template", template=Quoted(template.name), exam=str(exam.path))
@@ -110,6 +110,12 @@ def _read_correction(exam: ExamFolder, file: Path) -> Template:
     for language in {exam.language, *(each.language for each in exam.head.students)} - {""}:
         require_language([template], Language(language))
     return template
+
+
+def _has_steps(exam: ExamFolder, name: str) -> bool:
+    """Whether an exam has a question of that name with steps, whose file only exams have."""
+    kept = exam.templates.readable.values()
+    return any(each.name == name and not each.scheme.has_mechanism for each in kept)
 
 
 def _write_template(template: Template, exam: ExamFolder, folder: Path) -> None:

@@ -13,6 +13,7 @@ from kinegrade.exam.printing.rules import write_rules
 from kinegrade.exam.roster.cell_values import say_extra_time
 from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
+from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
@@ -27,6 +28,7 @@ from kinegrade.press.sheet import (
 from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.statement import write_statement
+from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask, Template
 
@@ -153,10 +155,17 @@ def lay_out_question(
         template.about.title.in_language(language),
         sum((row.points for row in rows), Fraction(0)),
         write_statement(template, shown.parameters, language, shown.asks),
-        figure(shown.mechanism, mark_question(template, shown.asks)),
+        draw_figure(template, shown.mechanism, mark_question(template, shown.asks), figure),
         rows,
         template=template.name,
     )
+
+
+def draw_figure(
+    template: Template, mechanism: Mechanism, hints: FigureHints, figure: Sketcher = sketch
+) -> Scene | None:
+    """The figure of an instance with these marks; None where a question has steps alone."""
+    return figure(mechanism, hints) if template.scheme.has_mechanism else None
 
 
 def make_answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from decimal import Decimal
 from fractions import Fraction
 from math import sqrt
@@ -35,12 +35,18 @@ def write_rules(bank: Bank, language: Language) -> tuple[str, ...]:
     figures = sorted({each.figures for each in asked if each.figures})
     rules = (
         _make_writing_rule(bank, asked),
-        Message("paper.rule-of-axes"),
+        *_find_rule_of_axes(bank),
         right,
         *(Message("paper.rule-of-figures", **_give_example(each)) for each in figures),
     )
     of_bonus = (Message("paper.rule-of-bonus"),) if bank.has_bonus else ()
     return tuple(map(open_catalogue(language).write, (*rules, *of_bonus)))
+
+
+def _find_rule_of_axes(bank: Bank) -> Iterator[Message]:
+    """How axes and senses are counted, where something moves."""
+    if any(question.template.scheme.has_mechanism for question in bank.questions):
+        yield Message("paper.rule-of-axes")
 
 
 def _make_writing_rule(bank: Bank, asked: Iterable[Tolerance]) -> Message:

@@ -5,9 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from kinegrade.exam.bank.blueprint import Bank
-from kinegrade.exam.printing.pages import QuestionPlace, find_own_language, write_title
+from kinegrade.exam.printing.pages import (
+    QuestionPlace,
+    draw_figure,
+    find_own_language,
+    write_title,
+)
 from kinegrade.exam.setting.setting import SetPaper, SetQuestion
-from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.press.solutions.axes import names_axes
@@ -89,6 +93,6 @@ def work_question(
         template.about.title.in_language(language),
         write_statement(template, solution.parameters, language, asks),
         blocks,
-        sketch(solution.assembly.mechanism.map(float), hints),
+        draw_figure(template, solution.assembly.mechanism.map(float), hints),
         template.name,
     )

@@ -40,7 +40,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_certified
 from kinegrade.problem.template.template import Method, Template
 from kinegrade.stated_marking import find_identifier
-from kinegrade.students.mistaking.mistake_names import describe_mistakes
+from kinegrade.students.mistaking.mistake_names import describe_all_mistakes
 from kinegrade.worked.solution import write_worked_solution
 
 _NO_CREDIT = Fraction(0)
@@ -181,7 +181,8 @@ def _find_mistakes(
     stated: StatedAnswer, wished: Fraction | None, source: QuizSource
 ) -> Iterator[QuizMistake]:
     """What known mistakes lead to outside the interval of what is right."""
-    tolerance, sentences = read_rule(stated.tolerance), describe_mistakes(source.language)
+    tolerance = read_rule(stated.tolerance)
+    sentences = describe_all_mistakes(source.templates.values(), source.language)
     low, high = tolerance.interval(find_exact_value(stated))
     for label, value in read_mistakes(stated.mistakes).items():
         if not low <= value <= high:

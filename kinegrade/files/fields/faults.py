@@ -49,12 +49,16 @@ class Faults:
 
     def require_none(self) -> None:
         """Raises the error with all faults noted so far, if there are any."""
-        if self._noted:
+        if self.within(()):
             raise self.raised()
 
     def raised(self) -> KinegradeError:
         """The error with all faults noted so far."""
         return self._error(*(fault.said() for fault in self._in_order()))
+
+    def inside(self, place: Place) -> Faults:
+        """Collects the faults of what stands at a place as if it were a file of its own."""
+        return _FaultsInside(self, place)
 
     def _in_order(self) -> list[_Fault]:
         """By file, in the order in which the files first occur, then by line; faults without a line
@@ -68,3 +72,22 @@ class Faults:
         return sorted(
             faults, key=lambda fault: (files.index(fault.where.file), fault.where.line or 0)
         )
+
+
+class _FaultsInside(Faults):
+    """Faults of a table that is read like a file, noted in those of the file that holds it."""
+
+    def __init__(self, outer: Faults, place: Place) -> None:
+        self._outer, self._place = outer, place
+
+    def note(self, place: Place, what: Problem, expected: Text = "", do: Text = "") -> None:
+        """Notes a fault at a place of the table."""
+        self._outer.note((*self._place, *place), what, expected, do)
+
+    def within(self, place: Place) -> bool:
+        """Whether a fault is noted at a place of the table or inside it."""
+        return self._outer.within((*self._place, *place))
+
+    def raised(self) -> KinegradeError:
+        """The error with all faults noted so far, those of the whole file."""
+        return self._outer.raised()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from kinegrade.expressions.tree import Expression
 from kinegrade.mechanics.mechanism import Body
@@ -13,6 +13,7 @@ from kinegrade.problem.template.template import (
     About,
     Ask,
     Condition,
+    NamedMistake,
     Parameter,
     Published,
     Scheme,
@@ -47,6 +48,8 @@ class Draft:
     published: Mapping[int, Published]
     figure: FigureHints
     faulty: frozenset[str] = frozenset()
+    steps: Mapping[str, Expression] = field(default_factory=dict)
+    mistakes: Mapping[str, NamedMistake] = field(default_factory=dict)
 
     @property
     def angles(self) -> frozenset[str]:
@@ -78,4 +81,6 @@ class Draft:
             tuple(self.joints.values()),
             tuple(self.drivers.values()),
             tuple(self.conditions.values()),
+            self.steps,
+            tuple(self.mistakes.values()),
         )

@@ -141,8 +141,23 @@ class About:
 
 
 @dataclass(frozen=True)
+class NamedMistake:
+    """A mistake that the author of a question knows, by an identifier and a sentence for those who
+    make it: what it takes the named steps for.
+    """
+
+    identifier: str
+    steps: Mapping[str, Expression]
+    means: Translated
+
+
+@dataclass(frozen=True)
 class Scheme:
-    """The mechanism as written: what is given, and what is made of it, each in the file's order."""
+    """The mechanism as written: what is given, and what is made of it, each in the file's order.
+
+    In place of a mechanism there may be `steps`: quantities that follow one from the other, with
+    the `mistakes` known in them.
+    """
 
     parameters: Mapping[str, Parameter]
     lengths: Mapping[str, Expression]
@@ -151,6 +166,13 @@ class Scheme:
     joints: tuple[JointSentence, ...]
     drivers: tuple[DriverSentence, ...]
     conditions: tuple[Condition, ...]
+    steps: Mapping[str, Expression] = field(default_factory=dict)
+    mistakes: tuple[NamedMistake, ...] = ()
+
+    @property
+    def has_mechanism(self) -> bool:
+        """Whether there is something that moves, and a figure of it, rather than steps alone."""
+        return not self.steps
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,9 @@ def list_prose(template: Template) -> Iterator[tuple[Place, Translated]]:
 
 
 def list_lines(template: Template) -> Iterator[tuple[Place, Translated]]:
-    """The texts of one line with their places: the title, what things mean, the author's signs."""
+    """The texts of one line with their places: the title, what things mean, the author's signs
+    and mistakes.
+    """
     yield ("title",), template.about.title
     for name, parameter in template.parameters.items():
         yield ("parameters", name, "means"), parameter.means
@@ -35,6 +37,8 @@ def list_lines(template: Template) -> Iterator[tuple[Place, Translated]]:
         yield ("asks", name, "means"), ask.means
         if isinstance(ask.sign, Translated):
             yield ("asks", name, "sign"), ask.sign
+    for mistake in template.scheme.mistakes:
+        yield ("mistakes", mistake.identifier, "means"), mistake.means
 
 
 def find_languages(template: Template) -> tuple[Language, ...]:
@@ -88,8 +92,12 @@ def _list_some(names: Sequence[str]) -> Part:
 
 
 def _advise(template: Template, language: Language) -> Message:
-    file = f"{template.name}.{language}.toml"
     complete = find_languages(template)
+    if not template.scheme.has_mechanism:
+        if not complete:
+            return Message("texts.write-there")
+        return Message("texts.write-there-or", languages=list_choices(complete))
+    file = f"{template.name}.{language}.toml"
     if not complete:
         return Message("texts.write-file", file=file)
     return Message("texts.write-file-or", file=file, languages=list_choices(complete))

@@ -80,8 +80,12 @@ def _find_connected(
 
 def find_stages(template: Template, asks: Iterable[str]) -> Sequence[Sequence[str]]:
     """The asks in the order in which the plan comes to them: of velocities, of Coriolis and normal
-    parts, which velocities decide, then of accelerations; alike ones stand together.
+    parts, which velocities decide, then of accelerations; alike ones stand together. Steps come one
+    after the other.
     """
+    if not template.scheme.has_mechanism:
+        wanted = frozenset(asks)
+        return [[name] for name in template.scheme.steps if name in wanted]
     stages: tuple[list[str], ...] = ([], [], [])
     for name in asks:
         calls = find_calls(template.asks[name].quantity) if name in template.asks else ()

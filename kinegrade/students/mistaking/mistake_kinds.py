@@ -12,6 +12,7 @@ from typing import Any, Literal
 
 from flint import fmpq
 
+from kinegrade.expressions.tree import Expression
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.stated_marking import join_label
 from kinegrade.students.mistaking.misreadings import (
@@ -37,7 +38,8 @@ class Mistake:
     `shares` are those of `Slips` that are not 1; `givens` gives the parameters as they are
     mistaken; `other_branch` takes the other common point of circles and lines;
     `plain_lengths` works with the numbers of lengths as they stand; `given` names the parameter
-    that alone is misread, where it is one.
+    that alone is misread, where it is one. `own` is the identifier of a mistake that the author of
+    a question knows, which takes `steps` for something else.
     """
 
     identifier: MistakeName | Literal[""]  # "" for working without a mistake
@@ -46,13 +48,15 @@ class Mistake:
     other_branch: bool = False
     plain_lengths: bool = False
     given: str = ""
+    steps: Mapping[str, Expression] = field(default_factory=dict)
+    own: str = ""
 
     @property
     def label(self) -> str:
         """What tells it from all other mistakes in a template: `find_identifier` gives the
         identifier back.
         """
-        return join_label(self.identifier, self.given)
+        return self.own or join_label(self.identifier, self.given)
 
 
 MISTAKES = (
@@ -102,6 +106,8 @@ def find_candidates(template: Template, asks: Mapping[str, Ask]) -> Iterator[Mis
             yield mistake
     for each in list_misreadings(template):
         yield Mistake(each.identifier, givens=each.reading, given=each.given)
+    for own in template.scheme.mistakes:
+        yield Mistake("", steps=own.steps, own=own.identifier)
 
 
 def _find_given_occasions(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:

@@ -5,13 +5,14 @@ An identifier is stable: banks set credits by it, and marks name it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import Literal, get_args
 
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
+from kinegrade.problem.template.template import Template
 
 MistakeName = Literal[
     "coriolis-dropped",
@@ -60,6 +61,18 @@ MistakeName = Literal[
     "rpm-typed",
 ]
 MISTAKE_NAMES: tuple[MistakeName, ...] = get_args(MistakeName)
+
+
+def describe_all_mistakes(templates: Iterable[Template], language: Language) -> Mapping[str, str]:
+    """What each mistake is, those that authors of questions state in these templates among them.
+    Raises TemplateError where one has no sentence in the language.
+    """
+    own = {
+        each.identifier: each.means.in_language(language)
+        for template in templates
+        for each in template.scheme.mistakes
+    }
+    return {**describe_mistakes(language), **own}
 
 
 @cache

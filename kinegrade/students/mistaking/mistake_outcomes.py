@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import reduce
 from typing import Any
 
@@ -53,7 +53,37 @@ def find_outcomes(
     `perturbed` as `mistaken` takes it: what then differs depends on the mistaken term, even where
     it is zero.
     """
-    floats, ways = Floats(), (RIGHT, *mistakes)
+    ways = (RIGHT, *mistakes)
+    joined = _find_joined(
+        template, asks, [way for way in ways if not way.steps], values, plan, perturbed=perturbed
+    )
+    if all(not way.steps for way in ways):
+        return joined
+    apart = [
+        _find_joined(template, asks, [way], values, plan, perturbed=perturbed).answers
+        for way in ways
+        if way.steps
+    ]
+    answers = {}
+    for name, rows in joined.answers.items():
+        together, own = iter(rows), (one[name][0] for one in apart)
+        answers[name] = np.stack([next(own if way.steps else together) for way in ways])
+    return replace(joined, answers=answers)
+
+
+def _find_joined(
+    template: Template,
+    asks: Mapping[str, Ask],
+    ways: Sequence[Mistake],
+    values: Mapping[str, Any],
+    plan: Plan,
+    *,
+    perturbed: bool,
+) -> Outcomes:
+    """What several ways lead to, in one run, a row for each; a way that takes steps for something
+    else goes alone.
+    """
+    floats = Floats()
     shape = np.broadcast_shapes(*(np.shape(value) for value in values.values()))
     nothing = np.full(shape, np.nan)
     with floats.context():
@@ -105,7 +135,7 @@ def _join_ways(
         np.array([getattr(way, name) for way in ways]).reshape(column)
         for name in ("other_branch", "plain_lengths")
     )
-    return Way(rows, Slips(**shares), branch, lengths)
+    return Way(rows, Slips(**shares), branch, lengths, ways[0].steps)
 
 
 def _require_finite(found: Any, shape: tuple[int, ...]) -> Any:

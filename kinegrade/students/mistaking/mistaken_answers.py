@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ from flint import arb, fmpq
 
 from kinegrade.errors import AtInfinity, KinegradeError
 from kinegrade.expressions.evaluation import evaluate
+from kinegrade.expressions.tree import Expression
 from kinegrade.mechanics.configuration import require_assembled
 from kinegrade.mechanics.geometry import Round
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
@@ -47,13 +48,14 @@ class _Misread:
 @dataclass(frozen=True)
 class Way:
     """One way through an instance, or many at once in arrays: the givens as taken, the slips, the
-    branch, the units.
+    branch, the units; and what steps are taken for.
     """
 
     values: Mapping[str, Any]
     slips: Slips
     other_branch: Any = False
     plain_lengths: Any = False
+    steps: Mapping[str, Expression] = field(default_factory=dict)
 
 
 def solve_mistaken(
@@ -64,6 +66,7 @@ def solve_mistaken(
     Raises MechanismError or Singular where there is none, Inexact and Undecided as the arithmetic
     does.
     """
+    template = _mistake_steps(template, way.steps)
     assembly = assemble(template, way.values, _Misread(arithmetic, way.other_branch))
     motion: Motion
     if template.scheme.drivers:
@@ -76,6 +79,12 @@ def solve_mistaken(
         motion = pose_mechanism(assembly.mechanism, arithmetic)
     centrodes = Centrodes if arithmetic.certified else CloseCentrodes
     return _Reader(assembly, motion, centrodes(template, way.values, plan), way.plain_lengths)
+
+
+def _mistake_steps(template: Template, steps: Mapping[str, Expression]) -> Template:
+    """The template with steps taken for something else."""
+    taken = {**template.scheme.steps, **steps}
+    return replace(template, scheme=replace(template.scheme, steps=taken)) if steps else template
 
 
 @dataclass(frozen=True)

@@ -53,6 +53,7 @@ def choose_way(
         Slips(**shares),
         mistake.other_branch,
         mistake.plain_lengths,
+        mistake.steps,
     )
 
 

@@ -26,14 +26,23 @@ def _measure(tree: Expression, template: Template) -> Dimension:
         case Number():
             return NUMBER
         case Name(name):
-            given = template.parameters.get(name)
-            return find_dimension(given.unit) if given else LENGTH
+            return _measure_named(name, template)
         case Operation():
             return _measure_operation(tree, template)
         case Call():
             return _measure_call(tree, template)
         case _:
             assert_never(tree)
+
+
+def _measure_named(name: str, template: Template) -> Dimension:
+    """The dimension of a given, of a step, or of a named length."""
+    given, steps = template.parameters.get(name), template.scheme.steps
+    if name == "pi":
+        return NUMBER
+    if given is not None:
+        return find_dimension(given.unit)
+    return _measure(steps[name], template) if name in steps else LENGTH
 
 
 def _measure_operation(tree: Operation, template: Template) -> Dimension:

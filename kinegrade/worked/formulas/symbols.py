@@ -40,6 +40,7 @@ def collect_symbols(template: Template) -> Mapping[str, Symbol]:
     return {
         **{name: name_point(name) for name in template.scheme.points},
         **{name: name_quantity(name) for name in template.scheme.lengths},
+        **{name: name_quantity(name) for name in template.scheme.steps},
         **{name: read_symbol(one.symbol) for name, one in template.parameters.items()},
         "pi": PI,
     }

@@ -11,16 +11,23 @@ from dataclasses import replace
 
 from kinegrade.errors import TemplateError
 from kinegrade.files.fields.table import Table
+from kinegrade.language.message import Message
 from kinegrade.problem.template.beside import Translations
 from kinegrade.problem.template.draft import Draft
 from kinegrade.problem.template.hints import FigureHints
+from kinegrade.problem.template.library.stepwise import read_stepwise
 from kinegrade.problem.template.meaning.consistency import note_inconsistencies
 from kinegrade.problem.template.sections.about import read_about
 from kinegrade.problem.template.sections.asks import read_asks
 from kinegrade.problem.template.sections.figure import Names, read_figure
 from kinegrade.problem.template.sections.keys import NAMES
 from kinegrade.problem.template.sections.names import Declared, check_names, declared_names
-from kinegrade.problem.template.sections.opening import Mechanisms, no_mechanisms, open_template
+from kinegrade.problem.template.sections.opening import (
+    Mechanisms,
+    Opened,
+    no_mechanisms,
+    open_template,
+)
 from kinegrade.problem.template.sections.parameters import read_parameters
 from kinegrade.problem.template.sections.published import read_published
 from kinegrade.problem.template.sections.scheme import (
@@ -55,16 +62,27 @@ def read_template(
     """
     opened = open_template(name, text, mechanisms, translations)
     table = opened.table
-    draft = _read_draft(table, opened.strays)
-    if _has_names(table):
-        check_uses(draft, table.faults)
+    if "steps" in table:
         if not kept:
-            note_inconsistencies(draft, table.faults)
-    template = draft.template(name, opened.file)
+            do = Message("template.steps-into-bank")
+            table.fault("steps", Message("template.steps-in-file"), do=do)
+        template = read_stepwise(name, table, opened.file, kept=kept)
+    else:
+        template = _read_whole(name, opened, kept=kept)
     problems = [problem for faults in opened.faults for problem in faults.raised().faults]
     if template is None or problems:
         raise TemplateError(*problems)
     return template
+
+
+def _read_whole(name: str, opened: Opened, *, kept: bool) -> Template | None:
+    """The template of a file with a mechanism; None where it lacks what every one has."""
+    draft = _read_draft(opened.table, opened.strays)
+    if _has_names(opened.table):
+        check_uses(draft, opened.table.faults)
+        if not kept:
+            note_inconsistencies(draft, opened.table.faults)
+    return draft.template(name, opened.file)
 
 
 def _read_draft(table: Table, strays: Set[str]) -> Draft:

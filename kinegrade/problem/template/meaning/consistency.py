@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from kinegrade.errors import ExpressionError, FieldError
-from kinegrade.expressions.tree import Expression, find_names
+from kinegrade.expressions.tree import Expression, Name, find_names
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.place import Place, key_path
 from kinegrade.language.message import Listing, Message, Quoted, list_choices
@@ -63,7 +63,8 @@ class _Inconsistency:
 def note_inconsistencies(draft: Draft, faults: Faults) -> None:
     """Notes what makes no sense in a template; a wrong unit that explains it all is one fault."""
     found = list(_Consistency(draft, _find_given_kinds(draft)).faults())
-    for one in _wrong_unit(draft, found) if len(found) > 1 else found:
+    several = len(found) > 1 and not draft.steps
+    for one in _wrong_unit(draft, found) if several else found:
         faults.note_error(one.place, one.error)
 
 
@@ -104,6 +105,7 @@ class _Consistency:
         values = dict(self.parameters)
         places: dict[str, Kind] = {}
         yield from self.lengths(values)
+        yield from self._steps(values)
         places = {**values, **{side: Side() for side in BRANCHES}}
         yield from self.points(places)
         scope = self.scope(places, CONSTRUCTIONS)
@@ -117,8 +119,9 @@ class _Consistency:
             yield from self._wordings(name, wordings)
         bodies = {name: BodyKind() for name in (GROUND, *self.draft.bodies)}
         scope = self.scope({**bodies, **places}, QUANTITIES)
+        stated = "unit" if self.draft.steps else "quantity"
         for name, ask in self.draft.asks.items():
-            yield from _try_kinds(("asks", name, "quantity"), self.ask, scope, ask)
+            yield from _try_kinds(("asks", name, stated), self.ask, scope, ask)
         for number, result in self.draft.published.items():
             yield from self.published(number, result)
 
@@ -132,6 +135,24 @@ class _Consistency:
             scope = self.scope(dict(values), CONSTRUCTIONS)
             values[name] = Unknown()
             yield from _try_kinds(("lengths", name), self.note, values, name, scope, tree)
+
+    def _steps(self, values: dict[str, Kind]) -> Iterator[_Inconsistency]:
+        """The steps, numbers each, added to `values` one after another; and what mistakes take them
+        for, of the same dimension.
+        """
+        for name, tree in self.draft.steps.items():
+            scope = self.scope(dict(values), ELEMENTARY)
+            values[name] = Unknown()
+            yield from _try_kinds(("steps", name), self.note, values, name, scope, tree)
+        scope = self.scope(dict(values), ELEMENTARY)
+        for identifier, mistake in self.draft.mistakes.items():
+            for name, tree in mistake.steps.items():
+                place = ("mistakes", identifier, "steps", name)
+                yield from _try_kinds(place, self._mistaken_step, scope, name, tree)
+
+    def _mistaken_step(self, scope: Scope, name: str, tree: Expression) -> None:
+        """What a mistake takes a step for."""
+        unite_dimensions(name, scope.kind(Name(name)), scope.kind(tree))
 
     def note(self, values: dict[str, Kind], name: str, scope: Scope, tree: Expression) -> None:
         """Put the kind of an expression under its name."""

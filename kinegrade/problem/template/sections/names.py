@@ -17,8 +17,9 @@ _APART = (
     ("parameters", "lengths", "points"),
     ("parameters", "lengths", "bodies"),
     ("parameters", "text"),
+    ("parameters", "steps"),
 )
-_DECLARING = ("parameters", "lengths", "points", "bodies", "asks", "text")
+_DECLARING = ("parameters", "lengths", "points", "bodies", "asks", "text", "steps")
 
 _APART_FROM_EXPRESSIONS = ("asks", "text")  # no expression holds their names
 

@@ -54,6 +54,9 @@ class _Uses:
         values = {*draft.parameters, "pi"}
         places = {*values, *draft.lengths, *BRANCHES}
         self._in_order("lengths", draft.lengths, values)
+        self._in_order("steps", draft.steps, values)
+        self._mistakes(values)
+        places |= set(draft.steps)
         self._in_order("points", draft.points, places)
         places |= set(draft.points)
         self._marked_points()
@@ -78,6 +81,17 @@ class _Uses:
         for name, tree in trees.items():
             self.known((key, name), tree, before)
             before.add(name)
+
+    def _mistakes(self, known: Collection[str]) -> None:
+        """A mistaken step names what the right one may name."""
+        steps = [*self.draft.steps]
+        for identifier, mistake in self.draft.mistakes.items():
+            for name, tree in mistake.steps.items():
+                place = ("mistakes", identifier, "steps", name)
+                before = {*known, *steps[: steps.index(name)]} if name in steps else {*known}
+                self.known(place, tree, before)
+                if tree == self.draft.steps.get(name):
+                    self.faults.note(place, Message("template.no-mistake"))
 
     def _marked_points(self) -> None:
         """Bodies mark points."""
@@ -162,7 +176,12 @@ class _Uses:
     def known(self, place: Place, tree: Expression | None, known: Collection[str]) -> None:
         """Every name in an expression is known at this place."""
         for name in dict.fromkeys(find_names(tree)) if tree is not None else ():
-            if name not in known:
+            if name in known:
+                continue
+            if name in self.draft.steps:
+                what, do = Message("template.step-later", name=name), Message("template.step-order")
+                self.faults.note(place, what, do=do)
+            else:
                 what = Message("template.unknown-name", name=Quoted(name))
                 self._miss(name, _Miss(place, what, suggest(name, known)))
 
