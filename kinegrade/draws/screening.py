@@ -6,6 +6,8 @@ Only what is clear is refused here; whatever lies next to a limit is left to the
 
 from __future__ import annotations
 
+from math import isfinite
+
 from kinegrade.draws.examining import Refused, explain_rounding, name_reason
 from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.separation import Comparison, Separation
@@ -22,8 +24,14 @@ def screen(separation: Separation, accuracy: Accuracy, seen: Comparison) -> list
         elif unmet >= 0:
             found.append(Refused("condition", conditions[unmet].text))
         else:
-            found.append(_find_strayed(accuracy, seen, place))
+            valued = separation.template.scheme.has_mechanism or _has_values(seen, place)
+            found.append(_find_strayed(accuracy, seen, place) if valued else None)
     return found
+
+
+def _has_values(seen: Comparison, place: int) -> bool:
+    """Whether all steps of an instance have a value; why one has none, the exact solution says."""
+    return all(isfinite(right[place]) for right in seen.right.values())
 
 
 def _find_strayed(accuracy: Accuracy, seen: Comparison, place: int) -> Refused | None:
