@@ -4,6 +4,7 @@ for all.
 
 from __future__ import annotations
 
+import gc
 import os
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from kinegrade.exam.bank.bank import Bank, read_bank
+from kinegrade.exam.printing import class_printing
 from tests.golden_files import BANK, GOLDEN, Hold
 from tests.problem.crank import crank_text
 from tests.small_class import VANISHING, generate, write_class
@@ -38,6 +40,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if isinstance(item, pytest.Function) and _shares(item):
             item.add_marker(pytest.mark.xdist_group(item.module.__name__))
+
+
+def pytest_collection_finish() -> None:
+    """Let the collector of garbage pass over what stays until the end: modules and tests."""
+    gc.freeze()
 
 
 def _shares(item: pytest.Function) -> bool:
@@ -75,6 +82,14 @@ def golden_bank(tmp_path: Path) -> Bank:
     (tmp_path / "crank.toml").write_text(crank_text(VANISHING), encoding="utf-8")
     (tmp_path / "bank.toml").write_text(BANK, encoding="utf-8")
     return read_bank(tmp_path / "bank.toml")
+
+
+@pytest.fixture
+def small_parts(monkeypatch: pytest.MonkeyPatch) -> int:
+    """How many papers are worth a process of their own, made few."""
+    few = 4
+    monkeypatch.setattr(class_printing, "CHUNK", few)
+    return few
 
 
 @pytest.fixture(scope="session")

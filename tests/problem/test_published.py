@@ -20,6 +20,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Published, Template
+from tests.laws.cases import shipped
 
 INSTANCES = 6
 REFERENCE = json.loads(
@@ -28,7 +29,7 @@ REFERENCE = json.loads(
 PUBLISHED = [
     pytest.param(name, index, id=f"{name}-{index}")
     for name in find_template_names()
-    for index in range(len(load_template(name).published))
+    for index in range(len(shipped(name).published))
 ]
 
 

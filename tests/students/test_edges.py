@@ -7,13 +7,14 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.errors import MechanismError
-from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.library.library import load_template
 from kinegrade.students.following.connections import choose_generic_values, find_connections
 from kinegrade.students.following.follow_through import Follower
 from tests.golden_files import Hold
+from tests.laws.cases import moving_templates
 
 FACTORS = (1.3, 0.7, -1.0, 3.0)
-MOVING = [name for name in find_template_names() if load_template(name).scheme.drivers]
+MOVING = moving_templates()
 
 
 def test_what_follows_from_what(hold: Hold) -> None:

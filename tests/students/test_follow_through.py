@@ -18,7 +18,7 @@ from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.library.library import load_template
 from kinegrade.students.following.connections import (
     choose_generic_values,
     find_connections,
@@ -36,8 +36,9 @@ from kinegrade.students.mistaking.mistake_kinds import MISTAKES, Mistake
 from kinegrade.students.mistaking.mistaken import make_mistaken_motion
 from kinegrade.students.mistaking.mistakes import Mistakes
 from kinegrade.students.mistaking.slips import Slips
+from tests.laws.cases import moving_templates
 
-MOVING = [name for name in find_template_names() if load_template(name).scheme.drivers]
+MOVING = moving_templates()
 POLES = {"wrong-pole", "centre-for-pole", "transport-for-absolute"}  # slips in the velocities alone
 TERMS = {"coriolis-halved", "coriolis-reversed"}  # slips in the Coriolis terms alone
 Answers = dict[str, float]

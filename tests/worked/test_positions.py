@@ -27,6 +27,7 @@ from kinegrade.worked.formulas.equation import WIDEST
 from kinegrade.worked.formulas.numbers import has_short_form
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.solution import write_worked_solution
+from tests.laws.cases import shipped
 from tests.problem.draws import draw_filter
 from tests.problem.draws import drawn as draws_of
 from tests.worked.chains import chains, disagreements, part_value
@@ -138,7 +139,7 @@ def bare(latex: str) -> str:
 ANSWERS = [
     (name, ask)
     for name in find_template_names()
-    for ask, asked in load_template(name).asks.items()
+    for ask, asked in shipped(name).asks.items()
     if is_positional(asked)
 ]
 
