@@ -52,5 +52,5 @@ def list_missing(solution: Solution) -> list[str]:
 
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_given_has_its_letter_in_the_figure(name: str) -> None:
-    for draw in drawn(draw_filter(load_template(name)), 3):
-        assert list_missing(draw.solution) == []
+    [draw] = drawn(draw_filter(load_template(name)), 1)
+    assert list_missing(draw.solution) == []

@@ -1,4 +1,5 @@
-"""Figures are clear at any draw: symbols apart from each other and from bold lines, all on paper.
+"""Figures are clear at any draw: symbols apart from each other and from bold lines, all on paper,
+and none missing.
 
 The figure of the paper and every picture of the worked solution are looked at.
 """
@@ -15,6 +16,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.worked.document import Pictures
 from kinegrade.worked.solution import write_worked_solution
 from tests.figure.clear import faults
+from tests.figure.test_letters import list_missing
 from tests.prove.draws import seeded_solution
 
 
@@ -26,6 +28,8 @@ def hold(seed: int, _: Path) -> None:
     figure = sketch(mechanism, mark_question(template, template.asked()))
     assert figure.width <= WIDTH, template.name
     assert figure.height <= HEIGHT, template.name
+    missing = list_missing(solution)
+    assert missing == [], f"{template.name}: no letter {missing}"
     for name, scene in [("the figure", figure), *_pictures(solution)]:
         found = faults(scene, scene.width, scene.height)
         assert found == [], f"{template.name}, {name}: {found}"
