@@ -8,9 +8,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from hashlib import sha256
 from hmac import digest
 from math import isqrt
+from typing import TYPE_CHECKING
 
+if TYPE_CHECKING:
+    from hashlib import _Hash
+
+_BLOCK = 64  # bytes that SHA-256 takes at a time
 _ROUNDS = 10  # of the network: as many as NIST SP 800-38G has in FF1, for domains as small as ours
 
 
@@ -44,12 +50,13 @@ class KeyedOrder:
 
     def _enciphered(self, number: int, base: int) -> int:
         """A number below the square of `base`, sent through the network."""
-        key, name = self.secret.encode(), _frame("order of draws") + _frame(self.name)
+        begun, closing = _begin(self.secret, _frame("order of draws") + _frame(self.name))
         left, right = divmod(number, base)
         for turn in range(_ROUNDS):
-            message = name + turn.to_bytes() + str(right).encode()
-            mixed = int.from_bytes(digest(key, message, "sha256"))
-            left, right = right, (left + mixed) % base
+            inner, outer = begun.copy(), closing.copy()
+            inner.update(turn.to_bytes() + str(right).encode())
+            outer.update(inner.digest())
+            left, right = right, (left + int.from_bytes(outer.digest())) % base
         return left * base + right
 
 
@@ -59,6 +66,18 @@ def address(secret: str, *parts: str | int) -> int:
     """
     message = b"".join(map(_frame, parts))
     return int.from_bytes(digest(secret.encode(), message, "sha256"))
+
+
+@lru_cache(maxsize=64)
+def _begin(secret: str, name: bytes) -> tuple[_Hash, _Hash]:
+    """HMAC-SHA256 of messages that begin with a name, as far as it is the same for all of them: the
+    inner hash and the outer one (RFC 2104). To begin anew takes ten times as long as the rest.
+    """
+    key = secret.encode()
+    block = (key if len(key) <= _BLOCK else sha256(key).digest()).ljust(_BLOCK, b"\0")
+    inner, outer = (sha256(bytes(byte ^ pad for byte in block)) for pad in (0x36, 0x5C))
+    inner.update(name)
+    return inner, outer
 
 
 @lru_cache(maxsize=4096)

@@ -23,6 +23,8 @@ from kinegrade.draws.keyed_order import KeyedOrder, address
 PROMISED = {
     ("spring", "q1", 12): [5, 7, 0, 4, 2, 8, 11, 10, 3, 1, 9, 6],
     ("spring", "q2", 12): [1, 4, 8, 2, 9, 10, 11, 3, 0, 5, 6, 7],
+    # longer than the block of the hash, so that it is hashed first
+    ("spring " * 20, "q1", 12): [8, 1, 0, 11, 2, 6, 10, 5, 7, 3, 4, 9],
     ("spring", "q1", 10**40): [
         8465938247918457647261445276548969690992,
         6213844799307575479387127964451870016418,
