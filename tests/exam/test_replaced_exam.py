@@ -5,6 +5,7 @@ without a word.
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -32,12 +33,19 @@ def generate(folder: Path, *options: str) -> Result:
     return kinegrade("generate", *files, "-o", folder / "EXAM", *options)
 
 
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with an EXAM for the students a, b and c; not to be changed."""
+    folder = tmp_path_factory.mktemp("made")
+    write_inputs(folder, "abc")
+    assert generate(folder, "--seed", "spring").exit_code == 0
+    return folder
+
+
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """A folder with an EXAM for the students a, b and c."""
-    write_inputs(tmp_path, "abc")
-    assert generate(tmp_path, "--seed", "spring").exit_code == 0
-    return tmp_path
+def folder(made: Path, tmp_path: Path) -> Path:
+    """The same folder, to be changed."""
+    return Path(shutil.copytree(made, tmp_path, dirs_exist_ok=True))
 
 
 def refused(folder: Path, *options: str) -> str:
