@@ -245,7 +245,7 @@ def test_a_class_grows_twice(folder: Path) -> None:
     assert sorted(line["place"] for line in key_lines(folder / "EXAM")) == list(range(14))
 
 
-def test_several_processes_print_the_same(tmp_path: Path) -> None:
+def test_several_processes_print_the_same(tmp_path: Path, small_parts: int) -> None:
     for jobs in ("1", "2"):
         folder = tmp_path / jobs
         folder.mkdir()
@@ -253,7 +253,7 @@ def test_several_processes_print_the_same(tmp_path: Path) -> None:
         bank = folder / "bank.toml"
         text = bank.read_text(encoding="utf-8").replace("1 .. 4 step 1", "1 .. 40 step 1")
         bank.write_text(text, encoding="utf-8")
-        late = {f"x{number}": "N" for number in range(40)}
+        late = {f"x{number}": "N" for number in range(2 * small_parts)}
         (folder / "late.csv").write_text(roster(late), encoding="utf-8")
         added(generated(folder, *WORDS), "--jobs", jobs)
     assert contents(tmp_path / "1") == contents(tmp_path / "2")

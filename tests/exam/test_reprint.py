@@ -12,7 +12,6 @@ import pytest
 from click.testing import Result
 from pypdf import PdfReader
 
-from kinegrade.exam.printing.class_printing import CHUNK
 from tests.small_class import contents, kinegrade, write_class
 
 ROOT = Path(__file__).parents[1]
@@ -108,10 +107,10 @@ def test_a_paper_is_printed_again_byte_for_byte(
     require_same(generate(write(tmp_path, count, bank), *options))
 
 
-def test_a_paper_is_printed_again_whatever_the_processes(tmp_path: Path) -> None:
-    folder = write(tmp_path, 2 * CHUNK)
+def test_a_paper_is_printed_again_whatever_the_processes(tmp_path: Path, small_parts: int) -> None:
+    folder = write(tmp_path, 2 * small_parts)
     (folder / "bank.toml").write_text(SHORT, encoding="utf-8")
-    require_same(generate(folder, "--jobs", "2"), ["s0", "s20", "a/b"])
+    require_same(generate(folder, "--jobs", "2"), ["s0", "s4", "a/b"])
 
 
 def test_a_paper_comes_from_the_folder_alone(exam: Path, tmp_path: Path) -> None:
