@@ -47,7 +47,7 @@ def _write(value: float) -> str:
 
 def measures(files: Sequence[File]) -> list[Measure]:
     """The measures of the whole package."""
-    nodes = sum(1 for file in files for _ in file.nodes())
+    nodes = sum(len(file.nodes) for file in files)
     lines = sum(file.code_lines() for file in files)
     return [
         Measure("modules", len(files)),
@@ -94,7 +94,7 @@ def is_loaded(function: Function) -> bool:
 
 def uses_of_any(files: Sequence[File]) -> int:
     """How often the type Any is written."""
-    names = (node for file in files for node in file.nodes() if isinstance(node, ast.Name))
+    names = (node for file in files for node in file.nodes if isinstance(node, ast.Name))
     return sum(name.id == "Any" for name in names)
 
 

@@ -7,6 +7,7 @@ import io
 import tokenize
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 NO_CODE = frozenset(
@@ -31,25 +32,27 @@ class File:
     text: str
     tree: ast.Module
 
-    def nodes(self) -> Iterator[ast.AST]:
+    @cached_property
+    def nodes(self) -> tuple[ast.AST, ...]:
         """All nodes of the syntax tree."""
-        return ast.walk(self.tree)
+        return tuple(ast.walk(self.tree))
 
     def functions(self) -> Iterator[Function]:
         """All functions and methods."""
-        return (node for node in self.nodes() if isinstance(node, Function))
+        return (node for node in self.nodes if isinstance(node, Function))
 
     def code_lines(self) -> int:
         """How many lines hold code: no blank lines, comments or docstrings."""
-        return len(self.lines_of_code())
+        return len(self.lines_of_code)
 
     def function_lengths(self) -> Iterator[int]:
         """The lines of code of every function, from its `def` to its end."""
-        code = self.lines_of_code()
+        code = self.lines_of_code
         for function in self.functions():
             last = function.end_lineno or 0
             yield len(code.intersection(range(function.lineno, last + 1)))
 
+    @cached_property
     def lines_of_code(self) -> set[int]:
         """The lines that hold code."""
         lines: set[int] = set()
@@ -61,7 +64,7 @@ class File:
     def docstring_lines(self) -> set[int]:
         """The lines on which docstrings stand."""
         lines: set[int] = set()
-        for node in self.nodes():
+        for node in self.nodes:
             if isinstance(node, Documented) and ast.get_docstring(node) is not None:
                 docstring = node.body[0]
                 lines.update(range(docstring.lineno, (docstring.end_lineno or 0) + 1))

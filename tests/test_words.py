@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -14,11 +13,14 @@ from tests.words import find_words
 PACKAGE = Path(kinegrade.__file__).parent
 
 
-def list_found() -> Iterator[tuple[str, int, str]]:
+@pytest.fixture(scope="module")
+def found() -> list[tuple[str, int, str]]:
     """What the rules find in the package: file, line, text."""
-    for file in sorted(PACKAGE.rglob("*.py")):
-        for found in find_words(file.read_text(encoding="utf-8")):
-            yield file.relative_to(PACKAGE).as_posix(), found.line, found.text
+    return [
+        (file.relative_to(PACKAGE).as_posix(), one.line, one.text)
+        for file in sorted(PACKAGE.rglob("*.py"))
+        for one in find_words(file.read_text(encoding="utf-8"))
+    ]
 
 
 def list_allowed() -> set[tuple[str, str]]:
@@ -31,20 +33,19 @@ def list_allowed() -> set[tuple[str, str]]:
     }
 
 
-def test_no_module_holds_words_of_a_language() -> None:
+def test_no_module_holds_words_of_a_language(found: list[tuple[str, int, str]]) -> None:
     allowed = list_allowed()
     said = [
         f"{file}:{line}: {text!r}"
-        for file, line, text in list_found()
+        for file, line, text in found
         if text not in NAMES and (file, text) not in allowed
     ]
     assert said == []
 
 
-def test_no_exception_is_left_without_its_text() -> None:
-    found = [(file, text) for file, _, text in list_found()]
-    assert list_allowed() - set(found) == set()
-    assert NAMES - {text for _, text in found} == set()
+def test_no_exception_is_left_without_its_text(found: list[tuple[str, int, str]]) -> None:
+    assert list_allowed() - {(file, text) for file, _, text in found} == set()
+    assert NAMES - {text for _, _, text in found} == set()
 
 
 @pytest.mark.parametrize(

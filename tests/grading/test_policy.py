@@ -226,7 +226,6 @@ def unread(typed: str) -> Reading:
     return Reading("unreadable", typed)
 
 
-@settings(max_examples=200, deadline=None)
 @given(
     st.fractions(-100, 100, max_denominator=1000),
     st.fractions(-100, 100, max_denominator=1000),

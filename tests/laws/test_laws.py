@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 from flint import arb, fmpq
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 
 from kinegrade.errors import MechanismError
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
@@ -233,14 +233,12 @@ def test_a_body_seen_from_another_moves_as_a_rigid_body_with_the_relative_rotati
                 )
 
 
-@settings(max_examples=120)
 @given(cases())
 def test_the_motion_is_what_differences_of_constructed_positions_give(case: Case) -> None:
     assume(regularity(case.mechanism) > 1e-4)
     hold_against_positions(case)
 
 
-@settings(max_examples=200)
 @given(mechanisms(groups=1))
 def test_a_mechanism_is_refused_exactly_where_positions_do_not_determine_its_motion(
     mechanism: Mechanism,

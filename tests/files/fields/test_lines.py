@@ -7,7 +7,7 @@ import tomllib
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.files.fields.lines import lines_of_json, lines_of_toml
@@ -129,7 +129,6 @@ def places(content: Any, place: Place = ()) -> set[Place]:
     return found.union(*(places(part, (*place, step)) for step, part in parts))
 
 
-@settings(max_examples=400, deadline=None)
 @given(documents())
 def test_each_key_of_a_toml_file_is_found_on_its_line(
     document: tuple[str, dict[Place, int]],
