@@ -10,11 +10,11 @@ from math import hypot
 
 import pytest
 
-from kinegrade.figure.marks.frames import add_frames
+from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Outline, Scene, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Line, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -157,3 +157,21 @@ def test_the_letter_of_an_axis_keeps_clear_of_a_line_that_is_still_to_come() -> 
     covered = [drawn.under_box(*each.centre, each.width, each.height) for each in letters.values()]
     assert covered[0] > 0
     assert covered[1] == 0
+
+
+def test_axes_aside_keep_clear_of_a_letter_at_the_edge_of_a_full_figure() -> None:
+    full = [
+        Strokes(((Vector(4.0, y), Vector(60.0, y)),), FIRM) for y in map(float, range(0, 60, 4))
+    ]
+    letter = Label("R", Vector(1.5, 1.5), 3.0, 3.0)
+    layout = add_axes_aside(Layout.of([*full, letter]), FigureHints(axes="aside"))
+    [name] = [label for label in layout.labels if label.symbol == "x"]
+    [tip, _] = [part.corners[0] for part in layout.lines if isinstance(part, Outline)]
+    assert max(tip.x, name.centre.x + name.width / 2) < -1.0
+
+
+def test_an_axis_is_short_where_a_bar_stands_farther_along_it() -> None:
+    stem = Strokes(((Vector(0.0, 10.5), Vector(0.0, 60.0)),), BOLD)
+    hints = FigureHints(axes="origin")
+    layout = add_frames(Layout.of([stem]), {}, hints, EMPTY, ())
+    assert max(part.corners[0].y for part in layout.lines if isinstance(part, Outline)) < 9.0

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish
-from kinegrade.figure.scene import BOLD, THIN, Strokes
+from kinegrade.figure.scene import BOLD, THIN, Label, Strokes
 from kinegrade.mechanics.vector import Vector
 
 POINT = Vector(0.0, 0.0)
@@ -33,3 +35,18 @@ def test_a_leader_goes_from_a_letter_that_stands_off_to_just_before_its_point() 
 
 def test_no_leader_crosses_a_bar() -> None:
     assert write(7.0, Strokes(((Vector(3.0, -5.0), Vector(3.0, 5.0)),), BOLD)) == []
+
+
+def test_a_letter_that_stands_off_is_no_index_of_another_label() -> None:
+    wish = Wish("C", np.array([[0.0, 7.0], [0.0, -7.0]]), names=POINT)
+    beside = Label(r"\omega", Vector(2.9, 7.0), 3.0, 3.0)
+    start = replace(Layout.of((beside,)), labels=(beside,))
+    [_, letter] = start.written((wish,)).labels
+    assert letter.centre == Vector(0.0, -7.0)
+
+
+def test_a_letter_that_stands_off_is_where_it_can_be_led_to_its_point() -> None:
+    wish = Wish("C", np.array([[0.0, 7.0], [0.0, -7.0]]), names=POINT)
+    bar = Strokes(((Vector(-9.0, 4.0), Vector(9.0, 4.0)),), BOLD)
+    [letter] = Layout.of((bar,)).written((wish,)).labels
+    assert letter.centre == Vector(0.0, -7.0)

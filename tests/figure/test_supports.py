@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail, find_rails
 from kinegrade.figure.mechanism.sliders import draw_ground_sliders
-from kinegrade.figure.mechanism.stands import draw_stands
+from kinegrade.figure.mechanism.stands import choose_upright, draw_stands
 from kinegrade.figure.plane import foot, length, unit
 from kinegrade.figure.scene import BOLD, THIN, Outline, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
-from tests.figure.mechanisms import RIGHT, UP, hinted, polar
+from kinegrade.problem.template.hints import FigureHints
+from tests.figure.mechanisms import RIGHT, UP, follower_circle, hinted, polar
 
 ORIGIN = Vector(0.0, 0.0)
 DOWN = -UP
@@ -76,6 +79,21 @@ def test_a_stand_keeps_clear_of_a_wheel_beside_its_pin() -> None:
     wheel = Roll("W", Circle("A", 0.15), GROUND, Line(Vector(0.0, -0.26), RIGHT))
     assert sides_of_stands(Mechanism(points, bodies, joints, ())) == [DOWN]
     assert sides_of_stands(Mechanism(points, bodies, (*joints, wheel), ())) == [UP]
+
+
+@pytest.mark.parametrize(("angle", "side"), [(60, DOWN), (-60, DOWN), (-85, UP), (-95, UP)])
+def test_a_stand_does_not_hide_the_marked_centre_of_an_eccentric_disc(
+    angle: float, side: Vector
+) -> None:
+    mechanism, _ = follower_circle(0.2, 0.05, 90 - angle)
+    assert sides_of_stands(mechanism)[:1] == [side]
+
+
+def test_a_stand_leaves_the_axes_at_its_pin_free() -> None:
+    anatomy = anatomy_of(crank(-90))
+    assert unit(choose_upright(ORIGIN, anatomy)) == UP
+    with_axes = replace(anatomy, hints=FigureHints(axes="origin"))
+    assert unit(choose_upright(ORIGIN, with_axes)) == -RIGHT
 
 
 def test_the_pin_of_a_fixed_gear_has_a_stand_where_there_is_room() -> None:

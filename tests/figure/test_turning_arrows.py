@@ -7,8 +7,10 @@ from math import degrees, hypot, pi
 
 import pytest
 
+from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.dimensions import find_extension_angles
 from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
+from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Scene, Strokes
 from kinegrade.figure.sketch import sketch
@@ -22,6 +24,8 @@ from tests.problem.draws import draw_filter, drawn
 
 ORIGIN = Vector(0.0, 0.0)
 ALONE = Company((), (), (), ())
+BESIDE = Vector(10.0, 5.0)
+DISC = Rim("W", "C", BESIDE, 8.0, "wheel", ring=False, touch=BESIDE, tooth=BESIDE)
 
 
 def arc(start: float, sweep: float, radius: float = 5.0) -> Bow:
@@ -34,10 +38,19 @@ def arc(start: float, sweep: float, radius: float = 5.0) -> Bow:
     [
         replace(ALONE, arcs=(arc(80, 40, 7.0),)),
         replace(ALONE, twins=(arc(120, -40),)),
+        replace(ALONE, twins=(arc(0, 70, 11.1),)),
         replace(ALONE, rims=(6.0,)),
+        replace(ALONE, discs=(DISC,)),
         replace(ALONE, lines=(pi / 3,)),
     ],
-    ids=["after the arc of an angle", "tip to tip", "beside a rim", "where a line may come"],
+    ids=[
+        "after the arc of an angle",
+        "tip to tip",
+        "within another",
+        "beside a rim",
+        "in a disc",
+        "on a line to come",
+    ],
 )
 def test_an_arrow_that_could_be_misread_is_worse(company: Company) -> None:
     assert company.rate(arc(0, 70)) > ALONE.rate(arc(0, 70)) == 0
@@ -49,9 +62,22 @@ def test_the_symbol_of_an_arrow_is_not_beside_another_one_first() -> None:
     other = TurningArrow(arc(0, 70, 10.0), Turning(r"\alpha", "AB"), 0.0)
     wish = arrow.wish_apart([other], [])
     assert wish.demerits is not None
-    rated = list(zip(wish.spots.tolist(), wish.demerits.tolist(), strict=True))
-    assert {demerit for (x, y), demerit in rated if hypot(x, y) > 8.0} == {3.0}
+    along = len(arrow.wish().spots)
+    rated = list(zip(wish.spots.tolist(), wish.demerits.tolist(), strict=True))[:along]
+    assert {demerit for (x, y), demerit in rated if hypot(x, y) > 8.0} == {6.0}
     assert {demerit for (x, y), demerit in rated if hypot(x, y) < 5.0} == {0.0}
+
+
+def test_a_symbol_without_room_at_its_arrow_does_not_go_to_another_one() -> None:
+    arrow = TurningArrow(arc(0, 70), Turning(r"\omega", "AB"), 0.0)
+    other = TurningArrow(arc(0, 70, 11.0), Turning(r"\alpha", "AB"), 0.0)
+    pin = Disc(ORIGIN, 2.9, FIRM, "black")
+    drawn = Layout.of([pin, *arrow.primitives(), *other.primitives()])
+    [letter] = drawn.captioned(arrow.wish_apart([other], [])).labels
+    gaps = [
+        min(hypot(*(letter.centre - at)) for at in each.bow.path(0.05)) for each in (arrow, other)
+    ]
+    assert gaps[0] < gaps[1] - 0.3
 
 
 def test_no_circle_parts_a_symbol_from_its_arrow_first() -> None:

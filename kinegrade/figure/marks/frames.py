@@ -8,6 +8,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import assert_never
 
+import numpy as np
+
 from kinegrade.figure.marks.drawn import measure_drawn
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
@@ -23,7 +25,7 @@ from kinegrade.problem.template.hints import Angle, BodyFrame, FigureHints
 _ORIGIN, _RIGHT = Vector(0.0, 0.0), Vector(1.0, 0.0)
 # Millimetres, of the axes at the origin, of those of a body, and of those aside
 _LENGTHS, _BODY_LENGTHS, _ASIDE = (
-    (12.0, 14.5, 17.0, 20.0, 9.5, 24.0),
+    (12.0, 14.5, 17.0, 20.0, 9.5, 24.0, 7.0),
     (12.0, 9.0, 14.0, 7.5),
     7.0,
 )
@@ -31,6 +33,7 @@ _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of a
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
 _CLEAR = 3.0  # millimetres about that square that are free as well
 _ROOM = 11.0  # millimetres, of the square that the axes aside take with their letters
+_STATIONS = 7  # places along the height of a figure for the axes aside
 _TIP = 4.5  # millimetres of an axis that should lie clear of everything
 
 # The symbol of an axis, its origin, its direction and the lengths it may have
@@ -99,10 +102,15 @@ def _find_free_corner(layout: Layout) -> Vector:
     box = find_common_box(layout.primitives)
     far = box.left + box.width - _ROOM, box.bottom + box.height - _ROOM
     middle, room = Vector(_ROOM / 2, _ROOM / 2), _ROOM + 2 * _CLEAR
-    for corner in (Vector(x, y) for y in (box.bottom, far[1]) for x in (box.left, far[0])):
+    corners = [Vector(x, y) for y in (box.bottom, far[1]) for x in (box.left, far[0])]
+    between = np.linspace(box.bottom, max(far[1], box.bottom), _STATIONS)[1:-1].tolist()
+    sides = [Vector(x, y) for y in between for x in (box.left, far[0])]
+    for corner in (*corners, *sides):
         if not layout.obstacles.under_box(*(corner + middle), room, room):
             return corner
-    return Vector(box.left - _ASIDE, box.bottom)
+    letter = _CLEAR + 1.0
+    taken = layout.obstacles.under_box(box.left + letter / 2, box.bottom, letter, 2 * letter)
+    return Vector(box.left - (_ROOM + _CLEAR / 2 if taken else _ASIDE), box.bottom)
 
 
 def _find_place(at: Mapping[str, Vector], frame: BodyFrame) -> tuple[Vector, Vector]:

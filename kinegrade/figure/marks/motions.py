@@ -12,7 +12,13 @@ from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
-from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside, rate_nearness
+from kinegrade.figure.placing.place import (
+    Wish,
+    list_spots_around,
+    list_spots_beside,
+    rate_nearness,
+    widen,
+)
 from kinegrade.figure.plane import NEAR, length, mean, unit
 from kinegrade.figure.scene import THIN, Bow, Primitive
 from kinegrade.figure.symbols import HEADS, PIN, draw_arrow
@@ -166,7 +172,7 @@ class _MovingArrow:
 
     def wish_apart(self, others: Sequence[_MovingArrow]) -> Wish:
         """The wish, where the symbol cannot be taken for that of another arrow first."""
-        wish = self.wish()
+        wish = widen(self.wish())
         near = [at for arrow in others for at in arrow._list_stations()]
         mistaken = rate_nearness(self.hint.symbol, wish.spots, self._list_stations(), near)
         return replace(wish, demerits=_MISTAKEN * mistaken)

@@ -31,7 +31,7 @@ _TWELFTHS = tuple(index * pi / 6 for index in range(12))
 # Demerit of each radian between the arrow and the body, or where the rim of a disc is nearest
 _ASTRAY, _AT_RIM = 1.2, 5.0
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
-_LETTERED = 8.0
+_LETTERED = 12.0
 
 
 def add_rotations(
@@ -97,6 +97,7 @@ def _find_company(
         tuple(twin for twin in earlier if length(twin.centre - centre) < NEAR),
         tuple(rim.radius for rim in foreign if length(rim.at - centre) < NEAR),
         lines,
+        tuple(rim for rim in foreign if not rim.ring and length(rim.at - centre) > rim.radius),
     )
 
 

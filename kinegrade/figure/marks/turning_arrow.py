@@ -8,9 +8,10 @@ from math import copysign
 
 import numpy as np
 
+from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.placing.mark import chords
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Wish, list_spots_along_arc, rate_nearness
+from kinegrade.figure.placing.place import Wish, list_spots_along_arc, rate_nearness, widen
 from kinegrade.figure.plane import length, polar, shorter_way
 from kinegrade.figure.scene import Bow, Disc, Primitive
 from kinegrade.figure.symbols import HEADS, draw_curved_arrow
@@ -24,28 +25,33 @@ _APART, _ALONG, _MERGED = 3.0, 1.5, 4.0
 # Millimetres between two arrows at one pivot along their arcs, and the demerit of each that lacks;
 # half as much where their radii differ by so many millimetres, else they cannot be told apart
 _BETWEEN, _FOLLOWING, _NESTED, _COVERED = 6.0, 0.6, 2.5, 100.0
+# Millimetres between the radii of two arrows one inside the other that leave room for a symbol
+# between them, and the demerit of less
+_ROOM, _STACKED = 6.5, 4.0
 # Millimetres between the tips of two arrows at one pivot, and the demerit of each that lacks
 _TIPS, _MEETING = 5.0, 1.0
 _FOREIGN = 4.5  # millimetres between an arrow and the rim of another body, 1 demerit for each less
 # Millimetres between an arrow and the line that a dimension may draw from its pivot, and the
 # demerit of less
-_BESIDE_LINE, _ON_LINE = 1.5, 2.5
+_BESIDE_LINE, _ON_LINE = 1.5, 2.8
+_ASTRAY = 6.0  # demerit of an arrow in the disc of another body
 # Demerits of a symbol about as near to another arrow, or on the other side of a circle
-_MISTAKEN, _CUT_OFF = 3.0, 1.0
+_MISTAKEN, _CUT_OFF = 6.0, 4.0
 _STATIONS = 0.25  # radians between the points of an arrow to which its symbol should be near
 
 
 @dataclass(frozen=True)
 class Company:
     """What else there is about the pivot of an arrow: the arcs of angles, other arrows, the radii
-    of other bodies' rims (millimetres), and the directions (radians) in which dimension lines may
-    need a line from the pivot.
+    of other bodies' rims (millimetres), the directions (radians) in which dimension lines may
+    need a line from the pivot, and the other bodies' discs that do not lie over the pivot.
     """
 
     arcs: tuple[Bow, ...]
     twins: tuple[Bow, ...]
     rims: tuple[float, ...]
     lines: tuple[float, ...]
+    discs: tuple[Rim, ...] = ()
 
     def rate(self, bow: Bow) -> float:
         """The demerit of an arrow in this company."""
@@ -54,6 +60,7 @@ class Company:
             + sum(_rate_twin(bow, twin) for twin in self.twins)
             + sum(max(0.0, _FOREIGN - abs(bow.radius - radius)) for radius in self.rims)
             + sum(_ON_LINE for angle in self.lines if _measure_gap(bow, angle) < _BESIDE_LINE)
+            + sum(_ASTRAY for disc in self.discs if _stands_in(bow, disc))
         )
 
 
@@ -80,7 +87,7 @@ class TurningArrow:
 
     def wish_apart(self, others: Iterable[TurningArrow], circles: Iterable[Disc]) -> Wish:
         """The wish, where the symbol is nearest to its own arrow and no circle parts them first."""
-        wish, own = self.wish(), self.bow.path(_STATIONS)
+        wish, own = widen(self.wish()), self.bow.path(_STATIONS)
         near = [at for other in others for at in other.bow.path(_STATIONS)]
         demerits = _MISTAKEN * rate_nearness(self.hint.symbol, wish.spots, own, near)
         for circle in circles:
@@ -103,6 +110,12 @@ def _rate_arc(bow: Bow, arc: Bow) -> float:
     return _MERGED if alike and _measure_between(bow, arc) < _ALONG else 0.0
 
 
+def _stands_in(bow: Bow, disc: Rim) -> bool:
+    """Whether an arrow stands in the disc of another body, as if that turned."""
+    middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
+    return length(middle - disc.at) < disc.radius
+
+
 def _rate_twin(bow: Bow, twin: Bow) -> float:
     """The demerit of an arrow that follows, meets or covers another one at the same pivot, so that
     the two read as one: they stand opposite one another, else one well outside the other.
@@ -111,6 +124,7 @@ def _rate_twin(bow: Bow, twin: Bow) -> float:
     apart = abs(bow.radius - twin.radius) / _NESTED
     worse = _FOLLOWING * max(0.0, 1 - apart / 2) * max(0.0, _BETWEEN - max(gap, 0.0))
     tips = [arrow.centre + polar(arrow.start + arrow.sweep, arrow.radius) for arrow in (bow, twin)]
+    worse += _STACKED * (gap < 0 and abs(bow.radius - twin.radius) < _ROOM)
     worse += _MEETING * max(0.0, _TIPS - length(tips[1] - tips[0]))
     return worse + _COVERED * (gap < 0 and apart < 1)
 

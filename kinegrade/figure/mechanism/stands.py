@@ -12,7 +12,15 @@ from kinegrade.figure.joints.symbol import Rim, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc, find_half_width
-from kinegrade.figure.plane import SIDE_VECTORS, angle_of, length, nearest_of, shorter_way
+from kinegrade.figure.plane import (
+    NEAR,
+    SIDE_VECTORS,
+    angle_of,
+    length,
+    nearest_of,
+    shorter_way,
+    unit,
+)
 from kinegrade.figure.scene import BOLD, Primitive
 from kinegrade.figure.symbols import (
     STANDS,
@@ -25,6 +33,8 @@ from kinegrade.mechanics.vector import Vector
 
 _CLEAR = 0.4  # millimetres between the hatching and a bar
 _AROUND = 1.6  # millimetres around the upright of a stand that keep clear of other bodies
+# Millimetres beyond the foot of a stand and at its sides that hide a marked centre
+_HATCHED, _CROSS = 3.0, 0.8
 _INSIDE = 8.5  # millimetres of radius at which a stand is clear of the hatching of a fixed wheel
 
 
@@ -56,7 +66,9 @@ def choose_upright(at: Vector, anatomy: Anatomy) -> Vector:
     def hindrance(upright: Vector) -> float:
         bars = sum(_measure_part(part, at, upright) for part in anatomy.parts)
         rims = sum(_measure_rim(rim, at, upright) for rim in anatomy.rims)
-        return round(bars + rims, 6)
+        centres = sum(_measure_centre(rim, at, upright) for rim in anatomy.rims)
+        axes = _measure_axes(upright, at, anatomy)
+        return round(bars + rims + centres + axes, 6)
 
     down, *others = (SIDE_VECTORS[name] for name in ("down", "up", "left", "right"))
     lower = [down * height for height in STANDS if height >= usual]
@@ -85,6 +97,22 @@ def _measure_part(part: Part, at: Vector, upright: Vector) -> float:
     room = atan2(base, height) + asin((half + _CLEAR) / hypot(base, height))
     leaving = [angle_of(end - at) - angle_of(upright) for end in ends if length(end - at) > 1.0]
     return sum(max(0.0, room - abs(shorter_way(angle))) for angle in leaving)
+
+
+def _measure_centre(rim: Rim, at: Vector, upright: Vector) -> float:
+    """How much the marked centre of a circle is hidden by a stand and its hatching."""
+    toward, height = unit(upright), length(upright)
+    depth, aside = (rim.at - at).dot(toward), abs((rim.at - at).cross(toward))
+    if length(rim.at - at) < 1.0 or not 0 < depth < height + _HATCHED:
+        return 0.0
+    half = find_half_base(height) * min(1.0, depth / height)
+    return float(max(0.0, half + _CROSS - aside))
+
+
+def _measure_axes(side: Vector, at: Vector, anatomy: Anatomy) -> float:
+    """How much the axes x and y are in the way of a stand, up or to the right of their origin."""
+    along = max(side.x, side.y) > 0 and length(at) < NEAR
+    return _AROUND if along and anatomy.hints.axes == "origin" else 0.0
 
 
 def _measure_rim(rim: Rim, at: Vector, upright: Vector) -> float:

@@ -10,21 +10,29 @@ from heapq import heappop, heappush
 from itertools import chain, repeat
 from math import inf
 
+import numpy as np
+
+from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.mark import Mark
-from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles
+from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.place import (
     Placed,
     Wish,
     is_covered,
     measure_crowding,
+    measure_gap,
     place_label,
     trace_leader,
 )
 from kinegrade.figure.scene import THIN, Label, Primitive, Strokes
+from kinegrade.mechanics.vector import Vector
 
 # Alternatives of a mark that are judged together: usually one of the first is accepted
 _BATCHES = (4, 12, 36)
 
+# Millimetres between a letter and a label that make one word of them, and its demerit; that of a
+# place to which no leader may be drawn: less than a fault together
+_ADJOINS, _ONE_WORD, _BLOCKED = 1.5, 0.25, 0.2
 _HARD = 20.0  # cost from which on a leader would cross too much to be of use
 
 
@@ -65,12 +73,32 @@ class Layout:
         layout = self
         for wish in wishes:
             placed = place_label(wish, layout.obstacles)
+            if wish.names and trace_leader(placed.label, wish.names):
+                placed = place_label(layout._rate_far_spots(wish), layout.obstacles)
             leader = trace_leader(placed.label, wish.names) if wish.names else None
-            crossed = layout.obstacles.along((leader,), shared=True) if leader else 0.0
+            clear = leader and not layout._blocks(leader)
             layout = layout._labelled(placed)
-            if leader and crossed < _HARD:
+            if leader and clear:
                 layout = layout.drawn((Strokes((leader,), THIN),))
         return layout
+
+    def _rate_far_spots(self, wish: Wish) -> Wish:
+        """The wish of a letter without room at the point it names: rather where a leader may be
+        drawn, and not beside another label, of which it would seem to be the index.
+        """
+        size, point = measure_symbol(wish.symbol), wish.names or Vector(*wish.spots[0])
+        demerits = []
+        for x, y in wish.spots.tolist():
+            label = Label(wish.symbol, Vector(x, y), *size)
+            leader = trace_leader(label, point)
+            blocked = leader is not None and self._blocks(leader)
+            adjoins = any(measure_gap(label, other) < _ADJOINS for other in self.labels)
+            demerits.append(_BLOCKED * blocked + _ONE_WORD * adjoins)
+        worse = np.array(demerits)
+        return replace(wish, demerits=worse if wish.demerits is None else wish.demerits + worse)
+
+    def _blocks(self, leader: Segment) -> bool:
+        return self.obstacles.along((leader,), shared=True) >= _HARD
 
     def marked(self, alternatives: Sequence[Mark], sparing: Sequence[Primitive] = ()) -> Layout:
         """The layout with the alternative that covers least, and its label; areas reserved for

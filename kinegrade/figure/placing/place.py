@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import hypot, inf, pi
 
 import numpy as np
@@ -67,11 +67,19 @@ def place_label(wish: Wish, obstacles: Obstacles) -> Placed:
     spots = wish.spots
     spot, cost = _choose_best(wish.symbol, spots, obstacles, wish.demerits)
     if cost >= _FARTHER * len(spots) and wish.at is not None:
-        spots = np.concatenate((spots, list_spots_around(wish.symbol, wish.at)))
+        spots = widen(wish).spots
         spot, cost = _choose_best(wish.symbol, spots, obstacles)
     centre = Vector(*spots[spot].tolist())
     label = Label(wish.symbol, centre, *measure_symbol(wish.symbol))
     return Placed(label, cost - _FARTHER * spot >= _FAULT)
+
+
+def widen(wish: Wish) -> Wish:
+    """The wish with the other spots around its point as its last; demerits are to be rated anew."""
+    if wish.at is None:
+        return wish
+    around = list_spots_around(wish.symbol, wish.at)
+    return replace(wish, spots=np.concatenate((wish.spots, around)), at=None, demerits=None)
 
 
 def trace_leader(label: Label, point: Vector) -> tuple[Vector, Vector] | None:
@@ -87,6 +95,13 @@ def trace_leader(label: Label, point: Vector) -> tuple[Vector, Vector] | None:
     toward = (point - label.centre) / hypot(across, upward)
     start = label.centre + (point - label.centre) * share + toward * _BEFORE
     return start, point - toward * _SHORT_OF
+
+
+def measure_gap(one: Label, other: Label) -> float:
+    """Millimetres of paper between two labels."""
+    across, upward = one.centre - other.centre
+    wide, high = (one.width + other.width) / 2, (one.height + other.height) / 2
+    return hypot(max(abs(across) - wide, 0.0), max(abs(upward) - high, 0.0))
 
 
 def is_covered(label: Label, obstacles: Obstacles) -> bool:
