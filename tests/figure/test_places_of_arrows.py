@@ -12,7 +12,7 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import nearest_of, shorter_way
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Scene, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Label, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.drivers import Component, Rotation
 from kinegrade.mechanics.mechanism import Mechanism
@@ -97,8 +97,24 @@ def test_the_tail_of_an_arrow_is_at_its_point_or_level_with_it() -> None:
     mechanism = slider(1, 1)
     at = mechanism.points["B"]
     layout = add_motions(Layout.of(()), mechanism, BOTH)
-    tails = [part.lines[0][0] for part in layout.primitives if isinstance(part, Strokes)]
-    assert [tail.x - at.x for tail in tails] == [pytest.approx(1.05), pytest.approx(0.0)]
+    drawn = [part for part in layout.primitives if isinstance(part, Strokes)]
+    ahead, beside, line = (part.lines[0] for part in drawn)
+    assert [tail.x - at.x for tail, _ in (ahead, beside)] == [pytest.approx(1.05), 0.0]
+    assert (line[1], drawn[-1].pen) == (beside[0], THIN)
+    assert abs(line[0].y - at.y) == pytest.approx(2.0)
+
+
+def test_the_line_to_the_tail_of_an_arrow_crosses_no_letter() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    letters = [Label("B", at + Vector(0.0, side * 2.9), 1.0, 1.0) for side in (1.0, -1.0)]
+    layout = shut_in(at).drawn(letters)
+    line = add_motions(layout, mechanism, [Moving("v", "B")]).lines[-1]
+    assert isinstance(line, Strokes)
+    [(start, end)] = line.lines
+    for letter in letters:
+        gap = letter.centre - nearest_of(letter.centre, start, end)
+        assert max(abs(gap.x), abs(gap.y)) > 0.5
 
 
 def test_a_second_arrow_passes_the_first_on_the_open_side_of_the_rail() -> None:

@@ -20,7 +20,7 @@ from kinegrade.figure.placing.place import (
     widen,
 )
 from kinegrade.figure.plane import NEAR, length, mean, unit
-from kinegrade.figure.scene import THIN, Bow, Primitive
+from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
 from kinegrade.figure.symbols import HEADS, PIN, draw_arrow
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -137,15 +137,15 @@ class _MovingArrow:
 
     def path(self) -> tuple[Segment, ...]:
         """The arrow without its start at the pin, which leaves the parts there; beside its point
-        the way there as well, past a block: no wall or bar lies between.
+        the way there as well, past a block: no wall or bar lies between; and the line to its tail.
         """
         away = (self.start + self._end()) / 2 - self.point
         aside = abs(self._find_aside(self.start))
         if aside < _LEAST_OFFSET:
             near = max(0.0, _LEAVING - length(self.start - self.point))
             return ((self.start + self.toward * near, self._end()),)
-        past = self.point + away * (self.past / aside)
-        return ((self.start, self._end()), (past, self.point + away))
+        past, line = self.point + away * (self.past / aside), self._trace_line(self.past)
+        return ((self.start, self._end()), (past, self.point + away), *([line] if line else []))
 
     def _find_aside(self, at: Vector) -> float:
         """Millimetres from the line of motion to a place, on the left positive."""
@@ -182,8 +182,17 @@ class _MovingArrow:
         return [self.start + self.toward * step for step in range(int(_ARROW) + 1)]
 
     def primitives(self) -> tuple[Primitive, ...]:
-        """The shaft and its arrowhead."""
-        return draw_arrow(self.start, self._end(), HEADS[self.hint.level])
+        """The shaft and its arrowhead; beside its point also the line from there to its tail."""
+        arrow = draw_arrow(self.start, self._end(), HEADS[self.hint.level])
+        line = self._trace_line(_BLOCK)
+        return (*arrow, Strokes((line,), THIN)) if line else arrow
+
+    def _trace_line(self, past: float) -> Segment | None:
+        """The line to the tail of an arrow beside its point, from so many millimetres beside that;
+        None where the arrow is nearer.
+        """
+        aside, step = abs(self._find_aside(self.start)), self.start - self.point
+        return (self.point + step * (past / aside), self.start) if aside > past else None
 
     def _end(self) -> Vector:
         return self.start + self.toward * _ARROW
