@@ -14,6 +14,7 @@ from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.plane import nearest_of
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Line, Slide
@@ -79,6 +80,12 @@ def test_an_axis_along_a_bar_begins_at_its_origin_and_ends_beyond_the_bar() -> N
     along = (crank[1] - crank[0]) / hypot(*(crank[1] - crank[0]))
     assert abs(along.cross(tip - crank[0])) < 1e-6
     assert (tip - crank[1]).dot(along) == pytest.approx(6.0)
+
+
+def test_an_axis_along_a_bar_does_not_cross_the_pin_at_its_end() -> None:
+    scene = draw_crank(frames=(BodyFrame("x_1", "y_1", "O", "O", "A"),))
+    _, pin = lines(scene, BOLD)[0]
+    assert all(hypot(*(nearest_of(pin, *line) - pin)) > 0.8 for line in lines(scene, THIN))
 
 
 def test_an_axis_along_bare_ground_runs_on_beyond_it() -> None:

@@ -59,9 +59,16 @@ def add_frames(
         drawn = measure_drawn(origin, toward, drawing)
         beyond = tuple(drawn + more - PIN for more in _BEYOND_BAR if drawn)
         sizes = (*(size for size in (*long, *usual) if size > drawn), *beyond)
-        ways = list(_list_axes(origin + toward * PIN, toward, symbol, sizes))
+        hidden = drawn if _is_point(at, origin + toward * drawn) else 0.0
+        left = tuple(size - hidden for size in sizes)
+        ways = list(_list_axes(origin + toward * (hidden + PIN), toward, symbol, left))
         layout = layout.marked(ways, sparing)
     return layout
+
+
+def _is_point(at: Mapping[str, Vector], end: Vector) -> bool:
+    """Whether a bar or an edge ends at a point, whose pin the axis does not cross."""
+    return any(length(point - end) < NEAR for point in at.values())
 
 
 def _name_axes(origin: Vector, along: Vector, frame: BodyFrame) -> tuple[_NamedAxis, _NamedAxis]:
