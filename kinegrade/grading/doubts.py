@@ -13,6 +13,7 @@ from kinegrade.exam.folder.keys import Ask
 from kinegrade.files.cell_text import shorten
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.fast.judged_block import JudgedBlock
+from kinegrade.grading.verdict_names import name_verdict
 from kinegrade.language.message import Message, Text, list_all
 
 
@@ -33,7 +34,7 @@ def find_doubts(
     for place, reading in judged.cells.readings.items():
         row, number = divmod(place, len(asks))
         file, line = judged.rows[row][1].place(number)
-        verdict = judged.kinds[place]
+        verdict = name_verdict(judged.kinds[place])
         complain = partial(Complaint, file, line, columns[number], shorten(reading.typed))
         if reading.kind in ("unreadable", "wrong unit"):
             points = judged.credits[judged.shares[place]] * asks[number].points

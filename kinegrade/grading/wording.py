@@ -14,8 +14,16 @@ class Wording(Protocol):
     """Texts in one language: prose is Markdown with `$...$` LaTeX math, a symbol is LaTeX math."""
 
     @property
+    def exam(self) -> str:
+        """Plain: what the exam is called."""
+
+    @property
+    def course(self) -> str:
+        """Plain."""
+
+    @property
     def titles(self) -> Mapping[str, str]:
-        """Prose by question."""
+        """Prose by question, those marked by hand among them."""
 
     @property
     def meanings(self) -> Mapping[str, str]:

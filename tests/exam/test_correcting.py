@@ -107,6 +107,8 @@ def test_accepted_changes_are_said_and_stand_in_the_key(exam: Path) -> None:
     result = correct(exam, OTHER_ANSWER, options=("--accept-changes",))
     assert result.exit_code == 1
     assert 'complaint: student "=2", q2: v_y is 4.0 by the key, but 8 follows' in result.stderr
+    last = result.stderr.splitlines()[-1]
+    assert "marks that were given before follow the old key - mark all answers again" in last
     for line in key_lines(exam):
         first, crank, third = line["questions"]
         was = old[line["student"]]["questions"]

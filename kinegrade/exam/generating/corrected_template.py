@@ -141,9 +141,11 @@ def _settle_changes(exam: ExamFolder, kept: KeptExam, *, accept: bool) -> tuple[
         more = [Message("exam.more-changes", count=len(changes) - _NAMED)]
         refusal = Fault(str(exam.key), Message("exam.would-change"), do=Message("exam.accept"))
         raise ExamError(*changes[:_NAMED], *(more if len(changes) > _NAMED else ()), refusal)
-    if changes:
-        _write_key(kept, [paper for paper, _ in reworked])
-    return changes
+    if not changes:
+        return ()
+    _write_key(kept, [paper for paper, _ in reworked])
+    old = Fault(str(exam.path), Message("exam.marks-before"), do=Message("exam.mark-again"))
+    return (*changes, old)
 
 
 def _write_key(kept: KeptExam, papers: list[SetPaper]) -> None:

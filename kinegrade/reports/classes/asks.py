@@ -9,6 +9,7 @@ from collections.abc import Container, Iterator
 
 import numpy as np
 
+from kinegrade.grading.verdict_names import name_verdict
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Listing, Message, list_plainly, list_statements
@@ -24,7 +25,6 @@ from kinegrade.reports.classes.words import (
     explain_verdict,
     find_symbol,
     name_question,
-    name_verdict,
 )
 
 _HARD, _EASY, _FLAT, _USUAL = 0.3, 0.9, 0.1, 0.3

@@ -4,24 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from kinegrade.grading.verdict_names import name_verdict
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message, Text
 from kinegrade.press.class_sheet import Symbol
 from kinegrade.question_numbers import find_bank_number
 
-_VERDICTS: Mapping[str, Message] = {
-    "right": Message("report.verdict-right"),
-    "accepted": Message("report.verdict-accepted"),
-    "follow-through": Message("report.verdict-follow-through"),
-    "another paper": Message("report.verdict-another-paper"),
-    "mistake": Message("report.verdict-mistake"),
-    "wrong": Message("report.verdict-wrong"),
-    "wrong unit": Message("report.verdict-wrong-unit"),
-    "blank": Message("report.verdict-blank"),
-    "unreadable": Message("report.verdict-unreadable"),
-    "void": Message("report.verdict-void"),
-}
 _RULES: Mapping[str, Message] = {
     "follow-through": Message("report.legend-follow-through"),
     "another paper": Message("report.legend-another-paper"),
@@ -58,11 +47,6 @@ def name_question(question: str, catalogue: Catalogue) -> str:
 def find_symbol(column: str, wording: Wording) -> Symbol:
     """The symbol of an ask, by its column."""
     return Symbol(wording.symbols.get(column), column.split(".", 1)[1])
-
-
-def name_verdict(verdict: str) -> Text:
-    """A verdict as the instructor reads it; an unknown one as it stands in the marks."""
-    return _VERDICTS.get(verdict, verdict)
 
 
 def explain_verdict(verdict: str) -> Text:

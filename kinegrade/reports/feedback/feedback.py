@@ -71,8 +71,8 @@ def make_feedback_sheets(
             candidate,
             FeedbackSheet(
                 spoken,
-                head.course,
-                head.title,
+                worded[spoken].course or head.course,
+                worded[spoken].exam or head.title,
                 head.date,
                 student,
                 candidate.name,
@@ -119,17 +119,21 @@ def _order_questions(
     questions = zip(numbers, marked, strict=True)
     by_number = {int(find_bank_number(each.question)): each for each in head.by_hand}
     found = dict(questions)
-    found |= {number: _make_open(number, each, catalogue) for number, each in by_number.items()}
+    for number, each in by_number.items():
+        title = wording.titles.get(each.question, each.title)
+        found[number] = _make_open(number, each, title, catalogue)
     yield from (found[number] for number in sorted(found))
 
 
-def _make_open(number: int, question: HandQuestion, catalogue: Catalogue) -> FeedbackQuestion:
+def _make_open(
+    number: int, question: HandQuestion, title: str, catalogue: Catalogue
+) -> FeedbackQuestion:
     """A question that is marked by hand."""
     points = _mark_decimals(write_amount(question.points), catalogue)
     worth = _say_bonus(points, catalogue) if question.bonus else points
     said = catalogue.text("feedback.by-hand", points=worth)
     heading = catalogue.write(_head_question(question.question, number))
-    return FeedbackQuestion(heading, question.title, said, "", ())
+    return FeedbackQuestion(heading, title, said, "", ())
 
 
 def _make_questions(
