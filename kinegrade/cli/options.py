@@ -8,7 +8,9 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import wraps
+from math import ceil
 from pathlib import Path
+from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -25,6 +27,8 @@ if TYPE_CHECKING:
 COMPLAINTS = 1
 #: It cannot be done, and nothing was written.
 FAILURE = 2
+#: Seconds between two lines on the progress of long work in a log.
+BETWEEN_LINES = 30.0
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 LANGUAGE = click.option(
     "--lang",
@@ -103,6 +107,18 @@ def _whole_output() -> Iterator[None]:
         raise OutputError(full_output(fault)) from fault
 
 
+def _log_progress(items: Iterator[Any], count: int) -> Iterator[Any]:
+    """The items; where they take long, a line for some of them says how long the rest will take."""
+    begin = said = monotonic()
+    for done, item in enumerate(items, 1):
+        yield item
+        now = monotonic()
+        if now - said >= BETWEEN_LINES and done < count:
+            left = ceil((now - begin) / done * (count - done))
+            say(Message("terminal.progress-so-far", done=done, all=count, count=left))
+            said = now
+
+
 def full_output(fault: OSError) -> Message:
     """That standard output takes no more."""
     return Message("terminal.full-output", reason=str(fault.strerror))
@@ -124,9 +140,11 @@ def finish_with_complaints(complaints: Sequence[Problem]) -> None:
 
 
 def show_progress(items: Iterator[Any], count: int) -> Iterator[Any]:
-    """The items with a progress bar on standard error, when that is a terminal."""
-    if not sys.stderr.isatty():
-        yield from items
+    """The items with their progress on standard error: a line that is written anew in a terminal,
+    now and then one more line in a log or in a terminal that cannot go back.
+    """
+    if not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
+        yield from _log_progress(items, count)
         return
     with click.progressbar(
         items, length=count, label=terminal_words().text("terminal.progress"), file=sys.stderr

@@ -8,7 +8,6 @@ from functools import cached_property
 from os import PathLike
 from pathlib import Path
 
-from kinegrade.draws.deal import count_reasons
 from kinegrade.errors import OptionError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.generating.adding import add_students as add_to_exam
@@ -98,7 +97,7 @@ def add_students(
     require_known(options)
     added = add_to_exam(exam.path, bank.blueprint, roster, late, options)
     note = Message("terminal.of", where=str(exam.path), what=added.summary)
-    return Generated(exam.path, (*late.notes, note), added.complaints)
+    return Generated(exam.path, (*late.notes, *added.sharing, note), added.complaints)
 
 
 def _list_notes(written: Written, place: Path, options: GenerateOptions) -> Iterator[Message]:
@@ -107,10 +106,8 @@ def _list_notes(written: Written, place: Path, options: GenerateOptions) -> Iter
         yield kept if options.reproducible is None else Message("terminal.words-cost")
     for question, template in written.drawn.items():
         yield Message("terminal.drawn", question=question, template=template)
-    refusals = written.dealt.refusals()
     for question, count in written.dealt.combinations().items():
-        refused = count_reasons(refusals[question])
-        yield Message("terminal.combinations", question=question, count=count, refused=refused)
+        yield Message("terminal.combinations", question=question, count=count)
     yield from written.dealt.giving()
     yield from written.dealt.sharing()
     yield from count_avoided(written.dealt)

@@ -358,7 +358,7 @@ def test_what_was_done_is_said_on_standard_error(folder: Path) -> None:
     result = generate(folder)
     assert result.exit_code == 0
     assert result.stdout == ""
-    assert "q1: 16335 combinations, refused draws: " in result.stderr
+    assert "q1: dealt from 16335 combinations of numbers\n" in result.stderr
     assert "1 paper; to hand them out: kinegrade papers " in result.stderr
 
 

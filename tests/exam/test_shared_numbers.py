@@ -75,6 +75,7 @@ def test_a_late_student_has_the_numbers_of_the_others(tmp_path: Path) -> None:
     files = tmp_path / "bank.toml", tmp_path / "roster.csv"
     added = kinegrade("generate", *files, "-o", tmp_path / "EXAM", "--add", late)
     assert added.exit_code == 0, added.stderr
+    assert "q2: everybody has the same numbers" in added.stderr
     after = read_draws(tmp_path, "q2")
     assert after == {**before, "1005": before["1001"]}
     assert read_draws(tmp_path, "q1")["1005"] not in before.values()

@@ -46,6 +46,8 @@ def test_a_spare_paper_has_a_code_and_lines_to_write_on(exam: Path) -> None:
     text = PdfReader(exam / "papers" / "spare-1.pdf").pages[0].extract_text()
     assert code in text
     assert "spare" not in text
+    page = (exam / "papers" / "spare-1.html").read_text(encoding="utf-8")
+    assert page.count("________________________") == 2
     again = kinegrade("paper", exam, code.lower().replace("-", ""))
     assert again.stdout_bytes == (exam / "papers" / "spare-1.pdf").read_bytes()
     assert open_exam(exam).students == ("007", "0012", "a/b", "=2")

@@ -49,11 +49,14 @@ _MISSING = {
 
 @dataclass(frozen=True)
 class Added:
-    """How many papers were added, how many stay, and what a person should look at."""
+    """How many papers were added, how many stay, what a person should look at, and what is said of
+    numbers that several have.
+    """
 
     papers: int
     before: int
     complaints: tuple[Problem, ...]
+    sharing: tuple[Message, ...]
 
     @property
     def summary(self) -> Message:
@@ -100,7 +103,8 @@ def add_students(
         longer = tuple(list_longer_papers(run, newcomers, written.pages))
         require_none(longer if options.strict else ())
         write_rest(exam, folder, _grown_head(exam, dealt, run, students, written.keys))
-    return Added(len(newcomers), len(exam.students), (*said, *longer))
+    complaints, sharing = (*said, *longer), tuple(dealt.sharing())
+    return Added(len(newcomers), len(exam.students), complaints, sharing)
 
 
 def _run(exam: ExamFolder, kept: KeptExam, late: Roster) -> PrintRun:

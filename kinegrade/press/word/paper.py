@@ -50,6 +50,7 @@ _CENTER: Alignment = "Center"
 _MARK_SIDES: tuple[Alignment, ...] = ("Default", *(_CENTER,) * _MARKS)
 _NO_BREAK = "\u00a0"
 _GAP = 2 * _NO_BREAK
+_LINE = 24 * "_"  # to write on, on a paper that is nobody's yet
 
 
 def write_paper_tree(paper: Paper, figures: Mapping[int, str], logo: str = "") -> bytes:
@@ -104,7 +105,7 @@ def _write_fields(paper: Paper, words: Catalogue) -> Node:
         (words.text("paper.layout.paper"), paper.code),
     )
     cells = [
-        make_plain([make_text(label), make_line_break(), make_strong([make_text(value)])])
+        make_plain([make_text(label), make_line_break(), make_strong([make_text(value or _LINE)])])
         for label, value in fields
     ]
     return make_table("fields", _FIELD_WIDTHS, _FIELD_SIDES, (), (cells,))
