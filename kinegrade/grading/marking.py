@@ -95,7 +95,7 @@ class _Marker:
     def block(self, papers: Sequence[Paper]) -> MarkedBlock:
         """The marks of some papers."""
         rows = self._counted(papers)
-        judged = self.judge.judged([(paper, leave_out(paper, entry)) for paper, entry in rows])
+        judged = self._judged(rows)
         grades = [
             self._make_grade(paper, points)
             for (paper, _), points in zip(rows, self._points(judged), strict=True)
@@ -118,6 +118,10 @@ class _Marker:
             else:
                 complaints.append(doubt.complaint)
         return MarkedBlock(self.asks, judged, grades, complaints, general)
+
+    def _judged(self, rows: Sequence[Row]) -> JudgedBlock:
+        """These rows judged, by what their papers ask alone."""
+        return self.judge.judged([(paper, leave_out(paper, entry)) for paper, entry in rows])
 
     def _make_grade(self, paper: Paper, points: tuple[Fraction, ...]) -> Grade:
         """A student's grade; that of a paper without some alternatives is of the others alone."""
@@ -163,7 +167,7 @@ class _Marker:
             for entry in self._entries(paper)
         ]
         best: dict[str, tuple[Fraction, Row]] = {}
-        for row, points in zip(tried, self._points(self.judge.judged(tried)), strict=True):
+        for row, points in zip(tried, self._points(self._judged(tried)), strict=True):
             total, student = add_amounts(points), row[0].student
             if student not in best or total >= best[student][0]:
                 best[student] = total, row

@@ -192,6 +192,25 @@ def test_what_is_typed_for_the_other_alternative_is_complained_of_and_kept(tmp_p
     assert (row["total"], row["out_of"], row[f"q{other}"]) == ("6", "9", "")
 
 
+def test_the_best_attempt_is_not_chosen_by_what_a_paper_does_not_ask(tmp_path: Path) -> None:
+    assert set_exam(tmp_path, CRANK + ANY).exit_code == 0
+    (tmp_path / "policy.toml").write_text('attempts = "best"\n', encoding="utf-8")
+    mark(tmp_path)
+    first, *others = table(tmp_path / "answers.csv")
+    held = find_held(tmp_path / "EXAM")["1001"]
+    nothing = {name: "" if name.startswith(held[1]) else cell for name, cell in first.items()}
+    zeros = {name: "0" for name in first if name.split(".")[0] in {"q2a", "q2b"} - {*held}}
+    with (tmp_path / "twice.csv").open("w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, list(first))
+        writer.writeheader()
+        writer.writerows([first, {**nothing, **zeros}, *others])
+    marks, sheet = tmp_path / "BEST", tmp_path / "twice.csv"
+    policy = ("--policy", tmp_path / "policy.toml")
+    made = kinegrade("grade", tmp_path / "EXAM", sheet, "-o", marks, *policy)
+    assert "Traceback" not in made.stderr
+    assert table(marks / "grades.csv")[0]["total"] == "6"
+
+
 def test_late_students_and_spare_papers_have_one_and_nobody_elses_changes(tmp_path: Path) -> None:
     bank = "shuffle = true\n" + CRANK + ANY
     assert set_exam(tmp_path, bank, "--spare", "1").exit_code == 0
