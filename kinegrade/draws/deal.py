@@ -23,6 +23,9 @@ from kinegrade.language.message import Fault, Message, Part, list_plainly
 # is not enough, an author has to widen the domains rather than an instructor to wait.
 LOOKS = 400
 
+# Combinations that are looked at before a question is given up of which none is good: where one in
+# 300 is, a class of 30 has its papers, whatever its secret
+PATIENCE = 2_000
 
 # Combinations in one part at most: enough for arrays to pay, few enough to busy several processes
 PART = 50
@@ -110,18 +113,22 @@ class Deal:
 
     @property
     def hopeless(self) -> bool:
-        """Whether as many as may be looked at for one place were, and none is good."""
-        return not self.positions and len(self.verdicts) >= min(self.size, LOOKS)
+        """Whether as many as patience allows were looked at, and none is good."""
+        return not self.positions and len(self.verdicts) >= min(self.size, PATIENCE)
 
     @property
     def bound(self) -> int:
         """How many combinations are looked at, at most."""
-        return min(self.size, LOOKS * self.places)
+        most = LOOKS * self.places
+        return min(self.size, most if self.positions else max(most, PATIENCE))
 
     def further(self) -> range:
-        """The positions to look at next, none if no more are needed: as many as are likely to be
-        needed, but no more at a time than before, so that a hopeless deck is recognised early.
+        """The positions to look at next, none if no more are needed or there is no hope: as many as
+        are likely to be needed, but no more at a time than before, so that a hopeless deck is
+        recognised early.
         """
+        if self.hopeless:
+            return range(0)
         looked = len(self.verdicts)
         found = len(self.positions)
         missing = max(self.wanted - found, 0)
@@ -168,7 +175,9 @@ def _split(question: str, positions: range) -> Iterator[DeckPart]:
 
 
 def _require_hope(filters: Mapping[str, DrawFilter], deals: Mapping[str, Deal]) -> None:
-    """Raises DrawError for questions of which nothing can be dealt."""
+    """Raises DrawError for questions of which nothing can be dealt, once that is known of all."""
+    if any(not each.positions and not each.hopeless for each in deals.values()):
+        return
     faults = [
         _explain_hopeless(f"{name} ({filters[name].template.name})", each, filters[name])
         for name, each in deals.items()
