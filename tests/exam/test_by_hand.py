@@ -228,3 +228,20 @@ def test_damaged_points_of_an_open_question_are_refused(tmp_path: Path) -> None:
     refused = kinegrade("export", marks, "--to", "moodle", "-o", tmp_path / "moodle.csv")
     assert refused.exit_code == 2
     assert "open.csv:2: points" in refused.stderr
+
+
+def test_its_texts_may_stand_beside_the_bank(tmp_path: Path) -> None:
+    drawn = '\n[[questions]]\ntag = "rolling"\nnumber = 2\nasks = "velocity"\npoints = 8\n'
+    theory = (
+        '\n[[questions]]\ntext = { en = "What is a pole?" }\ntitle = { en = "Poles" }\npoints = 5\n'
+    )
+    bank = tmp_path / "bank.toml"
+    bank.write_text(f'title = "Quiz"\ncourse = "Mechanics"\n{drawn}{theory}', encoding="utf-8")
+    beside = '[q3]\ntext = "什么是速度瞬心？"\ntitle = "瞬心"\n'
+    (tmp_path / "bank.zh.toml").write_text(beside, encoding="utf-8")
+    proof = tmp_path / "proof.pdf"
+    done = kinegrade("sample", bank, "-o", proof, "--lang", "zh")
+    assert done.exit_code == 0, done.stderr
+    text = "".join(page.extract_text() for page in PdfReader(proof).pages)
+    assert "什么是速度瞬心" in text
+    assert "瞬心" in text

@@ -13,9 +13,9 @@ from typing import get_args
 
 from kinegrade.errors import BankError, suggest
 from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot
-from kinegrade.exam.bank.by_hand import HandQuestion
+from kinegrade.exam.bank.by_hand import HandQuestion, find_hand_places
 from kinegrade.exam.bank.formula_sheet import read_formula_sheet
-from kinegrade.exam.bank.header import HEADER_TEXTS, read_header
+from kinegrade.exam.bank.header import find_header_places, read_header
 from kinegrade.exam.bank.keys import BANK
 from kinegrade.exam.bank.own_questions import list_mistake_names
 from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
@@ -122,9 +122,8 @@ def _open(path: Path, text: str, translations: Translations) -> tuple[Table, tup
     plain = toml_table(str(path), text, _BANK_FILE)
     document = Document(str(path), text, lines_of_toml)
     places: dict[Place, Place] = {(key,): (key,) for key in _TEXTS if key in plain}
-    header = plain.value("header")
-    if isinstance(header, dict):
-        places |= {("header", key): ("header", key) for key in HEADER_TEXTS if key in header}
+    places |= find_header_places(plain.value("header"))
+    places |= find_hand_places(plain.value("questions"))
     laid = lay_in(plain.content, document, Beside(str(path), _BANK_FILE, translations), places)
     return Table(Faults(laid.source, BankError), (), laid.content), laid.faults
 

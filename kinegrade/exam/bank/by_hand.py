@@ -1,6 +1,6 @@
 """The questions of a bank that have no mechanism: texts, whose answers are marked by hand.
 
-[[questions]]
+[[questions]]  # the third: a translation beside the bank has its texts in the table [q3]
 text = { en = "What is an instantaneous centre?", zh = "什么是速度瞬心？" }
 points = 5
 space = "6 cm"
@@ -13,6 +13,7 @@ from fractions import Fraction
 
 from kinegrade.exam.bank.keys import BY_HAND, COUNTED, TEXT
 from kinegrade.exam.bank.terms import read_points, read_room
+from kinegrade.files.fields.place import Place
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import flag
 from kinegrade.problem.template.translated import Translated
@@ -39,6 +40,22 @@ class HandQuestion:
     def number(self) -> int:
         """Its number on every paper, shuffled or not: that of its place in the bank."""
         return int(self.identifier.removeprefix("q"))
+
+
+def find_hand_places(questions: object) -> dict[Place, Place]:
+    """Where a translation may have texts of questions to be marked by hand, by their identifiers,
+    and where they go.
+    """
+    places: dict[Place, Place] = {}
+    number = 1
+    for index, entry in enumerate(questions if isinstance(questions, list) else ()):
+        stated = entry if isinstance(entry, dict) else {}
+        for key in ("title", "text") if "text" in stated else ():
+            if key in stated:
+                places[f"q{number}", key] = ("questions", index, key)
+        count = stated.get("number", 1)
+        number += count if isinstance(count, int) else 1
+    return places
 
 
 def read_hand_question(entry: Table, identifier: str, space: float) -> HandQuestion | None:

@@ -23,6 +23,7 @@ from kinegrade.errors import FieldError
 from kinegrade.exam.bank.files_beside import read_file_beside
 from kinegrade.exam.bank.keys import HEADER
 from kinegrade.exam.folder.contents import LOGO
+from kinegrade.files.fields.place import Place
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import flag, found, text
 from kinegrade.language import Language
@@ -57,6 +58,12 @@ class Header:
 
 
 NO_HEADER = Header({})
+
+
+def find_header_places(header: object) -> dict[Place, Place]:
+    """Where a translation may have texts of the table [header], and where they go."""
+    there = header if isinstance(header, dict) else {}
+    return {("header", key): ("header", key) for key in HEADER_TEXTS if key in there}
 
 
 def read_header(table: Table, folder: Path, *, kept: bool) -> Header:
