@@ -56,8 +56,9 @@ class Findings:
     `inclined` the lines whose angle with the x axis has been found; `sized` the symbols of vectors
     known by components whose magnitude has been given as well; `directed` the Coriolis
     accelerations whose direction has been said; `arms` the distances of two points that have been
-    worked out; `places_alone` whether all answers are places of poles that normals lead to, so that
-    speeds are left out.
+    worked out; `turned` the printed symbols of answers that count in the question's sense, opposite
+    to that of their step; `places_alone` whether all answers are places of poles that normals lead
+    to, so that speeds are left out; `poles_sought` the bodies about whose poles answers are.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -69,4 +70,6 @@ class Findings:
     inclined: set[tuple[str, str]] = field(default_factory=set)
     directed: set[VectorSymbol] = field(default_factory=set)
     arms: dict[frozenset[str], Symbol] = field(default_factory=dict)
+    turned: set[Row] = field(default_factory=set)
     places_alone: bool = False
+    poles_sought: frozenset[str] = frozenset()

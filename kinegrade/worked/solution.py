@@ -24,6 +24,7 @@ from kinegrade.worked.answers.named_steps import explain_steps
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading, TermTable, WorkedSolution
+from kinegrade.worked.numbering import number_steps
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.rates.kinds import describe_motions
 from kinegrade.worked.steps.checks import check_last
@@ -32,6 +33,7 @@ from kinegrade.worked.steps.given_steps import holds_still, is_given
 from kinegrade.worked.steps.ideas import explain_idea
 from kinegrade.worked.steps.methods import explain_by_method
 from kinegrade.worked.steps.pictures import draw_stage
+from kinegrade.worked.steps.poles import find_poles
 from kinegrade.worked.steps.polygons import find_common_scale
 from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step
@@ -62,10 +64,10 @@ def write_worked_solution(
     if not stated.template.scheme.has_mechanism:
         with case.arithmetic.context():
             return WorkedSolution(tuple(boxes.frame(explain_steps(asked, case, boxes))))
-    told = boxes.frame(_write_blocks(case, asked, boxes))
     # Centrodes are worked out at other poses too: in the precision of this one
     with case.arithmetic.context():
-        return WorkedSolution((*_note_idle_method(method, asked, case), *told))
+        told = tuple(boxes.frame(_write_blocks(case, asked, boxes)))
+        return WorkedSolution((*_note_idle_method(method, asked, case), *number_steps(told, case)))
 
 
 def _note_idle_method(method: Method | None, asked: Sequence[Ask], case: Case) -> Iterator[Block]:
@@ -85,6 +87,7 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     stages = _find_stages(velocities, case, "velocity", _list_found(given))
     places = are_places(ask.quantity for ask in moving)
     case.findings.places_alone = places and all(map(goes_by_pole, stages.values()))
+    case.findings.poles_sought = find_poles(moving)
     known = () if case.findings.places_alone else given
     yield from explain_idea(known, stages.items(), asked, case)
     if accelerations and _follow_alike(stages, accelerations, case):
@@ -158,25 +161,29 @@ class _Answers:
 def _write_level_chapter(
     steps: Sequence[Step], case: Case, level: Level, answers: _Answers
 ) -> Iterator[Block]:
-    """The given motions, then the steps of velocities, or of accelerations, numbered, each with the
-    answers that follow.
+    """The given motions, then the steps of velocities, or of accelerations, each with the answers
+    that follow.
     """
     imposed = [step for step in steps if is_given(step, case)]
     known = set(_list_found(imposed))
-    number = 0
     for step in () if case.findings.places_alone else imposed:
         yield from explain_step(step, find_stage(step, case, level, set()))
     stages = _find_stages(steps, case, level, known)
-    scale = find_common_scale(stages.values())
-    for step in steps:
-        if step in stages:
-            told = tuple(_write_numbered_step(number + 1, step, stages[step], scale))
-            number += bool(told)
-            yield from told
-        known |= set(step.unknowns)
-        yield from answers.follow(known)
+    yield from _write_steps(steps, stages, known, answers)
     yield from answers.follow(None)
     yield from check_last(stages)
+
+
+def _write_steps(
+    steps: Sequence[Step], stages: Mapping[Step, Stage], given: Collection[Rate], answers: _Answers
+) -> Iterator[Block]:
+    """The steps that find something, each with the answers that follow from what is known then."""
+    known, scale = set(given), find_common_scale(stages.values())
+    for step in steps:
+        if step in stages:
+            yield from _write_step(step, stages[step], scale)
+        known |= set(step.unknowns)
+        yield from answers.follow(known)
 
 
 def _find_stages(
@@ -214,9 +221,7 @@ def _find_level(ask: Ask, case: Case) -> Level:
     return "acceleration" if changes else "velocity"
 
 
-def _write_numbered_step(
-    number: int, step: Step, stage: Stage, scale: float | None
-) -> Iterator[Block]:
+def _write_step(step: Step, stage: Stage, scale: float | None) -> Iterator[Block]:
     """One step under its title: the equations, their results, the pictures to that scale; nothing
     where an earlier answer has told all of it.
     """
@@ -224,7 +229,7 @@ def _write_numbered_step(
     title = (name_method(stage) if by_method else None) or name_step(step, stage)
     blocks = by_method or tuple(explain_step(step, stage))
     if blocks:
-        yield _write_step_title(number, title, stage.case)
+        yield Heading(stage.case.write(Message("solution.step-title", title=title)), 2)
         yield from _place_pictures(blocks, draw_stage(stage, scale))
     for equation in stage.equations:
         note_equation(equation, stage.case)
@@ -239,7 +244,3 @@ def _place_pictures(blocks: Sequence[Block], pictures: Iterable[Block]) -> Itera
     yield from blocks[:below]
     yield from pictures
     yield from blocks[below:]
-
-
-def _write_step_title(number: int, title: Message, case: Case) -> Heading:
-    return Heading(case.write(Message("solution.step", number=number, title=title)), 2)

@@ -36,20 +36,20 @@ pulley = "C"
 
 def test_an_open_belt_between_fixed_pulleys() -> None:
     solution = solve_small(FIXED, alpha="alpha(pulley2) in rad/s^2")
-    title = "## 1. A belt joins pulley 2 and pulley 1"
+    title = "## A belt joins pulley 2 and pulley 1"
     chapter = read_chapter("# Velocities", solution)
     assert chapter.partition(f"{title}\n")[2] == as_read(
         r"""
-        Seen from the ground both rims always move with the speed of the belt. The belt is open,
-            so both pulleys turn in the same sense:
+        Relative to the ground both rims always move with the speed of the belt, an open one, so in
+            the same sense:
         1\,\unit{m} \cdot \omega &= 3\,\unit{m} \cdot \omega_{O}
         \omega &= 6\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
     assert read_chapter("# Accelerations", solution).partition(f"{title}\n")[2] == as_read(
         r"""
-        Seen from the ground both rims always move with the speed of the belt. The belt is open,
-            so both pulleys turn in the same sense:
+        Relative to the ground both rims always have the speed of the open belt; differentiated
+            with respect to time:
         1\,\unit{m} \cdot \alpha &= 3\,\unit{m} \cdot \alpha_{O}
         \alpha &= 15\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
         """
@@ -59,10 +59,10 @@ def test_an_open_belt_between_fixed_pulleys() -> None:
 def test_a_crossed_belt_about_a_fixed_pulley() -> None:
     # omega - 2 = -3/2 (0 - 2)
     solution = solve_small(CARRIED, omega="omega(pulley) in rad/s")
-    assert read_chapter("## 1. A belt joins the pulley and the ground", solution) == as_read(
+    assert read_chapter("## A belt joins the pulley and the ground", solution) == as_read(
         r"""
-        Seen from the carrier $OC$ both rims always move with the speed of the belt. The belt is
-            crossed, so the pulleys turn in opposite senses:
+        Relative to the carrier $OC$ both rims always move with the speed of the belt, a crossed
+            one, so in opposite senses:
         (1 + 1)\,(\omega - \omega_{OC}) &= -3\,\unit{m} \cdot (0 - \omega_{OC})
         \omega &= 5\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """

@@ -55,17 +55,16 @@ def test_a_composition_of_velocities() -> None:
     solution = solve_small(SLOT, omega="omega(OB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
-            vector denotes its component in the direction assumed for it, of a rotation the
-            counter-clockwise one; that of a known vector denotes its magnitude.
+        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
+            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
+            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
+            magnitude.
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        ## 1. Composition of motions: moving point $A$, moving frame on $OB$
-        Moving point: $A$ (of the crank $O_{1}A$); moving frame: fixed to $OB$. Composition of
-            velocities
-            $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
-            absolute, transport (of the point of $OB$ that is at $A$) and relative (seen from $OB$).
+        ## Composition of motions: moving point $A$, moving frame on $OB$
+        $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$: the
+            absolute velocity of $A$ (of the crank $O_{1}A$) is its transport velocity (that of the
+            point of $OB$ which is at $A$) plus the relative one (seen from $OB$).
         [ ] \boldsymbol{v}_{\mathrm{a}} | $O_{1}A \cdot \omega_{O_{1}A} = 8\,\unit{m/s}$ | $\perp
             O_{1}A$
         [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA$
@@ -75,14 +74,15 @@ def test_a_composition_of_velocities() -> None:
         $OA$ makes the acute angle $\psi_{OA}$ with the $x$ axis:
         \tan\psi_{OA} &= \frac{y_{A}}{x_{A}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{OA} &\approx 36.87^\circ
-        Projected on the direction from $O$ to $A$, normal to $\boldsymbol{v}_{\mathrm{e}}$, which
-            so drops out:
+        Projecting on the direction from $O$ to $A$, which is perpendicular to
+            $\boldsymbol{v}_{\mathrm{e}}$, eliminates $\boldsymbol{v}_{\mathrm{e}}$:
         v_{\mathrm{r}} &= v_{\mathrm{a}}\sin\psi_{OA} = 8\,\unit{m/s} \cdot \sin 36.87^\circ =
             4.8\,\unit{m/s}\quad(\text{from }O\text{ to }B)
         $OB$ makes the acute angle $\psi_{OB}$ with the $x$ axis:
         \tan\psi_{OB} &= \frac{y_{B}}{x_{B}} = \frac{6\,\unit{m}}{8\,\unit{m}} = 0.75
         \psi_{OB} &\approx 36.87^\circ
-        Projected on the normal to $\boldsymbol{v}_{\mathrm{r}}$, which so drops out:
+        Projecting on the normal to $\boldsymbol{v}_{\mathrm{r}}$ eliminates
+            $\boldsymbol{v}_{\mathrm{r}}$:
         v_{\mathrm{e}} &= v_{\mathrm{a}}\cos\psi_{OB} = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
             6.4\,\unit{m/s}
         \omega &= \frac{v_{\mathrm{e}}}{OA} = \frac{6.4\,\unit{m/s}}{5\,\unit{m}} =
@@ -98,10 +98,9 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         r"""
         Given: the angular acceleration of the crank $O_{1}A$.
         \alpha_{O_{1}A} &= 0
-        ## 1. Composition of motions: moving point $A$, moving frame on $OB$
-        Moving point $A$, moving frame fixed to $OB$. Composition of accelerations
-            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\bold\
-            symbol{a}_{\mathrm{C}}$:
+        ## Composition of motions: moving point $A$, moving frame on $OB$
+        $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{C}}$,
+            with the Coriolis acceleration $\boldsymbol{a}_{\mathrm{C}}$:
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $O_{1}A \cdot \omega_{O_{1}A}^{2} =
             16\,\unit{m/s^2}$ | $A \to O_{1}$
         [=] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{n}} | $OA \cdot \omega^{2} = 8.192\,\unit{m/s^2}$ |
@@ -114,13 +113,15 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         Right-hand rule: $\boldsymbol{a}_{\mathrm{C}}$ has the direction of
             $\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ counter-clockwise, with
             $\omega$.
-        Projected on the direction from $A$ to $O$, normal to
-            $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$, which so drops out:
+        Projecting on the direction from $A$ to $O$, which is perpendicular to
+            $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$, eliminates
+            $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$:
         a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{r}}
         a_{\mathrm{r}} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} =
             8.192\,\unit{m/s^2} - 16\,\unit{m/s^2} \cdot \cos 36.87^\circ
         &= -4.608\,\unit{m/s^2}\quad(\text{from }B\text{ to }O)
-        Projected on the normal to $\boldsymbol{a}_{\mathrm{r}}$, which so drops out:
+        Projecting on the normal to $\boldsymbol{a}_{\mathrm{r}}$ eliminates
+            $\boldsymbol{a}_{\mathrm{r}}$:
         a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OB} &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{C}}
         a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{C}} + a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OB} =
             -12.29\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \sin 36.87^\circ
@@ -135,14 +136,12 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
     # v_a = 10 at right angles to OC, whose slope is 4 in 3
     solution = solve_small(YOKE, v_D="x(velocity(D)) in m/s")
     assert read_chapter(
-        "## 1. Composition of motions: moving point $C$, moving frame on block", solution
+        "## Composition of motions: moving point $C$, moving frame on block", solution
     ) == as_read(
         r"""
-        Moving point: $C$ (of the crank $OC$); moving frame: fixed to block. Composition of
-            velocities
-            $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
-            absolute, transport (of the point of block that is at $C$) and relative (seen from
-            block).
+        $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$: the
+            absolute velocity of $C$ (of the crank $OC$) is its transport velocity (that of the
+            point of block which is at $C$) plus the relative one (seen from block).
         [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC$
         [=] \boldsymbol{v}_{D} | ? | $\parallel x$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel y$
@@ -153,10 +152,12 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         \tan\psi_{OC} &= \frac{y_{C}}{x_{C}} = \frac{4\,\unit{m}}{3\,\unit{m}} = \frac{4}{3} \approx
             1.333
         \psi_{OC} &\approx 53.13^\circ
-        Projected on the $x$ axis, normal to $\boldsymbol{v}_{\mathrm{r}}$, which so drops out:
+        Projecting on the $x$ axis, which is perpendicular to $\boldsymbol{v}_{\mathrm{r}}$,
+            eliminates $\boldsymbol{v}_{\mathrm{r}}$:
         v_{D} &= -v_{\mathrm{a}}\sin\psi_{OC} = -10\,\unit{m/s} \cdot \sin 53.13^\circ =
             -8\,\unit{m/s}\quad\text{(to the left)}
-        Projected on the $y$ axis, normal to $\boldsymbol{v}_{D}$, which so drops out:
+        Projecting on the $y$ axis, which is perpendicular to $\boldsymbol{v}_{D}$, eliminates
+            $\boldsymbol{v}_{D}$:
         v_{\mathrm{r}} &= v_{\mathrm{a}}\cos\psi_{OC} = 10\,\unit{m/s} \cdot \cos 53.13^\circ =
             6\,\unit{m/s}\quad\text{(upwards)}
         """
@@ -169,10 +170,9 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
         r"""
         Given: the angular acceleration of the crank $OC$.
         \alpha_{OC} &= 0
-        ## 1. Composition of motions: moving point $C$, moving frame on block
-        Moving point $C$, moving frame fixed to block. Composition of accelerations
-            $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\bold\
-            symbol{a}_{\mathrm{C}}$:
+        ## Composition of motions: moving point $C$, moving frame on block
+        $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{C}}$,
+            with the Coriolis acceleration $\boldsymbol{a}_{\mathrm{C}}$:
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20\,\unit{m/s^2}$
             | $C \to O$
         [=] \boldsymbol{a}_{D} | ? | $\parallel x$
@@ -181,10 +181,12 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
         Block translates: all its points have the same acceleration, and there is no Coriolis
             acceleration.
         At this instant $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
-        Projected on the $x$ axis, normal to $\boldsymbol{a}_{\mathrm{r}}$, which so drops out:
+        Projecting on the $x$ axis, which is perpendicular to $\boldsymbol{a}_{\mathrm{r}}$,
+            eliminates $\boldsymbol{a}_{\mathrm{r}}$:
         a_{D} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OC} = -20\,\unit{m/s^2} \cdot \cos
             53.13^\circ = -12\,\unit{m/s^2}\quad\text{(to the left)}
-        Projected on the $y$ axis, normal to $\boldsymbol{a}_{D}$, which so drops out:
+        Projecting on the $y$ axis, which is perpendicular to $\boldsymbol{a}_{D}$, eliminates
+            $\boldsymbol{a}_{D}$:
         a_{\mathrm{r}} &= -a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OC} = -20\,\unit{m/s^2} \cdot \sin
             53.13^\circ = -16\,\unit{m/s^2}\quad\text{(downwards)}
         """
@@ -222,11 +224,11 @@ def test_an_acceleration_about_a_base_point_that_moves_itself() -> None:
     assert not find_untold(
         r"""
         $A$ is a point of the carrier $OA$, which turns about $O$:
-        a_{A,x} &= -\omega_{OA}^{2}\,x_{A} = -(2\,\unit{rad/s})^{2} \cdot 3\,\unit{m} = -12\,\unit{m/s^2}
-        a_{A,y} &= 0
+        a_{A}^{\mathrm{n}} &= OA \cdot \omega_{OA}^{2} = 3\,\unit{m} \cdot (2\,\unit{rad/s})^{2} =
+            12\,\unit{m/s^2}\quad\text{(to the left)}
         $B$ is a point of link, base point $A$:
-        a_{B,x} &= a_{A,x} - \omega_{AB}^{2}(x_{B} - x_{A}) = -12\,\unit{m/s^2}
-        a_{B,y} &= a_{A,y} - \omega_{AB}^{2}\,y_{B} = -(-3\,\unit{rad/s})^{2} \cdot 1\,\unit{m} =
+        a_{B,x} &= -a_{A}^{\mathrm{n}} - \omega_{AB}^{2}(x_{B} - x_{A}) = -12\,\unit{m/s^2}
+        a_{B,y} &= -\omega_{AB}^{2}\,y_{B} = -(-3\,\unit{rad/s})^{2} \cdot 1\,\unit{m} =
             -9\,\unit{m/s^2}
         a_{B} &= \sqrt{a_{B,x}^{2} + a_{B,y}^{2}} = \sqrt{(-12\,\unit{m/s^2})^{2} +
             (-9\,\unit{m/s^2})^{2}} = 15\,\unit{m/s^2}

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from tests.worked.chapters import as_read, find_untold, read_chapter, solve_small
+from tests.worked.draws import kept
+from tests.worked.telling import displayed
 
 LADDER = """
 joints = ["A of AB slides on line(O, pi/2)", "B of AB slides on line(O, 0)"]
@@ -31,10 +33,10 @@ AB = "A B"
 def test_velocities_by_a_base_point() -> None:
     # A ladder of 5 m: v_B = 2, so v_A = -2 * 4/3 and omega = 2/3 about the point above B
     solution = solve_small(LADDER, v_A="y(velocity(A)) in m/s", omega="omega(AB) in rad/s")
-    assert read_chapter("## 1. $AB$: base point $B$", solution) == as_read(
+    assert read_chapter("## $AB$: base point $B$", solution) == as_read(
         r"""
-        Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
-            that of the rotation about $B$.
+        The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
+            $B$.
         [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
@@ -43,36 +45,32 @@ def test_velocities_by_a_base_point() -> None:
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
         \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{BA} &\approx 36.87^\circ
-        Projected on the direction from $B$ to $A$, normal to $\boldsymbol{v}_{AB}$, which so drops
-            out:
+        Projecting on the direction from $B$ to $A$, which is perpendicular to
+            $\boldsymbol{v}_{AB}$, eliminates $\boldsymbol{v}_{AB}$:
         v_{A}\sin\psi_{BA} &= -v_{B}\cos\psi_{BA}
         v_{A} &= -\frac{v_{B}\cos\psi_{BA}}{\sin\psi_{BA}} = -\frac{2\,\unit{m/s} \cdot \cos
-            36.87^\circ}{\sin 36.87^\circ} = -\frac{8}{3}\,\unit{m/s} \approx
-            -2.667\,\unit{m/s}\quad\text{(downwards)}
-        Projected on the normal to $\boldsymbol{v}_{A}$, which so drops out:
+            36.87^\circ}{\sin 36.87^\circ} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
+        Projecting on the normal to $\boldsymbol{v}_{A}$ eliminates $\boldsymbol{v}_{A}$:
         0 &= -v_{B} + v_{AB}\sin\psi_{BA}
-        v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} =
-            \frac{10}{3}\,\unit{m/s} \approx 3.333\,\unit{m/s}
-        \omega &= \frac{v_{AB}}{BA} = \frac{3.333\,\unit{m/s}}{5\,\unit{m}} =
-            \frac{2}{3}\,\unit{rad/s} \approx 0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} \approx
+            3.333\,\unit{m/s}
+        \omega &= \frac{v_{AB}}{BA} = \frac{3.333\,\unit{m/s}}{5\,\unit{m}} \approx
+            0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
 
 
 def test_velocities_by_the_projection_theorem() -> None:
     solution = solve_small(LADDER, v_A="y(velocity(A)) in m/s")
-    assert read_chapter(
-        "## 1. $AB$: velocity projection theorem", solution, "projection"
-    ) == as_read(
+    assert read_chapter("## $AB$: velocity projection theorem", solution, "projection") == as_read(
         r"""
         Velocity projection theorem: the velocities of $B$ and $A$ of $AB$ have equal projections on
             the line $BA$.
         v_{A}\sin\psi_{BA} &= -v_{B}\cos\psi_{BA}
         v_{A} &= -\frac{v_{B}\cos\psi_{BA}}{\sin\psi_{BA}} = -\frac{2\,\unit{m/s} \cdot \cos
-            36.87^\circ}{\sin 36.87^\circ} = -\frac{8}{3}\,\unit{m/s} \approx
-            -2.667\,\unit{m/s}\quad\text{(downwards)}
-        Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
-            that of the rotation about $B$.
+            36.87^\circ}{\sin 36.87^\circ} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
+        The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
+            $B$.
         [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA$
@@ -81,35 +79,50 @@ def test_velocities_by_the_projection_theorem() -> None:
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
         \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{BA} &\approx 36.87^\circ
-        Projected on the normal to $\boldsymbol{v}_{A}$, which so drops out:
+        Projecting on the normal to $\boldsymbol{v}_{A}$ eliminates $\boldsymbol{v}_{A}$:
         0 &= -v_{B} + v_{AB}\sin\psi_{BA}
-        v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} =
-            \frac{10}{3}\,\unit{m/s} \approx 3.333\,\unit{m/s}
-        \omega_{AB} &= \frac{v_{AB}}{BA} = \frac{3.333\,\unit{m/s}}{5\,\unit{m}} =
-            \frac{2}{3}\,\unit{rad/s} \approx 0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} \approx
+            3.333\,\unit{m/s}
+        \omega_{AB} &= \frac{v_{AB}}{BA} = \frac{3.333\,\unit{m/s}}{5\,\unit{m}} \approx
+            0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
 
 
 def test_velocities_by_the_instantaneous_centre() -> None:
     solution = solve_small(LADDER, v_A="y(velocity(A)) in m/s", omega="omega(AB) in rad/s")
-    assert read_chapter(
-        "## 1. $AB$: instantaneous centre of velocity", solution, "pole"
-    ) == as_read(
+    assert read_chapter("## $AB$: velocity pole", solution, "pole") == as_read(
         r"""
-        Instantaneous centre of $AB$: the normals to the velocities of $B$ and $A$ meet in the pole
-            $P$.
-        P &: (4\,\unit{m},\quad 3\,\unit{m})
-        PB &= 3\,\unit{m}
-        PA &= 4\,\unit{m}
-        \left|\omega\right| &= \frac{v_{B}}{PB} = \frac{2\,\unit{m/s}}{3\,\unit{m}}
-        \omega &= \frac{2}{3}\,\unit{rad/s} \approx
-            0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        \left|v_{A}\right| &= PA \cdot \left|\omega\right| = 4\,\unit{m} \cdot 0.6667\,\unit{rad/s}
-            = \frac{8}{3}\,\unit{m/s} \approx 2.667\,\unit{m/s}\quad\text{(downwards)}
+        The normals to the velocities of $B$ and $A$ meet in the velocity pole $P$ of $AB$.
+        $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
+        \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
+        \psi_{BA} &\approx 36.87^\circ
+        BA &= \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
+            5\,\unit{m}
+        PB &= BA\sin\psi_{BA} = 5\,\unit{m} \cdot \sin 36.87^\circ = 3\,\unit{m}
+        PA &= BA\cos\psi_{BA} = 5\,\unit{m} \cdot \cos 36.87^\circ = 4\,\unit{m}
+        \omega &= \frac{v_{B}}{PB} = \frac{2\,\unit{m/s}}{3\,\unit{m}} = \frac{2}{3}\,\unit{rad/s}
+            \approx 0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        \left|v_{A}\right| &= PA \cdot \omega = 4\,\unit{m} \cdot 0.6667\,\unit{rad/s}
+            \approx 2.667\,\unit{m/s}\quad\text{(downwards)}
         v_{A} &= -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}
         """
     )
+
+
+def test_a_pole_has_its_distances_from_a_triangle_and_its_coordinates_where_asked() -> None:
+    coupler, crusher = (
+        displayed(kept(name)) for name in ("pole-four-bar-coupler", "stone-crusher")
+    )
+    starts = (
+        r"SB &= \frac{l_{BC}\sin(\psi_{BC} + \psi_{DC})}{\cos\psi_{DC}} = ",
+        r"x_{S} &= x_{B} = 0",
+        r"y_{S} &= y_{B} + SB = 0.8\,\unit{m} + 2.390\,\unit{m} ",
+    )
+    assert all(any(line.startswith(start) for line in coupler) for start in starts)
+    # the law of sines in the triangle BGP_1, by the angles of the statement
+    sines = r"P_{1}G &= \frac{BG\sin\gamma}{\sin(\beta + \gamma)} = "
+    assert any(line.startswith(sines) for line in crusher)
 
 
 def test_a_pole_that_is_asked_for() -> None:
@@ -129,10 +142,10 @@ def test_a_rod_whose_end_stands_still() -> None:
     solution = solve_small(
         LADDER.replace('"2"', '"0"'), v_A="y(velocity(A)) in m/s", omega="omega(AB) in rad/s"
     )
-    assert read_chapter("## 1. $AB$: base point $B$", solution) == as_read(
+    assert read_chapter("## $AB$: base point $B$", solution) == as_read(
         r"""
-        Base point method for $AB$: the velocity of $A$ is the velocity of the base point $B$ plus
-            that of the rotation about $B$.
+        The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
+            $B$.
         [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
         [=] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
@@ -141,11 +154,11 @@ def test_a_rod_whose_end_stands_still() -> None:
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
         \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{BA} &\approx 36.87^\circ
-        Projected on the direction from $B$ to $A$, normal to $\boldsymbol{v}_{AB}$, which so drops
-            out:
+        Projecting on the direction from $B$ to $A$, which is perpendicular to
+            $\boldsymbol{v}_{AB}$, eliminates $\boldsymbol{v}_{AB}$:
         v_{A}\sin\psi_{BA} &= 0
         v_{A} &= 0
-        Projected on the normal to $\boldsymbol{v}_{A}$, which so drops out:
+        Projecting on the normal to $\boldsymbol{v}_{A}$ eliminates $\boldsymbol{v}_{A}$:
         0 &= v_{AB}\sin\psi_{BA}
         v_{AB} &= 0
         \omega &= \frac{v_{AB}}{BA} = 0
@@ -158,16 +171,15 @@ def test_a_rod_in_instantaneous_translation() -> None:
     solution = solve_small(CRANK_UP, v_B="x(velocity(B)) in m/s", omega="omega(AB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
-            vector denotes its component in the direction assumed for it, of a rotation the
-            counter-clockwise one; that of a known vector denotes its magnitude.
+        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
+            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
+            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
+            magnitude.
         Given: the angular velocity of $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        ## 1. $AB$: instantaneous centre of velocity
-        The normals to the velocities of $A$ and $B$ are parallel: the pole of $AB$ is at
-            infinity, the body is in instantaneous translation and all its points have the same
-            velocity.
+        ## $AB$: velocity pole
+        The normals to the velocities of $A$ and $B$ are parallel: the pole of $AB$ is at infinity,
+            the body is in instantaneous translation and all its points have the same velocity.
         v_{A} &= OA \cdot \omega_{OA} = 6\,\unit{m/s}\quad\text{(to the left)}
         \omega &= 0
         \left|v_{B}\right| &= v_{A} = 6\,\unit{m/s}\quad\text{(to the left)}
@@ -197,9 +209,9 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         r"""
         Given: the angular acceleration of $OA$.
         \alpha_{OA} &= 0
-        ## 1. $AB$: base point $A$
-        Base point method for $AB$: the acceleration of $B$ is that of the base point $A$ plus the
-            normal and tangential accelerations of the rotation about $A$.
+        ## $AB$: base point $A$
+        The acceleration of $B$ is that of the base point $A$ plus the normal and tangential
+            accelerations of the rotation of $AB$ about $A$.
         [ ] \boldsymbol{a}_{B} | ? | $\parallel x$
         [=] \boldsymbol{a}_{A}^{\mathrm{n}} | $OA \cdot \omega_{OA}^{2} = 12\,\unit{m/s^2}$ | $A \to
             O$
@@ -210,12 +222,13 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         $AB$ makes the acute angle $\psi_{AB}$ with the $x$ axis:
         \tan\psi_{AB} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{AB} &\approx 36.87^\circ
-        Projected on the direction from $A$ to $B$, normal to $\boldsymbol{a}_{BA}^{\mathrm{t}}$,
-            which so drops out:
+        Projecting on the direction from $A$ to $B$, which is perpendicular to
+            $\boldsymbol{a}_{BA}^{\mathrm{t}}$, eliminates $\boldsymbol{a}_{BA}^{\mathrm{t}}$:
         a_{B}\cos\psi_{AB} &= a_{A}^{\mathrm{n}}\sin\psi_{AB}
         a_{B} &= \frac{a_{A}^{\mathrm{n}}\sin\psi_{AB}}{\cos\psi_{AB}} = \frac{12\,\unit{m/s^2}
             \cdot \sin 36.87^\circ}{\cos 36.87^\circ} = 9\,\unit{m/s^2}\quad\text{(to the right)}
-        Projected on the $y$ axis, normal to $\boldsymbol{a}_{B}$, which so drops out:
+        Projecting on the $y$ axis, which is perpendicular to $\boldsymbol{a}_{B}$, eliminates
+            $\boldsymbol{a}_{B}$:
         0 &= -a_{A}^{\mathrm{n}} + a_{BA}^{\mathrm{t}}\cos\psi_{AB}
         a_{BA}^{\mathrm{t}} &= \frac{a_{A}^{\mathrm{n}}}{\cos\psi_{AB}} =
             \frac{12\,\unit{m/s^2}}{\cos 36.87^\circ} = 15\,\unit{m/s^2}

@@ -63,16 +63,16 @@ def test_meshing_seen_from_the_carrier() -> None:
     solution = solve_small(PLANETS, omega="omega(planet) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
-            vector denotes its component in the direction assumed for it, of a rotation the
-            counter-clockwise one; that of a known vector denotes its magnitude.
+        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
+            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
+            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
+            magnitude.
         Given: the angular velocity of the carrier $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         Given: the angular velocity of the sun gear.
         \omega_{O} &= -3\,\unit{rad/s}\quad\text{(clockwise)}
-        ## 1. The planet gear meshes with the sun gear
-        Seen from the carrier $OA$ the pitch circles have equal speeds at the contact:
+        ## The planet gear meshes with the sun gear
+        Relative to the carrier $OA$ the pitch circles have equal speeds at the contact:
         1\,\unit{m} \cdot (\omega - \omega_{OA}) &= -2\,\unit{m} \cdot (\omega_{O} - \omega_{OA})
         \omega &= 12\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
@@ -87,8 +87,9 @@ def test_meshing_of_angular_accelerations() -> None:
         \alpha_{OA} &= 0
         Given: the angular acceleration of the sun gear.
         \alpha_{O} &= 4\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
-        ## 1. The planet gear meshes with the sun gear
-        Seen from the carrier $OA$ the pitch circles have equal speeds at the contact:
+        ## The planet gear meshes with the sun gear
+        Relative to the carrier $OA$ the pitch circles always have equal speeds at the contact;
+            differentiated with respect to time:
         1\,\unit{m} \cdot (\alpha - \alpha_{OA}) &= -2\,\unit{m} \cdot (\alpha_{O} - \alpha_{OA})
         \alpha &= -8\,\unit{rad/s^2}\quad\text{(clockwise)}
         """
@@ -110,13 +111,13 @@ def test_a_given_relative_rate() -> None:
     solution = solve_small(LINK, omega="omega(link) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
-            vector denotes its component in the direction assumed for it, of a rotation the
-            counter-clockwise one; that of a known vector denotes its magnitude.
+        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
+            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
+            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
+            magnitude.
         Given: the angular velocity of the carrier $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        ## 1. The given motion
+        ## The given motion
         Given: the angular velocity of link relative to the carrier $OA$.
         \omega - \omega_{OA} &= -5\,\unit{rad/s}\quad\text{(clockwise)}
         \omega &= -3\,\unit{rad/s}\quad\text{(clockwise)}

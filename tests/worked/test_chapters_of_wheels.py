@@ -57,16 +57,15 @@ def test_rolling_on_a_line() -> None:
     solution = solve_small(ON_A_LINE, omega="omega(wheel) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
-            vector denotes its component in the direction assumed for it, of a rotation the
-            counter-clockwise one; that of a known vector denotes its magnitude.
-        Given: the velocity of $C$, positive to the right.
+        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
+            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
+            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
+            magnitude.
+        Given: the velocity of $C$.
         v_{C} &= 6\,\unit{m/s}\quad\text{(to the right)}
-        ## 1. The wheel rolls without slipping on the ground
-        The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
-            the motion of $C$ along its path ($v_{C}$ positive to the right) and the rotation of the
-            wheel are linked:
+        ## The wheel rolls without slipping on a fixed straight track
+        The point of contact is the velocity pole of the wheel, without slip, so the motion of $C$
+            ($v_{C}$ positive to the right) and the rotation of the wheel are linked:
         \omega &= -\frac{v_{C}}{2\,\unit{m}} = -\frac{6\,\unit{m/s}}{2\,\unit{m}} =
             -3\,\unit{rad/s}\quad\text{(clockwise)}
         """
@@ -97,12 +96,11 @@ def test_rolling_on_a_circle() -> None:
     # C is above the contact: it goes to the left, counter-clockwise about O
     solution = solve_small(ON_A_CIRCLE, v_C="magnitude(velocity(C)) in m/s")
     assert read_chapter(
-        "## 1. The wheel rolls without slipping on a fixed circle", solution
+        "## The wheel rolls without slipping on a fixed circle", solution
     ) == as_read(
         r"""
-        The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
-            the motion of $C$ along its path ($v_{C}$ positive counter-clockwise about $O$) and the
-            rotation of the wheel are linked:
+        The point of contact is the velocity pole of the wheel, without slip, so the motion of $C$
+            ($v_{C}$ positive counter-clockwise about $O$) and the rotation of the wheel are linked:
         v_{C} &= 2\,\unit{m} \cdot \omega_{CD} = 2\,\unit{m} \cdot 3\,\unit{rad/s} =
             6\,\unit{m/s}\quad\text{(counter-clockwise)}
         """
@@ -118,16 +116,15 @@ def test_rolling_inside_a_circle() -> None:
     )
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
-            vector denotes its component in the direction assumed for it, of a rotation the
-            counter-clockwise one; that of a known vector denotes its magnitude.
+        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
+            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
+            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
+            magnitude.
         Given: the angular velocity of the wheel.
         \omega_{CD} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        ## 1. The wheel rolls without slipping on a fixed circle
-        The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
-            the motion of $C$ along its path ($v_{C}$ positive counter-clockwise about $O$) and the
-            rotation of the wheel are linked:
+        ## The wheel rolls without slipping on a fixed circle
+        The point of contact is the velocity pole of the wheel, without slip, so the motion of $C$
+            ($v_{C}$ positive counter-clockwise about $O$) and the rotation of the wheel are linked:
         v_{C} &= -2\,\unit{m} \cdot \omega_{CD} = -2\,\unit{m} \cdot 3\,\unit{rad/s} =
             -6\,\unit{m/s}\quad\text{(clockwise)}
         \left|v_{C}\right| &= 6\,\unit{m/s}
@@ -157,16 +154,15 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
     solution = solve_small(DRIVEN_ROUND, omega="omega(W) in rad/s", alpha="alpha(W) in rad/s^2")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
-            vector denotes its component in the direction assumed for it, of a rotation the
-            counter-clockwise one; that of a known vector denotes its magnitude.
-        Given: the velocity of $A$ on its circle about $O$, positive counter-clockwise.
+        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
+            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
+            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
+            magnitude.
+        Given: the velocity of $A$ on its circle about $O$.
         v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise)}
-        ## 1. The wheel rolls without slipping on a fixed circle
-        The point of contact is the velocity pole of the wheel. There is no slip at the contact, so
-            the motion of $A$ along its path ($v_{A}$ positive counter-clockwise about $O$) and the
-            rotation of the wheel are linked:
+        ## The wheel rolls without slipping on a fixed circle
+        The point of contact is the velocity pole of the wheel, without slip, so the motion of $A$
+            ($v_{A}$ positive counter-clockwise about $O$) and the rotation of the wheel are linked:
         \omega &= -\frac{v_{A}}{1\,\unit{m}} = -\frac{6\,\unit{m/s}}{1\,\unit{m}} =
             -6\,\unit{rad/s}\quad\text{(clockwise)}
         """
@@ -177,12 +173,12 @@ def test_the_given_tangential_acceleration() -> None:
     solution = solve_small(DRIVEN_ROUND, alpha="alpha(W) in rad/s^2")
     assert read_chapter("# Accelerations", solution) == as_read(
         r"""
-        Given: the tangential acceleration of $A$ on its circle about $O$, positive
-            counter-clockwise.
+        Given: the tangential acceleration of $A$ on its circle about $O$.
         a_{A}^{\mathrm{t}} &= 3\,\unit{m/s^2}\quad\text{(counter-clockwise)}
-        ## 1. The wheel rolls without slipping on a fixed circle
-        There is no slip at the contact, so the motion of $A$ along its path ($a_{A}^{\mathrm{t}}$
-            positive counter-clockwise about $O$) and the rotation of the wheel are linked:
+        ## The wheel rolls without slipping on a fixed circle
+        The condition of no slip holds at all times; differentiated with respect to time, it links
+            the motion of $A$ ($a_{A}^{\mathrm{t}}$ positive counter-clockwise about $O$) and the
+            rotation of the wheel:
         \alpha &= -\frac{a_{A}^{\mathrm{t}}}{1\,\unit{m}} = -\frac{3\,\unit{m/s^2}}{1\,\unit{m}} =
             -3\,\unit{rad/s^2}\quad\text{(clockwise)}
         """
@@ -194,27 +190,26 @@ def test_gears_with_fixed_axes() -> None:
     solution = solve_small(GEARS, omega="omega(pinion) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Angular velocities and angular accelerations count positive counter-clockwise. Directions
-            are given by the angle from the $x$ axis, counter-clockwise. The letter of an unknown
-            vector denotes its component in the direction assumed for it, of a rotation the
-            counter-clockwise one; that of a known vector denotes its magnitude.
+        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
+            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
+            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
+            magnitude.
         Given: the angular velocity of the gear.
         \omega_{O} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. Composition of motions: moving point $C$, moving frame on the gear
-        Moving point: $C$ (of pinion); moving frame: fixed to the gear. Composition of velocities
-            $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$:
-            absolute, transport (of the point of the gear that is at $C$) and relative (seen from
-            the gear).
+        $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$: the
+            absolute velocity of $C$ (of pinion) is its transport velocity (that of the point of the
+            gear which is at $C$) plus the relative one (seen from the gear).
         [ ] 0 | |
         [=] \boldsymbol{v}_{\mathrm{e}} | $OC \cdot \omega_{O} = 8\,\unit{m/s}$ | $\perp OC$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\perp OC$
         Here $\boldsymbol{v}_{\mathrm{a}} = 0$, $OC = x_{C} = 4\,\unit{m}$.
-        Projected on the $y$ axis:
+        Projecting on the $y$ axis:
         0 &= v_{\mathrm{e}} + v_{\mathrm{r}}
         v_{\mathrm{r}} &= -v_{\mathrm{e}} = -8\,\unit{m/s}\quad\text{(downwards)}
         ## 2. Pinion rolls without slipping on the gear
-        There is no slip at the contact, so the motion of $C$ along its path and the rotation of
-            pinion relative to the gear are linked:
+        There is no slip at the contact with the gear; so, seen from the gear, the motion of $C$
+            and the rotation of pinion are linked:
         \omega &= \omega_{O} + \frac{v_{\mathrm{r}}}{1\,\unit{m}} = 2\,\unit{rad/s} -
             \frac{8\,\unit{m/s}}{1\,\unit{m}} = -6\,\unit{rad/s}\quad\text{(clockwise)}
         """

@@ -12,6 +12,10 @@ from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import kept
 from tests.worked.telling import proses
 
+ALIKE = (
+    "The accelerations are composed in the same way; the parts that depend on velocities alone are "
+    "known by then."
+)
 IDLE = "The method asked for changes nothing here"
 
 
@@ -57,8 +61,24 @@ def test_every_solution_says_what_is_sought_before_all_else(name: str) -> None:
 )
 def test_the_reason_is_that_of_the_method(method: Method, reason: str) -> None:
     assert read_idea("slider-crank", method) == (
-        r"Known: the rotation of $OA$. Sought: $v_{B}$, $\omega_{AB}$, $\alpha_{AB}$ and $a_{B}$. "
-        + reason
+        r"Known: the rotation of $OA$. Sought: $v_{B}$ (speed of the slider $B$), $\omega_{AB}$ "
+        r"(angular velocity of the rod $AB$), $\alpha_{AB}$ (angular acceleration of the rod $AB$) "
+        r"and $a_{B}$ (acceleration of the slider $B$ along the $x$ axis). " + reason
+    )
+
+
+def test_a_symbol_without_words_in_the_language_stands_alone() -> None:
+    # the author has no words in German
+    said = kept("slotted-bar-between-two-rods", language="de")[1]
+    assert isinstance(said, Prose)
+    assert r"$\omega_{AE}$, $v_{\mathrm{r}}$" in said.text
+
+
+def test_what_rolls_on_a_moving_body_is_linked_as_seen_from_there() -> None:
+    # the centre of the gear is fixed: it moves as seen from the rack alone
+    assert read_idea("guided-rack-and-gear").endswith(
+        "The gear rolls without slipping on the rack, which links its rotation and the motion of "
+        "its centre $O$, both seen from the rack."
     )
 
 
@@ -106,4 +126,4 @@ def test_accelerations_follow_alike_only_where_their_steps_are_those_of_velociti
 ) -> None:
     asked = load_template(name).asked()
     blocks = write_worked_solution(solve_template(load_template(name), {}), asked, "en", method)
-    assert ("The accelerations follow in the same order." in proses(blocks.blocks)) == alike
+    assert (ALIKE in proses(blocks.blocks)) == alike

@@ -45,6 +45,7 @@ def test_only_shipped_templates_are_excused() -> None:
 WRONG: dict[Law, tuple[Block, ...]] = {
     "equal": (Display((read_math(r"r = 2\,\unit{m}", ""), read_math(r"b = r = 3\,\unit{m}", ""))),),
     "rounded": (Display((read_math(r"s = \frac{\sqrt{3}}{2} = 0.8660", ""),)),),
+    "exact": (Display((read_math(r"s = 2 \cdot 0.3333 = \frac{2}{3} \approx 0.6667", ""),)),),
     "settled": (Display((read_math(r"s = \frac{1}{2} \approx 0.5", ""),)),),
     "short": (Display((read_math(r"s = \sqrt{2739201267} \approx 52337", ""),)),),
     "unit": (Display((read_math(r"s = 1 + 2\,\unit{m}", ""),)),),

@@ -10,7 +10,8 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.document import Display
 from kinegrade.worked.solution import write_worked_solution
-from tests.worked.draws import kept
+from tests.worked.draws import kept, told
+from tests.worked.reader.laws import find_faults
 from tests.worked.telling import displayed, proses
 
 
@@ -47,3 +48,50 @@ def test_an_answer_in_the_opposite_sense_names_the_convention_of_the_question(
     place = next(number for number, block in enumerate(blocks) if convention in proses([block]))
     value = displayed([blocks[place + 1]])[0].replace("{,}", ".")
     assert value.startswith(r"v_{\mathrm{r}} &= 0.01\,\unit{m/s}")
+
+
+@pytest.mark.parametrize(
+    ("name", "place", "told"),
+    [
+        ("rolling-wheel-rim-points", 1, r"a_{O} &= 8\,\unit{m/s^2}\quad\text{(to the left)}"),
+        ("two-wheels-on-cylinder", 1, r"v_{A} &= 0.6\,\unit{m/s}\quad\text{(clockwise)}"),
+    ],
+)
+def test_a_given_speed_is_the_size_that_the_statement_prints(
+    name: str, place: int, told: str
+) -> None:
+    """One symbol was the size in the statement and a negative number in the solution."""
+    lines = displayed(kept(name, place))
+    assert told in lines
+    letter = told.partition(" &=")[0]
+    assert not any(rf"\left|{letter}\right|" in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("name", "given"),
+    [
+        # the tangential acceleration of the centre is found by its size, then rolling takes it
+        (
+            "ring-gear-planet-relative-spin",
+            {"R1": "0.4", "R2": "0.1", "phi_3": "255", "omega_3": "5", "alpha_3": "-20"},
+        ),
+        # v_r is positive by the step and negative in the sense of the question
+        (
+            "slotted-bar-between-two-rods",
+            {"l_AB": "120", "theta": "60", "v_A": "30", "a_A": "20", "v_B": "-40", "a_B": "40"},
+        ),
+    ],
+)
+def test_a_symbol_keeps_the_sign_with_which_it_has_been_told(
+    name: str, given: dict[str, str]
+) -> None:
+    solution = solve_template(load_template(name), given)
+    assert [one.line for one in find_faults(told(solution), solution) if one.law == "equal"] == []
+
+
+def test_a_point_about_a_fixed_axis_has_a_normal_and_a_tangential_acceleration_told_once() -> None:
+    blocks = kept("ring-gear-planet-relative-spin", 1)
+    starts = [line.partition(" &=")[0] for line in displayed(blocks)]
+    assert starts.count(r"a_{O_{2}}^{\mathrm{n}}") == 1
+    assert starts.count(r"a_{O_{2}}^{\mathrm{t}}") == 1
+    assert not any(text.startswith("$O_{2}$ belongs to both bodies") for text in proses(blocks))

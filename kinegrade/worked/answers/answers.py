@@ -80,8 +80,10 @@ def _count_as_asked(ask: Ask, case: Case) -> Iterator[Block]:
     """An answer that a step has given under the same symbol with the opposite positive sense: the
     question's, and the value in it.
     """
+    symbol = read_symbol(ask.symbol)
+    case.findings.turned.add(symbol.print())
     yield case.say(_name_convention(ask, case))
-    yield case.show(Equation(read_symbol(ask.symbol), state_value(ask, case)))
+    yield case.show(Equation(symbol, state_value(ask, case)))
 
 
 def _name_convention(ask: Ask, case: Case) -> Message:

@@ -34,6 +34,7 @@ from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import bearing, double, length, tidy
 from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
+from kinegrade.worked.vectors.components import list_component
 from kinegrade.worked.vectors.inclinations import is_line_found
 from kinegrade.worked.vectors.stage import multiply_by_cosine
 from kinegrade.worked.vectors.summands import name_component
@@ -123,7 +124,13 @@ def _state_component(fact: Fact, axis: AxisName, case: Case) -> Working:
     """A component along an axis of the frame."""
     if fact.by_components:
         return Working(name_component(fact.symbol, axis))
-    return _project(fact, dict(_AXES)[axis], case)
+    summands = tuple(list_component(fact, axis, case))
+    own = name_component(fact.symbol, axis)
+    if len(fact.pieces) < 2 or any(one.symbol == own for one in summands):
+        return _project(fact, dict(_AXES)[axis], case)
+    numbers = add_terms(one.in_numbers for one in summands if one.counts)
+    symbols = add_terms(one.in_symbols for one in summands)
+    return Working(symbols, None if numbers.is_decimal else numbers)
 
 
 def _project(fact: Fact, direction: Vector, case: Case) -> Working:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import reduce
 from operator import add
 from typing import ClassVar, Literal, TypeAlias
@@ -19,13 +19,15 @@ AXES: tuple[AxisName, AxisName] = ("x", "y")
 
 @dataclass(frozen=True)
 class Number(Formula):
-    """A decimal as it is printed; a negative one keeps its minus sign wherever it stands.
+    """A decimal as it is printed; a negative one keeps its minus sign wherever it stands. `rounded`
+    where it has more digits than it shows.
 
     >>> Number("-2").sign, abs(Number("-2"))
     (-1, Number(digits='2'))
     """
 
     digits: str
+    rounded: bool = field(default=False, compare=False, repr=False)
     kind: ClassVar[Kind] = "number"
     is_decimal: ClassVar[bool] = True
 
@@ -46,7 +48,7 @@ class Number(Formula):
     @property
     def size(self) -> Formula:
         """The formula without its sign."""
-        return Number(self.digits.removeprefix("-"))
+        return replace(self, digits=self.digits.removeprefix("-"))
 
     def __abs__(self) -> Formula:
         return self.size

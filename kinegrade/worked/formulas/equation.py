@@ -10,6 +10,7 @@ from typing import Literal, TypeAlias
 
 from kinegrade.language.math.tree import Mark, Row, Sign
 from kinegrade.language.math.width import measure_row
+from kinegrade.worked.formulas.exactness import is_exact, is_rounded
 from kinegrade.worked.formulas.formula import Formula
 
 Relation: TypeAlias = Literal["=", r"\approx", ":"]
@@ -32,21 +33,34 @@ class Equation:
     links: tuple[Link, ...]
     aside: Row = ()
 
+    @property
+    def _printed(self) -> tuple[Link, ...]:
+        """The links without an exact form that would stand after numbers that have been rounded:
+        these do not amount to it.
+        """
+        places = (place for place, link in enumerate(self.links) if is_rounded(link.right))
+        first = next(places, len(self.links))
+        return tuple(
+            link
+            for place, link in enumerate(self.links)
+            if place <= first or not is_exact(link.right)
+        )
+
     def print_inline(self, mark: str) -> Row:
         """The equation within a sentence."""
-        return (*self.left.print(mark), *print_links(self.links, mark), *self.aside)
+        return (*self.left.print(mark), *print_links(self._printed, mark), *self.aside)
 
     def print_line(self, mark: str) -> Row:
         """The equation on one line, which the press breaks where it must."""
         left = self.left.print(mark)
-        return (*left, Mark(), *print_links(self.links, mark), *self.aside)
+        return (*left, Mark(), *print_links(self._printed, mark), *self.aside)
 
     def break_lines(self, mark: str) -> tuple[Row, ...]:
         """The equation on as many lines as it needs, continued below its first relation sign."""
         left = self.left.print(mark)
         lines: list[Row] = [(*left, Mark())]
         room, used = WIDEST - measure_row(left), 0.0
-        for group in _list_groups(self.links):
+        for group in _list_groups(self._printed):
             aside = self.aside if group[-1] is self.links[-1] else ()
             row = (*print_links(group, mark), *aside)
             width = measure_row(row)

@@ -117,7 +117,8 @@ def _keep_zeros(short: str, long: str) -> Number:
     than it shows.
     """
     zeros = "" if short == long else "0" * (DIGITS - count_digits(short))
-    return Number(short + ("." if zeros and "." not in short else "") + zeros)
+    point = "." if zeros and "." not in short else ""
+    return Number(short + point + zeros, rounded=short != long)
 
 
 def state_angle(angle: float) -> Measured:
@@ -132,7 +133,7 @@ def state_angle(angle: float) -> Measured:
 def _round_degrees(angle: float) -> Number:
     rounded = round(angle, _PLACES)
     exact = abs(rounded - angle) < 10**-_CERTAINLY
-    return Number(f"{rounded:g}" if exact else f"{rounded:.{_PLACES}f}")
+    return Number(f"{rounded:g}" if exact else f"{rounded:.{_PLACES}f}", rounded=not exact)
 
 
 def substitute(value: Any, unit: Unit) -> Formula:

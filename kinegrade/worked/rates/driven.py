@@ -22,9 +22,11 @@ from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.rates.speeds import Statement, name_relative_rotation, state_expression
 from kinegrade.worked.senses import (
     describe_direction,
+    say_beside,
     state_rotation_sense,
     state_sense_along,
 )
+from kinegrade.worked.vectors.known_vectors import find_given_sign
 from kinegrade.worked.vectors.vectors import UNITS, name_by_role, name_point_vector
 
 
@@ -33,7 +35,9 @@ def state_imposed(law: Imposed, relation: Relation, case: Case, level: Level) ->
     value = _find_driven_value(relation, level)
     left = _name_imposed(law, case, level)
     unit = UNITS[level, bool(law.list_factors(RIGHT))]
-    links = drop_repetition(_state_expression(law, left, case, level), state_number(value, unit))
+    sign = find_given_sign(law, relation, case, level)
+    expression = _state_expression(law, left, sign, case, level)
+    links = drop_repetition(expression, state_number(value * sign, unit))
     equation = Equation(left, links, _state_sense(law, value, case))
     return Statement(Message("solution.title-given"), _state_given(law, case, level), equation)
 
@@ -60,9 +64,22 @@ def _state_sense(law: Imposed, value: Any, case: Case) -> Row:
         case ImposedRotation() | ImposedCircling():
             return state_rotation_sense(value, case)
         case ImposedMotion():
-            return state_sense_along(double(value), law.direction, None, case)
+            return _state_way(law, double(value), case)
         case _:
             assert_never(law)
+
+
+def _state_way(law: ImposedMotion, value: float, case: Case) -> Row:
+    """The direction of a given motion; of one in a moving frame, where it is not the positive
+    one.
+    """
+    if law.of != GROUND:
+        return state_sense_along(value, law.direction, None, case)
+    if value == 0:
+        return ()
+    return say_beside(
+        describe_direction(law.direction if value > 0 else -law.direction, case), case
+    )
 
 
 def _find_driven_value(relation: Relation, level: Level) -> Any:
@@ -76,9 +93,11 @@ def _find_driven_value(relation: Relation, level: Level) -> Any:
             assert_never(level)
 
 
-def _state_expression(law: Imposed, left: Formula, case: Case, level: Level) -> tuple[Link, ...]:
-    """The template's expression for a driver's value; nothing for a number, nor where the paper's
-    parameter has the same letters as the algebraic value.
+def _state_expression(
+    law: Imposed, left: Formula, sign: int, case: Case, level: Level
+) -> tuple[Link, ...]:
+    """The template's expression for a driver's value, or its opposite; nothing for a number, nor
+    where the paper's parameter has the same letters as the algebraic value.
     """
     sentence = case.template.scheme.drivers[law.driver]
     tree = {"velocity": sentence.velocity, "acceleration": sentence.acceleration}[level]
@@ -86,7 +105,7 @@ def _state_expression(law: Imposed, left: Formula, case: Case, level: Level) -> 
     letters = {_drop_upper(symbols[name].row) for name in find_names(tree) if name in symbols}
     if isinstance(tree, Number) or _drop_upper(left.print()) in letters:
         return ()
-    return equate(state_expression(tree, case))
+    return equate(state_expression(tree, case).signed(sign))
 
 
 def _drop_upper(row: Row) -> Row:
@@ -118,8 +137,8 @@ def _state_given_rotation(law: ImposedRotation, case: Case, level: Level) -> Mes
 
 
 def _state_given_component(law: ImposedMotion, case: Case, level: Level) -> Message:
-    point, way = case.naming.point(law.point), describe_direction(law.direction, case)
+    point = case.naming.point(law.point)
     if law.of == GROUND:
-        return Message(f"solution.given-motion-{level}", point=point, way=way)
-    other = case.naming.body(law.of)
+        return Message(f"solution.given-motion-{level}", point=point)
+    other, way = case.naming.body(law.of), describe_direction(law.direction, case)
     return Message(f"solution.given-relative-motion-{level}", point=point, way=way, other=other)

@@ -45,7 +45,7 @@ def describe_track(roll: NoSlip, case: Case) -> Message:
         return case.naming.body(roll.of)
     match roll.on:
         case Line():
-            return case.naming.body(GROUND)
+            return Message("solution.fixed-line")
         case Circle():
             return Message("solution.fixed-circle")
         case _:

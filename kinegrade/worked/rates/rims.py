@@ -15,7 +15,7 @@ def state_meshing(mesh: EqualPitchSpeed, case: Case, level: Level) -> Statement:
     body, other = case.naming.body(mesh.body), case.naming.body(mesh.of)
     return Statement(
         Message("solution.title-mesh", body=body, other=other),
-        Message("solution.mesh", carrier=case.naming.body(mesh.carrier)),
+        Message(f"solution.mesh-{level}", carrier=case.naming.body(mesh.carrier)),
         _equate_rim_speeds(mesh, case, level),
     )
 
@@ -26,7 +26,7 @@ def state_belt(belt: EqualBeltSpeed, case: Case, level: Level) -> Statement:
     shape = "crossed" if belt.crossed else "open"
     return Statement(
         Message("solution.title-belt", body=body, other=other),
-        Message(f"solution.belt-{shape}", carrier=case.naming.body(belt.carrier)),
+        Message(f"solution.belt-{shape}-{level}", carrier=case.naming.body(belt.carrier)),
         _equate_rim_speeds(belt, case, level),
     )
 

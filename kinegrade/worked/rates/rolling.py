@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.rates import make_turning
@@ -37,7 +37,9 @@ def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) ->
     term = find_term(relation.turning[0][0], case)
     body, other = case.naming.body(roll.body), describe_track(roll, case)
     rotation = name_relative_rotation(roll.body, roll.of, case, level)
-    right = (_state_radius(roll, case) * rotation).signed(_find_slip_sign(roll, relation, case))
+    right = (_state_radius(roll, case) * rotation).signed(
+        _find_slip_sign(roll, relation, case, level)
+    )
     equation = Equation(name_speed(term, case, level), equate(right))
     title = Message("solution.title-roll", body=body, other=other)
     return Statement(title, _explain_rolling(roll, term, case, level), equation)
@@ -46,18 +48,16 @@ def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) ->
 def _explain_rolling(roll: NoSlip, term: Term, case: Case, level: Level) -> Message:
     """Why the rotation of a rolling body and the motion of its centre are linked."""
     body, motion = case.naming.body(roll.body), _name_motion_along_path(roll, term, case, level)
-    if roll.of != GROUND:
-        other = describe_track(roll, case)
-        relative = Message("solution.rotation-relative-to", body=body, other=other)
-        return Message("solution.no-slip", motion=motion, rotation=relative)
     rotation = Message("solution.rotation-of", body=body)
+    linked: dict[str, Text] = {"motion": motion, "rotation": rotation}
     match level:
+        case "velocity" if roll.of == GROUND:
+            return Message("solution.no-slip-on-ground", body=body, **linked)
         case "velocity":
-            return Message(
-                "solution.no-slip-on-ground", body=body, motion=motion, rotation=rotation
-            )
+            other = describe_track(roll, case)
+            return Message("solution.no-slip-seen-from", other=other, **linked)
         case "acceleration":
-            return Message("solution.no-slip", motion=motion, rotation=rotation)
+            return Message("solution.no-slip-differentiated", **linked)
         case _:
             assert_never(level)
 
@@ -73,26 +73,29 @@ def _name_motion_along_path(roll: NoSlip, term: Term, case: Case, level: Level) 
         "solution.motion-along-path-positive",
         centre=centre,
         speed=case.text(name_speed(term, case, level)),
-        way=_describe_positive_sense(term, case),
+        way=_describe_positive_sense(term, case, level),
     )
 
 
-def _describe_positive_sense(term: Term, case: Case) -> Message:
+def _describe_positive_sense(term: Term, case: Case, level: Level) -> Message:
     """In which sense a guided point's speed counts positive."""
     match term.kind:
         case "arc":
-            return Message("solution.around", centre=case.naming.point(term.base))
+            centre = case.naming.point(term.base)
+            if find_stated_sense(term, case, level) < 0:
+                return Message("solution.clockwise-about", point=centre)
+            return Message("solution.around", centre=centre)
         case "sliding" | "rotation":
-            return describe_direction(find_positive_sense(term, case), case)
+            return describe_direction(find_positive_sense(term, case, level), case)
         case _:
             assert_never(term.kind)
 
 
-def _find_slip_sign(roll: NoSlip, relation: Relation, case: Case) -> int:
+def _find_slip_sign(roll: NoSlip, relation: Relation, case: Case, level: Level) -> int:
     """1 where the rotation has the sign of the centre's speed as stated, else -1."""
     turning = make_turning(roll.body)
     factor = double(next(factor for rate, factor in relation.turning if rate == turning))
-    stated = find_stated_sense(find_term(relation.turning[0][0], case), case)
+    stated = find_stated_sense(find_term(relation.turning[0][0], case), case, level)
     return -1 if factor * stated > 0 else 1
 
 
@@ -116,7 +119,7 @@ def _state_centre_speed(
     roll: NoSlip, relation: Relation, case: Case, level: Level
 ) -> tuple[Formula, ...]:
     """The radius times the rotation relative to the track, in symbols and in numbers."""
-    sign = _find_slip_sign(roll, relation, case)
+    sign = _find_slip_sign(roll, relation, case, level)
     other = find_rotation_value(roll.of, case, level)
     symbols = _state_radius(roll, case) * name_relative_rotation(roll.body, roll.of, case, level)
     turned = measure(find_rotation_value(roll.body, case, level), UNITS[level, True])
@@ -133,13 +136,13 @@ def _state_rotation(
     """The rotation of the track and the speed of the centre over the radius, in symbols and in
     numbers.
     """
-    sign = _find_slip_sign(roll, relation, case)
+    sign = _find_slip_sign(roll, relation, case, level)
     term = find_term(relation.turning[0][0], case)
     other = find_rotation_value(roll.of, case, level)
     turned = (name_speed(term, case, level) / _state_radius(roll, case)).signed(sign)
     carried = name_rotation(roll.of, case, level)
     symbols = add_terms((carried, turned) if carried != ZERO else (turned,))
-    speed = measure_along_direction(term, case, level) * find_stated_sense(term, case) * sign
+    speed = measure_along_direction(term, case, level) * find_stated_sense(term, case, level) * sign
     known = measure(speed, UNITS[level, False])
     if known == ZERO:
         return (symbols,)

@@ -22,7 +22,7 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.senses import state_rotation_sense, state_sense_along
 from kinegrade.worked.vectors.deductions import state_rotation_result
-from kinegrade.worked.vectors.known_vectors import find_positive_sense, find_stated_sense
+from kinegrade.worked.vectors.known_vectors import find_stated_sense
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
 from kinegrade.worked.vectors.stage import measure_along_direction
 from kinegrade.worked.vectors.vectors import UNITS, name_by_role, name_point_vector
@@ -50,18 +50,19 @@ def state_rate(rate: Rate, case: Case, level: Level) -> Equation:
 
 def _state_speed(term: Term, case: Case, level: Level) -> Equation:
     """The value of a guided point's speed with its sense."""
-    value = measure_along_direction(term, case, level) * find_stated_sense(term, case)
+    value = measure_along_direction(term, case, level) * find_stated_sense(term, case, level)
     links = state_number(value, UNITS[level, False])
-    return Equation(name_speed(term, case, level), links, _state_sense(value, term, case))
+    return Equation(name_speed(term, case, level), links, _state_sense(term, case, level))
 
 
-def _state_sense(value: Any, term: Term, case: Case) -> Row:
+def _state_sense(term: Term, case: Case, level: Level) -> Row:
     """The sense of a guided point's speed: around its centre, or along its line."""
+    value = case.rates(level)[term.rate]
     match term.kind:
         case "arc":
             return state_rotation_sense(value, case)
         case "sliding" | "rotation":
-            return state_sense_along(double(value), find_positive_sense(term, case), None, case)
+            return state_sense_along(double(value), term.coefficient(), None, case)
         case _:
             assert_never(term.kind)
 

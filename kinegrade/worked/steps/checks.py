@@ -12,7 +12,8 @@ from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import add_vectors
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import AxisName
-from kinegrade.worked.formulas.equation import WIDEST, Equation
+from kinegrade.worked.formulas.equation import WIDEST, Equation, approximate
+from kinegrade.worked.formulas.exactness import is_rounded
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.steps.couplers import choose_method, find_coupler
@@ -90,7 +91,8 @@ def _work_out(
     total = add_vectors(share.part.value for share in shares)
     value = total[PLACES[_AXES[projection.axis]]]
     *_, decimal = state_number(value, UNITS[stage.level, False])
-    return Equation(side, (decimal,))
+    links = approximate(decimal.right) if is_rounded(side) else (decimal,)
+    return Equation(side, links)
 
 
 def _measure(side: Equation) -> float:

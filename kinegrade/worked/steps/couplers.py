@@ -8,10 +8,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import assert_never
 
-from kinegrade.expressions.tree import Name
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
-from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Method
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
@@ -19,6 +17,7 @@ from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.senses import state_way
+from kinegrade.worked.steps.poles import find_poles
 from kinegrade.worked.vectors.facts import has_been_told
 from kinegrade.worked.vectors.known_vectors import is_stated_negative
 from kinegrade.worked.vectors.magnitudes import state_magnitude
@@ -66,12 +65,7 @@ def choose_method(coupler: Coupler, case: Case) -> Method:
     """
     if case.method is not None:
         return case.method
-    asked = {
-        call.arguments[0].name
-        for name in case.solution.answers
-        for call in find_motion_calls(case.template.asks[name].quantity)
-        if call.function == "pole" and isinstance(call.arguments[0], Name)
-    }
+    asked = find_poles(case.template.asks[name] for name in case.solution.answers)
     still = case.arithmetic.is_zero(case.motion.omega(coupler.body))
     return "pole" if coupler.body in asked or still else "base-point"
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import assert_never
 
-from kinegrade.language.message import Listing, Message, list_all
+from kinegrade.language.message import Message, Text, list_all
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import (
     EqualBeltSpeed,
@@ -52,7 +52,7 @@ def _join(sentences: Sequence[Message]) -> Message:
 
 
 def _name_task(given: Sequence[Step], asked: Sequence[Ask], case: Case) -> Message:
-    sought = _list_symbols(asked)
+    sought = list_all(dict.fromkeys(_define(ask, case) for ask in asked))
     laws = (case.motion.frames.relations[step.relations[0]].source for step in given)
     known = [name for law in laws if law is not None for name in _name_given(law, case)]
     if not known:
@@ -60,8 +60,15 @@ def _name_task(given: Sequence[Step], asked: Sequence[Ask], case: Case) -> Messa
     return Message("solution.idea-known", known=list_all(known), sought=sought)
 
 
-def _list_symbols(asked: Sequence[Ask]) -> Listing:
-    return list_all(dict.fromkeys(f"${ask.symbol}$" for ask in asked))
+def _define(ask: Ask, case: Case) -> Text:
+    """The symbol of what is sought with its meaning, where the author gives that in the
+    language.
+    """
+    symbol = f"${ask.symbol}$"
+    if not ask.means.has(case.language):
+        return symbol
+    means = ask.means.in_language(case.language)
+    return Message("solution.sought", symbol=symbol, means=means)
 
 
 def _name_given(law: Law, case: Case) -> Iterator[Message]:
@@ -88,13 +95,22 @@ def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
     for relation in select_scalars(step, case):
         roll = relation.source.find_rolling() if relation.source else None
         if roll:
-            yield Message("solution.idea-roll", body=case.naming.body(roll.body))
+            yield _explain_roll(roll, case)
     if coupler is not None:
         yield _explain_choice(coupler, case)
     elif len(stage.equations) > 1:
         yield Message("solution.idea-together")
     elif stage.equations and len(stage.equations[0].unknowns) == 2:
         yield from _explain_frames(stage)
+
+
+def _explain_roll(roll: NoSlip, case: Case) -> Message:
+    """What no slip links, seen from the track where that moves."""
+    centre, body = case.naming.point(roll.circle.centre), case.naming.body(roll.body)
+    if roll.of == GROUND:
+        return Message("solution.idea-roll", body=body, centre=centre)
+    other = case.naming.body(roll.of)
+    return Message("solution.idea-roll-on", body=body, centre=centre, other=other)
 
 
 def _explain_choice(coupler: Coupler, case: Case) -> Message:

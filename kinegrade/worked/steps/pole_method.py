@@ -4,20 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinegrade.language.math.tree import Sign, Space
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
-from kinegrade.worked.formulas.atoms import ZERO, Symbol
-from kinegrade.worked.formulas.equation import Equation, Link, equate, print_links
+from kinegrade.worked.formulas.atoms import ZERO
+from kinegrade.worked.formulas.equation import Equation, Link, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length, size
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.couplers import Coupler, explain_base_speed
+from kinegrade.worked.steps.pole_distances import PoleTriangle
 from kinegrade.worked.steps.poles import name_pole
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.deductions import state_rotation_result
@@ -37,12 +36,15 @@ def explain_by_pole(coupler: Coupler, case: Case) -> Iterator[Block]:
         yield case.show(still, *_state_found_speed(coupler, equate(known), case))
         return
     case.findings.poles[body] = name
-    if case.findings.places_alone:
-        pole = case.motion.pole(body, case.arithmetic)
-        yield case.show(_state_place(case.naming.letter(name), pole, case))
-        return
-    yield from explain_base_speed(coupler, case)
-    yield case.show(*_state_pole(coupler, case.naming.letter(name), case))
+    triangle = PoleTriangle(
+        coupler, case.naming.letter(name), case.motion.pole(body, case.arithmetic), case
+    )
+    yield from triangle.explain_distances()
+    if body in case.findings.poles_sought:
+        yield from triangle.explain_coordinates()
+    if not case.findings.places_alone:
+        yield from explain_base_speed(coupler, case)
+        yield case.show(*_state_rotation(coupler, triangle, case))
 
 
 def _describe_construction(coupler: Coupler, pole: str, case: Case) -> Message:
@@ -62,36 +64,27 @@ def _are_parallel(first: Vector, second: Vector) -> bool:
     return abs(double(first.cross(second))) < PARALLEL * size(first) * size(second)
 
 
-def _state_pole(coupler: Coupler, letter: Symbol, case: Case) -> Iterator[Equation]:
-    """The pole, its distances, and the velocities that follow from them."""
-    points = case.motion.points
-    pole = case.motion.pole(coupler.body, case.arithmetic)
-    base, point = coupler.base.point, coupler.point.point
-    yield _state_place(letter, pole, case)
-    arms = {name: length(points[name] - pole, case.arithmetic) for name in (base, point)}
-    letters = {name: join_letters((letter, case.naming.letter(name))) for name in arms}
-    for name, arm in arms.items():
-        yield Equation(letters[name], state_number(arm, "m"))
-    omega = abs(case.naming.omega(coupler.body))
+def _state_rotation(coupler: Coupler, triangle: PoleTriangle, case: Case) -> Iterator[Equation]:
+    """The rotation about the pole, and the velocity of the second point that follows from it."""
+    omega, rate = case.naming.omega(coupler.body), case.motion.omega(coupler.body)
+    sign = 1 if double(rate) > 0 else -1
     speed = name_value(coupler.equation, coupler.base, case)
     value = measure(length(coupler.base.value, case.arithmetic), "m/s")
-    ratios = speed / letters[base], value / measure(arms[base], "m")
-    yield Equation(omega, equate(*ratios))
-    yield state_rotation_result(make_turning(coupler.body), case, "velocity")
-    case.findings.sized.add(name_point_vector(point, "velocity", case))
-    turned = measure(abs(case.motion.omega(coupler.body)), "rad/s")
+    ratios = (
+        (above / below).signed(sign)
+        for above, below in (
+            (speed, triangle.name_distance(coupler.base)),
+            (value, triangle.measure_distance(coupler.base)),
+        )
+    )
+    yield state_rotation_result(make_turning(coupler.body), case, "velocity", equate(*ratios))
+    case.findings.sized.add(name_point_vector(coupler.point.point, "velocity", case))
+    size = omega if sign > 0 else abs(omega)
     how = equate(
-        letters[point].dot(omega),
-        measure(arms[point], "m").dot(turned),
+        triangle.name_distance(coupler.point).dot(size),
+        triangle.measure_distance(coupler.point).dot(measure(abs(rate), "rad/s")),
     )
     yield from _state_found_speed(coupler, how, case)
-
-
-def _state_place(letter: Symbol, pole: Vector, case: Case) -> Equation:
-    """The coordinates of the pole."""
-    (_, *x), (_, *y) = (print_links(state_number(number, "m"), case.mark) for number in pole)
-    inside = (*x, Sign(","), Space("quad"), *y)
-    return Equation(letter, (Link(":", Symbol((Sign("("), *inside, Sign(")")))),))
 
 
 def _state_found_speed(coupler: Coupler, how: tuple[Link, ...], case: Case) -> Iterator[Equation]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from kinegrade.expressions.tree import Call, Name
 from kinegrade.language.math.tree import Letter, Scripts
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import AXES, OTHER, AxisName, add_terms
@@ -32,15 +33,18 @@ def name_pole(body: str, case: Case) -> str:
         if letter and Call("pole", (Name(body),)) in find_motion_calls(ask.quantity):
             return letter
     letter = next((name for name in "PSQZ" if name not in case.motion.points), "P")
-    bodies = sorted(
-        {
-            call.arguments[0].name
-            for ask in case.template.asks.values()
-            for call in find_motion_calls(ask.quantity)
-            if call.function == "pole" and isinstance(call.arguments[0], Name)
-        }
-    )
+    bodies = sorted(find_poles(case.template.asks.values()))
     return f"{letter}{bodies.index(body) + 1}" if len(bodies) > 1 and body in bodies else letter
+
+
+def find_poles(asked: Iterable[Ask]) -> frozenset[str]:
+    """The bodies about whose poles answers are."""
+    calls = (call for ask in asked for call in find_motion_calls(ask.quantity))
+    return frozenset(
+        call.arguments[0].name
+        for call in calls
+        if call.function == "pole" and isinstance(call.arguments[0], Name)
+    )
 
 
 def _find_letter(symbol: str) -> str:

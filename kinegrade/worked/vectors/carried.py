@@ -1,13 +1,27 @@
-"""The components of a point carried by a body that turns, from those of a base point."""
+"""The motion of a point carried by a body that turns: by its components from those of a base point,
+or by its normal and tangential parts about a fixed axis.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Generator, Iterator
+from dataclasses import replace
+
+from kinegrade.language.math.tree import Row
+from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, find_term_value
 from kinegrade.worked.case import Case
-from kinegrade.worked.formulas.atoms import AxisName, VectorSymbol
-from kinegrade.worked.formulas.equation import Equation
+from kinegrade.worked.document import Block
+from kinegrade.worked.findings import Fact, Piece
+from kinegrade.worked.formulas.atoms import TWO, AxisName, VectorSymbol
+from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import double, is_zero, length
+from kinegrade.worked.formulas.numbers import measure, state_number
+from kinegrade.worked.senses import find_axis_sense, say_beside, state_sense_along
+from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.components import find_known, list_component, list_turning_summands
 from kinegrade.worked.vectors.summands import PLACES, add_summands, name_component
 
@@ -35,3 +49,60 @@ def state_carried_component(
         summands = [*list_component(find_known(symbol, vector, case), axis, case), *summands]
         value = vector[place] + value
     return add_summands(name_component(name, axis), summands, value, level)
+
+
+def explain_turning(term: Term, name: VectorSymbol, case: Case) -> Generator[Block, None, Fact]:
+    """Both parts, as far as they are not zero, and the arm where it has to be worked out."""
+    arms = introduce_lengths(((term.base, term.point),), case)
+    yield case.show(*arms, *_state_parts(term, name, case))
+    normal, tangential = _find_parts(term, name, case)
+    return Fact(name, normal.value + tangential.value, False, (normal, tangential))
+
+
+def _find_parts(term: Term, name: VectorSymbol, case: Case) -> tuple[Piece, Piece]:
+    """The normal and the tangential part, each positive in its own direction."""
+    normal = term.normal(case.motion.rates)
+    tangential = term.coefficient() * case.motion.changes[term.rate]
+    return (
+        Piece(replace(name, part="n"), normal, normal, term),
+        Piece(replace(name, part="t"), tangential, tangential, term),
+    )
+
+
+def _state_parts(term: Term, name: VectorSymbol, case: Case) -> Iterator[Equation]:
+    """a^n = r omega^2, a^t = r alpha, with their directions."""
+    normal, tangential = _find_parts(term, name, case)
+    body, alpha = term.rate.body, case.motion.changes[term.rate]
+    if not is_zero(normal.value):
+        factors = case.naming.omega(body), measure(case.motion.rates[term.rate], "rad/s")
+        sense = state_sense_along(1.0, normal.value, (term.point, term.base), case)
+        yield _state_part(normal, term, factors[0] ** TWO, factors[1] ** TWO, sense, case=case)
+    if not is_zero(tangential.value):
+        letter = case.naming.alpha(body)
+        symbol = letter if double(alpha) > 0 else abs(letter)
+        sense = _state_turning_sense(tangential, term, case)
+        number = measure(abs(alpha), "rad/s^2")
+        yield _state_part(tangential, term, symbol, number, sense, case=case)
+
+
+def _state_part(
+    piece: Piece, term: Term, symbol: Formula, number: Formula, sense: Row, *, case: Case
+) -> Equation:
+    """The arm times a factor, in symbols and in numbers, and the value."""
+    arm = measure(length(term.vector, case.arithmetic), "m")
+    symbols = name_length(term.base, term.point, case).dot(symbol)
+    value = state_number(length(piece.value, case.arithmetic), piece.symbol.unit)
+    return Equation(piece.symbol, (*equate(symbols, arm.dot(number)), *value), sense)
+
+
+def _state_turning_sense(piece: Piece, term: Term, case: Case) -> Row:
+    """The direction of a tangential part: along an axis, else in which sense about the fixed
+    point.
+    """
+    along = find_axis_sense(piece.value)
+    if along is not None:
+        return say_beside(along, case)
+    base = case.naming.point(term.base)
+    if double(case.motion.changes[term.rate]) > 0:
+        return say_beside(Message("solution.around", centre=base), case)
+    return say_beside(Message("solution.clockwise-about", point=base), case)

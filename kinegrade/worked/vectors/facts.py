@@ -42,7 +42,12 @@ def _keep(chain: Chain, fact: Fact, level: Level, case: Case) -> None:
 def _find_fact(parts: Sequence[Part], equation: VectorEquation, case: Case) -> Fact:
     """The vector of one point whose parts stand in an equation."""
     pieces = tuple(
-        Piece(name_part(equation, part, case), _find_sense(part, case), part.value, part.term)
+        Piece(
+            name_part(equation, part, case),
+            _find_sense(part, case, equation.level),
+            part.value,
+            part.term,
+        )
         for part in parts
     )
     first = parts[0]
@@ -56,7 +61,7 @@ def _find_fact(parts: Sequence[Part], equation: VectorEquation, case: Case) -> F
     return Fact(symbol, add_vectors(part.value for part in parts), False, pieces)
 
 
-def _find_sense(part: Part, case: Case) -> Vector:
+def _find_sense(part: Part, case: Case, level: Level) -> Vector:
     """The direction in which a part's number counts positive: the part's direction where only its
     magnitude is given.
     """
@@ -64,7 +69,7 @@ def _find_sense(part: Part, case: Case) -> Vector:
         return part.coefficient
     if part.term is None or part.part == "n" or part.term.kind == "rotation":
         return part.value
-    return find_positive_sense(part.term, case)
+    return find_positive_sense(part.term, case, level)
 
 
 def has_been_told(part: Part, case: Case, level: Level) -> bool:

@@ -15,12 +15,13 @@ from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import TWO, Symbol, add_terms
-from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.formula import Formula, Function, Sum
 from kinegrade.worked.formulas.measures import bearing, tidy
 from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.formulas.symbols import index_letter, join_letters
 from kinegrade.worked.positions.algebra import make_positive, over
 from kinegrade.worked.positions.instance import DEGREE, PURE, make_instance
+from kinegrade.worked.vectors.known_vectors import find_path_term
 from kinegrade.worked.vectors.magnitudes import find_heading, find_track_ends
 from kinegrade.worked.vectors.stated_angles import find_stated_angle
 
@@ -85,8 +86,22 @@ def _add_angles(terms: list[tuple[int, Formula]]) -> Formula | None:
     if len(terms) == 2 and terms[0][1] == terms[1][1]:
         same = terms[0][0] == terms[1][0]
         return (TWO * terms[0][1]).signed(terms[0][0]) if same else None
-    ordered = sorted(terms, key=lambda term: -term[0])
-    return add_terms(angle.signed(sign) for sign, angle in ordered) if terms else None
+    summands = [one for sign, angle in terms for one in _list_summands(angle.signed(sign))]
+    left: list[Formula] = []
+    for one in summands:
+        if -one in left:
+            left.remove(-one)
+        else:
+            left.append(one)
+    ordered = sorted(left, key=lambda one: -one.sign)
+    return add_terms(ordered) if left else None
+
+
+def _list_summands(angle: Formula) -> tuple[Formula, ...]:
+    """The terms of a sum, each with its sign; else the angle itself."""
+    if not isinstance(angle.size, Sum):
+        return (angle,)
+    return tuple(one.signed(angle.sign) for one in angle.size.terms)
 
 
 def find_inclination(part: Part, case: Case) -> Inclination | None:
@@ -126,7 +141,8 @@ def name_axis(direction: float) -> Inclination | None:
 
 def find_ends(part: Part, case: Case) -> tuple[str, str] | None:
     """The two points of the line along or normal to which a part lies."""
-    return find_term_ends(part.term, case) if part.term else None
+    term = part.term or find_path_term(part.together, case)
+    return find_term_ends(term, case) if term else None
 
 
 def find_term_ends(term: Term, case: Case) -> tuple[str, str] | None:

@@ -4,26 +4,87 @@ positive sense.
 
 from __future__ import annotations
 
+from typing import assert_never
+
+from kinegrade.expressions.tree import find_names
 from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import (
+    EqualBeltSpeed,
+    EqualPitchSpeed,
+    EqualRotation,
+    GuidedPoint,
+    Imposed,
+    ImposedCircling,
+    ImposedMotion,
+    ImposedRotation,
+    Law,
+    NoSlip,
+    SharedPoint,
+)
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
+from kinegrade.worked.findings import Piece
 from kinegrade.worked.formulas.measures import double
 
 
-def find_stated_sense(term: Term, case: Case) -> int:
+def find_stated_sense(term: Term, case: Case, level: Level) -> int:
     """1 where a term's value has been stated along the vector that its rate multiplies, -1 where
     against it.
 
-    A driver may impose a point's motion in the direction opposite to the joint's.
+    A driver may impose a point's motion in the direction opposite to the joint's; what is given
+    counts positive in its own sense, and so does what has been found by its size.
     """
     for relation in case.motion.frames.relations:
-        along = relation.source.find_imposed_direction() if relation.source else None
-        if along is not None and _imposes(relation, term):
-            return 1 if double(along.dot(term.coefficient())) > 0 else -1
-    return 1
+        law = relation.source
+        if law is not None and _imposes(relation, term):
+            along = law.find_imposed_direction()
+            opposite = along is not None and double(along.dot(term.coefficient())) < 0
+            return find_given_sign(law, relation, case, level) * (-1 if opposite else 1)
+    piece = _find_piece(term, case, level)
+    return -1 if piece and double(piece.positive.dot(term.coefficient())) < 0 else 1
+
+
+def _find_piece(term: Term, case: Case, level: Level) -> Piece | None:
+    """The velocity of a guided point, or the tangential part of its acceleration, as it has been
+    found by another way.
+    """
+    part = "t" if term.kind == "arc" and level == "acceleration" else ""
+    letters = case.naming.letter(term.point).row
+    pieces = (
+        piece
+        for (told, _), fact in case.findings.facts.items()
+        for piece in fact.pieces
+        if told == level and (piece.symbol.lower, piece.symbol.part) == (letters, part)
+    )
+    return next(pieces, None) if term.frame == GROUND else None
+
+
+def find_given_sign(law: Law, relation: Relation, case: Case, level: Level) -> int:
+    """-1 where the statement gives the size of a point's negative speed, or of its change, with the
+    sense in words; else 1.
+    """
+    match law:
+        case SharedPoint() | GuidedPoint() | EqualRotation() | ImposedRotation():
+            return 1
+        case NoSlip() | EqualPitchSpeed() | EqualBeltSpeed():
+            return 1
+        case ImposedMotion(of=of) if of != GROUND:
+            return 1
+        case ImposedMotion() | ImposedCircling():
+            value = {"velocity": relation.velocity, "acceleration": relation.acceleration}[level]
+            return -1 if double(value) < 0 and not _is_signed(law, case, level) else 1
+        case _:
+            assert_never(law)
+
+
+def _is_signed(law: Imposed, case: Case, level: Level) -> bool:
+    """Whether a driver's value is an expression of a negative given, whose sign is printed."""
+    sentence, values = case.template.scheme.drivers[law.driver], case.solution.assembly.values
+    tree = {"velocity": sentence.velocity, "acceleration": sentence.acceleration}[level]
+    return any(double(values[name]) < 0 for name in find_names(tree) if name in values)
 
 
 def _imposes(relation: Relation, term: Term) -> bool:
@@ -32,10 +93,10 @@ def _imposes(relation: Relation, term: Term) -> bool:
     return len(chain) == 1 and not relation.turning and chain[0].rate == term.rate
 
 
-def find_positive_sense(term: Term, case: Case) -> Vector:
+def find_positive_sense(term: Term, case: Case, level: Level) -> Vector:
     """The direction along which a term's stated value counts as positive."""
     coefficient = term.coefficient()
-    return coefficient if find_stated_sense(term, case) > 0 else -coefficient
+    return coefficient if find_stated_sense(term, case, level) > 0 else -coefficient
 
 
 def is_stated_negative(term: Term, case: Case, level: Level) -> bool:
@@ -43,7 +104,7 @@ def is_stated_negative(term: Term, case: Case, level: Level) -> bool:
     solved for.
     """
     rate = case.rates(level)[term.rate]
-    if term.frame != GROUND or double(rate) * find_stated_sense(term, case) >= 0:
+    if term.frame != GROUND or double(rate) * find_stated_sense(term, case, level) >= 0:
         return False
     return term.kind != "rotation" or _is_vector_result(term.rate, case)
 

@@ -50,7 +50,8 @@ def state_magnitude(equation: VectorEquation, part: Part, case: Case) -> Formula
             omega = _find_omega(case, term.frame)
             speed = case.motion.rates[term.rate]
             turned = _take_size(case.naming.omega(term.frame), omega)
-            return TWO * turned * _take_size(relative, speed)
+            size = _take_size(relative, speed)
+            return TWO * turned * (abs(relative) if _is_turned(relative, case) else size)
         case "absolute" | "transport" | "relative" | "rotation":
             return _state_term_magnitude(equation, part, term, case)
         case _:
@@ -108,6 +109,11 @@ def _name_speed(equation: VectorEquation, part: Part, case: Case) -> Formula:
 def _take_size(symbol: Formula, value: Any) -> Formula:
     """A symbol, between bars where its value is negative."""
     return symbol if float(value) >= 0 else abs(symbol)
+
+
+def _is_turned(symbol: Formula, case: Case) -> bool:
+    """Whether a symbol has been given a second sense, that of the question."""
+    return symbol.print() in case.findings.turned
 
 
 def _find_omega(case: Case, body: str) -> Any:
@@ -190,4 +196,18 @@ def find_track_ends(term: Term, case: Case) -> tuple[str, str] | None:
         start, end = sentence.on.arguments
         if isinstance(start, Name) and isinstance(end, Name) and end.name in case.motion.points:
             return start.name, end.name
+        if isinstance(start, Name) and _lies_aslant(start.name, term, case):
+            return start.name, term.point
     return None
+
+
+def _lies_aslant(start: str, term: Term, case: Case) -> bool:
+    """Whether a line through a point, given by its angle, passes through the point that slides
+    along it, and along no axis.
+    """
+    points, x, y = case.motion.points, *map(abs, map(float, term.vector))
+    if start not in points or min(x, y) < NEGLIGIBLE:
+        return False
+    away = points[term.point] - points[start]
+    offset = abs(float(away.cross(term.vector)))
+    return offset < NEGLIGIBLE < float(away.squared())

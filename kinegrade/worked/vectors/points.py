@@ -24,7 +24,7 @@ from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
-from kinegrade.worked.vectors.carried import state_carried_component
+from kinegrade.worked.vectors.carried import explain_turning, state_carried_component
 from kinegrade.worked.vectors.components import add_components, find_known
 from kinegrade.worked.vectors.contacts import needs_components, turn_about_contact
 from kinegrade.worked.vectors.facts import make_key
@@ -49,7 +49,7 @@ def find_point(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> It
         return
     last, value = chain[-1], find_vector(chain, case.motion, level)
     if all(term.kind == "sliding" and term.frame == GROUND for term in chain):
-        sense = find_positive_sense(last, case)
+        sense = find_positive_sense(last, case, level)
         pieces = (Piece(name, sense, value, last),) if len(chain) == 1 else ()
         fact = Fact(name, value, len(chain) > 1, pieces)
     elif level == "velocity" and (about := turn_about_contact(last, case)):
@@ -61,6 +61,9 @@ def find_point(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> It
         )
     elif len(chain) == 1 and last.kind == "arc":
         fact = yield from _explain_circling(last, name, case)
+    elif len(chain) == 1 and last.kind == "rotation":
+        yield case.say(_announce_rotation(last, "point", case))
+        fact = yield from explain_turning(last, name, case)
     else:
         yield from _explain_sum(chain, name, case, level)
         fact = Fact(name, value, True)

@@ -35,7 +35,7 @@ def is_decimal(row: Row) -> bool:
 def is_long(row: Row) -> bool:
     """Whether an exact form, of roots and fractions of whole numbers, is too long to be read."""
     nodes = list(list_nodes(row))
-    if not _is_exact_form(row):
+    if not is_exact_form(row):
         return False
     digits = [node.digits for node in nodes if isinstance(node, Number)]
     signs = sum(isinstance(node, Sign) for node in nodes)
@@ -45,7 +45,7 @@ def is_long(row: Row) -> bool:
     return turned or longest > LONGEST_WHOLE or sum(map(len, digits)) + signs + roots >= LONGEST
 
 
-def _is_exact_form(row: Row) -> bool:
+def is_exact_form(row: Row) -> bool:
     """Whether a formula is made of whole numbers, with a root or a fraction among them."""
     nodes = list(list_nodes(row))
     formed = any(isinstance(node, Root | Quotient | Function) for node in nodes)

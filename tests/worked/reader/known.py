@@ -12,6 +12,7 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     # rounded numbers put in lose a digit
     "equal": frozenset(("two-wheels-on-cylinder",)),
     "rounded": frozenset(),
+    "exact": frozenset(),
     "settled": frozenset(),
     "short": frozenset(),
     "unit": frozenset(),
@@ -23,7 +24,6 @@ KNOWN: Mapping[Law, frozenset[str]] = {
             "crank-slider-in-floating-link",
             "flat-faced-follower-curvature-radius",
             "flat-faced-follower-eccentric-circle",
-            "four-bar-parallel-coupler",
             "guided-rack-and-gear",
             "pole-sleeve-slider-rod",
             "rod-sliding-on-driven-wheel",
@@ -31,9 +31,6 @@ KNOWN: Mapping[Law, frozenset[str]] = {
             "square-on-two-fixed-points",
             "stone-crusher",
             "triangle-pose-three-frames",
-            "two-rods-driven-ends",
-            "wheel-inside-circular-track",
-            "wheel-on-circular-track",
         )
     ),
     # directions by their angle from x
@@ -44,10 +41,8 @@ KNOWN: Mapping[Law, frozenset[str]] = {
             "flat-faced-follower-curvature-radius",
             "planetary-gear-external-rim-accelerations",
             "planetary-gear-external-rim-velocities",
-            "rod-ground-and-incline",
             "rolling-wheel-pin-slotted-rocker",
             "stone-crusher",
-            "two-wheels-on-cylinder",
             "wheel-inside-circular-track",
         )
     ),
@@ -69,6 +64,4 @@ RARE: Mapping[Law, frozenset[str]] = {
     "angle": frozenset(("two-rods-driven-ends", "wheel-on-circular-track")),
     # the unknown of a projection in which no vector stands on the left
     "symbol": frozenset(("bar-pushing-rolling-disc",)),
-    # a magnitude goes on under the symbol of what was told with its sign
-    "equal": frozenset(("ring-gear-planet-relative-spin", "slotted-bar-between-two-rods")),
 }

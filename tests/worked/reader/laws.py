@@ -20,6 +20,7 @@ from tests.worked.reader.forms import (
     find_arguments,
     find_located_points,
     is_decimal,
+    is_exact_form,
     is_long,
 )
 from tests.worked.reader.formula_reader import (
@@ -30,10 +31,13 @@ from tests.worked.reader.formula_reader import (
 )
 from tests.worked.reader.givens import find_letters, read_givens
 
-Law: TypeAlias = Literal["equal", "rounded", "settled", "short", "unit", "symbol", "angle", "point"]
+Law: TypeAlias = Literal[
+    "equal", "rounded", "exact", "settled", "short", "unit", "symbol", "angle", "point"
+]
 LAWS: dict[Law, str] = {
     "equal": "a sign of equality joins equal values, to within what rounding can do",
     "rounded": "a rounded decimal stands after an approximate sign",
+    "exact": "an exact form does not stand after numbers that have been rounded",
     "settled": "what is exact stands after a sign of equality",
     "short": "an exact form has less than 30 signs, its whole numbers at most 4 digits",
     "unit": "every number has its unit",
@@ -126,6 +130,7 @@ def _judge_line(line: Line, sought: Set[str], known: _Known) -> Iterator[Fault]:
         except Unreadable:
             continue
     yield from _judge_values(line, values)
+    yield from _judge_exact_forms(line, values)
     _learn(line, values, known)
 
 
@@ -154,8 +159,35 @@ def _judge_values(line: Line, values: Values) -> Iterator[Fault]:
             yield Fault("equal", line.text)
     before = [amount.precise for _, amount in values if amount.precise is not None]
     for side, amount in values:
-        if is_decimal(side.row) and before:
+        if is_decimal(side.row) and before and not _is_rounded(line.left, side):
             yield from _judge_decimal(side, amount, before[0], line)
+
+
+def _is_rounded(left: Row, side: Side) -> bool:
+    """Whether a decimal stands for a sum of rounded numbers, to which it is but nearly equal."""
+    try:
+        precise = read_formula(left, refuse_symbols).precise
+    except (Unreadable, MixedUnits):
+        return False
+    return precise is None and side.relation == r"\approx"
+
+
+def refuse_symbols(symbol: str) -> Amount:
+    """For formulas in numbers alone."""
+    raise Unreadable(symbol)
+
+
+def _judge_exact_forms(line: Line, values: Values) -> Iterator[Fault]:
+    """Whether every exact form stands before the rounded numbers that are put in, which do not
+    amount to it.
+    """
+    rounded: list[float] = []
+    for side, amount in values:
+        if is_exact_form(side.row) and any(abs(one - amount.value) > CLOSE for one in rounded):
+            yield Fault("exact", line.text)
+        numbers = not list(find_symbols(side.row)) and not is_decimal(side.row)
+        if numbers and amount.precise is None:
+            rounded.append(amount.value)
 
 
 def _judge_decimal(side: Side, amount: Amount, precise: float, line: Line) -> Iterator[Fault]:

@@ -1,0 +1,41 @@
+"""Whether a number is exact, or rounded numbers have been put into it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+
+from kinegrade.worked.formulas.atoms import Exact, Measured, Number
+from kinegrade.worked.formulas.formula import Formula
+
+
+def is_exact(formula: Formula) -> bool:
+    """Whether a formula is a number with roots and fractions, with or without a unit.
+
+    >>> is_exact(Measured(Exact(Number("2")), "m")), is_exact(Number("2"))
+    (True, False)
+    """
+    number = formula.number if isinstance(formula, Measured) else formula
+    return isinstance(number.size, Exact)
+
+
+def is_rounded(formula: Formula) -> bool:
+    """Whether a number in a formula shows fewer digits than it has.
+
+    >>> third = Number("0.3333", rounded=True)
+    >>> is_rounded(Number("3") * third), is_rounded(Number("3") * Number("2"))
+    (True, False)
+    """
+    return any(isinstance(part, Number) and part.rounded for part in _list_parts(formula))
+
+
+def _list_parts(formula: Formula) -> Iterator[Formula]:
+    """A formula and all that it is made of."""
+    yield formula
+    if not is_dataclass(formula):
+        return
+    for name in fields(formula):
+        inner = getattr(formula, name.name)
+        for part in inner if isinstance(inner, tuple) else (inner,):
+            if isinstance(part, Formula):
+                yield from _list_parts(part)
