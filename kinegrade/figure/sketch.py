@@ -11,7 +11,7 @@ from itertools import groupby
 from operator import attrgetter
 from typing import Literal, assert_never
 
-from kinegrade.figure.marks.angles import draw_least_legs, mark_angles
+from kinegrade.figure.marks.angles import draw_least_legs, list_led_arcs, mark_angles
 from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
@@ -161,7 +161,7 @@ def _place_frames_and_angles(
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [line for lines in legs[number:] for line in lines]
         for arcs in mark_angles(at, angle, sides[number - 1]):
-            layout = layout.marked(arcs, to_come)
+            layout = layout.marked(arcs, to_come, list_led_arcs(arcs, layout.obstacles))
     return layout
 
 

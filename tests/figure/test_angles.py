@@ -8,7 +8,7 @@ from math import degrees, hypot, radians
 
 import pytest
 
-from kinegrade.figure.marks.angles import mark_angles
+from kinegrade.figure.marks.angles import list_led_arcs, mark_angles
 from kinegrade.figure.marks.sides import find_sides
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, is_slender
@@ -93,7 +93,7 @@ def draw_at_o(
     hint = Angle(r"\varphi", "O", start, end)
     layout = Layout.of(drawing.primitives)
     (arcs,) = mark_angles(at, hint, find_sides(at, hint, drawing))
-    return layout.marked(arcs)
+    return layout.marked(arcs, (), list_led_arcs(arcs, layout.obstacles))
 
 
 def list_thin_lines(layout: Layout) -> list[tuple[Vector, Vector]]:

@@ -43,10 +43,3 @@ def test_a_letter_that_stands_off_is_no_index_of_another_label() -> None:
     start = replace(Layout.of((beside,)), labels=(beside,))
     [_, letter] = start.written((wish,)).labels
     assert letter.centre == Vector(0.0, -7.0)
-
-
-def test_a_letter_that_stands_off_is_where_it_can_be_led_to_its_point() -> None:
-    wish = Wish("C", np.array([[0.0, 7.0], [0.0, -7.0]]), names=POINT)
-    bar = Strokes(((Vector(-9.0, 4.0), Vector(9.0, 4.0)),), BOLD)
-    [letter] = Layout.of((bar,)).written((wish,)).labels
-    assert letter.centre == Vector(0.0, -7.0)

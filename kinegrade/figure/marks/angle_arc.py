@@ -9,7 +9,7 @@ from math import pi
 
 from kinegrade.figure.marks.sides import LEFT, Side
 from kinegrade.figure.placing.mark import chords
-from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.placing.wedge import list_spots_in_wedge
 from kinegrade.figure.plane import length, polar
@@ -21,7 +21,7 @@ from kinegrade.problem.template.hints import Angle
 _TRIM = 1.5  # millimetres at either end of an arc where it meets its sides, as it should
 # Millimetres of the leader from an arc to a letter that has no room at it, and the demerit of one,
 # which grows with the millimetres beyond the shortest
-_LEADERS, _LED, _LONGER = (4.0, 6.0, 8.0), 7.0, 0.8
+_LEADERS, _LED, _LONGER = (4.0, 6.5), 7.0, 0.8
 _PLACES = (0.5, 0.3, 0.7)  # of the arc, where its leader ends
 _LEAVES, _AT_END = 0.6, -0.6  # millimetres of a leader at its arc, and from its end to the letter
 _TWELFTHS = tuple(turn * pi / 6 for turn in range(12))
@@ -67,19 +67,24 @@ class AngleArc:
         return (*parts, bow)
 
 
-def list_led_arcs(arc: AngleArc) -> Iterator[LedAngleArc]:
-    """An arc with leaders to its letter, the shortest first."""
+def add_leaders(arc: AngleArc, obstacles: Obstacles) -> Iterator[LedAngleArc]:
+    """An arc with leaders to its letter, the shortest first; none where the arc strikes a label."""
+    covered = obstacles.along(arc.path(), arc.shared)
+    if covered >= COST_LABEL:
+        return
+    bow = arc.bow
+    starts = [bow.centre + polar(bow.start + share * bow.sweep, bow.radius) for share in _PLACES]
     for reach in _LEADERS:
-        demerit = arc.demerit + _LED + _LONGER * (reach - _LEADERS[0])
-        for share, turn in product(_PLACES, _TWELFTHS):
-            angle = arc.bow.start + share * arc.bow.sweep
-            start = arc.bow.centre + polar(angle, arc.bow.radius)
+        demerit = arc.demerit + covered + _LED + _LONGER * (reach - _LEADERS[0])
+        for start, turn in product(starts, _TWELFTHS):
             yield LedAngleArc(arc, start, turn, reach, demerit)
 
 
 @dataclass(frozen=True)
 class LedAngleArc:
-    """An arc whose letter stands at the end of a leader, where there is no room at the arc."""
+    """An arc whose letter stands at the end of a leader, where there is no room at the arc; the
+    demerit is also for what the arc covers.
+    """
 
     arc: AngleArc
     start: Vector
@@ -89,8 +94,8 @@ class LedAngleArc:
     shared: bool = True
 
     def path(self) -> tuple[Segment, ...]:
-        """The arc with the lines of its sides, and the leader without its start at the arc."""
-        return (*self.arc.path(), (self.start + polar(self.turn, _LEAVES), self._end()))
+        """The leader without its start at the arc."""
+        return ((self.start + polar(self.turn, _LEAVES), self._end()),)
 
     def wish(self) -> Wish:
         """Around the far end of the leader."""

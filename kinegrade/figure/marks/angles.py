@@ -9,9 +9,10 @@ from dataclasses import replace
 from math import asin, inf, pi
 from operator import attrgetter
 
-from kinegrade.figure.marks.angle_arc import AngleArc, list_led_arcs
+from kinegrade.figure.marks.angle_arc import AngleArc, add_leaders
 from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.placing.mark import Mark
+from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.wedge import measure_narrow
 from kinegrade.figure.plane import NEAR, polar, shorter_way, unit
 from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
@@ -35,10 +36,8 @@ _LED = 3  # arcs of the preferred radii that may have a leader
 
 def mark_angles(
     at: Mapping[str, Vector], hint: Angle, legs: tuple[Side, ...]
-) -> Iterator[list[Mark]]:
-    """Arcs of several radii between two sides, each with its letter between them or at the end of a
-    leader; none when the angle is too small to be visible.
-    """
+) -> Iterator[list[AngleArc]]:
+    """Arcs of several radii between two sides; none when the angle is too small to be visible."""
     reaches = _measure_reaches(at[hint.at], legs, at.values())
     nicest = _choose_bow(at, hint, legs)
     if abs(nicest.sweep) > _SMALLEST_ANGLE:
@@ -51,8 +50,13 @@ def mark_angles(
             )
             for radius in _RADII
         ]
-        nearest = sorted(arcs, key=attrgetter("demerit"))[:_LED]
-        yield [*arcs, *(led for arc in nearest for led in list_led_arcs(arc))]
+        yield arcs
+
+
+def list_led_arcs(arcs: Iterable[AngleArc], obstacles: Obstacles) -> Iterator[Mark]:
+    """The arcs of the preferred radii, with leaders to their letters."""
+    for arc in sorted(arcs, key=attrgetter("demerit"))[:_LED]:
+        yield from add_leaders(arc, obstacles)
 
 
 def _reach_ground(bow: Bow, radius: float, legs: Sequence[Side]) -> Bow:

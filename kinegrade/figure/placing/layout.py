@@ -14,7 +14,7 @@ import numpy as np
 
 from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.mark import Mark
-from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
+from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles
 from kinegrade.figure.placing.place import (
     Placed,
     Wish,
@@ -30,9 +30,9 @@ from kinegrade.mechanics.vector import Vector
 # Alternatives of a mark that are judged together: usually one of the first is accepted
 _BATCHES = (4, 12, 36)
 
-# Millimetres between a letter and a label that make one word of them, and its demerit; that of a
-# place to which no leader may be drawn: less than a fault together
-_ADJOINS, _ONE_WORD, _BLOCKED = 1.5, 0.25, 0.2
+# Millimetres between a letter and a label that make one word of them, and its demerit: no fault
+_ADJOINS, _ONE_WORD = 1.5, 0.45
+_CHEAP = 8.0  # cost of a mark up to which no further alternatives are made
 _HARD = 20.0  # cost from which on a leader would cross too much to be of use
 
 
@@ -73,38 +73,41 @@ class Layout:
         layout = self
         for wish in wishes:
             placed = place_label(wish, layout.obstacles)
-            if wish.names and trace_leader(placed.label, wish.names):
-                placed = place_label(layout._rate_far_spots(wish), layout.obstacles)
             leader = trace_leader(placed.label, wish.names) if wish.names else None
-            clear = leader and not layout._blocks(leader)
+            if leader and layout._adjoins(placed.label):
+                placed = place_label(layout._keep_from_labels(wish), layout.obstacles)
+                leader = trace_leader(placed.label, wish.names) if wish.names else None
+            crossed = layout.obstacles.along((leader,), shared=True) if leader else 0.0
             layout = layout._labelled(placed)
-            if leader and clear:
+            if leader and crossed < _HARD:
                 layout = layout.drawn((Strokes((leader,), THIN),))
         return layout
 
-    def _rate_far_spots(self, wish: Wish) -> Wish:
-        """The wish of a letter without room at the point it names: rather where a leader may be
-        drawn, and not beside another label, of which it would seem to be the index.
+    def _keep_from_labels(self, wish: Wish) -> Wish:
+        """The wish, rather not beside another label, of which the letter would seem to be the
+        index.
         """
-        size, point = measure_symbol(wish.symbol), wish.names or Vector(*wish.spots[0])
-        demerits = []
-        for x, y in wish.spots.tolist():
-            label = Label(wish.symbol, Vector(x, y), *size)
-            leader = trace_leader(label, point)
-            blocked = leader is not None and self._blocks(leader)
-            adjoins = any(measure_gap(label, other) < _ADJOINS for other in self.labels)
-            demerits.append(_BLOCKED * blocked + _ONE_WORD * adjoins)
-        worse = np.array(demerits)
+        size = measure_symbol(wish.symbol)
+        labels = [Label(wish.symbol, Vector(x, y), *size) for x, y in wish.spots.tolist()]
+        worse = np.array([_ONE_WORD * self._adjoins(label) for label in labels])
         return replace(wish, demerits=worse if wish.demerits is None else wish.demerits + worse)
 
-    def _blocks(self, leader: Segment) -> bool:
-        return self.obstacles.along((leader,), shared=True) >= _HARD
+    def _adjoins(self, label: Label) -> bool:
+        return any(measure_gap(label, other) < _ADJOINS for other in self.labels)
 
-    def marked(self, alternatives: Sequence[Mark], sparing: Sequence[Primitive] = ()) -> Layout:
+    def marked(
+        self,
+        alternatives: Sequence[Mark],
+        sparing: Sequence[Primitive] = (),
+        further: Iterable[Mark] = (),
+    ) -> Layout:
         """The layout with the alternative that covers least, and its label; areas reserved for
-        later items may be kept clear.
+        later items may be kept clear. `further` alternatives are made only where the best is not
+        cheap.
         """
         layout, wish = self.chosen(alternatives, sparing)
+        if layout.costs[-1] > _CHEAP:
+            layout, wish = self.chosen([layout.marks[-1], *further], sparing)
         return layout.captioned(wish, sparing)
 
     def chosen(
