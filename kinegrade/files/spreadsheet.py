@@ -17,8 +17,6 @@ from datetime import date, datetime, time, timedelta
 from pathlib import Path
 from typing import Any
 
-from openpyxl import load_workbook
-
 from kinegrade.errors import TableError
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.header_line import MOST_ABOVE, HeaderSign, find_header
@@ -101,6 +99,8 @@ def _pad(cells: Sequence[_Cell], width: int) -> tuple[str, ...]:
 @contextmanager
 def _workbook(path: Path, *, values: bool) -> Iterator[Any]:
     """An open workbook; every error of its parser becomes one TableError."""
+    from openpyxl import load_workbook
+
     workbook = None
     try:
         with warnings.catch_warnings():

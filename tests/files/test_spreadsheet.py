@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 import zipfile
 from collections.abc import Callable
 from datetime import date, datetime, time
@@ -276,3 +279,15 @@ def test_a_dimension_that_lies_changes_nothing(tmp_path: Path) -> None:
     with_part(path, SHEET, lambda xml: xml.replace('ref="A1:B2"', 'ref="A1:A1"'))
     assert read_workbook(path).rows[0].cells == ("7", "1")
     assert load_workbook(path).active["B2"].value == "1"
+
+
+def test_only_who_reads_a_workbook_loads_what_reads_it() -> None:
+    program = "import sys, kinegrade.exam.generating.generate; print('openpyxl' in sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
+    assert done.stdout == "False\n"
