@@ -60,7 +60,7 @@ EXCEPTIONS = {
     "'percentage'": "the cells decide; a known word may only say that they are feedback",
     "reports/feedback/remarks.py: _VERDICTS.get(verdict, verdict)": "a file of marks may hold "
     "a verdict of a later version, which is shown as it stands",
-    "reports/classes/words.py: _VERDICTS.get(verdict, verdict)": "the same in the class report",
+    "grading/verdict_names.py: _VERDICTS.get(verdict, verdict)": "the same in the class report",
     "problem/assemble.py: if isinstance(value, (Vector, Line, Round, str))": "numbers of any "
     "arithmetic are taken, what is known to be no number is refused",
 }

@@ -279,7 +279,7 @@ def test_two_digits_are_right_just_when_they_are_near_enough(
         if answer.slip == "two digits":
             value = keys[student][column].value
             near = abs(Decimal(answer.text) - value) <= abs(value) / 100
-            expected = {"right"} if near else {"wrong", "mistake"}
+            expected = {"right"} if near else {"wrong", "mistake", "follow-through"}
             assert verdicts[student, column]["verdict"] in expected
             seen[near] += 1
     assert min(seen[True], seen[False]) > 0

@@ -38,7 +38,7 @@ def test_every_student_has_worked_solutions_with_the_own_key(solved_class: Path)
         assert student["paper"] in text
         rate = key["questions"][2]["asks"]["omega_AB"]["value"]
         assert f"{abs(rate):.4g}" in text
-        assert "instantaneouscentre" in text
+        assert "velocitypole" in text
 
 
 def test_the_booklet_holds_all_of_them_each_on_sheets_of_its_own(solved_class: Path) -> None:

@@ -85,7 +85,3 @@ def test_relations_with_an_axis_to_spare_have_a_check(name: str) -> None:
 def test_a_check_that_nobody_reads_at_a_glance_is_left_out() -> None:
     (only,) = read_checks("five-bar-two-driven-cranks", 1)
     assert r"\unit{m/s}" in only.left
-
-
-def test_a_check_by_an_angle_that_nothing_has_introduced_is_left_out() -> None:
-    assert not any(r"\unit{m/s}" in one.left for one in read_checks("two-rods-driven-ends"))

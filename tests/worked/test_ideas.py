@@ -61,9 +61,9 @@ def test_every_solution_says_what_is_sought_before_all_else(name: str) -> None:
 )
 def test_the_reason_is_that_of_the_method(method: Method, reason: str) -> None:
     assert read_idea("slider-crank", method) == (
-        r"Known: the rotation of $OA$. Sought: $v_{B}$ (speed of the slider $B$), $\omega_{AB}$ "
+        r"Known: the rotation of $OA$. Sought: $v_{B}$ (speed of slider $B$), $\omega_{AB}$ "
         r"(angular velocity of the rod $AB$), $\alpha_{AB}$ (angular acceleration of the rod $AB$) "
-        r"and $a_{B}$ (acceleration of the slider $B$ along the $x$ axis). " + reason
+        r"and $a_{B}$ (acceleration of slider $B$ along the $x$ axis). " + reason
     )
 
 

@@ -136,6 +136,8 @@ def bare(latex: str) -> str:
     return re.sub(r"\\(?:left|right)|[()]| ", "", tidy(latex))
 
 
+ROUNDED = re.compile(r"\d\.\d{4}|[1-9]\.\d{3}|\d\d\.\d\d")  # four digits, as all that is rounded
+
 ANSWERS = [
     (name, ask)
     for name in find_template_names()
@@ -153,7 +155,8 @@ def test_the_last_line_ends_with_the_answer_of_the_key(name: str, ask: str) -> N
         printed = parts[-1].split(r"\,\unit")[0].removesuffix(r"^\circ")
         rounded = answer.decimal(len(printed.strip("-0.").replace(".", "")) or 1)
         assert float(printed) == pytest.approx(float(rounded), rel=1e-3)
-        if answer.closed_form is not None and has_short_form(answer):
+        exact = not any(ROUNDED.search(part) for part in parts[:-1])
+        if exact and answer.closed_form is not None and has_short_form(answer):
             assert any(bare(answer.closed_form) in bare(part) for part in parts)
 
 
@@ -170,7 +173,7 @@ def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
         r"$A$ lies at the distance $r$ from $O$ in the direction $\varphi$, counted "
         r"counter-clockwise from the "
         "$x$ axis:",
-        r"$B$ is the right one of the points in which the $x$ axis meets the circle about $A$ of "
+        r"$B$ is the right-hand one of the points in which the $x$ axis meets the circle about $A$ of "
         r"radius $k\,r$:",
     ]
     assert lines(blocks) == [
@@ -226,8 +229,8 @@ def test_an_angle_without_a_field_gives_decimals_that_say_they_are_rounded() -> 
             r"the line through $(0,\ r)$ parallel to the $x$ axis",
         ),
         ("meet(line(A, B), line((r, 0), (0, r)))", r"the line $(r,\ 0)(0,\ r)$"),
-        ("meet(circle(B, r), line((0, r/2), -phi), left)", "the left one of the points"),
-        ("meet(circle(B, r), line((0, r/4), 0), left)", "the left one of the points"),
+        ("meet(circle(B, r), line((0, r/2), -phi), left)", "the left-hand one of the points"),
+        ("meet(circle(B, r), line((0, r/4), 0), left)", "the left-hand one of the points"),
         ("meet(line((r, 0), pi/2), circle(B, r), lower)", "the lower one of the points"),
         ("meet(line((0, r/4), B), circle(B, r), lower)", "the lower one of the points"),
         ("meet(line((r, 0), pi/2), circle(A, r), clockwise)", "the $y$ axis touches the circle"),
