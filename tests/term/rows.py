@@ -13,8 +13,9 @@ ROWS: Mapping[int, str] = {
     1: "choosing: filters, difficulty, minutes, tags shown and listed",
     2: "an own bank: a starter with every key",
     3: "the header: university, logo, duration, aids, instructions",
-    4: "some values, fixed values, the same numbers for all: possible, and said what it costs",
-    5: "a theory question beside the others",
+    4: "some values, fixed values, the same numbers for all, two templates in one slot: possible,"
+    " and said what it costs",
+    5: "a theory question beside the others, and one with numbers of its own",
     6: "working space by the bank; any language with a catalogue",
     7: "rosters as registrars and systems send them: read, and said how",
     8: "room, seat, group, language and extra time in the roster: used",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import tomllib
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -95,6 +96,30 @@ def test_row_4_numbers_are_restricted_and_what_that_costs_is_said(tmp_path: Path
     assert "q3: 2 sets of numbers for 4 students" in said
 
 
+def test_row_4_two_templates_share_a_slot(tmp_path: Path) -> None:
+    entry = '\n[[questions]]\nany = ["slider-crank", "bent-rod-two-sleeves"]\npoints = 6\n'
+    exam, _ = generate(tmp_path, f'{HEAD}{entry}asks = "velocity"\n')
+    held = [[each["question"] for each in line["questions"]] for line in key_lines(exam)]
+    assert sorted(held) == [["q1a"], ["q1a"], ["q1b"], ["q1b"]]
+
+
+def test_row_5_numbers_without_a_mechanism_are_asked_in_a_few_lines(tmp_path: Path) -> None:
+    own = """
+[[questions]]
+name = "car-from-rest"
+title = "A car that starts"
+statement = "A car starts from rest with {{ a }}. How fast is it after {{ t }}?"
+parameters.a = { unit = "m/s^2", draw = ["3/2", 2, "5/2"] }
+parameters.t = { unit = "s", draw = "4 .. 12 step 1" }
+steps.v = "a*t"
+asks.v = { unit = "m/s", points = 3, means = "its speed" }
+"""
+    exam, _ = generate(tmp_path, f"{HEAD}{own}")
+    for [question] in (line["questions"] for line in key_lines(exam)):
+        acceleration, time = (Fraction(question["drawn"][name]) for name in "at")
+        assert Fraction(question["asks"]["v"]["exact"]) == acceleration * time
+
+
 def test_row_5_a_theory_question_stands_beside_the_others(tmp_path: Path) -> None:
     theory = '\n[[questions]]\ntext = "What is a pole?"\npoints = 5\nspace = "6 cm"\n'
     text = sample(tmp_path, f"{HEAD}{QUESTION}asks = {{ v_B = 1 }}\n{theory}")
@@ -111,6 +136,9 @@ def test_row_6_room_for_working_and_german(tmp_path: Path) -> None:
     text = sample(tmp_path, bank, "--lang", "de")
     assert "Klausur" in text
     assert "Punkte" in text
+    assert "Seite 1 von 1" in text
+    much = bank.replace("4 cm", "18 cm")
+    assert "Seite 1 von 2" in sample(tmp_path, much, "--lang", "de")
 
 
 @pytest.mark.parametrize(
