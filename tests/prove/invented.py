@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import os
+import signal
 from pathlib import Path
 
 
 def hold(seed: int, folder: Path) -> None:
-    """Every seed ends in 1 fails, in 2 raises, in 3 dies, in 4 takes much memory."""
+    """Every seed ends in 1 fails, in 2 raises, in 3 dies, in 4 takes much memory, in 5 too
+    long.
+    """
     match seed % 10:
         case 1:
             assert seed % 10 != 1, f"{seed} ends\nin 1"
@@ -17,5 +20,7 @@ def hold(seed: int, folder: Path) -> None:
             os._exit(7)
         case 4:
             len(bytearray(1_100 << 20))
+        case 5:
+            signal.raise_signal(signal.SIGXCPU)
         case _:
             (folder / "case").write_text(str(seed), encoding="utf-8")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 import subprocess
 import sys
 import time
@@ -30,17 +31,17 @@ def _in_time(proof: Proof, batch: range, until: float) -> list[Outcome]:
 def _by_processes(proof: Proof, batch: range) -> list[Outcome]:
     found: list[Outcome] = []
     while batch:
-        came, ended = _by_process(proof, batch)
+        came, status = _by_process(proof, batch)
         found += came
         batch = batch[len(came) :]
-        if batch and not ended:
-            found.append(Outcome(batch[0], DIED))
+        if batch and status:
+            found.append(Outcome(batch[0], f"{DIED} ({_tell_death(status)})"))
             batch = batch[1:]
     return found
 
 
-def _by_process(proof: Proof, batch: range) -> tuple[list[Outcome], bool]:
-    """What came of a batch until its process ended, and whether it ended well."""
+def _by_process(proof: Proof, batch: range) -> tuple[list[Outcome], int]:
+    """What came of a batch until its process ended, and with which status it did."""
     bounds = (str(batch.start), str(batch.stop))
     done = subprocess.run(
         [sys.executable, "-m", "tests.prove.batch", proof.address, *bounds],
@@ -50,4 +51,9 @@ def _by_process(proof: Proof, batch: range) -> tuple[list[Outcome], bool]:
         text=True,
     )
     lines = done.stdout.splitlines()
-    return [Outcome(**json.loads(line)) for line in lines], done.returncode == 0
+    return [Outcome(**json.loads(line)) for line in lines], done.returncode
+
+
+def _tell_death(status: int) -> str:
+    """Why: SIGXCPU is the limit of time."""
+    return signal.Signals(-status).name if status < 0 else f"status {status}"

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -67,12 +69,13 @@ def test_a_failure_is_the_line_that_belongs_into_the_list(
     status, lines = run(capsys, cases=10)
     assert status == 1
     name, seed, cases, full, _, failures = lines[1].split()
-    assert (name, seed, cases, full, failures) == ("invented", "10", "10", "10", "4")
+    assert (name, seed, cases, full, failures) == ("invented", "10", "10", "10", "5")
     assert lines[2].startswith("    ('invented', 11): 'AssertionError in invented.py:")
     assert lines[2].endswith(": 11 ends in 1',")
     assert lines[3].endswith(": no such thing',")
-    assert lines[4] == "    ('invented', 13): 'the process died',"
+    assert lines[4] == "    ('invented', 13): 'the process died (status 7)',"
     assert lines[5].startswith("    ('invented', 14): 'memory: 1")
+    assert lines[6] == "    ('invented', 15): 'the process died (SIGXCPU)',"
 
 
 def test_a_run_without_failure_ends_well(capsys: pytest.CaptureFixture[str]) -> None:
@@ -86,6 +89,16 @@ def test_a_run_that_is_out_of_time_says_so_by_its_numbers(
 ) -> None:
     _, lines = run(capsys, "--minutes", "0", cases=10)
     assert lines[1].split()[2:4] == ["0", "10"]
+
+
+def test_a_case_has_its_own_time_of_the_processor() -> None:
+    give = "from tests.prove.batch import SECONDS, main\n"
+    tell = "import resource; print(resource.getrlimit(resource.RLIMIT_CPU)[0] - SECONDS)"
+    run_case = 'main("tests.prove.invented:hold", "10", "11"); '
+    done = subprocess.run(
+        [sys.executable, "-c", give + run_case + tell], capture_output=True, text=True, check=True
+    )
+    assert 0 <= int(done.stdout.splitlines()[-1]) < 60, done.stdout
 
 
 def test_a_proof_that_is_not_there_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
