@@ -15,7 +15,7 @@ from importlib.util import find_spec
 
 from tests.tools import complaint, missing_tools
 
-BENCHMARKS = ("startup", "solving", "templates", "marking", "papers")
+BENCHMARKS = ("startup", "solving", "templates", "marking", "papers", "class_commands")
 
 
 def missing_peer() -> str:

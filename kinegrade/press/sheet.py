@@ -131,13 +131,16 @@ class KeyPaper:
 
 @dataclass(frozen=True)
 class KeyBook:
-    """The instructor's book of all keys; `warning` is printed on every page."""
+    """The instructor's book of all keys; `warning` is printed on every page, `name` is what its
+    sources are called.
+    """
 
     language: Language
     course: str
     title: str
     warning: str
     papers: Iterable[KeyPaper]  # they may come one after another, while the papers are printed
+    name: str = "key"
 
     def chunks(self, size: int) -> Iterator[KeyBook]:
         """The same book in parts of `size` papers; an empty book is one empty part."""

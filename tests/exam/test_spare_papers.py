@@ -73,13 +73,13 @@ def test_an_assigned_paper_is_that_of_the_student(exam: Path, tmp_path: Path) ->
         "answers.xlsx",
         "exam.json",
         "key.jsonl",
-        "key.pdf",
+        "spare-key.pdf",
         "spares.jsonl",
         "papers.pdf",
         "solutions.pdf",
     }
     assert "Dora Noble" in PdfReader(exam / "papers" / "0099.pdf").pages[0].extract_text()
-    key = "".join(page.extract_text() for page in PdfReader(exam / "key.pdf").pages)
+    key = "".join(page.extract_text() for page in PdfReader(exam / "spare-key.pdf").pages)
     assert "Dora Noble" in key
     assert "spare-1" not in key
     assert "spare-2" in key

@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from kinegrade.reports.classes.equal_hardness import (
     adjust_p_values,
     compare_groups,
-    correlate_ranks,
     find_parameter_trends,
     rank_values,
     split_in_thirds,
@@ -128,16 +127,15 @@ def test_p_is_that_of_all_permutations_and_always_the_same() -> None:
     assert test
     assert test.p == pytest.approx(2 / 20, abs=0.01)
     steps = np.arange(5.0)
-    monotone = correlate_ranks(steps, steps**3)
-    assert monotone
-    assert monotone.statistic == pytest.approx(1)
-    assert monotone.p == pytest.approx(2 / 120, abs=0.004)
+    (monotone,) = find_parameter_trends({("q1", "r"): steps}, {"q1": steps**3})
+    assert monotone.test.statistic == pytest.approx(1)
+    assert monotone.test.p == pytest.approx(2 / 120, abs=0.004)
 
 
 def test_one_version_and_equal_points_have_no_test() -> None:
     assert compare_groups(np.arange(9.0), ["A"] * 9) is None
     assert compare_groups(np.ones(9), list("ABCABCABC")) is None
-    assert correlate_ranks(np.ones(9), np.arange(9.0)) is None
+    assert find_parameter_trends({("q1", "r"): np.ones(9)}, {"q1": np.arange(9.0)}) == ()
     assert correlate(np.full(9, 0.1), np.arange(9.0)) is None
 
 
@@ -145,6 +143,21 @@ def test_many_tests_are_adjusted_for() -> None:
     assert adjust_p_values([]) == ()
     assert adjust_p_values([0.01, 0.04, 0.04]) == pytest.approx((0.03, 0.08, 0.08))
     assert adjust_p_values([0.9, 0.95]) == (1.0, 1.0)
+
+
+@given(st.lists(st.integers(0, 9), min_size=8, max_size=20), st.integers(0, 3))
+def test_a_trend_is_tested_beside_others_as_it_is_alone(numbers: list[int], blank: int) -> None:
+    row = np.array(numbers, dtype=float)
+    shorter = np.where(np.arange(len(row)) < blank, np.nan, row[::-1])
+    shares = {"q1": np.linspace(0, 1, len(row))}
+    drawn = {("q1", "r"): row, ("q1", "h"): shorter, ("q1", "k"): np.flip(row)}
+    together = {each.parameter: each.test for each in find_parameter_trends(drawn, shares)}
+    alone = {
+        each.parameter: each.test
+        for key, value in drawn.items()
+        for each in find_parameter_trends({key: value}, shares)
+    }
+    assert together == alone
 
 
 @given(st.lists(st.integers(0, 9), min_size=3, max_size=50))

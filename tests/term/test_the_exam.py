@@ -162,7 +162,7 @@ def test_row_9_a_spare_paper_is_claimed(small: Midterm) -> None:
     code = open_exam(small.exam).head.spares[0].paper
     done = kinegrade("assign", small.exam, code, "0098", "--name", "Dora Noble")
     assert done.exit_code == 0, done.stderr
-    assert "Dora Noble" in read(small.exam / "key.pdf")
+    assert "Dora Noble" in read(small.exam / "spare-key.pdf")
     answers = right(small.exam)["0098"]
     path = write_answers(small, [["", *answers]])
     coded = path.read_text(encoding="utf-8").replace("student", "student,paper")

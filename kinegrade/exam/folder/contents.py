@@ -16,6 +16,8 @@ KEY = "key.jsonl"
 SPARES = "spares.jsonl"
 #: The right answers for people.
 KEY_BOOK = "key.pdf"
+#: The same for spare papers, with the names of those who got one.
+SPARE_KEY_BOOK = "spare-key.pdf"
 #: The lines of the key that a pool of quiz questions was made of; written by `kinegrade quiz`.
 POOL = "variants.jsonl"
 #: The bank as it was.
@@ -49,6 +51,7 @@ CONTENTS = (
     KEY,
     SPARES,
     KEY_BOOK,
+    SPARE_KEY_BOOK,
     BANK,
     *(name_beside(BANK, language) for language in known_languages()),
     LOGO,

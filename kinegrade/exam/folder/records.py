@@ -25,7 +25,7 @@ from kinegrade.numbers.amounts import add_amounts
 class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     """A student of the exam: `paper` is the code on the paper, `version` its letter where there are
     versions, `file` where the paper stands in the folder. What the roster did not say is empty;
-    `language` is then that of the exam.
+    `language` is then that of the exam. `was_spare` is a paper made without a student.
     """
 
     student: str
@@ -39,6 +39,7 @@ class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     seat: str = ""
     language: str = ""
     extra_time: str = ""
+    was_spare: bool = False
 
 
 class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):
@@ -77,8 +78,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     template the values that earlier exams dealt and nobody is to get again. `paper_size` and
     `engine` printed the papers, which all have so many `pages`, 0 where earlier versions printed
     them; `method` found the velocities of worked solutions, where one was asked for. Of the
-    questions of `choices` each paper holds only some. `spares` are papers without a student, each
-    by the name that stands for one.
+    questions of `choices` each paper holds only some. `spares` stand for papers without a student.
     """
 
     format: int

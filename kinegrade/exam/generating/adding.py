@@ -22,6 +22,7 @@ from kinegrade.exam.generating.generate import list_complaints, require_none
 from kinegrade.exam.generating.grown_class import LateClass, late_class, require_same_sources
 from kinegrade.exam.generating.grown_folder import copy_exam, digest_grown, open_grown_folder
 from kinegrade.exam.generating.hand_work import find_edited, refuse_edited
+from kinegrade.exam.generating.key_books import list_spare_ids
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.page_counts import list_longer_papers
 from kinegrade.exam.generating.replaced_exam import read_replaced, required_secret
@@ -83,7 +84,6 @@ def add_students(
     require_same_sources(exam, blueprint)
     students = late_class(exam, roster, late)
     run = _run(exam, kept, late)
-    require_tools(run.extras)
     old = read_replaced(exam)
     jobs = count_processes(options.jobs, len(students.together))
     processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
@@ -99,7 +99,8 @@ def add_students(
             results = options.progress(papers, len(students.late.students))
             earlier = make_kept_keys(kept, exam.head.everybody)
             newcomers = students.late.students
-            written = write_papers(folder, run, newcomers, results, earlier=earlier)
+            apart = list_spare_ids(exam.head)
+            written = write_papers(folder, run, newcomers, results, earlier=earlier, spare=apart)
         longer = tuple(list_longer_papers(run, newcomers, written.pages))
         require_none(longer if options.strict else ())
         write_rest(exam, folder, _grown_head(exam, dealt, run, students, written.keys))
@@ -121,7 +122,9 @@ def _run(exam: ExamFolder, kept: KeptExam, late: Roster) -> PrintRun:
         raise OutputError(
             *(Fault(str(exam.path / f"{name}.pdf"), _MISSING[name]) for name in missing)
         )
-    return kept_run(exam, kept, solutions=solutions, also=find_kinds(exam))
+    run = kept_run(exam, kept, solutions=solutions, also=find_kinds(exam))
+    require_tools(run.extras)
+    return run
 
 
 def _copy(exam: ExamFolder, folder: Path) -> None:

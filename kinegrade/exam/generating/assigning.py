@@ -19,8 +19,9 @@ from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.generating.adding import write_rest
 from kinegrade.exam.generating.grown_class import find_stem
 from kinegrade.exam.generating.grown_folder import copy_exam, open_grown_folder
-from kinegrade.exam.printing.key_pages import make_kept_keys, make_key_book
-from kinegrade.exam.printing.printed_files import replace_papers, write_key, write_solutions
+from kinegrade.exam.generating.key_books import list_spare_ids, write_spare_key
+from kinegrade.exam.printing.key_pages import make_kept_keys
+from kinegrade.exam.printing.printed_files import replace_papers, write_solutions
 from kinegrade.exam.printing.reprint import kept_run, reprint_candidate
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.students import Student, make_student_key
@@ -99,6 +100,7 @@ def _make_owner(exam: ExamFolder, spare: Candidate, student: Student) -> Candida
         email=student.email,
         group=student.group,
         room=student.room,
+        was_spare=True,
         file=f"{PAPERS}/{find_stem(exam, student)}.pdf",
     )
 
@@ -135,11 +137,10 @@ def _print_again(exam: ExamFolder, owner: Candidate) -> None:
 
 
 def _print_key(exam: ExamFolder) -> None:
-    """The instructor's key, in which the paper is the student's."""
-    kept = KeptExam(exam)
-    run = kept_run(exam, kept)
-    book = make_key_book(kept.bank, make_kept_keys(kept, exam.head.everybody), exam.language)
-    write_key(exam.path, run.press_order.press().key(book))
+    """The instructor's key of spare papers, in which the paper is the student's."""
+    kept, spare = KeptExam(exam), list_spare_ids(exam.head)
+    papers = (each for each in exam.head.everybody if each.student in spare)
+    write_spare_key(exam.path, kept_run(exam, kept), make_kept_keys(kept, papers))
 
 
 def _list_stems(head: ExamHead) -> Sequence[str]:

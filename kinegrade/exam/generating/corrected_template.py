@@ -31,6 +31,7 @@ from kinegrade.exam.generating.exam_files import (
 )
 from kinegrade.exam.generating.grown_folder import copy_exam, digest_grown, open_grown_folder
 from kinegrade.exam.generating.hand_work import find_edited, refuse_edited
+from kinegrade.exam.generating.key_books import list_spare_ids
 from kinegrade.exam.generating.options import Progress
 from kinegrade.exam.printing.class_printing import count_processes
 from kinegrade.exam.printing.class_reprint import print_class_again
@@ -190,7 +191,7 @@ def _print_once(
     )
     with closing(print_again(run)) as papers:
         shown = progress(papers, len(students))
-        return write_papers(folder, run, students, shown).pages
+        return write_papers(folder, run, students, shown, spare=list_spare_ids(head)).pages
 
 
 def _restate(head: ExamHead, bank: Bank) -> ExamHead:

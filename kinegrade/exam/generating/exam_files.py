@@ -31,9 +31,9 @@ from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.writing import encode_head
 from kinegrade.exam.generating.answer_workbook import write_answer_workbook
 from kinegrade.exam.generating.hand_work import OWN_COLUMNS
+from kinegrade.exam.generating.key_books import write_key_books
 from kinegrade.exam.printing.head_record import write_warning
-from kinegrade.exam.printing.key_pages import make_key_book
-from kinegrade.exam.printing.printed_files import printed_files, write_key
+from kinegrade.exam.printing.printed_files import printed_files
 from kinegrade.exam.printing.printing import Printed, PrintRun
 from kinegrade.exam.roster.students import Student
 from kinegrade.files.csv_writing import neutralise, write_for_people
@@ -61,18 +61,19 @@ def write_papers(
     results: Iterator[Printed],
     *,
     earlier: Iterable[KeyPaper] = (),
+    spare: Collection[str] = (),
 ) -> WrittenPapers:
     """The papers, and the solutions that are wanted, each alone and all in one file; and both keys.
 
-    What stands in the folder already stays, with the keys of these papers as `earlier`. The
-    instructor's book is typeset, and all in one file bound, while papers are printed. Gives what
-    was written for each of `students`.
+    What stands in the folder already stays, with the keys of these papers as `earlier`; `spare` are
+    those of them made without a student. The instructor's books are typeset, and all in one file
+    bound, while papers are printed. Gives what was written for each of `students`.
     """
     written: list[tuple[KeyPaper, int]] = []
     with printed_files(folder, solutions=run.extras.solutions) as write:
         papers = _noted(_written(folder, results, students, write), written)
-        book = make_key_book(run.bank, chain(earlier, papers), run.language)
-        write_key(folder, run.press_order.press().key(book))
+        apart = {*spare, *(each.student for each in students if each.spare)}
+        write_key_books(folder, run, chain(earlier, papers), apart)
     keys, pages = zip(*written, strict=True) if written else ((), ())
     return WrittenPapers(keys, pages)
 

@@ -26,9 +26,11 @@ from kinegrade.press.sheet import (
 from kinegrade.problem.quantity import Quantity
 
 
-def make_key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyBook:
-    """The instructor's book: a key for each paper, which may come one after another, or for each
-    version.
+def make_key_book(
+    bank: Bank, papers: Iterable[KeyPaper], language: Language, name: str = "key"
+) -> KeyBook:
+    """The instructor's book of that name: a key for each paper, which may come one after another,
+    or for each version.
     """
     shown = _select_versions(tuple(papers), language) if bank.versions else papers
     return KeyBook(
@@ -37,6 +39,7 @@ def make_key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) ->
         bank.title.in_language(language),
         open_catalogue(language).text("paper.key-warning"),
         shown,
+        name,
     )
 
 

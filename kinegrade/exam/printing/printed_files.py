@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
-from kinegrade.exam.folder.contents import KEY_BOOK, PAPERS, SOLUTIONS, SOURCES
+from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS, SOURCES
 from kinegrade.exam.printing.printing import Printed
 from kinegrade.press.join import open_volume
 from kinegrade.press.protocol import Printout
@@ -71,9 +71,9 @@ def write_solutions(
             append(file.read_bytes())
 
 
-def write_key(folder: Path, key: Printout) -> None:
-    """The instructor's key."""
-    _write(folder / KEY_BOOK, key, folder / SOURCES)
+def write_key(file: Path, key: Printout) -> None:
+    """A book of the instructor's key."""
+    _write(file, key, file.parent / SOURCES)
 
 
 def _collect_printouts(printed: Printed) -> Mapping[str, Printout]:

@@ -109,7 +109,7 @@ class LatexPress(Press):
     def key(self, book: KeyBook) -> Printout:
         """The instructor's key; names are printed and errors raised as by `papers`."""
         body = write_key_body(make_owners_legible(book, self))
-        return self._print_one("key", body, book.language, KEY)
+        return self._print_one(book.name, body, book.language, KEY)
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print; raises TypesetError where

@@ -8,7 +8,7 @@ permutation is the sorting order of its numbers.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -65,6 +65,27 @@ class ParameterTrend:
     thirds: tuple[Third, ...]
 
 
+@dataclass(frozen=True)
+class _Claim:
+    """A statistic that was observed; `reaches` says for each order whether it gives at least as
+    much.
+    """
+
+    observed: float
+    reaches: Callable[[_Orders], Any]
+
+
+@dataclass(frozen=True)
+class _Suspicion:
+    """A drawn number of a question that `count` students have, with which points may vary."""
+
+    question: str
+    name: str
+    count: int
+    claim: _Claim
+    thirds: tuple[Third, ...]
+
+
 def rank_values(values: Points) -> Points:
     """Ranks from 1; equal values share the mean of their ranks.
 
@@ -101,18 +122,20 @@ def compare_groups(values: Points, groups: Sequence[str]) -> Test | None:
         return heights
 
     observed = float(statistic(ranked))
-    return _test(observed, count, lambda orders: statistic(ranked[orders]) >= observed - 1e-9)
+    claim = _Claim(observed, lambda orders: statistic(ranked[orders]) >= observed - 1e-9)
+    (test,) = _test(count, [claim])
+    return test
 
 
-def correlate_ranks(first: Points, second: Points) -> Test | None:
-    """Rank correlation, tested two-sided; None if either of the two does not vary."""
+def _claim_correlation(first: Points, second: Points) -> _Claim | None:
+    """Rank correlation, to be tested two-sided; None if either of the two does not vary."""
     one, other = rank_values(first), rank_values(second)
     observed = correlate(one, other)
     if observed is None:
         return None
     one, other = one - one.mean(), other - other.mean()
     reached = abs(float(one @ other)) - 1e-9
-    return _test(observed, len(one), lambda orders: np.abs(one[orders] @ other) >= reached)
+    return _Claim(observed, lambda orders: np.abs(one[orders] @ other) >= reached)
 
 
 def find_parameter_trends(
@@ -121,22 +144,40 @@ def find_parameter_trends(
     """The trend of each drawn number that varies, the clearest first; NaN stands for a student
     without that number.
     """
-    found = []
-    for (question, name), numbers in parameters.items():
-        known = np.isfinite(numbers) & np.isfinite(shares[question])
-        test = (
-            correlate_ranks(numbers[known], shares[question][known]) if known.sum() >= 3 else None
-        )
-        if test is not None:
-            found.append(
-                (question, name, test, split_in_thirds(numbers[known], shares[question][known]))
-            )
-    found.sort(key=lambda trend: (trend[2].p, -abs(trend[2].statistic)))
-    adjusted = adjust_p_values([test.p for _, _, test, _ in found])
+    suspected = [
+        suspicion
+        for (question, name), numbers in parameters.items()
+        if (suspicion := _suspect(question, name, numbers, shares[question])) is not None
+    ]
+    found = list(zip(suspected, _test_together(suspected), strict=True))
+    found.sort(key=lambda pair: (pair[1].p, -abs(pair[1].statistic)))
+    adjusted = adjust_p_values([test.p for _, test in found])
     return tuple(
-        ParameterTrend(question, name, test.statistic, test, p, groups)
-        for (question, name, test, groups), p in zip(found, adjusted, strict=True)
+        ParameterTrend(each.question, each.name, test.statistic, test, p, each.thirds)
+        for (each, test), p in zip(found, adjusted, strict=True)
     )
+
+
+def _suspect(question: str, name: str, numbers: Points, shares: Points) -> _Suspicion | None:
+    """A drawn number against the shares of those who have it; None where it does not vary, or fewer
+    than three have it.
+    """
+    known = np.isfinite(numbers) & np.isfinite(shares)
+    numbers, shares = numbers[known], shares[known]
+    claim = _claim_correlation(numbers, shares) if len(numbers) >= 3 else None
+    if claim is None:
+        return None
+    return _Suspicion(question, name, len(numbers), claim, split_in_thirds(numbers, shares))
+
+
+def _test_together(suspected: Sequence[_Suspicion]) -> list[Test]:
+    """A test for each; those of equally many students share their shuffles."""
+    tests: dict[int, Test] = {}
+    for count in {each.count for each in suspected}:
+        places = [place for place, each in enumerate(suspected) if each.count == count]
+        claims = [suspected[place].claim for place in places]
+        tests.update(zip(places, _test(count, claims), strict=True))
+    return [tests[place] for place in range(len(suspected))]
 
 
 def split_in_thirds(numbers: Points, shares: Points) -> tuple[Third, ...]:
@@ -170,18 +211,24 @@ def adjust_p_values(ascending: Sequence[float]) -> tuple[float, ...]:
     return tuple(adjusted)
 
 
-def _test(observed: float, count: int, reaches: Callable[[_Orders], Any]) -> Test:
-    """The test of a statistic for `count` students; `reaches` says for each order whether it gives
-    at least as much.
-    """
+def _test(count: int, claims: Sequence[_Claim]) -> list[Test]:
+    """The tests of statistics for `count` students, by the same shuffles."""
     permutations = min(_MOST_PERMUTATIONS, max(_FEWEST_PERMUTATIONS, _WORK // count))
+    as_much = [0] * len(claims)
+    for orders in _shuffle(count, permutations):
+        for place, claim in enumerate(claims):
+            as_much[place] += int(np.count_nonzero(claim.reaches(orders)))
+    return [
+        Test(claim.observed, (1 + reached) / (1 + permutations), permutations)
+        for claim, reached in zip(claims, as_much, strict=True)
+    ]
+
+
+def _shuffle(count: int, permutations: int) -> Iterator[_Orders]:
+    """The same shuffles at every call, as many at once as memory should hold."""
     generator = np.random.PCG64(_SEED)
     at_once = max(1, _AT_ONCE // count)
-    as_much = 0
     for start in range(0, permutations, at_once):
         rows = min(at_once, permutations - start)
-        orders = np.argsort(
-            generator.random_raw(rows * count).reshape(rows, count), axis=1, kind="stable"
-        )
-        as_much += int(np.count_nonzero(reaches(orders)))
-    return Test(observed, (1 + as_much) / (1 + permutations), permutations)
+        drawn = generator.random_raw(rows * count).reshape(rows, count)
+        yield np.argsort(drawn, axis=1, kind="stable")

@@ -1,0 +1,128 @@
+"""The commands of a term for a class of 200, each as a process of its own, against an import of
+sympy: an instructor waits for none of them longer than two seconds.
+
+Only what typesets, solves or checks a whole class may take longer: generate, solutions, quiz,
+check, gallery and feedback.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from random import Random
+from resource import RUSAGE_CHILDREN, getrusage
+from tempfile import TemporaryDirectory
+
+from benchmarks.figure_of_merit import Figure
+
+STUDENTS, SPARE = 200, 5
+PROMISE = 0.22  # two seconds, where an import of sympy takes 0.44
+KEPT_SHARE = 0.8  # of the answers are right
+DONE = (0, 1)  # statuses: 1 is done with something to say
+
+
+@dataclass(frozen=True)
+class Class:
+    """An exam of 200 students, answered and marked, in a folder of its own."""
+
+    folder: Path
+
+    def run(self, *arguments: str) -> None:
+        """Run the command in the folder; AssertionError if it refuses."""
+        command = Path(sys.executable).with_name("kinegrade")
+        done = subprocess.run(
+            [command, *arguments], cwd=self.folder, capture_output=True, check=False, text=True
+        )
+        assert done.returncode in DONE, f"{arguments}: {done.stderr}"
+
+
+#: What is timed, in the order of a term; each writes a place of its own.
+COMMANDS = (
+    "roster roster.csv",
+    "paper EXAM 0007 -o paper.pdf",
+    "papers EXAM -o papers --send-list send.csv",
+    "assign EXAM CODE 9001",
+    "archive EXAM -o exam.zip",
+    "grade EXAM answers.csv -o AGAIN",
+    "export MARKS --to moodle -o moodle.csv",
+    "export MARKS --to canvas --exam EXAM -o canvas.csv",
+    "export MARKS --to xlsx -o marks.xlsx",
+    "diff MARKS AGAIN",
+    "report EXAM MARKS -o report.html",
+    "sharing EXAM MARKS -o sharing.csv",
+)
+
+
+def figures() -> Iterator[Figure]:
+    """Processor time of each command; seconds, parts that run side by side added up."""
+    with TemporaryDirectory() as name:
+        class_ = make_class(Path(name))
+        code = spare_code(class_.folder)
+        importing = cost(lambda: subprocess.run([sys.executable, "-c", "import sympy"], check=True))
+        for command in COMMANDS:
+            words = command.replace("CODE", code).split()
+            ours = cost(lambda words=words: class_.run(*words))
+            yield Figure(f"{words[0]}, {STUDENTS} students", ours, importing, PROMISE)
+
+
+def cost(work: Callable[[], object]) -> float:
+    """Processor time of what `work` starts, and waits for."""
+    before = getrusage(RUSAGE_CHILDREN)
+    work()
+    after = getrusage(RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def make_class(folder: Path) -> Class:
+    """An exam set, its answers typed, most of them right, and marked."""
+    class_ = Class(folder)
+    write_roster(folder / "roster.csv")
+    class_.run(
+        "generate", "demo", "roster.csv", "-o", "EXAM", "--spare", str(SPARE), "--reproducible", "x"
+    )
+    write_answers(folder)
+    class_.run("grade", "EXAM", "answers.csv", "-o", "MARKS")
+    return class_
+
+
+def write_roster(file: Path) -> None:
+    """Ids with leading zeros, in three rooms and four groups."""
+    with file.open("w", encoding="utf-8", newline="") as opened:
+        table = csv.writer(opened)
+        table.writerow(("student", "name", "room", "seat", "group"))
+        for place in range(STUDENTS):
+            room, group = f"R{place % 3}", f"G{place % 4}"
+            table.writerow((f"{place:04}", f"Student {place}", room, place, group))
+
+
+def write_answers(folder: Path) -> None:
+    """The sheet of the exam, filled in from its key."""
+    random = Random(1)
+    with (folder / "EXAM" / "key.jsonl").open(encoding="utf-8") as lines:
+        keys = list(map(json.loads, lines))
+    with (folder / "answers.csv").open("w", encoding="utf-8", newline="") as opened:
+        table = csv.writer(opened)
+        for place, key in enumerate(keys):
+            typed = dict(list_typed(key, random))
+            if not place:
+                table.writerow(("student", *typed))
+            table.writerow((key["student"], *typed.values()))
+
+
+def list_typed(key: dict[str, object], random: Random) -> Iterator[tuple[str, str]]:
+    """Each ask's column and a number with four figures, wrong by a fifth now and then."""
+    for question in key["questions"]:
+        for name, ask in question["asks"].items():
+            slip = 1.0 if random.random() < KEPT_SHARE else 1.2
+            yield f"{question['question']}.{name}", f"{ask['value'] * slip:.4g}"
+
+
+def spare_code(folder: Path) -> str:
+    """The code of the first spare paper."""
+    with (folder / "EXAM" / "spares.jsonl").open(encoding="utf-8") as lines:
+        return str(json.loads(next(lines))["paper"])
