@@ -87,6 +87,7 @@ def grade(
         folder.printed(exam.printed_orders())
         folder.open([OpenQuestion(each.question, each.points) for each in exam.head.by_hand])
         folder.bonus(exam.head.bonus)
+        folder.corrections(exam.head.corrections)
         _write_exports(path, wishes.exports)
     return grades
 

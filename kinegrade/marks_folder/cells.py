@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import lru_cache
@@ -64,7 +64,7 @@ def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
             if required:
                 raise TableError(explain_missing(path, required))
             blank = [""] * len(missing)
-            chosen = itemgetter(*map([*header, *missing].index, file.columns))
+            chosen = _choose(list(map([*header, *missing].index, file.columns)))
             for cells in reader:
                 if len(cells) != len(header):
                     width = Message("marks.width", count=len(cells), header=len(header))
@@ -73,6 +73,14 @@ def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
     except (UnicodeDecodeError, csv.Error) as fault:
         problem = Message("marks.not-csv", fault=str(fault))
         raise TableError(explain_edited(path, problem)) from fault
+
+
+def _choose(places: Sequence[int]) -> Callable[[Sequence[str]], Record]:
+    """Gives the cells at these places; `itemgetter` of a single one gives no tuple."""
+    if len(places) > 1:
+        return itemgetter(*places)
+    (only,) = places
+    return lambda cells: (cells[only],)
 
 
 def read_records_if_any(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:

@@ -35,6 +35,7 @@ from kinegrade.marks_folder.layout import (
     BONUS,
     BY_POLICY,
     COMPLAINTS,
+    CORRECTIONS,
     FOR_PEOPLE,
     GRADES,
     KEPT,
@@ -123,6 +124,16 @@ class MarksFolder:
     def bonus(self) -> frozenset[str]:
         """The questions whose points come on top of the maximum."""
         return frozenset(question for _, (question, _) in read_records_if_any(self.path, BONUS))
+
+    @cached_property
+    def corrections(self) -> int:
+        """How often the key was corrected before the class was marked."""
+        for line, (count,) in read_records_if_any(self.path, CORRECTIONS):
+            if not count.isdecimal():
+                path, expected = self.path / CORRECTIONS.name, Message("marks.whole-number")
+                raise TableError(explain_cell(path, line, "corrections", count, expected))
+            return int(count)
+        return 0
 
     def _repr_html_(self) -> str:
         return write_table_html(read_whole(self.path, GRADES))

@@ -98,10 +98,12 @@ OPEN: Final = TableFile("open.csv", ("question", "points"))
 #: Questions whose points, as the papers state them, come on top of the maximum; only where there
 #: are some.
 BONUS: Final = TableFile("bonus.csv", ("question", "points"))
+#: How often the key was corrected before the class was marked; only where it was.
+CORRECTIONS: Final = TableFile("corrections.csv", ("corrections",))
 QUESTIONS_BETWEEN: Final = " "  # question identifiers contain no blank
 #: A copy of the policy; only where there was one.
 POLICY: Final = "policy.toml"
-_TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED, OPEN, BONUS)
+_TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED, OPEN, BONUS, CORRECTIONS)
 FILES: Final = (*(file.name for file in _TABLES), POLICY)
 MARKER: Final = COMPLAINTS.name  # the file by which kinegrade recognises a marks folder
 

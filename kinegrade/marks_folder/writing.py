@@ -27,6 +27,7 @@ from kinegrade.marks_folder.layout import (
     ANSWERS,
     BONUS,
     COMPLAINTS,
+    CORRECTIONS,
     GRADES,
     KEPT,
     OPEN,
@@ -101,6 +102,11 @@ class MarksWriter:
         if points:
             rows = [(question, write_amount(each)) for question, each in points.items()]
             write_csv(self.path / BONUS.name, BONUS.columns, rows)
+
+    def corrections(self, count: int) -> None:
+        """How often the key was corrected before."""
+        if count:
+            write_csv(self.path / CORRECTIONS.name, CORRECTIONS.columns, [(str(count),)])
 
     def open(self, questions: Sequence[OpenQuestion]) -> None:
         """The questions that are still to be marked by hand."""

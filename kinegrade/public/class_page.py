@@ -10,7 +10,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.output import write_file
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.public.folders import expect_own_place
-from kinegrade.public.opened import expect_opened
+from kinegrade.public.opened import expect_exam_and_marks
 from kinegrade.public.options import find_language
 from kinegrade.public.outcome import Outcome
 from kinegrade.reports.classes.page import class_report
@@ -36,7 +36,7 @@ def report(
     Traceback (most recent call last):
     kinegrade.errors.OutputError: report.html: already exists - ...
     """
-    expect_opened(exam=exam, marks=marks)
+    expect_exam_and_marks(exam, marks)
     place = Path(output)
     expect_own_place(place)
     chosen = exam.language if language is None else find_language(language)

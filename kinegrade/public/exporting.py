@@ -12,6 +12,7 @@ from pathlib import Path
 from kinegrade.errors import OptionError, Problem
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.output import write_file
+from kinegrade.grading.same_key import require_same_key
 from kinegrade.language.message import Fault, Message, Part, Quoted, list_plainly
 from kinegrade.lms.grades.dialect import Dialect, ExportOptions
 from kinegrade.lms.grades.fill_in import fill_in
@@ -49,6 +50,8 @@ def export(
     kinegrade.errors.OptionError: to: unknown: "modle" - did you mean "moodle"? ...
     """
     expect_opened(marks=marks, exam=exam)
+    if exam is not None:
+        require_same_key(exam, marks)
     place = Path(output)
     expect_own_place(place)
     require_word("to", to, GRADE_FILES)

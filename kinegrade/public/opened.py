@@ -6,7 +6,10 @@ from collections.abc import Mapping
 from os import PathLike
 
 from kinegrade.errors import OptionError
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.grading.same_key import require_same_key
 from kinegrade.language.message import Fault, Message
+from kinegrade.marks_folder.folder import MarksFolder
 
 _READERS: Mapping[str, str] = {
     "bank": "kinegrade.Bank.read",
@@ -15,6 +18,12 @@ _READERS: Mapping[str, str] = {
     "exam": "kinegrade.open_exam",
     "marks": "kinegrade.open_marks",
 }
+
+
+def expect_exam_and_marks(exam: ExamFolder, marks: MarksFolder) -> None:
+    """Raises OptionError for a path in place of either, TableError for marks by another key."""
+    expect_opened(exam=exam, marks=marks)
+    require_same_key(exam, marks)
 
 
 def expect_opened(**given: object) -> None:

@@ -15,7 +15,7 @@ from kinegrade.language.message import Message
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.processes.executor import open_executor
 from kinegrade.public.folders import expect_own_place
-from kinegrade.public.opened import expect_opened
+from kinegrade.public.opened import expect_exam_and_marks
 from kinegrade.public.options import find_language, require_known
 from kinegrade.public.outcome import Outcome
 from kinegrade.reports.feedback.folder import FeedbackWishes, Press, Text, write_feedback
@@ -58,7 +58,7 @@ def feedback(
     Traceback (most recent call last):
     kinegrade.errors.OptionError: language: unknown: "xx" - known here: ...
     """
-    expect_opened(exam=exam, marks=marks)
+    expect_exam_and_marks(exam, marks)
     place = Path(output)
     expect_own_place(place)
     require_known(options)

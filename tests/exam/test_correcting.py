@@ -118,6 +118,32 @@ def test_accepted_changes_are_said_and_stand_in_the_key(exam: Path) -> None:
     assert kinegrade("paper", exam, "007", "-o", exam.parent / "one.pdf").exit_code == 0
 
 
+def test_marks_given_before_a_correction_of_the_key_are_not_used(exam: Path) -> None:
+    folder = exam.parent
+    (folder / "answers.csv").write_text("student,q2.v_y\n007,4\n", encoding="utf-8")
+    mark = ("grade", exam, folder / "answers.csv", "-o")
+    assert kinegrade(*mark, folder / "OLD").exit_code in (0, 1)
+    assert correct(exam, OTHER_ANSWER, options=("--accept-changes",)).exit_code == 1
+    assert kinegrade(*mark, folder / "NEW").exit_code in (0, 1)
+    said = (
+        f"error: {folder}/OLD: the key of the exam was corrected after these marks - expected marks"
+        " by the key as it is now - mark all answers again with kinegrade grade"
+    )
+    for command, options in (
+        ("feedback", ("-o", folder / "SHEETS")),
+        ("report", ("-o", folder / "report.html")),
+        ("sharing", ("-o", folder / "sharing.csv")),
+    ):
+        refused = kinegrade(command, exam, folder / "OLD", *options)
+        assert (refused.exit_code, refused.stderr.splitlines()) == (2, [said]), command
+        assert kinegrade(command, exam, folder / "NEW", *options).exit_code in (0, 1), command
+    filled = ("--to", "moodle", "--exam", exam, "-o", folder / "moodle.csv")
+    assert kinegrade("export", folder / "OLD", *filled).stderr.splitlines() == [said]
+    (folder / "NEW" / "corrections.csv").write_text("corrections\nmany\n", encoding="utf-8")
+    damaged = kinegrade("report", exam, folder / "NEW", "-o", folder / "again.html").stderr
+    assert 'NEW/corrections.csv:2: corrections is "many" - expected a whole number' in damaged
+
+
 def test_a_given_of_another_unit_is_refused(exam: Path) -> None:
     result = correct(exam, ('r     = { unit = "m"', 'r     = { unit = "cm"'))
     assert result.exit_code == 2

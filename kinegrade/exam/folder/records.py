@@ -79,6 +79,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     `engine` printed the papers, which all have so many `pages`, 0 where earlier versions printed
     them; `method` found the velocities of worked solutions, where one was asked for. Of the
     questions of `choices` each paper holds only some. `spares` stand for papers without a student.
+    The key had so many `corrections`.
     """
 
     format: int
@@ -107,6 +108,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     spares: tuple[Candidate, ...] = ()
     editable: dict[str, str] | None = None
     earlier: dict[str, tuple[dict[str, str], ...]] = {}
+    corrections: int = 0
 
     def __repr__(self) -> str:
         return f"ExamHead({self.title!r}, {self.date!r})"
@@ -174,9 +176,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
 
 
 class StatedTolerance(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
-    """Right within max(relative*|answer|, absolute), or what agrees with it to so many significant
-    figures.
-    """
+    """Right within max(relative*|answer|, absolute), or to so many significant `figures`."""
 
     relative: Decimal
     absolute: Decimal

@@ -94,7 +94,9 @@ def correct_template(exam: ExamFolder, file: Path, wishes: CorrectionWishes) -> 
         run = kept_run(exam, kept, **kinds)
         print_again = partial(print_class_again, kept, workers=workers, jobs=jobs)
         pages = _print_alike(exam, run, wishes.progress, print_again, folder)
-        head = structs.replace(_restate(exam.head, kept.bank), pages=pages)
+        head = _restate(exam.head, kept.bank)
+        corrections = head.corrections + bool(changes)
+        head = structs.replace(head, pages=pages, corrections=corrections)
         _write_head(exam, head, template, folder)
     return Corrected(len(exam.students), changes)
 

@@ -26,6 +26,7 @@ import numpy as np
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import NOT_ASKED, KeyedExam
+from kinegrade.grading.same_key import require_same_key
 from kinegrade.grading.sheets.pool import make_exam_as_put
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import MarkedAnswer
@@ -60,6 +61,7 @@ def find_sharing(exam: ExamFolder, marks: MarksFolder, level: float = _LEVEL) ->
 
     Raises ExamError, TableError.
     """
+    require_same_key(exam, marks)
     known = make_exam_as_put(exam, exam.in_memory(), marks.put)
     return find_pairs(known, marks.answers(), level)
 
