@@ -161,7 +161,7 @@ def _place_frames_and_angles(
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [line for lines in legs[number:] for line in lines]
         for arcs in mark_angles(at, angle, sides[number - 1]):
-            layout = layout.marked(arcs, to_come, list_led_arcs(arcs, layout.obstacles))
+            layout = layout.marked(arcs, to_come, partial(list_led_arcs, arcs, layout.obstacles))
     return layout
 
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from math import degrees, hypot, radians
 
 import pytest
 
+from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc
 from kinegrade.figure.marks.angles import list_led_arcs, mark_angles
 from kinegrade.figure.marks.sides import find_sides
 from kinegrade.figure.mechanism.layers import Drawing
@@ -93,7 +95,18 @@ def draw_at_o(
     hint = Angle(r"\varphi", "O", start, end)
     layout = Layout.of(drawing.primitives)
     (arcs,) = mark_angles(at, hint, find_sides(at, hint, drawing))
-    return layout.marked(arcs, (), list_led_arcs(arcs, layout.obstacles))
+    return layout.marked(arcs, (), partial(list_led_arcs, arcs, layout.obstacles))
+
+
+def test_a_leader_that_cannot_be_the_cheapest_is_not_made() -> None:
+    layout = draw_at_o("right", "P")
+    [arc] = [mark for mark in layout.marks if isinstance(mark, AngleArc)]
+    least, most = 7.0 + arc.demerit, 9.0 + arc.demerit
+    dears = (least, least + 0.1, most + 0.1)
+    bare = Layout.of(()).obstacles
+    led = [list(list_led_arcs([arc], bare, dear)) for dear in dears]
+    reaches = [{each.reach for each in some if isinstance(each, LedAngleArc)} for some in led]
+    assert reaches == [set(), {4.0}, {4.0, 6.5}]
 
 
 def list_thin_lines(layout: Layout) -> list[tuple[Vector, Vector]]:

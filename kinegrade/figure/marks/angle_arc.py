@@ -67,8 +67,10 @@ class AngleArc:
         return (*parts, bow)
 
 
-def add_leaders(arc: AngleArc, obstacles: Obstacles) -> Iterator[LedAngleArc]:
-    """An arc with leaders to its letter, the shortest first; none where the arc strikes a label."""
+def add_leaders(arc: AngleArc, obstacles: Obstacles, dear: float) -> Iterator[LedAngleArc]:
+    """An arc with leaders to its letter, the shortest first, and demerits below `dear`; none where
+    the arc strikes a label.
+    """
     covered = obstacles.along(arc.path(), arc.shared)
     if covered >= COST_LABEL:
         return
@@ -76,6 +78,8 @@ def add_leaders(arc: AngleArc, obstacles: Obstacles) -> Iterator[LedAngleArc]:
     starts = [bow.centre + polar(bow.start + share * bow.sweep, bow.radius) for share in _PLACES]
     for reach in _LEADERS:
         demerit = arc.demerit + covered + _LED + _LONGER * (reach - _LEADERS[0])
+        if demerit >= dear:
+            return
         for start, turn in product(starts, _TWELFTHS):
             yield LedAngleArc(arc, start, turn, reach, demerit)
 

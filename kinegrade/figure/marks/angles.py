@@ -53,10 +53,10 @@ def mark_angles(
         yield arcs
 
 
-def list_led_arcs(arcs: Iterable[AngleArc], obstacles: Obstacles) -> Iterator[Mark]:
-    """The arcs of the preferred radii, with leaders to their letters."""
+def list_led_arcs(arcs: Iterable[AngleArc], obstacles: Obstacles, dear: float) -> Iterator[Mark]:
+    """The arcs of the preferred radii, with leaders to their letters and demerits below `dear`."""
     for arc in sorted(arcs, key=attrgetter("demerit"))[:_LED]:
-        yield from add_leaders(arc, obstacles)
+        yield from add_leaders(arc, obstacles, dear)
 
 
 def _reach_ground(bow: Bow, radius: float, legs: Sequence[Side]) -> Bow:

@@ -86,7 +86,8 @@ class _Surroundings:
             slides = length(rail.at - arrow.point) < NEAR
             if slides and (arrow.start - rail.at).dot(rail.side) > rail.level:
                 worse, past = worse + _BEHIND, max(past, rail.level + _PAST_HATCHING)
-        return replace(arrow, demerit=arrow.demerit + worse, past=past)
+        same = not worse and past == arrow.past
+        return arrow if same else replace(arrow, demerit=arrow.demerit + worse, past=past)
 
 
 def _list_arrows(mechanism: Mechanism, hint: Moving) -> list[_MovingArrow]:
@@ -128,6 +129,8 @@ class _MovingArrow:
 
     def among(self, others: Sequence[_MovingArrow]) -> _MovingArrow:
         """The arrow beside others at its point, past which is the way to it."""
+        if not others:
+            return self
         aside = self._find_aside(self.start)
         levels = [(other, self._find_aside(other.start)) for other in others]
         worse = sum(self._rate_beside(other, aside - level) for other, level in levels)
@@ -172,6 +175,8 @@ class _MovingArrow:
 
     def wish_apart(self, others: Sequence[_MovingArrow]) -> Wish:
         """The wish, where the symbol cannot be taken for that of another arrow first."""
+        if not others:
+            return self.wish()
         wish = widen(self.wish())
         near = [at for arrow in others for at in arrow._list_stations()]
         mistaken = rate_nearness(self.hint.symbol, wish.spots, self._list_stations(), near)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from math import pi
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
@@ -58,8 +57,7 @@ def add_rotations(
         close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
         spared.append(layout.written(close).labels)
         ways = _list_arrows(mechanism, hint, centre, drawing)
-        rated = [replace(way, demerit=way.demerit + company.rate(way.bow)) for way in ways]
-        layout, _ = layout.chosen(rated, spared[-1])
+        layout, _ = layout.chosen([way.among(company) for way in ways], spared[-1])
         arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
     discs = [part for part in drawing.primitives if isinstance(part, Disc)]
     circles = [disc for disc in discs if disc.radius > RADII[0]]

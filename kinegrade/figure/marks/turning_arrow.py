@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import copysign
 
@@ -73,6 +73,11 @@ class TurningArrow:
     demerit: float
     shared: bool = False
 
+    def among(self, company: Company) -> TurningArrow:
+        """The arrow with its demerit in some company."""
+        worse = company.rate(self.bow)
+        return replace(self, demerit=self.demerit + worse) if worse else self
+
     def path(self) -> tuple[Segment, ...]:
         """The arc, a little longer at both ends, in few pieces: there are many arrows to choose
         from.
@@ -85,8 +90,10 @@ class TurningArrow:
         """Along the arc."""
         return list_spots_along_arc(self.hint.symbol, self.bow)
 
-    def wish_apart(self, others: Iterable[TurningArrow], circles: Iterable[Disc]) -> Wish:
+    def wish_apart(self, others: Sequence[TurningArrow], circles: Sequence[Disc]) -> Wish:
         """The wish, where the symbol is nearest to its own arrow and no circle parts them first."""
+        if not others and not circles:
+            return self.wish()
         wish, own = widen(self.wish()), self.bow.path(_STATIONS)
         near = [at for other in others for at in other.bow.path(_STATIONS)]
         demerits = _MISTAKEN * rate_nearness(self.hint.symbol, wish.spots, own, near)

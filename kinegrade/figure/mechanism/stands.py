@@ -72,7 +72,9 @@ def choose_upright(at: Vector, anatomy: Anatomy) -> Vector:
 
     down, *others = (SIDE_VECTORS[name] for name in ("down", "up", "left", "right"))
     lower = [down * height for height in STANDS if height >= usual]
-    return min((*lower, *(side * usual for side in others)), key=hindrance)
+    uprights = (*lower, *(side * usual for side in others))
+    free = next((upright for upright in uprights if hindrance(upright) == 0), None)
+    return free or min(uprights, key=hindrance)
 
 
 def _measure_part(part: Part, at: Vector, upright: Vector) -> float:

@@ -6,11 +6,13 @@ width and its cost. A ring is x, y, inner radius, outer radius and cost.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import hypot
 
 from kinegrade.mechanics.vector import Vector
 
 Numbers = tuple[float, ...]
+Boxed = tuple[float, float, float, float, Numbers]  # left, bottom, right, top, then its numbers
 
 _TOUCH = 1e-6  # millimetres by which two things may overlap and still only touch
 SAME_AXIS = 0.05  # millimetres within which two lines count as one
@@ -24,6 +26,35 @@ def make_strip(start: Vector, end: Vector, half: float) -> Numbers:
     (x, y), (to_x, to_y) = start, end
     size = max(hypot(to_x - x, to_y - y), _TOUCH)
     return ((x + to_x) / 2, (y + to_y) / 2, (to_x - x) / size, (to_y - y) / size, size / 2, half)
+
+
+def make_boxed_strip(start: Vector, end: Vector, half: float) -> Boxed:
+    """A strip about a straight piece, after its bounding box."""
+    (x, y), (to_x, to_y) = start, end
+    left, right = (x, to_x) if x < to_x else (to_x, x)
+    bottom, top = (y, to_y) if y < to_y else (to_y, y)
+    strip = make_strip(start, end, half)
+    return (left - half, bottom - half, right + half, top + half, strip)
+
+
+def any_meets_line(strips: Sequence[Boxed], boxed: Boxed, shared: bool) -> bool:
+    """Whether any of the strips meets a line: their boxes, then they themselves."""
+    start, low, end, high, line = boxed
+    for left, bottom, right, top, strip in strips:
+        boxes_meet = start <= right and end >= left and low <= top and high >= bottom
+        if boxes_meet and meets_line(strip, line, shared):
+            return True
+    return False
+
+
+def any_meets_ring(strips: Sequence[Boxed], boxed: Boxed) -> bool:
+    """Whether any of the strips meets a ring: their boxes, then they themselves."""
+    start, low, end, high, ring = boxed
+    for left, bottom, right, top, strip in strips:
+        boxes_meet = start <= right and end >= left and low <= top and high >= bottom
+        if boxes_meet and meets_ring(strip, ring):
+            return True
+    return False
 
 
 def meets_line(strip: Numbers, line: Numbers, shared: bool) -> bool:

@@ -4,7 +4,7 @@ place.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from heapq import heappop, heappush
 from itertools import chain, repeat
@@ -99,14 +99,16 @@ class Layout:
         self,
         alternatives: Sequence[Mark],
         sparing: Sequence[Primitive] = (),
-        further: Iterable[Mark] = (),
+        find_cheaper: Callable[[float], Iterable[Mark]] = lambda _: (),
     ) -> Layout:
         """The layout with the alternative that covers least, and its label; areas reserved for
-        later items may be kept clear. `further` alternatives are made only where the best is not
-        cheap.
+        later items may be kept clear. Only where the best is not cheap, `find_cheaper` gives
+        further ones with a demerit below its cost.
         """
         layout, wish = self.chosen(alternatives, sparing)
-        if layout.costs[-1] > _CHEAP:
+        cost = layout.costs[-1]
+        further = tuple(find_cheaper(cost)) if cost > _CHEAP else ()
+        if further:
             layout, wish = self.chosen([layout.marks[-1], *further], sparing)
         return layout.captioned(wish, sparing)
 

@@ -17,13 +17,13 @@ from math import inf
 from typing import assert_never
 
 from kinegrade.figure.placing.crossing import (
-    Numbers,
+    Boxed,
+    any_meets_line,
+    any_meets_ring,
     crosses_box,
     encircles_box,
     invert_step,
-    make_strip,
-    meets_line,
-    meets_ring,
+    make_boxed_strip,
 )
 from kinegrade.figure.scene import (
     BOLD,
@@ -41,7 +41,6 @@ from kinegrade.mechanics.vector import Vector
 
 Segment = tuple[Vector, Vector]
 Bounds = tuple[float, float, float, float]  # left, bottom, right, top
-Boxed = tuple[float, float, float, float, Numbers]  # its bounds, then its numbers
 
 COST_LABEL, COST_BOLD, COST_FIRM, COST_THIN = 1000.0, 100.0, 10.0, 4.0
 # Millimetres to be kept free on either side of a mark; less for thin lines
@@ -118,21 +117,19 @@ class Obstacles:
         half = _SHARED_ROOM if shared else _ROOM
         if not path:
             return 0.0
-        strips = [_make_boxed_strip(start, end, half) for start, end in path]
+        strips = [make_boxed_strip(start, end, half) for start, end in path]
         lefts, bottoms, rights, tops, _ = zip(*strips, strict=True)
         near = self.near((min(lefts), min(bottoms), max(rights), max(tops)))
         total = 0.0
         for boxed in near.lines:
-            *_, line = boxed
-            thin = shared and line[-1] <= COST_THIN
-            if any(meets_line(strip, line, thin) for strip in _list_meeting(strips, boxed)):
-                total += line[-1]
+            cost = boxed[4][-1]
+            if any_meets_line(strips, boxed, shared and cost <= COST_THIN):
+                total += cost
                 if total >= enough:
                     return total
         for boxed in near.rings:
-            *_, ring = boxed
-            if any(meets_ring(strip, ring) for strip in _list_meeting(strips, boxed)):
-                total += ring[-1]
+            if any_meets_ring(strips, boxed):
+                total += boxed[4][-1]
         return total
 
 
@@ -143,24 +140,6 @@ def _find_near(things: Sequence[Boxed], box: Bounds) -> list[Boxed]:
         thing
         for thing in things
         if thing[0] <= right and thing[2] >= left and thing[1] <= top and thing[3] >= bottom
-    ]
-
-
-def _make_boxed_strip(start: Vector, end: Vector, half: float) -> Boxed:
-    (x, y), (to_x, to_y) = start, end
-    left, right = (x, to_x) if x < to_x else (to_x, x)
-    bottom, top = (y, to_y) if y < to_y else (to_y, y)
-    strip = make_strip(start, end, half)
-    return (left - half, bottom - half, right + half, top + half, strip)
-
-
-def _list_meeting(strips: Sequence[Boxed], thing: Boxed) -> list[Numbers]:
-    """The strips whose boxes meet that of a line or a ring."""
-    start, low, end, high, _ = thing
-    return [
-        strip
-        for left, bottom, right, top, strip in strips
-        if start <= right and end >= left and low <= top and high >= bottom
     ]
 
 
