@@ -6,11 +6,16 @@ from collections.abc import Sequence
 from dataclasses import replace
 from math import acos, degrees
 
+import pytest
+from shapely import LineString, Polygon
+
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.radii import add_radius
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import angle_of, length, nearest_of, shorter_way, unit
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.teeth import trace_gear
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Radius
 from tests.figure.clear import heads
@@ -18,6 +23,12 @@ from tests.figure.mechanisms import polar
 
 ORIGIN = Vector(0.0, 0.0)
 FAR = Vector(99.0, 0.0)
+GEARS = [  # a body, the radius of its gear, and whether that has its teeth inward
+    ("W", 20.0, False),
+    ("W", 6.0, False),
+    ("W", 30.0, True),
+    (GROUND, 20.0, False),
+]
 BESIDE = 15.0 - 1e-6  # degrees between two lines that are told apart at once
 
 
@@ -96,15 +107,28 @@ def test_an_arrow_comes_from_outside_where_everything_is_in_its_way_within() -> 
     assert label.centre.squared() > 20.0**2
 
 
-def test_the_head_of_an_arrow_stands_on_white_among_teeth() -> None:
+def test_the_head_of_an_arrow_stands_on_white_among_hatching() -> None:
     halos = {}
-    for kind in ("wheel", "gear"):
-        layout = mark([replace(make_rim(ORIGIN, 20.0), kind=kind)])
-        halos[kind] = [each for each in layout.lines if isinstance(each, Outline)][:-1]
-    assert halos["wheel"] == []
-    [halo] = halos["gear"]
+    for body in ("W", GROUND):
+        layout = mark([replace(make_rim(ORIGIN, 20.0), body=body)])
+        halos[body] = [each for each in layout.lines if isinstance(each, Outline)][:-1]
+    assert halos["W"] == []
+    [halo] = halos[GROUND]
     assert halo.fill == "white"
     assert max(length(corner) for corner in halo.corners) > 20.0
+
+
+@pytest.mark.parametrize("turn", range(0, 360, 37))
+@pytest.mark.parametrize(("body", "radius", "ring"), GEARS)
+def test_the_head_of_an_arrow_at_a_gear_crosses_no_flank(
+    turn: int, body: str, radius: float, ring: bool
+) -> None:
+    tooth = polar(radius, turn)
+    layout = mark([Rim(body, "O", ORIGIN, radius, "gear", ring, tooth, tooth)])
+    flanks = LineString([*trace_gear(ORIGIN, tooth, ring), trace_gear(ORIGIN, tooth, ring)[0]])
+    [head] = heads(layout)
+    assert len([each for each in layout.lines if isinstance(each, Outline)]) == 1
+    assert Polygon(head.corners).distance(flanks) > 0.05
 
 
 def test_the_tip_of_an_arrow_keeps_clear_of_an_arrow_along_the_rim() -> None:

@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import cos, pi
 from typing import assert_never
 
-import numpy as np
-
 from kinegrade.errors import TemplateError, suggest
 from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.marks.radius_arrows import RadiusFromCentre, RadiusFromOutside
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark
-from kinegrade.figure.placing.obstacles import Obstacles, Segment
-from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside
+from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, polar, unit
-from kinegrade.figure.scene import THIN, Bow, Outline, Primitive, Strokes
-from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
+from kinegrade.figure.scene import THIN, Bow
+from kinegrade.figure.symbols import HEAD_LENGTH
+from kinegrade.figure.teeth import find_tooth_angle
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector import Vector
@@ -27,8 +26,6 @@ _SMALL_RADIUS = 8.0  # millimetres: a smaller circle has its radius marked from 
 _PREFERRED = tuple(turn * pi for turn in (0.75, 0.25, -0.75, -0.25, 0.5, 1.0, 0.0, -0.5))
 _PAST, _SEEN = 1.0, 4.0  # millimetres from a centre to a line past it, and to its farther end
 _LEANING, _LEAST_ANGLE = 6.0, cos(pi / 10)  # cost of an arrow nearer than that to another line
-# Cost of an arrow across another wheel, and of one towards a centre that is in its own circle
-_ACROSS, _TOWARD_CENTRE = 15.0, 1.5
 _WITHIN_ANGLE = 12.0  # cost of an arrow between the sides of an angle, as if it were one of them
 _INWARD = 9.0  # cost of an arrow at a large circle from outside, less than one firm line
 _AT_POINT = 3.0  # cost of a tip that hides a point on the rim
@@ -44,8 +41,6 @@ _ALONG_ARC = (
     0.36,
     0.64,
 )  # parts of an arc from its start
-_HALO = 0.6  # millimetres of white about an arrowhead among teeth or hatching
-_TOUCHING = 0.99  # share of a radius: nearer is within the circle
 _SHIFTS = tuple(shift * pi / 24 for shift in (0, 2, -2))
 
 
@@ -64,16 +59,16 @@ def add_radius(
     sectors = [arc for arc in arcs if length(arc.centre - rim.at) < NEAR]
     marks: list[Mark] = []
     for angle in _list_angles(rim):
-        toward = polar(angle)
+        toward, outside = _seat_in_tooth(rim, angle), _seat_in_gap(rim, angle)
         leaning = _LEANING * any(toward.dot(line) > _LEAST_ANGLE for line in lines)
         if rim.radius < _SMALL_RADIUS:
-            marks.append(_FromOutside(rim.at, rim.radius, toward, hint.symbol, leaning))
+            marks.append(RadiusFromOutside(rim.at, rim.radius, outside, hint.symbol, leaning))
             continue
         demerit = leaning + _WITHIN_ANGLE * any(_lies_within(angle, arc) for arc in sectors)
         marks.append(_draw_from_centre(rim, found, at.values(), hint.symbol, (toward, demerit)))
         if not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
             inward = leaning + _INWARD
-            marks.append(_FromOutside(rim.at, rim.radius, toward, hint.symbol, inward))
+            marks.append(RadiusFromOutside(rim.at, rim.radius, outside, hint.symbol, inward))
     return layout.marked(marks)
 
 
@@ -91,20 +86,44 @@ def _list_angles(rim: Rim) -> list[float]:
             assert_never(rim.kind)
 
 
+def _seat_in_tooth(rim: Rim, angle: float) -> Vector:
+    """The direction of an arrow from the centre near an angle, whose head crosses no flank of a
+    gear: in the middle of a tooth; of a ring, between two of its teeth.
+    """
+    return _seat(rim, angle, 0.5 if rim.ring else 0.0)
+
+
+def _seat_in_gap(rim: Rim, angle: float) -> Vector:
+    """The direction of an arrow from outside near an angle, whose head crosses no flank."""
+    return _seat(rim, angle, 0.5)
+
+
+def _seat(rim: Rim, angle: float, share: float) -> Vector:
+    """The direction nearest to an angle at a share of the pitch from a gear's tooth; of other
+    circles the angle itself.
+    """
+    if rim.kind != "gear":
+        return polar(angle)
+    step = find_tooth_angle(rim.radius)
+    first = angle_of(rim.tooth - rim.at) + share * step
+    return polar(first + round((angle - first) / step) * step)
+
+
 def _draw_from_centre(
     rim: Rim,
     found: Iterable[Rim],
     points: Iterable[Vector],
     symbol: str,
     rated: tuple[Vector, float],
-) -> _FromCentre:
+) -> RadiusFromCentre:
     """The arrow in a direction, whose demerit grows where it meets points and other circles."""
     toward, demerit = rated
     tip = rim.at + toward * rim.radius
     hides = any(length(point - tip) < 2 * HEAD_LENGTH for point in points)
     others = tuple(other for other in found if length(other.at - rim.at) > NEAR)
-    rough = rim.kind == "gear" or rim.body == GROUND
-    arrow = _FromCentre(rim.at, rim.radius, toward, symbol, demerit, others, rough)
+    hatched = rim.body == GROUND and rim.kind != "gear"
+    rough = rim.kind == "gear" or hatched
+    arrow = RadiusFromCentre(rim.at, rim.radius, toward, symbol, demerit, others, rough, hatched)
     return replace(arrow, demerit=demerit + _AT_POINT * hides + arrow.rate_meetings())
 
 
@@ -152,90 +171,3 @@ def _describe_circle(hint: Radius) -> Message:
             return Message("figure.circle-through", point=Quoted(point), centre=centre)
         case _:
             return Message("figure.circle-about", centre=centre)
-
-
-@dataclass(frozen=True)
-class _FromCentre:
-    """An arrow from the centre to the rim."""
-
-    centre: Vector
-    radius: float
-    toward: Vector
-    symbol: str
-    demerit: float
-    others: tuple[Rim, ...]
-    rough: bool
-    shared: bool = False
-
-    def rate_meetings(self) -> float:
-        """How much worse the arrow is for running across other circles or towards their centres."""
-        worse = 0.0
-        for other in self.others:
-            aside = other.at - self.centre
-            missed = length(nearest_of(other.at, self.centre, self._end()) - other.at)
-            if missed < _TOUCHING * other.radius < _TOUCHING * length(aside):
-                worse += _ACROSS
-            if length(aside) < self.radius:
-                worse += _TOWARD_CENTRE * max(0.0, self.toward.dot(unit(aside)))
-        return worse
-
-    def path(self) -> tuple[Segment, ...]:
-        """The arrow without its ends, which touch the centre and the rim in any case, or teeth or
-        another circle there.
-        """
-        clear = 1.5 if self.rough or self.others else 0.5
-        return (
-            (self.centre + self.toward * 2.0, self.centre + self.toward * (self.radius - clear)),
-        )
-
-    def wish(self) -> Wish:
-        """Beside the arrow, where it is not within another circle first."""
-        spots = list_spots_beside(self.symbol, self.centre, self._end())
-        within = [
-            any(length(Vector(*spot) - other.at) < other.radius for other in self.others)
-            for spot in spots.tolist()
-        ]
-        return Wish(self.symbol, spots[np.argsort(within, kind="stable")])
-
-    def primitives(self) -> tuple[Primitive, ...]:
-        """A thin line and its arrowhead, on white where there are teeth or hatching."""
-        shaft = (self.centre + self.toward * 1.3, self._end() - self.toward * HEAD_LENGTH * 0.8)
-        arrow = (Strokes((shaft,), THIN), draw_arrowhead(self._end(), self.toward))
-        return (self._draw_halo(), *arrow) if self.rough else arrow
-
-    def _draw_halo(self) -> Outline:
-        back = self._end() - self.toward * (HEAD_LENGTH + _HALO)
-        across = self.toward.turned() * (HEAD_LENGTH / 4 + _HALO)
-        corners = (self._end() + self.toward * _HALO, back + across, back - across)
-        return Outline(corners, None, "white")
-
-    def _end(self) -> Vector:
-        return self.centre + self.toward * self.radius
-
-
-@dataclass(frozen=True)
-class _FromOutside:
-    """An arrow that points at the rim from outside, where there is no room inside."""
-
-    centre: Vector
-    radius: float
-    toward: Vector
-    symbol: str
-    demerit: float
-    shared: bool = False
-
-    def path(self) -> tuple[Segment, ...]:
-        """The arrow without the tip, which touches the rim in any case."""
-        return ((self._out(0.4), self._out(7.0)),)
-
-    def wish(self) -> Wish:
-        """Around the tail."""
-        return Wish(self.symbol, list_spots_around(self.symbol, self._out(7.0), away=self.toward))
-
-    def primitives(self) -> tuple[Primitive, ...]:
-        """A thin line and its arrowhead."""
-        shaft = (self._out(HEAD_LENGTH * 0.8), self._out(7.0))
-        return (Strokes((shaft,), THIN), draw_arrowhead(self._out(0.0), -self.toward))
-
-    def _out(self, gap: float) -> Vector:
-        return self.centre + self.toward * (self.radius + gap)

@@ -1,0 +1,108 @@
+"""The two ways to draw a radius: an arrow from the centre to the rim, and one from outside."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside
+from kinegrade.figure.plane import length, nearest_of, unit
+from kinegrade.figure.scene import THIN, Outline, Primitive, Strokes
+from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
+from kinegrade.mechanics.vector import Vector
+
+# Cost of an arrow across another wheel, and of one towards a centre that is in its own circle
+_ACROSS, _TOWARD_CENTRE = 15.0, 1.5
+_HALO = 0.6  # millimetres of white about an arrowhead among hatching
+_TOUCHING = 0.99  # share of a radius: nearer is within the circle
+
+
+@dataclass(frozen=True)
+class RadiusFromCentre:
+    """An arrow from the centre to the rim."""
+
+    centre: Vector
+    radius: float
+    toward: Vector
+    symbol: str
+    demerit: float
+    others: tuple[Rim, ...]
+    rough: bool
+    hatched: bool
+    shared: bool = False
+
+    def rate_meetings(self) -> float:
+        """How much worse the arrow is for running across other circles or towards their centres."""
+        worse = 0.0
+        for other in self.others:
+            aside = other.at - self.centre
+            missed = length(nearest_of(other.at, self.centre, self._end()) - other.at)
+            if missed < _TOUCHING * other.radius < _TOUCHING * length(aside):
+                worse += _ACROSS
+            if length(aside) < self.radius:
+                worse += _TOWARD_CENTRE * max(0.0, self.toward.dot(unit(aside)))
+        return worse
+
+    def path(self) -> tuple[Segment, ...]:
+        """The arrow without its ends, which touch the centre and the rim in any case, or teeth or
+        another circle there.
+        """
+        clear = 1.5 if self.rough or self.others else 0.5
+        return (
+            (self.centre + self.toward * 2.0, self.centre + self.toward * (self.radius - clear)),
+        )
+
+    def wish(self) -> Wish:
+        """Beside the arrow, where it is not within another circle first."""
+        spots = list_spots_beside(self.symbol, self.centre, self._end())
+        within = [
+            any(length(Vector(*spot) - other.at) < other.radius for other in self.others)
+            for spot in spots.tolist()
+        ]
+        return Wish(self.symbol, spots[np.argsort(within, kind="stable")])
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """A thin line and its arrowhead, on white where there is hatching."""
+        shaft = (self.centre + self.toward * 1.3, self._end() - self.toward * HEAD_LENGTH * 0.8)
+        arrow = (Strokes((shaft,), THIN), draw_arrowhead(self._end(), self.toward))
+        return (self._draw_halo(), *arrow) if self.hatched else arrow
+
+    def _draw_halo(self) -> Outline:
+        back = self._end() - self.toward * (HEAD_LENGTH + _HALO)
+        across = self.toward.turned() * (HEAD_LENGTH / 4 + _HALO)
+        corners = (self._end() + self.toward * _HALO, back + across, back - across)
+        return Outline(corners, None, "white")
+
+    def _end(self) -> Vector:
+        return self.centre + self.toward * self.radius
+
+
+@dataclass(frozen=True)
+class RadiusFromOutside:
+    """An arrow that points at the rim from outside, where there is no room inside."""
+
+    centre: Vector
+    radius: float
+    toward: Vector
+    symbol: str
+    demerit: float
+    shared: bool = False
+
+    def path(self) -> tuple[Segment, ...]:
+        """The arrow without the tip, which touches the rim in any case."""
+        return ((self._out(0.4), self._out(7.0)),)
+
+    def wish(self) -> Wish:
+        """Around the tail."""
+        return Wish(self.symbol, list_spots_around(self.symbol, self._out(7.0), away=self.toward))
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """A thin line and its arrowhead."""
+        shaft = (self._out(HEAD_LENGTH * 0.8), self._out(7.0))
+        return (Strokes((shaft,), THIN), draw_arrowhead(self._out(0.0), -self.toward))
+
+    def _out(self, gap: float) -> Vector:
+        return self.centre + self.toward * (self.radius + gap)
