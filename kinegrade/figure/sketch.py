@@ -12,11 +12,12 @@ from operator import attrgetter
 from typing import Literal, assert_never
 
 from kinegrade.figure.marks.angles import draw_least_legs, list_led_arcs, mark_angles
+from kinegrade.figure.marks.body_names import label_bodies
 from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.motions import add_motions
-from kinegrade.figure.marks.names import label_bodies, label_points
+from kinegrade.figure.marks.names import label_points
 from kinegrade.figure.marks.radii import add_radius
 from kinegrade.figure.marks.right_angles import add_right_angle
 from kinegrade.figure.marks.rotations import add_rotations
@@ -133,7 +134,7 @@ def _compose(
     for radius in hints.radii:
         layout = add_radius(layout, paper.points, drawing.rims, radius)
     layout = add_axes_aside(layout, hints)
-    return layout.written(label_bodies(paper, hints, drawing, layout.labels))
+    return layout.written(label_bodies(paper, hints, drawing, layout))
 
 
 def _place_lengths(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from math import atan2, degrees, hypot
 
 import pytest
@@ -14,10 +15,11 @@ from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
-from tests.figure.mechanisms import RIGHT, UP, Case, hinted, slider_crank, slotted_rocker
+from tests.figure.mechanisms import RIGHT, UP, Case, hinted, polar, slider_crank, slotted_rocker
 from tests.figure.more_mechanisms import (
     bent_coupler,
     corner_in_two_sleeves,
+    meshing_gears,
     parallelogram_with_sleeve,
     plate_on_fixed_corners,
     sleeve_with_arm,
@@ -123,6 +125,17 @@ def test_the_pin_of_a_sleeve_is_whole_as_the_bar_slides_through_it(case: Case, p
     drawing = drawing_of(case)
     assert len(circles_at(drawing, place(case, point))) == 1
     assert half_circles(drawing) == []
+
+
+def test_white_tells_the_point_where_two_gears_mesh_from_the_arm_over_it() -> None:
+    mechanism, hints = meshing_gears()
+    points = {**mechanism.points, "D": polar(0.25, 20)}
+    arm, sun, _ = mechanism.bodies
+    bodies = (arm, sun, Body("planet", ("A", "D")))
+    case = replace(mechanism, points=points, bodies=bodies), hints
+    white, dot = circles_at(drawing_of(case), place(case, "D"))
+    assert (white.fill, white.pen, dot.fill) == ("white", None, "black")
+    assert white.radius > dot.radius > BOLD.width / 2
 
 
 def test_a_marked_point_does_not_interrupt_its_bar() -> None:

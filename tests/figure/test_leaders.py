@@ -37,6 +37,14 @@ def test_no_leader_crosses_a_bar() -> None:
     assert write(7.0, Strokes(((Vector(3.0, -5.0), Vector(3.0, 5.0)),), BOLD)) == []
 
 
+def test_a_leader_crosses_only_what_its_point_lies_amid() -> None:
+    wish = Wish("E", np.array([[9.0, 0.0]]), names=POINT)
+    for teeth, amid, led in ((2.5, 2.0, True), (2.5, 0.0, False), (4.5, 2.0, False)):
+        fence = Strokes(((Vector(teeth, -5.0), Vector(teeth, 5.0)),), BOLD)
+        layout = Layout.of((fence,)).written((replace(wish, amid=amid),))
+        assert any(isinstance(each, Strokes) and each.pen == THIN for each in layout.lines) == led
+
+
 def test_a_letter_that_stands_off_is_no_index_of_another_label() -> None:
     wish = Wish("C", np.array([[0.0, 7.0], [0.0, -7.0]]), names=POINT)
     beside = Label(r"\omega", Vector(2.9, 7.0), 3.0, 3.0)

@@ -45,6 +45,11 @@ class AngleArc:
         arc = chords(replace(bow, start=bow.start + inset, sweep=bow.sweep - 2 * inset))
         return (*arc, *self._list_far_lines())
 
+    def list_sides(self) -> tuple[Segment, ...]:
+        """The thin lines along its sides."""
+        bow = self.bow
+        return tuple(line for leg in self.legs if (line := leg.line(bow.centre, bow.radius)))
+
     def _list_far_lines(self) -> Iterator[Segment]:
         bow = self.bow
         for leg in self.legs:
@@ -60,7 +65,7 @@ class AngleArc:
     def primitives(self) -> tuple[Primitive, ...]:
         """The sides, the arrowhead, the arc."""
         bow = self.bow
-        sides = tuple(line for leg in self.legs if (line := leg.line(bow.centre, bow.radius)))
+        sides = self.list_sides()
         parts: tuple[Primitive, ...] = (Strokes(sides, THIN),) if sides else ()
         if self.hint.sense or self.hint.signed:
             parts += (draw_arc_head(bow),)

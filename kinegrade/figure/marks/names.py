@@ -3,22 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from math import pi
 
 import numpy as np
 
-from kinegrade.errors import TemplateError
-from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
-from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.mark import direction
-from kinegrade.figure.placing.place import Floats, Wish, list_spots_around, rate_nearness
-from kinegrade.figure.plane import NEAR, length, on_line, polar, unit
-from kinegrade.figure.scene import Label
-from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
+from kinegrade.figure.plane import NEAR, length, on_line, unit
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -27,8 +21,7 @@ from kinegrade.problem.template.hints import Angle, FigureHints
 # Cost of a letter that may be read as that of another point: between a thin and a firm line
 _MISTAKEN = 20.0
 _NEAR_SPOTS = 48  # spots for a letter of which those outside an angle at its point come first
-# Cost of the name of a body beside another letter, less than a fault; millimetres between words
-_ONE_WORD, _SPACE = 0.45, 2.5
+_TEETH = 2.0  # millimetres of the leader to a point among teeth that may cross these
 _INSIDE = 0.95  # share of a radius: nearer to the rim a letter may stand on either side
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
 
@@ -71,7 +64,13 @@ def _label_point(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]
             spots = spots[np.argsort(beyond, kind="stable")]
     others = [place for place in places if length(place - at) > NEAR]
     demerits = _MISTAKEN * rate_nearness(symbol, spots, [at], others)
-    return Wish(symbol, spots, demerits=demerits, names=at)
+    return Wish(symbol, spots, demerits=demerits, names=at, amid=_TEETH * _meshes(at, drawing))
+
+
+def _meshes(at: Vector, drawing: Drawing) -> bool:
+    """Whether a point lies on the pitch circle of a gear."""
+    gears = (rim for rim in drawing.rims if rim.kind == "gear")
+    return any(abs(length(at - gear.at) - gear.radius) < NEAR for gear in gears)
 
 
 def _keep_out_of_angles(wish: Wish, at: Mapping[str, Vector], angles: Iterable[Angle]) -> Wish:
@@ -89,32 +88,6 @@ def _keep_out_of_angles(wish: Wish, at: Mapping[str, Vector], angles: Iterable[A
     order = np.argsort(within, kind="stable")
     demerits = None if wish.demerits is None else wish.demerits[order]
     return replace(wish, spots=wish.spots[order], demerits=demerits)
-
-
-def label_bodies(
-    mechanism: Mechanism, hints: FigureHints, drawing: Drawing, written: Sequence[Label]
-) -> Iterator[Wish]:
-    """The labels of bodies, which may stand anywhere in or next to them, rather not beside what is
-    written already: the two would read as one word.
-
-    Raises TemplateError for the label of a body of which nothing is drawn.
-    """
-    for body, symbol in hints.labels.items():
-        if symbol and body not in mechanism.points:
-            wish = _label_body(body, symbol, drawing)
-            yield replace(wish, demerits=_ONE_WORD * _find_beside(wish, written))
-
-
-def _find_beside(wish: Wish, written: Sequence[Label]) -> Floats:
-    """For each spot of a wish 1 where a letter stands close to its left or right, else 0."""
-    beside = np.zeros(len(wish.spots))
-    width, height = measure_symbol(wish.symbol)
-    for label in written:
-        steps = np.abs(wish.spots - np.array(label.centre))
-        level = steps[:, 1] < (height + label.height) / 2
-        close = steps[:, 0] < (width + label.width) / 2 + _SPACE
-        beside = np.maximum(beside, level & close)
-    return beside
 
 
 def _find_free_direction(at: Vector, drawing: Drawing) -> Vector | None:
@@ -163,25 +136,3 @@ def _split_letters(name: str) -> list[str]:
     if not re.fullmatch(r"(?:[A-Z]\d*p?){2,}", name) or set(name) <= set("IVX"):
         return []
     return re.findall(r"[A-Z]\d*p?", name)
-
-
-def _label_body(body: str, symbol: str, drawing: Drawing) -> Wish:
-    circles: list[Rim] = [rim for rim in drawing.rims if rim.body == body]
-    if circles:
-        shares = (0.7, 0.55, 0.4)
-        inner = [
-            circles[0].at + polar(pi / 4 * turn, circles[0].radius * share)
-            for share in shares
-            for turn in range(8)
-        ]
-        return Wish(
-            symbol,
-            np.concatenate(
-                (np.array(inner), list_spots_around(symbol, circles[0].at, circles[0].radius))
-            ),
-        )
-    parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
-    if not parts:
-        what = Message("figure.nothing-to-label", body=Quoted(body))
-        raise TemplateError(Fault(f"figure.labels.{body}", what))
-    return Wish(symbol, list_spots_around(symbol, (parts[0].start + parts[0].end) / 2))

@@ -19,6 +19,7 @@ from kinegrade.mechanics.vector import Vector
 _LOWER = Vector(0.01, -0.1)  # where a pin sits when nothing else decides: below, or to the right
 
 _DOT_IN_MESH = 0.5  # millimetres of radius: it fits on a tooth
+_WHITE = 0.45  # millimetres about a dot on a bar that is not its body's
 _HOUSING = 2.3  # millimetres, the radius of a motor
 
 
@@ -34,7 +35,7 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
     for name in sorted(centres):
         yield from draw_centre_mark(at[name])
     for name in sorted(owned - pins - centres - tips - _find_at_corners(anatomy)):
-        yield from draw_dot(at[name], _choose_dot(anatomy, at[name]))
+        yield from _draw_marked_point(anatomy, at[name])
     for name in sorted(pins):
         side = _find_side_of_through_bar(anatomy, name)
         yield from draw_half_pin(at[name], side) if side else draw_pin(at[name])
@@ -58,11 +59,15 @@ def _find_pins(anatomy: Anatomy) -> set[str]:
     }
 
 
-def _choose_dot(anatomy: Anatomy, at: Vector) -> float:
-    """The radius of a dot: small among the teeth of two gears, unless a bar passes over it."""
+def _draw_marked_point(anatomy: Anatomy, at: Vector) -> Iterator[Primitive]:
+    """A dot, small among the teeth of two gears; where a bar passes over these, white tells the dot
+    from it.
+    """
     meshing = any(rim.kind == "gear" and length(rim.touch - at) < NEAR for rim in anatomy.rims)
     covered = any(is_slender(part) and list_ways(part, at) for part in anatomy.parts)
-    return _DOT_IN_MESH if meshing and not covered else DOT
+    if meshing and covered:
+        yield Disc(at, DOT + _WHITE, None, "white")
+    yield from draw_dot(at, _DOT_IN_MESH if meshing and not covered else DOT)
 
 
 def _find_at_corners(anatomy: Anatomy) -> set[str]:

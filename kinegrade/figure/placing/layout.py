@@ -14,7 +14,7 @@ import numpy as np
 
 from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.mark import Mark
-from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles
+from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.place import (
     Placed,
     Wish,
@@ -24,6 +24,7 @@ from kinegrade.figure.placing.place import (
     place_label,
     trace_leader,
 )
+from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import THIN, Label, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
@@ -77,11 +78,17 @@ class Layout:
             if leader and layout._adjoins(placed.label):
                 placed = place_label(layout._keep_from_labels(wish), layout.obstacles)
                 leader = trace_leader(placed.label, wish.names) if wish.names else None
-            crossed = layout.obstacles.along((leader,), shared=True) if leader else 0.0
+            crossed = layout._measure_leader(leader, wish.amid) if leader else 0.0
             layout = layout._labelled(placed)
             if leader and crossed < _HARD:
                 layout = layout.drawn((Strokes((leader,), THIN),))
         return layout
+
+    def _measure_leader(self, leader: Segment, amid: float) -> float:
+        """What a leader crosses before it is so many millimetres from its end."""
+        start, end = leader
+        at_point = unit(end - start) * min(amid, length(end - start) / 2)
+        return self.obstacles.along(((start, end - at_point),), shared=True)
 
     def _keep_from_labels(self, wish: Wish) -> Wish:
         """The wish, rather not beside another label, of which the letter would seem to be the

@@ -42,7 +42,8 @@ class Wish:
     the point it belongs to.
 
     When none of its spots is free, any other spot around that point is allowed. A spot may have a
-    demerit as well. A letter far from the point that it `names` gets a leader.
+    demerit as well. A letter far from the point that it `names` gets a leader, whose last
+    millimetres may cross what the point lies `amid`.
     """
 
     symbol: str
@@ -50,6 +51,7 @@ class Wish:
     at: Vector | None = None
     demerits: Floats | None = None
     names: Vector | None = None
+    amid: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import product
 
-from kinegrade.figure.marks.names import label_bodies, label_points
+from kinegrade.figure.marks.body_names import label_bodies
+from kinegrade.figure.marks.names import label_points
 from kinegrade.figure.marks.rotations import add_rotations
 from kinegrade.figure.mechanism.fitting import Room, fit_scene
 from kinegrade.figure.mechanism.layers import Drawing
@@ -155,4 +156,4 @@ def _compose(
     early, late = ((), named) if symbols_first else (named, ())
     layout = add_symbols(layout.written(early), placed).written(late)
     layout = add_rotations(layout, paper, turnings, drawing, named)
-    return layout.written(label_bodies(paper, plain.hints, drawing, layout.labels))
+    return layout.written(label_bodies(paper, plain.hints, drawing, layout))

@@ -1,0 +1,120 @@
+"""The names of bodies, and where they may stand: in their circles or beside their bars, and where
+nothing else could own them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+
+from kinegrade.errors import TemplateError
+from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc
+from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod
+from kinegrade.figure.placing.extent import measure_symbol
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.place import (
+    Floats,
+    Wish,
+    list_spots_around,
+    list_spots_beside,
+)
+from kinegrade.figure.plane import polar, unit
+from kinegrade.figure.teeth import TOOTH_TIP
+from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.problem.template.hints import FigureHints
+
+_SPACE = 2.5  # millimetres between words
+_AT_END, _ASIDE = 6.0, 1.5  # millimetres beyond the end of a line, and beside it, that are its own
+_IN_ANGLE = 4.0  # millimetres beyond the arc of an angle in which a letter would name that
+_SHARES = (0.7, 0.55, 0.4)  # of the radius of a circle, for the name of its body
+_NEAR = 48  # spots around the middle of a bar before those along it
+_AT_TEETH = 0.8  # millimetres between the teeth of a ring and its name
+
+
+def label_bodies(
+    mechanism: Mechanism, hints: FigureHints, drawing: Drawing, layout: Layout
+) -> Iterator[Wish]:
+    """The labels of bodies, which may stand anywhere in or next to them, but last in the disc of
+    another one, beside what is written already, at the end of a line or in an angle, which would
+    seem to have that name.
+
+    Raises TemplateError for the label of a body of which nothing is drawn.
+    """
+    for body, symbol in hints.labels.items():
+        if symbol and body not in mechanism.points:
+            wish = Wish(symbol, _list_spots(body, symbol, drawing))
+            others = [rim for rim in drawing.rims if rim.body != body and not rim.ring]
+            taken = _find_beside(wish, layout) + _find_at_angles(wish, layout)
+            order = np.argsort(taken + _find_in_discs(wish, others), kind="stable")
+            yield replace(wish, spots=wish.spots[order])
+
+
+def _find_beside(wish: Wish, layout: Layout) -> Floats:
+    """For each spot of a wish 1 where a letter stands close to its left or right, else 0."""
+    beside = np.zeros(len(wish.spots))
+    width, height = measure_symbol(wish.symbol)
+    for label in layout.labels:
+        steps = np.abs(wish.spots - np.array(label.centre))
+        level = steps[:, 1] < (height + label.height) / 2
+        close = steps[:, 0] < (width + label.width) / 2 + _SPACE
+        beside = np.maximum(beside, level & close)
+    return beside
+
+
+def _find_at_angles(wish: Wish, layout: Layout) -> Floats:
+    """For each spot of a wish 1 in an angle, or where a line along a side of one ends, else 0."""
+    found, half = np.zeros(len(wish.spots)), max(measure_symbol(wish.symbol)) / 2
+    for arc in _list_arcs(layout):
+        bow, steps = arc.bow, wish.spots - np.array(arc.bow.centre)
+        turned = (np.arctan2(steps[:, 1], steps[:, 0]) - bow.start) * np.sign(bow.sweep)
+        within = turned % (2 * pi) < abs(bow.sweep)
+        found = np.maximum(found, within & (np.hypot(*steps.T) < bow.radius + _IN_ANGLE))
+        for start, end in arc.list_sides():
+            steps, toward = wish.spots - np.array(end), unit(end - start)
+            ahead, aside = steps @ np.array(toward), np.abs(steps @ np.array(toward.turned()))
+            found = np.maximum(found, (ahead > 0) & (ahead < half + _AT_END) & (aside < _ASIDE))
+    return found
+
+
+def _list_arcs(layout: Layout) -> Iterator[AngleArc]:
+    for mark in layout.marks:
+        if isinstance(mark, AngleArc | LedAngleArc):
+            yield mark if isinstance(mark, AngleArc) else mark.arc
+
+
+def _find_in_discs(wish: Wish, discs: Iterable[Rim]) -> Floats:
+    """For each spot of a wish 1 in a disc, else 0."""
+    within = np.zeros(len(wish.spots))
+    for disc in discs:
+        steps = wish.spots - np.array(disc.at)
+        within = np.maximum(within, np.hypot(*steps.T) < disc.radius)
+    return within
+
+
+def _list_spots(body: str, symbol: str, drawing: Drawing) -> Floats:
+    circles = [rim for rim in drawing.rims if rim.body == body]
+    if circles:
+        return _list_spots_in_circle(symbol, circles[0])
+    parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
+    if not parts:
+        what = Message("figure.nothing-to-label", body=Quoted(body))
+        raise TemplateError(Fault(f"figure.labels.{body}", what))
+    around = list_spots_around(symbol, (parts[0].start + parts[0].end) / 2)
+    along = [list_spots_beside(symbol, part.start, part.end) for part in parts]
+    return np.concatenate((around[:_NEAR], *along, around[_NEAR:]))
+
+
+def _list_spots_in_circle(symbol: str, rim: Rim) -> Floats:
+    """Spots within a circle, then about it; the name of a toothed ring stands at its teeth."""
+    levels = [rim.radius * share for share in _SHARES]
+    if rim.ring and rim.kind == "gear":
+        levels = [rim.radius - TOOTH_TIP - _AT_TEETH - max(measure_symbol(symbol)) / 2]
+    inner = [rim.at + polar(pi / 4 * turn, level) for level in levels for turn in range(8)]
+    around = list_spots_around(symbol, rim.at, rim.radius)
+    return np.concatenate((np.array(inner), around))

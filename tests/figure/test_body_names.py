@@ -1,0 +1,60 @@
+"""The name of a body stands where nothing else could own it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import hypot
+
+from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.marks.angle_arc import AngleArc
+from kinegrade.figure.marks.body_names import label_bodies
+from kinegrade.figure.marks.sides import Side
+from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.straight_parts import Bar, Part
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.scene import THIN, Bow, Label
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import Angle, FigureHints
+from tests.figure.mechanisms import polar
+
+CENTRE = Vector(0.0, 0.0)
+NO_MECHANISM = Mechanism({"O": CENTRE}, (), (), ())
+WHEEL = Rim("W", "O", CENTRE, 15.0, "wheel", False, CENTRE, CENTRE)
+
+
+def name(body: str, rims: tuple[Rim, ...], layout: Layout, parts: tuple[Part, ...] = ()) -> Vector:
+    """Where the name 1 of a body is written."""
+    hints, drawing = FigureHints(labels={body: "1"}), Drawing((), (), rims, parts, (), ())
+    wishes = label_bodies(NO_MECHANISM, hints, drawing, layout)
+    return layout.written(wishes).labels[-1].centre
+
+
+def test_the_name_of_a_wheel_does_not_stand_beside_another_letter() -> None:
+    alone = name("W", (WHEEL,), Layout.of(()))
+    letter = Label("O", alone - Vector(4.0, 0.0), 2.5, 2.5)
+    moved = name("W", (WHEEL,), replace(Layout.of(()), labels=(letter,)))
+    assert moved != alone
+    assert hypot(*moved) < 15.0
+
+
+def test_the_name_of_a_wheel_stands_neither_in_an_angle_nor_beyond_its_side() -> None:
+    side = Side(0.0, 0.0, 0.0, broad=False, lag=0.0)
+    arc = AngleArc(Bow(CENTRE, 7.0, 0.0, 2.0, THIN), (side,), Angle("x", "O", "right", "up"), 0.0)
+    layout = replace(Layout.of(()), marks=(arc,))
+    alone, moved = name("W", (WHEEL,), Layout.of(())), name("W", (WHEEL,), layout)
+    assert (alone.x > 9.0, alone.y) == (True, 0.0)
+    assert hypot(*moved) > 7.0
+    assert moved.x < 0.0 or moved.y < -1.5
+
+
+def test_the_name_of_a_ring_stands_at_its_teeth() -> None:
+    ring = Rim("W", "O", CENTRE, 30.0, "gear", True, polar(30.0, 0), polar(30.0, 0))
+    assert 26.0 < hypot(*name("W", (ring,), Layout.of(()))) < 29.0
+
+
+def test_the_name_of_a_bar_does_not_stand_in_a_wheel_behind_it() -> None:
+    bar = Bar("AB", Vector(0.0, 10.0), Vector(40.0, 10.0))
+    at = name("AB", (replace(WHEEL, radius=25.0),), Layout.of(()), (bar,))
+    assert hypot(*at) > 25.0
+    assert abs(at.y - 10.0) < 4.0
