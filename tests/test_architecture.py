@@ -30,6 +30,7 @@ FLOORS = {
     "errors": 0,
     "expressions": 0,
     "files": 0,
+    "grade_scale": 0,
     "language": 0,
     "marks_folder": 0,
     "numbers": 0,

@@ -56,7 +56,7 @@ FAR = {
     "syntax nodes": 511_564,
     "lines of code": 54_715,
     "syntax nodes a line": 9.36,
-    "modules of more than 250 lines": 14,
+    "modules of more than 250 lines": 15,
 }
 COPIED = """
 def total(rows, key):

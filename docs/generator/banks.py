@@ -16,6 +16,8 @@ _BANK = "kinegrade.exam.bank.keys"
 _STEPWISE = "kinegrade.problem.template.sections.stepwise_keys"
 _POLICY = "kinegrade.grading.policy.keys"
 _STATED = "kinegrade.stated_marking"
+_PLAN = "kinegrade.reports.term.plan"
+_SCALE = "kinegrade.grade_scale.stated"
 _BANK_EXAMPLE = """```toml
 title = { en = "Kinematics midterm", zh = "运动学期中测验" }
 course = "Theoretical mechanics"
@@ -52,6 +54,18 @@ accept = [
   { value = "2*sqrt(3)", unit = "m/s" },
   { value = "-v_B", student = ["007", "0012"] },
 ]
+```"""
+_PLAN_EXAMPLE = """```toml
+[parts.homework]
+marks = ["HW1", "HW2", "HW3", "HW4", "HW5", "HW6"]
+best = 5
+weight = "30 %"
+
+[parts.FINAL]
+weight = "70 %"
+
+[scale]
+kind = "german"
 ```"""
 
 
@@ -126,6 +140,21 @@ def write_policy_page() -> str:
     )
 
 
+def write_plan_page() -> str:
+    """What may be written in the plan of a term."""
+    return write_page(
+        "# Plans of a term",
+        "The plan of a term is a TOML file that `kinegrade term --plan` puts exams together by.",
+        _PLAN_EXAMPLE,
+        write_words("key", read_words(_PLAN, "PLAN")),
+        "## Parts",
+        "In a table `[parts.homework]`:",
+        write_words("key", read_words(_PLAN, "PART")),
+        "## Scale",
+        write_words("key", read_words(_SCALE, "SCALE")),
+    )
+
+
 def _stated(further: Mapping[str, str]) -> Iterator[str]:
     """Tolerances, with what else one of the two may state, and credit, which banks and policies
     state alike.
@@ -137,6 +166,9 @@ def _stated(further: Mapping[str, str]) -> Iterator[str]:
     yield 'Each is a share of the points: `"1/2"`, `"50 %"` or `0.5`.'
     yield write_words("key", read_words(_STATED, "CREDIT"))
     yield "The identifiers of mistakes are listed under [Known mistakes](mistakes.md)."
+    yield "## Scale"
+    yield "Which grades totals earn: a table `[scale]`. Bounds are included."
+    yield write_words("key", read_words(_SCALE, "SCALE"))
 
 
 def _write_shipped_banks() -> str:

@@ -35,7 +35,11 @@ def write_folder_page() -> str:
         "Between `name` and `total` stands a column for each question.",
         write_words(
             "column",
-            {**read_words(_LAYOUT, "BEFORE_QUESTIONS"), **read_words(_LAYOUT, "AFTER_QUESTIONS")},
+            {
+                **read_words(_LAYOUT, "BEFORE_QUESTIONS"),
+                **read_words(_LAYOUT, "AFTER_QUESTIONS"),
+                **read_words(_LAYOUT, "WHERE_NEEDED"),
+            },
         ),
         "### Verdicts",
         write_words("verdict", read_words(_JUDGE, "Kind")),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from docs.generator.banks import write_bank_page, write_policy_page
+from docs.generator.banks import write_bank_page, write_plan_page, write_policy_page
 from docs.generator.commands import write_commands
 from docs.generator.folders import write_folder_page
 from docs.generator.lists import (
@@ -26,6 +26,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "commands": write_commands,
     "banks": write_bank_page,
     "policies": write_policy_page,
+    "term-plans": write_plan_page,
     "templates": write_template_page,
     "expressions": write_expression_page,
     "shipped-templates": write_shipped_page,

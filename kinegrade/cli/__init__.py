@@ -26,6 +26,7 @@ from kinegrade.cli.sharing import sharing
 from kinegrade.cli.solve import solve
 from kinegrade.cli.starters import new
 from kinegrade.cli.templates import check, gallery
+from kinegrade.cli.term import term
 
 
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})
@@ -61,6 +62,7 @@ for command in (
     feedback,
     sharing,
     export,
+    term,
     quiz,
 ):
     main.add_command(command)

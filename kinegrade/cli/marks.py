@@ -151,17 +151,19 @@ def diff(
     required=True,
     metavar="FILE",
 )
+@click.option(
+    "--ranks",
+    is_flag=True,
+)
 @_EXAM_LANGUAGE
 @FORCE
 @refusing
-def class_report(
-    exam: Path, marks: Path, output: Path, language: Language | None, *, force: bool
-) -> None:
+def class_report(*, exam: Path, marks: Path, output: Path, **options: Any) -> None:
     """Report on the class: distribution, how hard each ask was, where points were lost, whether
     papers were alike.
     """
     folder, marked = open_both(exam, marks)
-    finish(kinegrade.report(folder, marked, output, language=language, force=force))
+    finish(kinegrade.report(folder, marked, output, **options))
 
 
 @command()

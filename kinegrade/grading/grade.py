@@ -13,9 +13,10 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.output import output_folder
 from kinegrade.files.tables import Table, read_table
+from kinegrade.grade_scale.kinds import make_scale
+from kinegrade.grade_scale.scale import Scale
 from kinegrade.grading.answer_lines import write_marks
 from kinegrade.grading.judging.follow import Follows
-from kinegrade.grading.kept_totals import never_lower as with_kept_totals
 from kinegrade.grading.marking import MarkingTerms, mark_blocks
 from kinegrade.grading.marks import ClassGrades, collect_grades
 from kinegrade.grading.other_papers import OtherPapers
@@ -24,7 +25,10 @@ from kinegrade.grading.policy.policy import Policy
 from kinegrade.grading.policy.reading import read_policy, stated_policy
 from kinegrade.grading.sheets.class_sheet import class_sheet
 from kinegrade.grading.sheets.pool import read_pool
+from kinegrade.grading.totals import TotalTerms, work_out_totals
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import FILES, MARKER
 from kinegrade.marks_folder.open_questions import OpenQuestion
@@ -82,24 +86,35 @@ def grade(
         grades = collect_grades(exam, sheet, write_marks(folder, others.watched(blocks)))
         if not wishes.own_papers:
             others.refuse(exam, ", ".join(each.table.file for each in files))
-        grades = _write_totals(folder, grades, wishes.never_lower)
+        still_open = [OpenQuestion(each.question, each.points) for each in exam.head.by_hand]
+        scale = None if still_open else _make_scale(rules, exam.language)
+        grades = _write_totals(folder, grades, wishes.never_lower, scale)
         folder.policy(rules.text)
         folder.printed(exam.printed_orders())
-        folder.open([OpenQuestion(each.question, each.points) for each in exam.head.by_hand])
+        folder.open(still_open)
         folder.bonus(exam.head.bonus)
         folder.corrections(exam.head.corrections)
         _write_exports(path, wishes.exports)
     return grades
 
 
+def _make_scale(rules: Policy, language: Language) -> Scale | None:
+    """The scale of the policy or the bank, in the words of the papers."""
+    return None if rules.scale is None else make_scale(rules.scale, open_catalogue(language))
+
+
 def _write_totals(
-    folder: MarksWriter, grades: ClassGrades, never_lower: MarksFolder | None
+    folder: MarksWriter,
+    grades: ClassGrades,
+    never_lower: MarksFolder | None,
+    scale: Scale | None,
 ) -> ClassGrades:
     """Writes the totals and complaints, and gives them with the earlier totals that stand."""
+    earlier = None if never_lower is None else never_lower.totals.by_student
+    grades, kept = work_out_totals(grades, TotalTerms(earlier, scale))
     if never_lower is not None:
-        grades, kept = with_kept_totals(grades, never_lower.totals.by_student)
         folder.kept(kept)
-    folder.grades(grades.questions, grades.grades)
+    folder.grades(grades.questions, grades.grades, scale)
     folder.complaints(grades.complaints)
     return grades
 

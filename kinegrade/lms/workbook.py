@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import io
 import re
+from collections.abc import Iterable
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from openpyxl import Workbook
@@ -31,9 +32,14 @@ _TEXT_FORMAT = "@"
 
 def workbook(marks: MarksFolder) -> bytes:
     """The bytes of an .xlsx file of a folder of marks; raises TableError."""
+    return write_tables(marks.tables())
+
+
+def write_tables(tables: Iterable[tuple[str, Table]]) -> bytes:
+    """The bytes of an .xlsx file of tables, each on a sheet of its name."""
     book = Workbook()
     book.remove(book.active)
-    for name, table in marks.tables():
+    for name, table in tables:
         _fill(book.create_sheet(name), table)
     stream = io.BytesIO()
     book.save(stream)

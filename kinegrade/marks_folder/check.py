@@ -7,12 +7,20 @@ so a sum of amounts may be off by half of the last place for each of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from pathlib import Path
 
 from kinegrade.errors import TableError
-from kinegrade.language.message import Fault, Message, Part, Quoted, list_statements
+from kinegrade.grade_scale.scale import Scale
+from kinegrade.language.message import (
+    Fault,
+    Message,
+    Part,
+    Quoted,
+    list_choices,
+    list_statements,
+)
 from kinegrade.marks_folder.cells import AS_WRITTEN
 from kinegrade.marks_folder.layout import ANSWERS, GRADES, KEPT, STATUSES
 from kinegrade.marks_folder.rows import ClassTotals, StudentSums, StudentTotal
@@ -21,10 +29,14 @@ from kinegrade.numbers.amounts import bound_rounding, write_amount
 _MOST_NAMED = 20
 
 
-def refuse_changed_totals(folder: Path, totals: ClassTotals, sums: Iterable[StudentSums]) -> None:
-    """Raises TableError naming each row of grades.csv that contradicts marks.csv or kept.csv."""
+def refuse_changed_totals(
+    folder: Path, totals: ClassTotals, sums: Iterable[StudentSums], scale: Scale | None
+) -> None:
+    """Raises TableError naming each row of grades.csv that contradicts marks.csv, kept.csv or
+    scale.csv.
+    """
     path = folder / GRADES.name
-    faults = list(_find_faults(path, totals, sums))
+    faults = [*_find_faults(path, totals, sums), *_find_changed_grades(path, totals, scale)]
     if not faults:
         return
     shown = faults[:_MOST_NAMED]
@@ -101,6 +113,27 @@ def _find_wrong_total(row: StudentTotal, sums: StudentSums, lines: int) -> Itera
         yield from _describe_difference("total", row.total, sums.total, lines)
     elif row.total != row.kept.stands:
         yield _contradict("total", row.total, row.kept.stands, KEPT.name)
+
+
+def _find_changed_grades(path: Path, totals: ClassTotals, scale: Scale | None) -> Iterator[Fault]:
+    """The rows whose grade is not the one of their total by the scale."""
+    for row in totals.students:
+        expected = _list_possible_grades(row, scale)
+        if row.grade not in expected:
+            names = list_choices(map(Quoted, expected))
+            problem = Message("marks.grade", grade=Quoted(row.grade[:40]), expected=names)
+            yield _name_row(path, row, problem)
+
+
+def _list_possible_grades(row: StudentTotal, scale: Scale | None) -> Sequence[str]:
+    """The grades that a total may have had before it was rounded to be written."""
+    if scale is None:
+        return ("",)
+    if not row.is_present:
+        return (scale.absent,)
+    rounding = bound_rounding(1) / row.out_of if row.out_of else Fraction(0)
+    ends = max(row.share - rounding, Fraction(0)), row.share, row.share + rounding
+    return list(dict.fromkeys(scale.find_step(share).grade for share in ends))
 
 
 def _find_wrong_percent(row: StudentTotal) -> Iterator[Message]:

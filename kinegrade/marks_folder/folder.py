@@ -17,6 +17,7 @@ from pathlib import Path
 from kinegrade.errors import TableError
 from kinegrade.files.csv_writing import restore
 from kinegrade.files.tables import Complaint, Table
+from kinegrade.grade_scale.scale import Scale
 from kinegrade.language.message import Message
 from kinegrade.marks_folder.cells import (
     Record,
@@ -55,6 +56,7 @@ from kinegrade.marks_folder.rows import (
     Put,
     StudentSums,
 )
+from kinegrade.marks_folder.scale_file import read_scale_file
 from kinegrade.marks_folder.sums import read_sums
 from kinegrade.marks_folder.table_html import write_table_html
 from kinegrade.marks_folder.totals import read_totals
@@ -135,6 +137,11 @@ class MarksFolder:
             return int(count)
         return 0
 
+    @cached_property
+    def scale(self) -> Scale | None:
+        """The scale by which grades were given; None where there are no grades."""
+        return read_scale_file(self.path)
+
     def _repr_html_(self) -> str:
         return write_table_html(read_whole(self.path, GRADES))
 
@@ -195,7 +202,7 @@ def open_marks(path: Path) -> MarksFolder:
     it is not a marks folder.
     """
     folder = MarksFolder(path)
-    refuse_changed_totals(path, folder.totals, folder.sums())
+    refuse_changed_totals(path, folder.totals, folder.sums(), folder.scale)
     return folder
 
 

@@ -69,6 +69,11 @@ AFTER_QUESTIONS = (
     #: `marked`, or `absent` for anyone who answered nothing at all.
     "status",
 )
+#: Columns of grades.csv that stand at its end only where they are needed.
+WHERE_NEEDED = (
+    #: The grade by the scale of policy or bank; only where one of them has a scale.
+    "grade",
+)
 _KEPT_AMOUNTS = ("before", "before_out_of", "by_this_marking", "out_of", "stands")
 
 # Earlier versions named the mistakes and the policy in the reason alone
@@ -80,7 +85,9 @@ BY_POLICY: Final = "policy"  # the rule of an answer that was not compared by th
 # Earlier versions wrote no status
 #: The points of each student, question by question, and the total.
 GRADES: Final = TableFile(
-    "grades.csv", (*BEFORE_QUESTIONS, *AFTER_QUESTIONS), optional=("percent", "status")
+    "grades.csv",
+    (*BEFORE_QUESTIONS, *AFTER_QUESTIONS, *WHERE_NEEDED),
+    optional=("percent", "status", *WHERE_NEEDED),
 )
 #: What a person should look at: where it stands, what is wrong, what was done about it.
 COMPLAINTS: Final = TableFile(
@@ -98,12 +105,15 @@ OPEN: Final = TableFile("open.csv", ("question", "points"))
 #: Questions whose points, as the papers state them, come on top of the maximum; only where there
 #: are some.
 BONUS: Final = TableFile("bonus.csv", ("question", "points"))
+#: The scale by which grades were given: each grade with the percentage from which on it is given,
+#: and whether it passes; only where there is one.
+SCALE: Final = TableFile("scale.csv", ("grade", "from", "result"))
 #: How often the key was corrected before the class was marked; only where it was.
 CORRECTIONS: Final = TableFile("corrections.csv", ("corrections",))
 QUESTIONS_BETWEEN: Final = " "  # question identifiers contain no blank
 #: A copy of the policy; only where there was one.
 POLICY: Final = "policy.toml"
-_TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED, OPEN, BONUS, CORRECTIONS)
+_TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED, OPEN, BONUS, SCALE, CORRECTIONS)
 FILES: Final = (*(file.name for file in _TABLES), POLICY)
 MARKER: Final = COMPLAINTS.name  # the file by which kinegrade recognises a marks folder
 
@@ -114,6 +124,6 @@ _OF_NUMBERS = {"points", "total", "out_of", "percent", "line"}  # besides the qu
 TEXT_COLUMNS: Final = frozenset(name for file in FOR_PEOPLE for name in file.columns) - _OF_NUMBERS
 
 
-def make_grades_header(questions: tuple[str, ...]) -> tuple[str, ...]:
-    """The columns of grades.csv for these questions."""
-    return (*BEFORE_QUESTIONS, *questions, *AFTER_QUESTIONS)
+def make_grades_header(questions: tuple[str, ...], needed: tuple[str, ...] = ()) -> tuple[str, ...]:
+    """The columns of grades.csv for these questions, and those of `WHERE_NEEDED` that are."""
+    return (*BEFORE_QUESTIONS, *questions, *AFTER_QUESTIONS, *needed)

@@ -10,8 +10,10 @@ from fractions import Fraction
 from functools import cached_property
 
 from kinegrade.language.message import Text
+from kinegrade.marks_folder.layout import Status
 from kinegrade.numbers.amounts import add_amounts
 
+_ABSENT: Status = "absent"
 Put = Mapping[str, Mapping[str, str]]  # whose line of the key, by student and answer column
 Orders = Mapping[str, tuple[str, ...]]  # the questions as printed, by student
 
@@ -71,7 +73,8 @@ class Grade:
     None for an alternative that the paper does not hold, and the total.
 
     `kept` is the total that stands instead of the sum, where an earlier one was higher and no total
-    may fall. A student who is `absent` answered nothing at all.
+    may fall. A student who is `absent` answered nothing at all. `grade` is that of the total,
+    "" where there is no scale.
     """
 
     student: str
@@ -80,6 +83,7 @@ class Grade:
     out_of: Fraction
     kept: Fraction | None = None
     absent: bool = False
+    grade: str = ""
 
     @property
     def total(self) -> Fraction:
@@ -89,9 +93,14 @@ class Grade:
         return add_amounts(each for each in self.points if each is not None)
 
     @property
+    def share(self) -> Fraction:
+        """The total as a share of the maximum; 0 where there are no points to get."""
+        return self.total / self.out_of if self.out_of else Fraction(0)
+
+    @property
     def percent(self) -> Fraction:
         """The total as a percentage of the maximum; 0 where there are no points to get."""
-        return 100 * self.total / self.out_of if self.out_of else Fraction(0)
+        return 100 * self.share
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +108,8 @@ class StudentTotal:
     """One line of grades.csv as it is read; `kept` is the student's line of kept.csv.
 
     `points` are those of the questions that the paper holds, `line` is its line number. `percent`
-    is None where the column was left out, `status` in folders of earlier versions.
+    is None where the column was left out, `status` in folders of earlier versions; `grade` is ""
+    where no scale was stated.
     """
 
     line: int
@@ -111,6 +121,12 @@ class StudentTotal:
     percent: Fraction | None
     status: str | None
     kept: KeptTotal | None
+    grade: str = ""
+
+    @property
+    def is_present(self) -> bool:
+        """Whether the total is one of a student who was there, or an earlier one that stands."""
+        return self.status != _ABSENT or self.kept is not None
 
     @property
     def worth(self) -> tuple[Fraction, Fraction]:

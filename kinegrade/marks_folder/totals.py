@@ -60,6 +60,7 @@ class _Reader:
             amounts.get("percent"),
             cells.get("status"),
             self.kept.get(cells["student"]),
+            restore(cells.get("grade", "")),
         )
 
     def _amount(self, row: Row, column: str, cell: str) -> Fraction:

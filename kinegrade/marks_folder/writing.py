@@ -21,6 +21,7 @@ from kinegrade.files.csv_writing import (
     write_for_people,
 )
 from kinegrade.files.tables import Complaint
+from kinegrade.grade_scale.scale import Scale
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.marks_folder.layout import (
@@ -35,12 +36,15 @@ from kinegrade.marks_folder.layout import (
     PRINTED,
     PUT,
     QUESTIONS_BETWEEN,
+    SCALE,
+    WHERE_NEEDED,
     AnswerCells,
     Status,
     make_grades_header,
 )
 from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.rows import Grade, KeptTotal, Orders
+from kinegrade.marks_folder.scale_file import write_scale_rows
 from kinegrade.numbers.amounts import write_amount
 
 
@@ -69,10 +73,15 @@ class MarksWriter:
         if rows:
             write_csv(self.path / PUT.name, PUT.columns, rows)
 
-    def grades(self, questions: tuple[str, ...], grades: Iterable[Grade]) -> None:
-        """Every student's points."""
-        rows = _grade_rows(grades)
-        write_for_people(self.path / GRADES.name, make_grades_header(questions), rows)
+    def grades(
+        self, questions: tuple[str, ...], grades: Sequence[Grade], scale: Scale | None = None
+    ) -> None:
+        """Every student's points, and the grades that a scale gives, which is kept beside them."""
+        needed = () if scale is None else WHERE_NEEDED
+        header = make_grades_header(questions, needed)
+        write_for_people(self.path / GRADES.name, header, _grade_rows(grades, needed))
+        if scale is not None:
+            write_csv(self.path / SCALE.name, SCALE.columns, list(write_scale_rows(scale)))
 
     def complaints(self, complaints: Iterable[Complaint]) -> None:
         """What a person should look at."""
@@ -128,7 +137,7 @@ def _write_answer_lines(cells: AnswerCells) -> str:
     return "".join(parts)
 
 
-def _grade_rows(grades: Iterable[Grade]) -> Iterator[tuple[str, ...]]:
+def _grade_rows(grades: Iterable[Grade], needed: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
     """Most students share one tuple of points with others: such amounts are formatted once."""
     known: dict[tuple[int, int, Fraction | None], tuple[str, ...]] = {}
     for grade in grades:
@@ -136,7 +145,8 @@ def _grade_rows(grades: Iterable[Grade]) -> Iterator[tuple[str, ...]]:
         status: Status = "absent" if grade.absent else "marked"
         if which not in known:
             known[which] = _write_amounts(grade)
-        yield (grade.student, neutralise(grade.name), *known[which], status)
+        last = [neutralise(grade.grade)] if needed else []
+        yield (grade.student, neutralise(grade.name), *known[which], status, *last)
 
 
 def _write_amounts(grade: Grade) -> tuple[str, ...]:

@@ -41,9 +41,7 @@ class Histogram:
 
 @dataclass(frozen=True)
 class HistogramPlot:
-    """Columns of students over percentages of the points, and marks at the median and the mean;
-    `across`, `upward` and `marks` say what is shown along the axes and by the marks.
-    """
+    """Columns of students over percentages of the points, with marks at the median and the mean."""
 
     histogram: Histogram
     figures: Summary
@@ -192,9 +190,32 @@ class Hardness:
 
 
 @dataclass(frozen=True)
+class GradeLine:
+    """A grade, the percentage from which on it is given, and how many got it."""
+
+    grade: str
+    least: str
+    count: int
+    share: str
+    bar: Bar
+
+
+@dataclass(frozen=True)
+class RankLine:
+    """A student's place in the class."""
+
+    rank: int
+    student: str
+    name: str
+    points: str
+    grade: str
+
+
+@dataclass(frozen=True)
 class ClassFigures:
     """What is known where anybody answered; a card has a figure and its name, the legend the shade
-    and the name of each verdict; `groups` are those of the roster, none where there are not two.
+    and the name of each verdict; `groups` are those of the roster, none where there are not two;
+    `passed` and `grades` are of a scale, if there is one; `ranks` are for the instructor alone.
     """
 
     out_of: str
@@ -205,6 +226,9 @@ class ClassFigures:
     losses: tuple[QuestionLosses, ...]
     hardness: Hardness
     groups: tuple[PartLine, ...] = ()
+    passed: str = ""
+    grades: tuple[GradeLine, ...] = ()
+    ranks: tuple[RankLine, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -214,7 +214,7 @@ class FeedbackQuestion:
 @dataclass(frozen=True)
 class FeedbackSheet:
     """One student's sheet in a language, plain text except for its questions; `solution` is the
-    name of a file beside it, or "".
+    name of a file beside it, or ""; `grade` is "" where no grades are given.
     """
 
     language: Language
@@ -228,6 +228,7 @@ class FeedbackSheet:
     kept: bool  # whether the total is a higher one from an earlier marking
     questions: tuple[FeedbackQuestion, ...]
     solution: str = ""
+    grade: str = ""
 
     @property
     def guesses(self) -> bool:

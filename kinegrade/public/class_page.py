@@ -22,10 +22,12 @@ def report(
     output: str | PathLike[str],
     *,
     language: str | None = None,
+    ranks: bool = False,
     force: bool = False,
 ) -> Outcome:
     """Write a page on the class: distribution, how hard each ask was, where points were lost; as
-    `kinegrade report` does, in the papers' language unless another one is wanted.
+    `kinegrade report` does, in the papers' language unless another one is wanted; with `ranks`, how
+    the students stand in the class.
 
     Raises KinegradeError.
 
@@ -40,6 +42,6 @@ def report(
     place = Path(output)
     expect_own_place(place)
     chosen = exam.language if language is None else find_language(language)
-    page = class_report(marks, exam, read_exam_wording(exam, chosen), chosen)
+    page = class_report(marks, exam, read_exam_wording(exam, chosen), chosen, ranks=ranks)
     write_file(place, page.encode("utf-8", "backslashreplace"), force=force)
     return Outcome(place)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
@@ -15,6 +16,7 @@ from kinegrade.grading.grade import MarkingWishes
 from kinegrade.grading.grade import grade as mark_class
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.marks import ClassGrades
+from kinegrade.grading.policy.reading import read_policy, stated_policy
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.language.message import Message, Part
 from kinegrade.lms.grades import moodle
@@ -23,6 +25,7 @@ from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import KEPT
 from kinegrade.marks_folder.open_questions import describe_open
+from kinegrade.numbers.amounts import write_amount
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.opened import expect_opened
 from kinegrade.public.opening import open_marks
@@ -127,9 +130,10 @@ def grade(
         options.assuming(assumption)
     grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
     written = [*_list_written(grades, place, kept=options.never_lower is not None)]
-    still_open = open_marks(place).open
-    if still_open:
-        written.append(describe_open(still_open))
+    marks = open_marks(place)
+    if marks.open:
+        written.append(describe_open(marks.open))
+    written += _describe_grades(marks, exam, options.policy)
     complaints = tuple(complaint.fault for complaint in grades.complaints)
     return Graded(place, tuple(written), complaints, grades=grades, assumed=read.assumed)
 
@@ -137,6 +141,31 @@ def grade(
 def _choose_following(exam: ExamFolder) -> Follows:
     follow_through = FollowThrough(exam)
     return Follows(follow_through, follow_through.stages)
+
+
+def _describe_grades(
+    marks: MarksFolder, exam: ExamFolder, policy: str | PathLike[str] | None
+) -> Iterator[Message]:
+    """By which scale grades were given, and how many passed; or that they wait."""
+    banks = stated_policy(exam).scale
+    stated = banks if policy is None else read_policy(Path(policy), exam).scale
+    if stated is None:
+        return
+    if stated != banks and banks is not None:
+        yield Message("terminal.scale-of-policy", file=str(policy))
+    if marks.scale is None:
+        yield Message("terminal.grades-wait")
+        return
+    passing = {step.grade for step in marks.scale.steps if step.passes}
+    present = [each for each in marks.totals.students if each.is_present]
+    least = marks.scale.pass_mark or Fraction(0)
+    yield Message(
+        "terminal.graded",
+        mark=Message("scale.percent", number=write_amount(100 * least, places=2)),
+        count=sum(each.grade in passing for each in present),
+        present=len(present),
+        absent=len(marks.totals.students) - len(present),
+    )
 
 
 def _list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[Message]:

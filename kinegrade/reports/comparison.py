@@ -34,6 +34,7 @@ HEADER = (
 )  # fmt: skip
 _ONLY_FIRST = Message("marks.only-first")
 _ONLY_SECOND = Message("marks.only-second")
+_GRADE = "grade"  # of a total, in the column of what changes
 _WIDEST_NAME = 24
 _NOTHING = MarkedAnswer("", "", "", "", "", "", "", Fraction(0), Fraction(0), "")
 _Answers = Mapping[tuple[str, str], MarkedAnswer]  # by student and answer column
@@ -86,6 +87,17 @@ class _StudentChange:
     asks: tuple[_AskChange, ...]
 
     @property
+    def is_other_total(self) -> bool:
+        """Whether the total is another, of points or of a maximum, or earns another grade."""
+        return _worth(self.before) != _worth(self.after) or self.grades[0] != self.grades[1]
+
+    @property
+    def grades(self) -> tuple[str, str]:
+        """The grades before and after, "" where there is none."""
+        before, after = self.before, self.after
+        return before.grade if before else "", after.grade if after else ""
+
+    @property
     def name(self) -> str:
         """The name in the newer marking, if it has the student."""
         total = self.after or self.before
@@ -121,11 +133,7 @@ def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
     )
     both = [(before[student], after[student]) for student in before if student in after]
     return Comparison(
-        tuple(
-            change
-            for change in found
-            if change.asks or _worth(change.before) != _worth(change.after)
-        ),
+        tuple(change for change in found if change.asks or change.is_other_total),
         len(both),
         sum(new.share > old.share for old, new in both),
         sum(new.share < old.share for old, new in both),
@@ -156,6 +164,8 @@ def _write_rows(comparison: Comparison, words: Catalogue) -> Iterator[tuple[str,
             "",
             *(neutralise(words.write(reason)) for reason in reasons),
         )
+        if each.grades[0] != each.grades[1]:
+            yield (*person, _GRADE, *map(neutralise, each.grades), *[""] * len(HEADER[5:]))
         for ask in each.asks:
             sides = ask.before or _NOTHING, ask.after or _NOTHING
             texts = (
@@ -172,6 +182,8 @@ def write_comparison_text(comparison: Comparison, words: Catalogue) -> str:
         person = show_in_one_line(each.student), cut(show_in_one_line(each.name), _WIDEST_NAME)
         points = _write_amounts(_worth(each.before), _worth(each.after))[:3]
         rows.append((*person, "total", *points, words.write(_describe_presence(each))))
+        if each.grades[0] != each.grades[1]:
+            rows.append(("", "", _GRADE, *map(show_in_one_line, each.grades), "", ""))
         for ask in each.asks:
             points = _write_amounts(_worth(ask.before), _worth(ask.after))[:3]
             rows.append(("", "", ask.column, *points, show_in_one_line(words.write(ask.why))))

@@ -23,6 +23,7 @@ from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.folder.contents import CONTENTS
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.expressions.reading import read_expression
+from kinegrade.grade_scale import stated as stated_scale
 from kinegrade.grading.policy import keys as policy_keys
 from kinegrade.grading.policy.reading import read_policy
 from kinegrade.marks_folder.layout import FILES
@@ -30,6 +31,7 @@ from kinegrade.problem.quantities.functions import QUANTITIES
 from kinegrade.problem.template.sections import keys as template_keys
 from kinegrade.problem.template.sections import stepwise_keys
 from kinegrade.problem.template.sentences import read_driver, read_joint
+from kinegrade.reports.term import plan as term_plan
 from tests.small_class import generate, write_class
 
 TABLES = [
@@ -47,6 +49,8 @@ TABLES = [
         "STEPWISE_PARAMETER STEPWISE_ASK STEPWISE_MISTAKE",
     ),
     ("kinegrade.grading.policy.keys", policy_keys, "POLICY QUESTION ASK ACCEPTED"),
+    ("kinegrade.grade_scale.stated", stated_scale, "SCALE"),
+    ("kinegrade.reports.term.plan", term_plan, "PLAN PART"),
 ]
 
 

@@ -26,6 +26,7 @@ from kinegrade.exam.bank.keys import (
     TEXT,
 )
 from kinegrade.files.starter import read_starter_text
+from kinegrade.grade_scale.stated import SCALE
 from kinegrade.problem.template.sections.stepwise_keys import STEPWISE
 from tests.small_class import kinegrade
 from tests.starters import list_keys, list_unexplained, put_in_force
@@ -58,6 +59,7 @@ def test_every_key_is_there_and_explained_in_the_line_above_it() -> None:
     shown = {*keys[""], *(name for name in keys if name in BANK)}
     assert shown == set(BANK)
     assert set(keys["header"]) == set(HEADER)
+    assert set(keys["scale"]) <= set(SCALE)
     assert set(keys["questions"]) == {
         *(*NAMED, *ANY, *FAMILY, *TAG, *DRAWN, *DEALT, *COUNTED),
         *(*TEXT, *BY_HAND),

@@ -46,6 +46,5 @@ TO_COME: Mapping[int, str] = {
     17: "works, but is not played here",
     18: "feedback and report by group are played in row 8; sharing is not",
     19: "the workbook of an examination office is not filled",
-    21: "there is no scale",
     22: "works, but is not played here",
 }

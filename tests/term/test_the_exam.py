@@ -303,3 +303,31 @@ def test_row_24_messages_are_in_the_language_of_who_reads_them(
     said = mark(small, write_answers(small, [[student, "?", *answers[1:]]])).stderr
     assert "不是一个数 - 无法识别，不得分" in said
     assert "complaint" not in said
+
+
+PLAN = """[parts.midterm]
+marks = ["MARKS"]
+weight = "100 %"
+
+[scale]
+kind = "german"
+absent = "n.e."
+"""
+
+
+def test_row_21_a_scale_gives_grades_and_absent_students_have_none(small: Midterm) -> None:
+    given = right(small.exam)
+    (best, worse, absent), rest = list(given)[:3], list(given)[3:]
+    rows = [[best, *given[best]], [worse, given[worse][0], "0"], [absent, "", ""]]
+    rows += [[student, "0", "0"] for student in rest]
+    assert mark(small, write_answers(small, rows)).exit_code < 2
+    plan = small.folder / "plan.toml"
+    plan.write_text(PLAN, encoding="utf-8")
+    output = small.folder / "term.csv"
+    done = kinegrade("term", small.folder / "MARKS", "--plan", plan, "-o", output)
+    graded = {row["student"]: (row["grade"], row["status"]) for row in table(output)}
+    assert graded[best] == ("1.0", "marked")
+    assert graded[worse] == ("3.7", "marked")
+    assert graded[absent] == ("n.e.", "absent")
+    assert {graded[student] for student in rest} == {("5.0", "marked")}
+    assert f"grades: 2 of {len(given) - 1} passed" in done.stderr

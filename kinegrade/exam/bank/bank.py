@@ -30,6 +30,7 @@ from kinegrade.files.fields.lines import lines_of_toml
 from kinegrade.files.fields.place import Place
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import choice, date_text, flag, whole
+from kinegrade.grade_scale.stated import read_scale
 from kinegrade.language.lines import shorten
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.numbers.tolerance import LEAST_CARRY, MOST_CARRY, USUAL_CARRY
@@ -154,6 +155,7 @@ def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
         versions=table.with_default("versions", whole(1, len(LETTERS)), 0),
         engine=table.with_default("engine", choice(ENGINES), "typst"),
         credit=read_credit(table, lambda: list_mistake_names(table.value("questions"))),
+        scale=read_scale(table),
         solutions=table.with_default("solutions", flag, False),
         lms=table.optional("lms", choice(_SYSTEMS)),
     )

@@ -35,6 +35,8 @@ BANK = (
     "engine",
     #: Shares of the points for answers that are not right.
     "credit",
+    #: Which grades totals earn: a table `[scale]`.
+    "scale",
     #: `true` if feedback is to hold the worked solutions.
     "solutions",
     #: The system that will mark typed answers, where it takes only some numbers: draws whose right

@@ -1,8 +1,7 @@
 """What stands in the files of an exam folder: its head (exam.json) and the lines of its key
 (key.jsonl), each a typed record.
 
-Numbers are exact, digit by digit as they stand. What format 1 lacked is empty in its records: paper
-size and engine, places, and the values as they were drawn.
+Numbers are exact, digit by digit. What format 1 lacked is empty: size, engine, values drawn.
 """
 
 from __future__ import annotations
@@ -73,13 +72,13 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
 
     What its numbers are drawn from is `secret`, `label` and `codes`, or the words `reproducible`,
     which earlier versions called `seed`; it is not shown with the head. `credit` is the bank's
-    table for answers that are not right, `solutions` whether feedback holds the worked solutions,
-    `editable` a digest of each file that people edit, as it was generated. `earlier` has by
-    template the values that earlier exams dealt and nobody is to get again. `paper_size` and
-    `engine` printed the papers, which all have so many `pages`, 0 where earlier versions printed
-    them; `method` found the velocities of worked solutions, where one was asked for. Of the
-    questions of `choices` each paper holds only some. `spares` stand for papers without a student.
-    The key had so many `corrections`.
+    table for answers that are not right, `scale` that of the grades, `solutions` whether feedback
+    holds the worked solutions, `editable` a digest of each file that people edit, as it was
+    generated. `earlier` has by template the values that earlier exams dealt and nobody is to get
+    again. `paper_size` and `engine` printed the papers, which all have so many `pages`, 0 where
+    earlier versions printed them; `method` found the velocities of worked solutions, where one was
+    asked for. Of the questions of `choices` each paper holds only some. `spares` stand for papers
+    without a student. The key had so many `corrections`.
     """
 
     format: int
@@ -100,6 +99,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     seed: str | None = None
     versions: tuple[str, ...] = ()
     credit: dict[str, object] | None = None
+    scale: dict[str, object] | None = None
     solutions: bool = False
     questions: tuple[ExamQuestion, ...]
     students: tuple[Candidate, ...]

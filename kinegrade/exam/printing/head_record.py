@@ -51,6 +51,7 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
         method=run.extras.method,
         versions=tuple(list_version_letters(bank.versions)),
         credit=bank.credit.record() or None,
+        scale=None if bank.scale is None else bank.scale.record(),
         solutions=bank.solutions,
         questions=tuple(_make_exam_question(dealt, each, language) for each in bank.questions),
         students=tuple(each for each in everybody if each.student not in spare),

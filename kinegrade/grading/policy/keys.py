@@ -12,6 +12,8 @@ POLICY = (
     "tolerance",
     #: Shares of the points for answers that are not right.
     "credit",
+    #: Which grades totals earn: a table `[scale]`, in place of the bank's.
+    "scale",
     #: Rules for single questions: tables `[questions.q1]`.
     "questions",
 )

@@ -21,6 +21,7 @@ from kinegrade.exam.folder.keys import Ask, list_questions
 from kinegrade.files.fields.document import FileKind, parsed_table, read_text, toml_table
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import amount, choice, whole
+from kinegrade.grade_scale.stated import StatedScale, read_scale
 from kinegrade.grading.policy import keys
 from kinegrade.grading.policy.accepted_reading import AcceptedReader
 from kinegrade.grading.policy.policy import FULL_CREDIT, NO_ROOM, Attempts, Policy, Ruling, Void
@@ -81,6 +82,15 @@ def _read_stated(exam: ExamFolder) -> _Level:
     return level
 
 
+def _read_stated_scale(exam: ExamFolder) -> StatedScale | None:
+    """The scale of the exam's bank, as kept in exam.json. Raises PolicyError."""
+    content = {} if exam.head.scale is None else {"scale": exam.head.scale}
+    head = parsed_table(str(exam.head_file), content, _HEAD_FILE)
+    scale = read_scale(head)
+    head.faults.require_none()
+    return scale
+
+
 class _Reader:
     """Reads one policy for one exam."""
 
@@ -107,8 +117,9 @@ class _Reader:
         attempts: Attempts = table.with_default("attempts", choice(_ATTEMPTS), "last")
         level = self._level(table).over(stated)
         rulings = self._rulings(table.table("questions"), level)
+        scale = read_scale(table)
         table.faults.require_none()
-        return Policy(attempts, rulings, text)
+        return Policy(attempts, rulings, text, scale or _read_stated_scale(self.exam))
 
     def _rulings(self, content: Table, wider: _Level) -> dict[str, Ruling]:
         """A ruling for each answer column."""

@@ -17,7 +17,16 @@ from kinegrade.language.message import Message, Text
 
 Field = Literal["id", "login", "email"]
 Role = Literal[
-    "id", "login", "email", "name", "name and id", "grade", "feedback", "feedback format", "fixed"
+    "id",
+    "login",
+    "email",
+    "name",
+    "name and id",
+    "grade",
+    "letter",
+    "feedback",
+    "feedback format",
+    "fixed",
 ]
 FIELDS: tuple[Field, ...] = ("id", "login", "email")
 ItemKind = Literal["points", "percentage", "feedback", "text", "open"]
@@ -92,6 +101,7 @@ class Column:
     """A column of a new file: its header with {title} and {maximum}, or an entry of the catalogues,
     and `text`, a prefix or a fixed content.
 
+    A "grade" is the points, a "letter" what a scale gives for the total.
     The text of a feedback column is "html" where the system shows feedback as a web page. A column
     of keys may `also` hold those of other fields.
     """

@@ -30,9 +30,7 @@ from kinegrade.numbers.amounts import write_amount
 
 @dataclass(frozen=True, slots=True)
 class Fresh:
-    """The text to be written as UTF-8, how many students are in it, and what the instructor has to
-    check.
-    """
+    """The text, as UTF-8, how many students are in it, and what the instructor has to check."""
 
     text: str
     students: int
@@ -102,8 +100,7 @@ def _plan(
     options: ExportOptions,
 ) -> _Plan:
     key = options.by[0] if options.by else layout.key
-    # A spreadsheet that opens the file would run a title such as =1+1. A header from --column is a
-    # key and stays as it is.
+    # A spreadsheet would run a title such as =1+1; a header from --column is a key and stays
     language = grades.language if options.language is None else read_language(options.language)
     words = open_catalogue(language)
     title = neutralise(options.title or words.write(layout.title) or grades.title)
@@ -123,15 +120,16 @@ def _plan(
     ]
     if faults:
         raise TableError(*dict.fromkeys(faults))
-    kept = [column for column in layout.columns if _is_kept(column, layout, key, options)]
+    graded = any(each.scale_grade for each in grades.students)
+    kept = [each for each in layout.columns if _is_kept(each, layout, key, options, graded)]
     columns: list[tuple[Column, str, str]] = []
     for column in kept:
-        header, graded = words.write(column.header), items if column.role == "grade" else ()
+        header, several = words.write(column.header), items if column.role == "grade" else ()
         columns += [
             (column, headers.get(item) or _write_grades(header, title, item, maxima), item)
-            for item in graded
+            for item in several
         ]
-        columns += [] if graded else [(column, _write_header(header, title, set()), TOTAL)]
+        columns += [] if several else [(column, _write_header(header, title, set()), TOTAL)]
     return _Plan(dialect, layout, tuple(columns), targets, key, grades.questions)
 
 
@@ -198,12 +196,16 @@ def _states_maximum(layout: NewFile) -> bool:
     return any(isinstance(header, str) and "{maximum}" in header for header in headers)
 
 
-def _is_kept(column: Column, layout: NewFile, key: Field, options: ExportOptions) -> bool:
+def _is_kept(
+    column: Column, layout: NewFile, key: Field, options: ExportOptions, graded: bool
+) -> bool:
     match column.role:
         case "id" | "login" | "email":
             return column.holds(key) or layout.keeps_keys
         case "feedback" | "feedback format":
             return options.feedback is not False and not options.per_question
+        case "letter":
+            return graded and not options.per_question
         case "name" | "name and id" | "grade" | "fixed":
             return True
         case _:
@@ -220,6 +222,8 @@ def _write_cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> 
             return f"{grade.name} [{grade.student}]"
         case "grade":
             return write_amount(scaled(grade, item, plan.targets[item]), plan.dialect.places)
+        case "letter":
+            return neutralise(grade.scale_grade)
         case "feedback":
             text = feedback_text(grade, plan.questions)
             return escape(text, quote=False) if column.text == "html" else text

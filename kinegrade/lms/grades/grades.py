@@ -34,7 +34,8 @@ class StudentGrade:
 
     `name` is that of grades.csv, neutralised against spreadsheets; `email` is empty where no exam
     was read. `printed` are the questions in the order of the paper, empty where that is the bank's;
-    the points of those that are a `bonus` come on top of the maximum.
+    the points of those that are a `bonus` come on top of the maximum. `scale_grade` is "" where no
+    scale was stated.
     """
 
     student: str
@@ -45,6 +46,7 @@ class StudentGrade:
     handed_in: bool
     printed: tuple[str, ...] = ()
     bonus: Set[str] = frozenset()
+    scale_grade: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,8 +127,9 @@ def _make_student_grade(
     else:
         handed_in = total.status != "absent" or total.kept is not None
     name = neutralise(total.name)
+    held = bonus & out_of.keys()
     return StudentGrade(
-        total.student, name, "", points, out_of, handed_in, printed, bonus & out_of.keys()
+        total.student, name, "", points, out_of, handed_in, printed, held, total.grade
     )
 
 

@@ -33,7 +33,7 @@ def write_feedback_markdown(sheet: FeedbackSheet) -> str:
         "",
         " · ".join(f"{label}: **{_write_plain(value)}**" for label, value in fields),
         "",
-        f"**{words['total']}: {sheet.total}**",
+        " · ".join(_write_result(sheet, words)),
         "",
     ]
     for question in sheet.questions:
@@ -45,6 +45,13 @@ def write_feedback_markdown(sheet: FeedbackSheet) -> str:
     if sheet.solution:
         lines += [f"[{words['solution']}]({quote(sheet.solution)})", ""]
     return "\n".join(lines)
+
+
+def _write_result(sheet: FeedbackSheet, words: Mapping[str, str]) -> Iterator[str]:
+    """The total, and the grade where there is one."""
+    yield f"**{words['total']}: {sheet.total}**"
+    if sheet.grade:
+        yield f"**{words['grade']}: {_write_plain(sheet.grade)}**"
 
 
 def _write_plain(text: str) -> str:

@@ -5,6 +5,7 @@ The same marks give the same bytes.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
@@ -29,6 +30,7 @@ from kinegrade.reports.classes.figures import (
     write_percent,
     write_plain,
 )
+from kinegrade.reports.classes.grades import count_grades, rank_students
 from kinegrade.reports.classes.hardness import judge_hardness
 from kinegrade.reports.classes.item_statistics import (
     find_reliability,
@@ -43,11 +45,25 @@ from kinegrade.reports.classes.words import name_question
 _MOST_COMPLAINTS = 200
 
 
-def class_report(marks: MarksFolder, exam: ExamFolder, wording: Wording, language: Language) -> str:
-    """The page for a marks folder, with the exam folder it was made from. Raises TableError,
-    ExamError.
+def class_report(
+    marks: MarksFolder,
+    exam: ExamFolder,
+    wording: Wording,
+    language: Language,
+    *,
+    ranks: bool = False,
+) -> str:
+    """The page for a marks folder, with the exam folder it was made from, and with the `ranks` of
+    the students if they are wanted. Raises TableError, ExamError.
     """
-    return write_class_report(make_class_sheet(marks, exam, wording, language))
+    sheet, catalogue = make_class_sheet(marks, exam, wording, language), open_catalogue(language)
+    if sheet.figures is not None:
+        totals, scale = marks.totals, marks.scale
+        passed, grades = ("", ()) if scale is None else count_grades(totals, scale, catalogue)
+        listed = rank_students(totals, catalogue) if ranks else ()
+        figures = replace(sheet.figures, passed=passed, grades=grades, ranks=listed)
+        sheet = replace(sheet, figures=figures)
+    return write_class_report(sheet)
 
 
 def make_class_sheet(

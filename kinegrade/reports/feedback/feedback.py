@@ -80,6 +80,7 @@ def make_feedback_sheets(
                 _write_total(total, marks.open, catalogue),
                 kept,
                 tuple(_order_questions(answers, paper, worded[spoken], exam.head, catalogue)),
+                grade=total.grade,
             ),
         )
 

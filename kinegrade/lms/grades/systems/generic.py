@@ -19,6 +19,7 @@ GENERIC = Dialect(
             Column(Message("grades.column-email"), "email"),
             Column(Message("grades.column-name"), "name"),
             Column("{title}", "grade"),
+            Column(Message("grades.column-scale-grade"), "letter"),
             Column(Message("grades.column-comment"), "feedback"),
         ),
         key="id",

@@ -1,0 +1,115 @@
+"""The command that puts the exams of a term together: term."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+import kinegrade
+from kinegrade.cli.help import command
+from kinegrade.cli.options import FILE, FORCE, LANGUAGE, finish_with_complaints, refusing
+from kinegrade.cli.terminal import refuse_usage, say
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Fault, Message
+
+if TYPE_CHECKING:
+    from kinegrade.files.tables import Table
+    from kinegrade.language import Language
+    from kinegrade.reports.term.plan import Plan
+
+
+@command()
+@click.argument("marks", type=FILE, nargs=-1, required=True)
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    required=True,
+    metavar="FILE",
+)
+@click.option(
+    "--plan",
+    type=FILE,
+    metavar="FILE",
+)
+@click.option(
+    "--weight",
+    "weights",
+    multiple=True,
+    metavar="NAME=SHARE",
+)
+@click.option(
+    "--ranks",
+    is_flag=True,
+)
+@LANGUAGE
+@FORCE
+@refusing
+def term(
+    *,
+    marks: tuple[Path, ...],
+    output: Path,
+    plan: Path | None,
+    weights: tuple[str, ...],
+    ranks: bool,
+    language: Language,
+    force: bool,
+) -> None:
+    """Put several MARKS together, by weights and the best of some, in one table with grades."""
+    from kinegrade.grade_scale.kinds import make_scale
+    from kinegrade.marks_folder.open_questions import describe_open
+    from kinegrade.reports.term.naming import name_folders
+    from kinegrade.reports.term.results import work_out_results
+    from kinegrade.reports.term.table import describe_results, make_term_table
+
+    names = name_folders(marks)
+    chosen = _choose_plan(plan, weights, names)
+    folders = {name: kinegrade.open_marks(path) for name, path in zip(names, marks, strict=True)}
+    exams = {name: folder.totals for name, folder in folders.items()}
+    words = open_catalogue(language)
+    scale = None if chosen.scale is None else make_scale(chosen.scale, words)
+    results = work_out_results(exams, chosen, scale)
+    table = make_term_table(results, exams, chosen, grades=scale is not None, ranks=ranks)
+    _write(table, output, force=force)
+    for note in describe_results(results, exams, scale):
+        say(note)
+    still_open = {name: folder.open for name, folder in folders.items() if folder.open}
+    finish_with_complaints(
+        [
+            Fault(name, describe_open(each), do=Message("marks.add-by-hand"))
+            for name, each in still_open.items()
+        ]
+    )
+
+
+def _choose_plan(plan: Path | None, weights: tuple[str, ...], names: tuple[str, ...]) -> Plan:
+    from kinegrade.reports.term.plan import plan_by_weights, plan_evenly, read_plan
+
+    if plan is not None and weights:
+        raise refuse_usage(Message("terminal.plan-or-weights"))
+    if plan is not None:
+        return read_plan(plan, names)
+    if weights:
+        return plan_by_weights(weights, names)
+    if len(names) > 1:
+        say(Message("term.evenly", count=len(names)))
+    return plan_evenly(names)
+
+
+def _write(table: Table, output: Path, *, force: bool) -> None:
+    """Write the table as its file's ending says."""
+    from kinegrade.files.csv_writing import encode_for_people, write_csv_text
+    from kinegrade.files.output import write_file
+
+    ending = output.suffix.lower()
+    if ending == ".xlsx":
+        from kinegrade.lms.workbook import write_tables
+
+        write_file(output, write_tables([("term", table)]), force=force)
+    elif ending == ".csv":
+        text = write_csv_text(table.header, [row.cells for row in table.rows])
+        write_file(output, encode_for_people(text), force=force)
+    else:
+        raise refuse_usage(Message("terminal.term-ending", file=str(output)))

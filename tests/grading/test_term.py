@@ -1,0 +1,259 @@
+"""`kinegrade term`: several exams put together by weights, with the best of some, absent students
+told apart, and the grade of the sum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from pathlib import Path
+from time import process_time
+
+import pytest
+from click.testing import Result
+from openpyxl import load_workbook
+
+from kinegrade.grade_scale.scale import Scale, Step
+from kinegrade.marks_folder.rows import ClassTotals, StudentTotal
+from kinegrade.reports.term.plan import Part, Plan, plan_evenly
+from kinegrade.reports.term.results import TermResult, work_out_results
+from tests.grading.marked_folder import RIGHT, mark_class
+from tests.small_class import kinegrade, table
+
+SCALE = Scale((Step("pass", Fraction(1, 2), passes=True), Step("fail", Fraction(0), passes=False)))
+WRONG = ("9", "9", "9")
+
+
+def total(student: str, points: str | None, out_of: int = 10) -> StudentTotal:
+    """A student's total; None for one who was absent."""
+    status = "absent" if points is None else "marked"
+    got = Fraction(points or 0)
+    return StudentTotal(2, student, f"N{student}", {}, got, Fraction(out_of), None, status, None)
+
+
+def exams(**points: Mapping[str, str | None]) -> Mapping[str, ClassTotals]:
+    """Exams of 10 points by name, each with the points by student."""
+    return {
+        name: ClassTotals((), tuple(total(student, got) for student, got in each.items()))
+        for name, each in points.items()
+    }
+
+
+def results(
+    sat: Mapping[str, ClassTotals], plan: Plan, scale: Scale = SCALE
+) -> Mapping[str, TermResult]:
+    return {each.student: each for each in work_out_results(sat, plan, scale)}
+
+
+def test_weights_are_exact() -> None:
+    plan = Plan((Part("A", ("A",), Fraction(3, 10), 1), Part("B", ("B",), Fraction(7, 10), 1)))
+    found = results(exams(A={"1": "5"}, B={"1": "5"}), plan)["1"]
+    assert (found.total, found.grade) == (Fraction(1, 2), "pass")
+    found = results(exams(A={"1": "5"}, B={"1": "4.9999"}), plan)["1"]
+    assert found.grade == "fail"
+
+
+def test_the_best_of_some_count_and_a_missed_one_counts_as_nothing() -> None:
+    plan = Plan((Part("homework", ("A", "B", "C"), Fraction(1), 2),))
+    sat = exams(A={"1": "10", "2": "8"}, B={"1": "0", "2": None}, C={"1": "6"})
+    found = results(sat, plan)
+    assert found["1"].total == Fraction(8, 10)
+    assert found["2"].total == Fraction(4, 10)
+    assert (set(found["2"].sat), set(found["2"].listed)) == ({"A"}, {"A", "B"})
+
+
+def test_exams_of_other_maxima_count_by_their_share() -> None:
+    sat = {
+        "A": ClassTotals((), (total("1", "15", 20),)),
+        "B": ClassTotals((), (total("1", "1", 4),)),
+    }
+    assert results(sat, plan_evenly(("A", "B")))["1"].total == Fraction(1, 2)
+
+
+def test_whoever_sat_nothing_has_the_word_for_absent() -> None:
+    scale = Scale(SCALE.steps, "NE")
+    found = results(exams(A={"1": None}, B={"1": None, "2": "0"}), plan_evenly(("A", "B")), scale)
+    assert (found["1"].grade, found["2"].grade) == ("NE", "fail")
+
+
+def test_thirds_of_points_reach_the_bound_that_they_reach() -> None:
+    """1/3 of a point is written 0.3333, which is below a third."""
+    third = Scale((Step("A", Fraction(1, 3), passes=True), Step("B", Fraction(0), passes=False)))
+    written = {"A": ClassTotals((), (total("1", "0.3333", 1),))}
+    assert results(written, plan_evenly(("A",)), third)["1"].grade == "A"
+    less = {"A": ClassTotals((), (total("1", "0.3332", 1),))}
+    assert results(less, plan_evenly(("A",)), third)["1"].grade == "B"
+
+
+@pytest.fixture(scope="module")
+def marked(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """HW1, HW2 and FINAL, each with MARKS; 7 sat all, 8 missed HW2, =9 is in the FINAL alone, 10
+    was nowhere.
+    """
+    folder = tmp_path_factory.mktemp("term")
+    mark_class(folder / "HW1", {"7": RIGHT, "8": RIGHT, "10": ()})
+    mark_class(folder / "HW2", {"7": WRONG, "8": (), "10": ()})
+    mark_class(folder / "FINAL", {"7": RIGHT, "8": WRONG, "10": (), "=9": RIGHT})
+    return folder
+
+
+PLAN = """[parts.homework]
+marks = ["HW1", "HW2"]
+best = 1
+weight = "40 %"
+
+[parts.FINAL]
+weight = "60 %"
+
+[scale]
+kind = "german"
+absent = "n.e."
+"""
+
+
+def run(folder: Path, output: Path, *options: str | Path, plan: str | None = None) -> Result:
+    """`kinegrade term` for the three exams."""
+    wishes = list(options)
+    if plan is not None:
+        file = output.parent / "plan.toml"
+        file.write_text(plan, encoding="utf-8")
+        wishes += ["--plan", file]
+    marks = [folder / name / "MARKS" for name in ("HW1", "HW2", "FINAL")]
+    return kinegrade("term", *marks, "-o", output, *wishes)
+
+
+def test_a_term_is_one_table(marked: Path, tmp_path: Path) -> None:
+    output = tmp_path / "term.csv"
+    done = run(marked, output, plan=PLAN)
+    assert done.exit_code == 0, done.stderr
+    rows = [tuple(row.values()) for row in table(output)]
+    assert list(table(output)[0]) == [
+        "student", "name", "HW1", "HW2", "FINAL", "homework", "total", "grade", "status",
+    ]  # fmt: skip
+    assert rows == [
+        ("7", "Student 7", "100", "0", "100", "100", "100", "1.0", "marked"),
+        ("8", "Student 8", "100", "absent", "0", "100", "40", "5.0", "partly"),
+        ("10", "Student 10", "absent", "absent", "absent", "", "", "n.e.", "absent"),
+        ("=9", "Student =9", "-", "-", "100", "0", "60", "3.3", "partly"),
+    ]
+    assert done.stderr.splitlines() == [
+        "HW1: 2 students were there, 1 absent, 1 not listed",
+        "HW2: 1 student was there, 2 absent, 1 not listed",
+        "FINAL: 3 students were there, 1 absent, 0 not listed",
+        "4 students: 1 sat all, 2 some, 1 none",
+        "grades: 2 of 3 passed",
+    ]
+
+
+def test_a_workbook_has_numbers_and_texts_that_run_as_no_formula(
+    marked: Path, tmp_path: Path
+) -> None:
+    output = tmp_path / "term.xlsx"
+    assert run(marked, output, "--ranks", plan=PLAN).exit_code == 0
+    sheet = load_workbook(output)["term"]
+    rows = [[cell.value for cell in row] for row in sheet.iter_rows()]
+    assert rows[0][-3:] == ["grade", "rank", "status"]
+    assert rows[1] == ["7", "Student 7", 100, 0, 100, 100, 100, "1.0", 1, "marked"]
+    assert rows[2][-3:] == ["5.0", 3, "partly"]
+    assert rows[3][-3:] == ["n.e.", None, "absent"]
+    assert sheet["A5"].value == "=9"
+    assert sheet["A5"].data_type == "s"
+
+
+def test_the_same_marks_give_the_same_bytes(marked: Path, tmp_path: Path) -> None:
+    run(marked, tmp_path / "a.xlsx", plan=PLAN)
+    run(marked, tmp_path / "b.xlsx", plan=PLAN)
+    assert (tmp_path / "a.xlsx").read_bytes() == (tmp_path / "b.xlsx").read_bytes()
+
+
+def test_weights_may_stand_on_the_command_line(marked: Path, tmp_path: Path) -> None:
+    output = tmp_path / "term.csv"
+    weights = "HW1=30 %", "HW2=0.2", "FINAL=1/2"
+    wishes = [word for each in weights for word in ("--weight", each)]
+    assert run(marked, output, *wishes).exit_code == 0
+    assert [row["total"] for row in table(output)] == ["80", "30", "", "50"]
+    assert "grade" not in table(output)[0]
+
+
+def test_without_weights_every_exam_counts_the_same_and_that_is_said(
+    marked: Path, tmp_path: Path
+) -> None:
+    done = run(marked, tmp_path / "term.csv")
+    assert "no weights are given: all 3 count the same" in done.stderr
+    assert [row["total"] for row in table(tmp_path / "term.csv")] == ["66.67", "33.33", "", "33.33"]
+
+
+@pytest.mark.parametrize(
+    ("weights", "said"),
+    [
+        (["HW1=30 %", "HW2=30 %", "FINAL=30 %"], ["the weights add up to 90 %, not to 100 %"]),
+        (["HW1=30 %", "FINAL=70 %"], ["no weight for HW2"]),
+        (["HW1=much", "HW2"], ['"much"', '"HW2"']),
+        (
+            ["HW1=20 %", "HW1=20 %", "HW2=30 %", "FINLA=20 %"],
+            ['"HW1" counts twice', 'no marks "FINLA"', "FINAL", "add up to 90 %"],
+        ),
+    ],
+)
+def test_weights_that_do_not_fit_are_all_told(
+    marked: Path, tmp_path: Path, weights: Sequence[str], said: Sequence[str]
+) -> None:
+    wishes = [word for each in weights for word in ("--weight", each)]
+    done = run(marked, tmp_path / "term.csv", *wishes)
+    assert done.exit_code == 2
+    assert not (tmp_path / "term.csv").exists()
+    assert [each for each in said if each not in done.stderr] == []
+
+
+@pytest.mark.parametrize(
+    ("plan", "said"),
+    [
+        ("", ["parts: missing"]),
+        ("[parts.FINAL]\nwait = 1", ["parts.FINAL.wait: unknown key"]),
+        ("[parts.FINAL]\nmarks = []\nweight = 1", ["no marks"]),
+        (PLAN.replace("best = 1", "best = 3"), ["the best 3 of 2"]),
+        (PLAN.replace('"60 %"', '"50 %"').replace('"HW2"', '"HWII"'),
+         ['no marks "HWII"', "no weight for HW2", "add up to 90 %"]),
+        (PLAN.replace('"german"', '"french"'), ["scale.kind"]),
+    ],
+)  # fmt: skip
+def test_a_plan_that_does_not_fit_is_refused(
+    marked: Path, tmp_path: Path, plan: str, said: Sequence[str]
+) -> None:
+    done = run(marked, tmp_path / "term.csv", plan=plan)
+    assert done.exit_code == 2
+    assert [each for each in said if each not in done.stderr] == []
+    assert "plan.toml" in done.stderr
+
+
+def test_a_plan_and_weights_contradict_each_other(marked: Path, tmp_path: Path) -> None:
+    done = run(marked, tmp_path / "term.csv", "--weight", "HW1=1", plan=PLAN)
+    assert done.exit_code == 2
+    assert "--plan and --weight" in done.stderr
+
+
+def test_a_file_of_another_kind_is_refused(marked: Path, tmp_path: Path) -> None:
+    done = run(marked, tmp_path / "term.ods", plan=PLAN)
+    assert done.exit_code == 2
+    assert ".xlsx or .csv" in done.stderr
+
+
+def test_marks_are_given_once(marked: Path, tmp_path: Path) -> None:
+    marks = marked / "HW1" / "MARKS"
+    done = kinegrade("term", marks, marks, "-o", tmp_path / "term.csv")
+    assert done.exit_code == 2
+    assert f"{marks}: given twice" in done.stderr
+
+
+def test_an_exam_in_place_of_marks_is_named(marked: Path, tmp_path: Path) -> None:
+    done = kinegrade("term", marked / "HW1" / "EXAM", "-o", tmp_path / "term.csv")
+    assert done.exit_code == 2
+    assert "MARKS" in done.stderr
+
+
+def test_two_hundred_students_take_under_two_seconds(tmp_path: Path) -> None:
+    students = {f"{number:05d}": RIGHT if number % 3 else WRONG for number in range(200)}
+    folders = [mark_class(tmp_path / name, students)[1] for name in ("A", "B")]
+    begin = process_time()
+    assert kinegrade("term", *folders, "-o", tmp_path / "term.xlsx").exit_code == 0
+    assert process_time() - begin < 2
