@@ -22,6 +22,7 @@ from kinegrade.cli.printing import paper, papers, reprint_exam, sample, solution
 from kinegrade.cli.quiz import quiz
 from kinegrade.cli.rosters import assign, roster
 from kinegrade.cli.running.program import Program
+from kinegrade.cli.series import series
 from kinegrade.cli.sharing import sharing
 from kinegrade.cli.solve import solve
 from kinegrade.cli.starters import new
@@ -47,6 +48,7 @@ for command in (
     gallery,
     roster,
     generate,
+    series,
     sample,
     papers,
     paper,

@@ -187,6 +187,10 @@ def class_report(*, exam: Path, marks: Path, output: Path, **options: Any) -> No
     "--solutions/--no-solutions",
     default=None,
 )
+@click.option(
+    "--before-due",
+    is_flag=True,
+)
 @_EXAM_LANGUAGE
 @JOBS
 @FORCE

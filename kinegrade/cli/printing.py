@@ -127,18 +127,31 @@ def reprint_exam(exam: Path, *, template: Path, accept_changes: bool, jobs: int)
 @click.argument("exam", type=FILE)
 @click.argument("students", nargs=-1, metavar="[STUDENT]...")
 @METHOD
+@click.option(
+    "--before-due",
+    is_flag=True,
+)
 @JOBS
 @FORCE
 @refusing
 def solutions(
-    exam: Path, students: tuple[str, ...], *, method: Method | None, jobs: int, force: bool
+    exam: Path,
+    students: tuple[str, ...],
+    *,
+    method: Method | None,
+    before_due: bool,
+    jobs: int,
+    force: bool,
 ) -> None:
     """Write the worked solutions of an EXAM that has none, or those of each STUDENT named, by id:
     byte for byte those of generate --solutions.
     """
+    from kinegrade.exam.due import require_due_past
     from kinegrade.exam.generating.later_solutions import SolutionWishes, add_solutions
 
     folder = kinegrade.open_exam(exam)
+    if not before_due:
+        require_due_past(folder)
     wishes = SolutionWishes(students, method, jobs, force, show_progress)
     count = add_solutions(folder, wishes)
     say(Message("terminal.solutions-written", exam=str(exam), count=count))

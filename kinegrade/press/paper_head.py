@@ -14,7 +14,7 @@ class PaperHead:
     """Texts in the paper's language; "" prints nothing.
 
     `room`, `seat` and `group` are None where they are not asked for, and "" where a line is left to
-    write them on; `extra_time` is the student's.
+    write them on; `extra_time` is the student's; `due` is when homework is to be handed in.
     """
 
     institution: str = ""  # plain, as are duration, room and seat
@@ -27,10 +27,12 @@ class PaperHead:
     signature: bool = False
     group: str | None = None
     extra_time: str = ""
+    due: str = ""
 
     def list_times(self, words: Catalogue) -> list[tuple[str, str]]:
-        """How long the exam takes, by its label, as far as it is stated."""
+        """How long the exam takes, or until when, by its label, as far as it is stated."""
         stated = (
+            (words.text("paper.due"), self.due),
             (words.text("paper.duration"), self.duration),
             (words.text("paper.extra-time"), self.extra_time),
         )

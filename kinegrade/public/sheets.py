@@ -26,11 +26,13 @@ FeedbackForm = Literal["pdf", "html", "md"]
 @dataclass(frozen=True)
 class FeedbackOptions:
     """What students get: sheets in a `form`, with the worked solutions or without, by default as
-    the bank says; made by up to `jobs` processes.
+    the bank says, and not before homework is due unless that is wanted; made by up to `jobs`
+    processes.
     """
 
     form: FeedbackForm = "pdf"
     solutions: bool | None = None
+    before_due: bool = False
     jobs: int = 1
 
 
@@ -65,9 +67,7 @@ def feedback(
     solutions = exam.head.solutions if options.solutions is None else options.solutions
     chosen = exam.language if language is None else find_language(language)
     if solutions:
-        from kinegrade.exam.setting.kept_exam import KeptExam
-
-        KeptExam(exam).require_no_contradiction()
+        _require_solutions(exam, before_due=options.before_due)
     own = _read_own_wording(exam) if language is None else {}
     wishes = FeedbackWishes(_choose_form(options.form), chosen, solutions, force, own)
     wording = read_exam_wording(exam, chosen)
@@ -77,6 +77,18 @@ def feedback(
     return Outcome(
         place, (Message("terminal.feedback", folder=str(place), count=count, index=index),)
     )
+
+
+def _require_solutions(exam: ExamFolder, *, before_due: bool) -> None:
+    """Raises ExamError where worked solutions are not to be given out yet, or contradict the
+    key.
+    """
+    from kinegrade.exam.due import require_due_past
+    from kinegrade.exam.setting.kept_exam import KeptExam
+
+    if not before_due:
+        require_due_past(exam)
+    KeptExam(exam).require_no_contradiction()
 
 
 def _read_own_wording(exam: ExamFolder) -> Mapping[Language, ExamWording]:

@@ -12,6 +12,7 @@ import pytest
 
 from kinegrade.errors import TableError
 from kinegrade.files.tables import Complaint
+from kinegrade.grade_scale.scale import Scale, Step
 from kinegrade.language import ENGLISH
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.layout import ANSWERS, COMPLAINTS, FILES, KEPT, AnswerCells
@@ -27,6 +28,7 @@ KEPT_ANNA = KeptTotal(
     *("7", "=Anna, B.", "earlier total kept"),
     *(Fraction(3), Fraction(4), Fraction(5, 2), Fraction(4), Fraction(3)),
 )
+SCALE = Scale((Step("=A", Fraction(2, 3), passes=True), Step("F", Fraction(0), passes=False)), "-x")
 COMPLAINT = Complaint("a.csv", None, "q1.v", "=1+1", "unreadable", "no points")
 
 
@@ -36,7 +38,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     rest = ["", "key"], ["no-pole sense-reversed", ""], ["", "policy"]
     with writer.answers() as write:
         write(AnswerCells(*cells, ["mistake", "right"], ["0.5", "2"], ["2", "2"], *rest))
-    writer.grades(("q1", "q2"), [replace(ANNA, kept=Fraction(3))])
+    writer.grades(("q1", "q2"), [replace(ANNA, kept=Fraction(3), grade="=A")], SCALE)
     writer.complaints([COMPLAINT])
     writer.kept([KEPT_ANNA])
     writer.put([("7", "q1", "v", "8")])
@@ -47,6 +49,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(FILES)
     (total,) = open_marks(tmp_path).totals.students
     assert (total.student, total.name, total.kept) == ("7", "=Anna, B.", KEPT_ANNA)
+    assert (total.grade, open_marks(tmp_path).scale) == ("=A", SCALE)
     assert (total.points, total.total, total.out_of) == ({"q1": HALF, "q2": 2}, 3, 2)
     assert (total.percent, total.status) == (150, "marked")
     assert [(each.column, each.typed, each.points) for each in folder.answers()] == [

@@ -24,6 +24,7 @@ from kinegrade.exam.bank.together import require_carried, require_fit
 from kinegrade.exam.bank.versions import LETTERS
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import REMEDY
+from kinegrade.exam.homework import Homework, number_title, read_homework
 from kinegrade.files.fields.document import Document, FileKind, read_text, toml_table
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.lines import lines_of_toml
@@ -85,13 +86,16 @@ def read_kept_bank(path: Path, folder: Path, chosen: Mapping[str, str]) -> Bank:
     return bank
 
 
-def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False) -> Blueprint:
+def read_blueprint(
+    path: Path, folder: Path | None = None, *, kept: bool = False, before: str = ""
+) -> Blueprint:
     """The blueprint in a file; `folder` holds the templates: by default the shipped ones, and for a
-    bank that is `kept` with an exam those of the exam.
+    bank that is `kept` with an exam those of the exam. Lines `before` the file's belong to it.
 
     Raises BankError with all faults at once.
     """
-    text, translations = read_text(path, _BANK_FILE), read_translations(path, _BANK_FILE)
+    text = f"{before}{read_text(path, _BANK_FILE)}"
+    translations = read_translations(path, _BANK_FILE)
     whole, faults = _open(path, text, translations)
     table = whole.only(*BANK)
     header = read_header(table, path.parent, kept=kept)
@@ -108,14 +112,14 @@ def read_bank_texts(path: Path) -> tuple[Translated, Translated]:
     """The title and the course of the bank in a file. Raises BankError."""
     text, translations = read_text(path, _BANK_FILE), read_translations(path, _BANK_FILE)
     table, faults = _open(path, text, translations)
-    title, course = _read_texts(table)
+    title, course = _read_texts(table, read_homework(table))
     _require_none((table.faults, *faults))
     return title, course
 
 
-def _read_texts(table: Table) -> tuple[Translated, Translated]:
+def _read_texts(table: Table, homework: Homework) -> tuple[Translated, Translated]:
     title, course = (table.required(key, translated) for key in _TEXTS)
-    return title or _NO_TEXT, course or _NO_TEXT
+    return number_title(title or _NO_TEXT, homework), course or _NO_TEXT
 
 
 def _open(path: Path, text: str, translations: Translations) -> tuple[Table, tuple[Faults, ...]]:
@@ -138,7 +142,8 @@ def _require_none(files: Iterable[Faults]) -> None:
 
 def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
     """Everything but the questions; an entry at fault is left empty or at its default."""
-    title, course = _read_texts(table)
+    homework = read_homework(table)
+    title, course = _read_texts(table, homework)
     stated = read_bank_tolerance(table, BankTolerance(honest=True))
     return Bank(
         title=title,
@@ -156,6 +161,7 @@ def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
         engine=table.with_default("engine", choice(ENGINES), "typst"),
         credit=read_credit(table, lambda: list_mistake_names(table.value("questions"))),
         scale=read_scale(table),
+        homework=homework,
         solutions=table.with_default("solutions", flag, False),
         lms=table.optional("lms", choice(_SYSTEMS)),
     )

@@ -19,6 +19,7 @@ from kinegrade.exam.bank.by_hand import HandQuestion
 from kinegrade.exam.bank.header import NO_HEADER, Header
 from kinegrade.exam.bank.matching import match_slots
 from kinegrade.exam.choices import Choice
+from kinegrade.exam.homework import AN_EXAM, Homework
 from kinegrade.grade_scale.stated import StatedScale
 from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.press.protocol import Engine
@@ -79,12 +80,13 @@ class Bank:
     have for working that state nothing else, in millimetres; `shuffle` gives every paper its own
     order of the questions; `versions` is the number of different papers, 0 for a different one for
     each student; `engine` is the typesetter unless an instructor asks for another; `credit` is for
-    answers that are not right, `scale` for the grades of totals; with `solutions`, feedback
-    includes the worked solutions unless requested otherwise; `lms` is the system that the exam will
-    be imported into, if its draws have to suit one; `header` is the head of the papers; the
-    questions `by_hand` have no mechanism, and stand between the others; the `formula_sheet` is
-    bound behind every paper; of the questions of `choices` each paper holds only some. `earlier` is
-    no part of the file: what earlier exams dealt, and this one is not to deal again.
+    answers that are not right, `scale` for the grades of totals, `homework` says what is set and
+    when it is due; with `solutions`, feedback includes the worked solutions unless requested
+    otherwise; `lms` is the system that the exam will be imported into, if its draws have to suit
+    one; `header` is the head of the papers; the questions `by_hand` have no mechanism, and stand
+    between the others; the `formula_sheet` is bound behind every paper; of the questions of
+    `choices` each paper holds only some. `earlier` is no part of the file: what earlier exams
+    dealt, and this one is not to deal again.
     """
 
     title: Translated
@@ -102,6 +104,7 @@ class Bank:
     engine: Engine = "typst"
     credit: StatedCredit = field(default_factory=StatedCredit)
     scale: StatedScale | None = None
+    homework: Homework = AN_EXAM
     solutions: bool = False
     lms: LMS | None = None
     header: Header = NO_HEADER

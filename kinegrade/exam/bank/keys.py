@@ -12,6 +12,15 @@ BANK = (
     "course",
     #: The date, as it is printed: `2026-06-24`, or any text.
     "date",
+    #: What is set: `"exam"`, where nothing is stated, or `"homework"`.
+    "kind",
+    #: The number of the sheet in a series, which `kinegrade series` writes here: the title becomes
+    #: `Homework 3: ...` in every language.
+    "sheet",
+    #: When it is due, as it is printed: `2026-12-01T18:00:00`, or `"2026-12-01 18:00"`; with the
+    #: difference from UTC, `"2026-12-01 18:00 +01:00"`, where answers come from a system that
+    #: states it.
+    "due",
     #: What else stands at the head of the papers: a table `[header]`.
     "header",
     #: How far an answer may be off; `"honest"` where nothing is stated.

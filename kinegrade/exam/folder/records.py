@@ -58,7 +58,7 @@ class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class HandQuestion(msgspec.Struct, frozen=True, omit_defaults=True):
-    """A question of the exam whose answers are marked by hand, which no answer sheet asks for."""
+    """A question whose answers are marked by hand, which no answer sheet asks for."""
 
     question: str
     points: Fraction
@@ -67,18 +67,17 @@ class HandQuestion(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, dict=True):
-    """The head of an exam: `language` is that of the papers, `students` stand in the order of the
-    roster.
-
-    What its numbers are drawn from is `secret`, `label` and `codes`, or the words `reproducible`,
-    which earlier versions called `seed`; it is not shown with the head. `credit` is the bank's
-    table for answers that are not right, `scale` that of the grades, `solutions` whether feedback
-    holds the worked solutions, `editable` a digest of each file that people edit, as it was
-    generated. `earlier` has by template the values that earlier exams dealt and nobody is to get
-    again. `paper_size` and `engine` printed the papers, which all have so many `pages`, 0 where
-    earlier versions printed them; `method` found the velocities of worked solutions, where one was
-    asked for. Of the questions of `choices` each paper holds only some. `spares` stand for papers
-    without a student. The key had so many `corrections`.
+    """The head of an exam, or of homework that is `due`: `language` is that of the papers,
+    `students` stand in the order of the roster. What its numbers are drawn from is `secret`,
+    `label` and `codes`, or the words `reproducible`, which earlier versions called `seed`; it is
+    not shown with the head. `credit` is the bank's table for answers that are not right, `scale`
+    that of the grades, `solutions` whether feedback holds the worked solutions, `editable` a digest
+    of each file that people edit, as it was generated. `earlier` has by template the values that
+    earlier exams dealt and nobody is to get again. `paper_size` and `engine` printed the papers,
+    which all have so many `pages`, 0 where earlier versions printed them; `method` found the
+    velocities of worked solutions, where one was asked for. Of the questions of `choices` each
+    paper holds only some. `spares` stand for papers without a student. The key had so many
+    `corrections`.
     """
 
     format: int
@@ -87,6 +86,8 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     title: str = ""
     course: str = ""
     date: str = ""
+    kind: str = "exam"
+    due: str = ""
     language: Language
     paper_size: str = ""
     engine: str = ""
@@ -138,9 +139,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
 
     @property
     def bonus(self) -> Mapping[str, Fraction]:
-        """The questions whose points come on top of the maximum, of those marked here, with these
-        points.
-        """
+        """The points of the questions marked here that come on top of the maximum."""
         return {each.question: each.points for each in self.questions if each.bonus}
 
     @property
@@ -202,7 +201,7 @@ class StatedNumber(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
 class StatedAnswer(msgspec.Struct, frozen=True, gc=False, omit_defaults=True, kw_only=True):
     """What is right for an ask, and what known mistakes lead to, by the mistake's id.
 
-    `period` is a full turn for an angle that is right with any number of turns more or less.
+    `period` is a full turn for an angle that is right with any number of turns.
     """
 
     exact: str | None = None

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from msgspec import UNSET, structs
 
 from kinegrade import __version__
+from kinegrade.deadlines.moment import write_moment
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion
 from kinegrade.exam.bank.versions import list_version_letters
 from kinegrade.exam.folder.contents import PAPERS
@@ -51,6 +52,8 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
         method=run.extras.method,
         versions=tuple(list_version_letters(bank.versions)),
         credit=bank.credit.record() or None,
+        kind=bank.homework.kind,
+        due="" if bank.homework.due is None else write_moment(bank.homework.due),
         scale=None if bank.scale is None else bank.scale.record(),
         solutions=bank.solutions,
         questions=tuple(_make_exam_question(dealt, each, language) for each in bank.questions),

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from kinegrade.deadlines.moment import write_moment
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.bank.by_hand import HandQuestion
 from kinegrade.exam.printing.row_tolerance import write_row_tolerance
@@ -76,7 +77,7 @@ def lay_out_paper(
         paper.code,
         write_rules(bank, language),
         tuple(sheets),
-        head=_fill_head(bank.header.in_language(language), paper.student, language),
+        head=_fill_head(bank, paper.student, language),
     )
 
 
@@ -86,15 +87,16 @@ def find_own_language(paper: SetPaper, language: Language) -> Language:
     return Language(own) if own else language
 
 
-def _fill_head(head: PaperHead, student: Student, language: Language) -> PaperHead:
+def _fill_head(bank: Bank, student: Student, language: Language) -> PaperHead:
     """The head of the papers with what the roster says of the student."""
-    extra = student.extra_time
+    head, extra, due = bank.header.in_language(language), student.extra_time, bank.homework.due
     return replace(
         head,
         group=student.group or head.group,
         room=student.room or head.room,
         seat=student.seat or head.seat,
         extra_time=open_catalogue(language).write(say_extra_time(extra)) if extra else "",
+        due="" if due is None else write_moment(due),
     )
 
 
