@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 _NUMBERED = re.compile("q(?P<number>[0-9]+)[a-z]?")
 
@@ -16,6 +16,20 @@ def find_bank_number(identifier: str) -> str:
     ('3', '2b', 'bonus')
     """
     return identifier.removeprefix("q") if _NUMBERED.fullmatch(identifier) else identifier
+
+
+def sort_as_in_bank(identifiers: Iterable[str]) -> tuple[str, ...]:
+    """Questions in the bank's order; those of another form stay behind them as they are.
+
+    >>> sort_as_in_bank(["q10", "q1", "bonus", "q2b", "q2a"])
+    ('q1', 'q2a', 'q2b', 'q10', 'bonus')
+    """
+    return tuple(sorted(identifiers, key=_find_place))
+
+
+def _find_place(identifier: str) -> tuple[bool, int, str]:
+    found = _NUMBERED.fullmatch(identifier)
+    return (False, int(found["number"]), identifier) if found else (True, 0, "")
 
 
 def find_other_number(identifier: str, number: int) -> str | None:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 NAMES = {  # identifiers that modules share, and files of ours hold
     "another ask",
     "another paper",
+    "by hand",
     "degrees for radians",
     "feedback format",
     "name and id",

@@ -27,6 +27,7 @@ from kinegrade.problem.template.texts import list_lines, list_prose
 PACKAGE = Path(kinegrade.__file__).parent
 ROOT = PACKAGE.parent
 FLOORS = {
+    "ask_names": 0,
     "deadlines": 0,
     "errors": 0,
     "expressions": 0,

@@ -74,6 +74,12 @@ _EXAM_LANGUAGE = click.option(
     metavar="FILE",
 )
 @click.option(
+    "--manual",
+    type=FILE,
+    multiple=True,
+    metavar="FILE",
+)
+@click.option(
     "--never-lower",
     type=FILE,
     metavar="MARKS",

@@ -5,7 +5,7 @@ grade`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import assert_never
 
@@ -16,6 +16,9 @@ from kinegrade.files.tables import Table, read_table
 from kinegrade.grade_scale.kinds import make_scale
 from kinegrade.grade_scale.scale import Scale
 from kinegrade.grading.answer_lines import write_marks
+from kinegrade.grading.by_hand.gathering import HandSources, gather_hand_marks
+from kinegrade.grading.by_hand.markable import find_markable
+from kinegrade.grading.by_hand.settling import HandMarking, Settled
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.marking import MarkingTerms, mark_blocks
 from kinegrade.grading.marks import ClassGrades, collect_grades
@@ -31,7 +34,6 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import FILES, MARKER
-from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.processes.garbage_collection import bulk_work
 
@@ -44,8 +46,9 @@ class MarkingWishes:
 
     `exports` names the files for other systems that also go into the folder, such as
     `{"moodle.csv": kinegrade.lms.grades.moodle.export}`. `decimal` declares the decimal mark of the
-    sheet. `policy` is a file, copied into the folder; `never_lower` is an earlier marking whose
-    totals are kept where they are higher; `follows` works out what follows from wrong answers. A
+    sheet. `policy` is a file, copied into the folder; `manual` are files of marks by hand, which
+    stand beside those that are carried over; `never_lower` is an earlier marking whose totals are
+    kept where they are higher; `follows` works out what follows from wrong answers. A
     marking in which most answers fit other papers is refused, unless `own_papers` confirms that
     they belong to the students' own.
     """
@@ -56,6 +59,12 @@ class MarkingWishes:
     never_lower: MarksFolder | None = None
     follows: Follows | None = None
     own_papers: bool = False
+    manual: tuple[Path, ...] = ()
+
+    def find_hand_sources(self, output: Path) -> HandSources:
+        """Where marks by hand come from, when they are written into a folder."""
+        earlier = None if self.never_lower is None else self.never_lower.path
+        return HandSources(self.manual, output, earlier)
 
 
 _PLAIN = MarkingWishes()
@@ -82,20 +91,29 @@ def grade(
         pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
         accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
         terms = MarkingTerms(rules, accepted, wishes.decimal, wishes.follows, pool)
-        blocks = mark_blocks(exam, sheet, terms)
-        grades = collect_grades(exam, sheet, write_marks(folder, others.watched(blocks)))
+        hands = gather_hand_marks(wishes.find_hand_sources(output), find_markable(exam, rules))
+        by_hand = HandMarking(hands.by_hand, exam.head)
+        blocks = by_hand.watched(others.watched(mark_blocks(exam, sheet, terms)))
+        grades = collect_grades(exam, sheet, write_marks(folder, blocks))
         if not wishes.own_papers:
             others.refuse(exam, ", ".join(each.table.file for each in files))
-        still_open = [OpenQuestion(each.question, each.points) for each in exam.head.by_hand]
-        scale = None if still_open else _make_scale(rules, exam.language)
-        grades = _write_totals(folder, grades, wishes.never_lower, scale)
+        settled = by_hand.settle(grades)
+        scale = None if settled.still_open else _make_scale(rules, exam.language)
+        grades = _write_totals(folder, settled.grades, wishes.never_lower, scale)
         folder.policy(rules.text)
         folder.printed(exam.printed_orders())
-        folder.open(still_open)
-        folder.bonus(exam.head.bonus)
         folder.corrections(exam.head.corrections)
+        _write_by_hand(folder, settled, exam)
         _write_exports(path, wishes.exports)
-    return grades
+    return replace(grades, notes=hands.notes)
+
+
+def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> None:
+    """Writes the marks by hand, and who still lacks one."""
+    folder.by_hand(settled.list_marks())
+    names = {student: each.name for student, each in exam.head.candidates.items()}
+    folder.open(settled.still_open, names)
+    folder.bonus({**exam.head.bonus, **settled.bonus})
 
 
 def _make_scale(rules: Policy, language: Language) -> Scale | None:

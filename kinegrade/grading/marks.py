@@ -34,11 +34,14 @@ class Mark:
 
 @dataclass(frozen=True, slots=True)
 class ClassGrades:
-    """All grades in the order of the roster; complaints about the file first, then by line."""
+    """All grades in the order of the roster; complaints about the file first, then by line; notes
+    on marks by hand.
+    """
 
     questions: tuple[str, ...]
     grades: tuple[Grade, ...]
     complaints: tuple[Complaint, ...]
+    notes: tuple[Message, ...] = field(default=(), kw_only=True)
 
 
 @dataclass(frozen=True, slots=True)

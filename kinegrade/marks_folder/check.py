@@ -22,7 +22,7 @@ from kinegrade.language.message import (
     list_statements,
 )
 from kinegrade.marks_folder.cells import AS_WRITTEN
-from kinegrade.marks_folder.layout import ANSWERS, GRADES, KEPT, STATUSES
+from kinegrade.marks_folder.layout import ANSWERS, GRADES, KEPT, MANUAL, STATUSES
 from kinegrade.marks_folder.rows import ClassTotals, StudentSums, StudentTotal
 from kinegrade.numbers.amounts import bound_rounding, write_amount
 
@@ -97,7 +97,7 @@ def _find_problems(row: StudentTotal, sums: StudentSums, *, is_whole: bool) -> l
     lines = sum(sums.lines.values())
     problems = [*_find_wrong_points(row, sums), *_find_wrong_total(row, sums, lines)]
     if is_whole:
-        problems += _describe_difference("out_of", row.out_of, sums.total_out_of, lines)
+        problems += _describe_difference("out_of", row.out_of, sums.total_out_of, lines, sums)
     problems += _find_wrong_status(row, sums)
     return problems or list(_find_wrong_percent(row))
 
@@ -105,12 +105,12 @@ def _find_problems(row: StudentTotal, sums: StudentSums, *, is_whole: bool) -> l
 def _find_wrong_points(row: StudentTotal, sums: StudentSums) -> Iterator[Message]:
     for name, points in row.points.items():
         expected, lines = sums.points.get(name, Fraction(0)), sums.lines.get(name, 0)
-        yield from _describe_difference(name, points, expected, lines)
+        yield from _describe_difference(name, points, expected, lines, sums)
 
 
 def _find_wrong_total(row: StudentTotal, sums: StudentSums, lines: int) -> Iterator[Message]:
     if row.kept is None:
-        yield from _describe_difference("total", row.total, sums.total, lines)
+        yield from _describe_difference("total", row.total, sums.total, lines, sums)
     elif row.total != row.kept.stands:
         yield _contradict("total", row.total, row.kept.stands, KEPT.name)
 
@@ -160,13 +160,14 @@ def _find_wrong_status(row: StudentTotal, sums: StudentSums) -> Iterator[Message
 
 
 def _describe_difference(
-    name: str, amount: Fraction, expected: Fraction, lines: int
+    name: str, amount: Fraction, expected: Fraction, lines: int, sums: StudentSums
 ) -> Iterator[Message]:
     """What is said where an amount is not the sum of so many lines, each of them rounded."""
     if amount == expected:
         return
     if abs(amount - expected) > bound_rounding(lines):
-        yield _contradict(name, amount, expected, ANSWERS.name)
+        file = MANUAL.name if sums.by_hand else ANSWERS.name
+        yield _contradict(name, amount, expected, file)
 
 
 def _contradict(name: str, amount: Fraction, expected: Fraction, file: str) -> Message:

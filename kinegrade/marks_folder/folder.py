@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from itertools import groupby
 from operator import attrgetter
@@ -21,9 +22,7 @@ from kinegrade.grade_scale.scale import Scale
 from kinegrade.language.message import Message
 from kinegrade.marks_folder.cells import (
     Record,
-    explain_amount,
     explain_cell,
-    find_amount,
     read_amount,
     read_records,
     read_records_if_any,
@@ -31,6 +30,7 @@ from kinegrade.marks_folder.cells import (
 )
 from kinegrade.marks_folder.check import refuse_changed_totals
 from kinegrade.marks_folder.earlier import find_named_mistakes, names_policy
+from kinegrade.marks_folder.hand_marks import ByHand, find_only_by_hand, read_hand_marks
 from kinegrade.marks_folder.layout import (
     ANSWERS,
     BONUS,
@@ -40,14 +40,14 @@ from kinegrade.marks_folder.layout import (
     FOR_PEOPLE,
     GRADES,
     KEPT,
+    MANUAL,
     MISTAKE,
     NAMES_BETWEEN,
-    OPEN,
     PRINTED,
     PUT,
     QUESTIONS_BETWEEN,
 )
-from kinegrade.marks_folder.open_questions import OpenQuestion
+from kinegrade.marks_folder.open_questions import OpenQuestion, read_open_questions
 from kinegrade.marks_folder.rows import (
     ClassTotals,
     KeptTotal,
@@ -104,23 +104,37 @@ class MarksFolder:
             found[student] = tuple(listed.split(QUESTIONS_BETWEEN))
             total = self.totals.by_student.get(student)
             held = self.totals.questions if total is None else total.points
-            if sorted(found[student]) != sorted(held):
+            if sorted(found[student]) != sorted(set(held) - self.only_by_hand.keys()):
                 expected = Message("marks.printed-order", file=GRADES.name)
                 path = self.path / PRINTED.name
                 raise TableError(explain_cell(path, line, "questions", listed, expected))
         return found
 
     @cached_property
+    def by_hand(self) -> ByHand:
+        """The marks that a person gave; empty where there is no manual.csv."""
+        return read_hand_marks(self.path)
+
+    @cached_property
+    def only_by_hand(self) -> Mapping[str, Fraction]:
+        """The questions of grades.csv that no machine marks, with what can be had for them."""
+        return find_only_by_hand(self.by_hand)
+
+    @cached_property
     def open(self) -> tuple[OpenQuestion, ...]:
-        """The questions that are still to be marked by hand."""
-        path = self.path / OPEN.name
-        found = []
-        for line, (question, points) in read_records_if_any(self.path, OPEN):
-            amount = find_amount(points)
-            if amount is None:
-                raise TableError(explain_amount(path, line, "points", points))
-            found.append(OpenQuestion(question, amount))
-        return tuple(found)
+        """The questions that nobody has been marked for by hand: no total counts them."""
+        return tuple(each for each in self._unmarked if not each.counts)
+
+    @cached_property
+    def lacking(self) -> tuple[OpenQuestion, ...]:
+        """The questions that others have a mark by hand for, with those who have none so far and
+        count as having got nothing.
+        """
+        return tuple(each for each in self._unmarked if each.counts)
+
+    @cached_property
+    def _unmarked(self) -> tuple[OpenQuestion, ...]:
+        return read_open_questions(self.path, self.only_by_hand)
 
     @cached_property
     def bonus(self) -> frozenset[str]:
@@ -151,6 +165,8 @@ class MarksFolder:
         for line, cells in read_records(self.path, ANSWERS):
             student, question, ask, typed, read_as, unit, verdict, points, out_of, *why = cells
             reason, mistakes, rule = map(restore, why)
+            mark = self.by_hand.get(student, {}).get(f"{question}.{ask}")
+            amount = read_amount(points, path, line, "points")
             yield MarkedAnswer(
                 student,
                 question,
@@ -159,11 +175,12 @@ class MarksFolder:
                 _number(read_as, path, line),
                 unit,
                 verdict,
-                read_amount(points, path, line, "points"),
+                mark.points if mark else amount,
                 read_amount(out_of, path, line, "out_of"),
                 reason,
                 _find_mistakes(verdict, mistakes, reason),
                 rule == BY_POLICY or names_policy(reason),
+                mark,
             )
 
     def answers_by_student(self) -> Iterator[tuple[str, tuple[MarkedAnswer, ...]]]:
@@ -175,7 +192,7 @@ class MarksFolder:
 
     def sums(self) -> Iterator[StudentSums]:
         """The sums of marks.csv, one student at a time."""
-        return read_sums(self.path, self.bonus)
+        return read_sums(self.path, self.bonus, self.by_hand)
 
     def complaints(self) -> tuple[Complaint, ...]:
         """The lines of complaints.csv."""
@@ -193,7 +210,8 @@ class MarksFolder:
 
     def tables(self) -> Iterator[tuple[str, Table]]:
         """The tables meant for people, as they stand, each with its name."""
-        for file in FOR_PEOPLE:
+        by_hand = (MANUAL,) if self.by_hand else ()
+        for file in (*FOR_PEOPLE, *by_hand):
             yield Path(file.name).stem, read_whole(self.path, file)
 
 

@@ -99,9 +99,19 @@ KEPT: Final = TableFile("kept.csv", ("student", "name", *_KEPT_AMOUNTS, "reason"
 PUT: Final = TableFile("variants.csv", ("student", "question", "ask", "key_of"))
 #: The questions of each paper in their order; only where they differ from the bank's.
 PRINTED: Final = TableFile("printed.csv", ("student", "questions"))
-#: Questions that are still to be marked by hand, with their points, which nothing else counts; only
+# Earlier versions wrote one line a question, with what it is worth as its points
+#: Who still lacks a mark by hand for which question: points to be filled in, for `--manual`; only
 #: where there are some.
-OPEN: Final = TableFile("open.csv", ("question", "points"))
+OPEN: Final = TableFile(
+    "open.csv",
+    ("student", "name", "question", "out_of", "points", "comment"),
+    optional=("student", "name", "out_of", "comment"),
+)
+#: Marks by hand, with what the machine gave in the same place, empty where only hands mark; only
+#: where there are some.
+MANUAL: Final = TableFile(
+    "manual.csv", ("student", "question", "points", "out_of", "machine", "comment")
+)
 #: Questions whose points, as the papers state them, come on top of the maximum; only where there
 #: are some.
 BONUS: Final = TableFile("bonus.csv", ("question", "points"))
@@ -113,7 +123,19 @@ CORRECTIONS: Final = TableFile("corrections.csv", ("corrections",))
 QUESTIONS_BETWEEN: Final = " "  # question identifiers contain no blank
 #: A copy of the policy; only where there was one.
 POLICY: Final = "policy.toml"
-_TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED, OPEN, BONUS, SCALE, CORRECTIONS)
+_TABLES = (
+    ANSWERS,
+    GRADES,
+    COMPLAINTS,
+    KEPT,
+    PUT,
+    PRINTED,
+    OPEN,
+    MANUAL,
+    BONUS,
+    SCALE,
+    CORRECTIONS,
+)
 FILES: Final = (*(file.name for file in _TABLES), POLICY)
 MARKER: Final = COMPLAINTS.name  # the file by which kinegrade recognises a marks folder
 

@@ -10,6 +10,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from kinegrade.language.message import Text
+from kinegrade.marks_folder.hand_marks import BY_HAND, HandMark, work_out_total
 from kinegrade.marks_folder.layout import Status
 from kinegrade.numbers.amounts import add_amounts
 
@@ -24,7 +25,8 @@ class MarkedAnswer:
     nothing was read.
 
     `mistakes` are the known mistakes that lead to the answer, the likeliest first, where the
-    verdict is that there are some; `by_policy` is whether the rule was not the paper's.
+    verdict is that there are some; `by_policy` is whether the rule was not the paper's. All of this
+    is the machine's; the points are those of the mark `by_hand` where there is one.
     """
 
     student: str
@@ -39,16 +41,27 @@ class MarkedAnswer:
     reason: str
     mistakes: tuple[str, ...] = ()
     by_policy: bool = False
+    by_hand: HandMark | None = None
 
     @property
     def column(self) -> str:
-        """Its column in the answer sheet."""
-        return f"{self.question}.{self.ask}"
+        """Its column in the answer sheet; the question where all of it is meant."""
+        return f"{self.question}.{self.ask}" if self.ask else self.question
 
     @property
     def worth(self) -> tuple[Fraction, Fraction]:
         """The points, and the maximum."""
         return self.points, self.out_of
+
+    @property
+    def judged(self) -> str:
+        """The verdict that stands: the machine's, or that a hand marked it."""
+        return BY_HAND if self.by_hand else self.verdict
+
+    @property
+    def reason_given(self) -> str:
+        """Why it has these points: by the machine, or by the hand that marked it."""
+        return self.by_hand.comment if self.by_hand else self.reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +103,7 @@ class Grade:
         """The sum of the points, or the total that was kept."""
         if self.kept is not None:
             return self.kept
-        return add_amounts(each for each in self.points if each is not None)
+        return work_out_total(each for each in self.points if each is not None)
 
     @property
     def share(self) -> Fraction:
@@ -154,11 +167,11 @@ class ClassTotals:
 
 @dataclass(frozen=True, slots=True)
 class StudentSums:
-    """The sums of one student's lines in marks.csv, by question; `lines` counts them, and `line` is
-    the line number of the last.
+    """The sums of one student's lines in marks.csv, by question, with marks by hand in their place;
+    `lines` counts the lines, and `line` is the line number of the last.
 
-    `answered` is whether anything other than blanks and dashes was typed, `bonus` what could be had
-    on top of the maximum.
+    `answered` is whether anything other than blanks and dashes was typed, or marked by hand,
+    `bonus` what could be had on top of the maximum; `by_hand` is whether marks by hand are in it.
     """
 
     line: int
@@ -168,11 +181,12 @@ class StudentSums:
     lines: Mapping[str, int]
     answered: bool
     bonus: Fraction = Fraction(0)
+    by_hand: bool = False
 
     @property
     def total(self) -> Fraction:
         """The sum of the points."""
-        return add_amounts(self.points.values())
+        return work_out_total(self.points.values())
 
     @property
     def total_out_of(self) -> Fraction:

@@ -24,6 +24,7 @@ from kinegrade.files.tables import Complaint
 from kinegrade.grade_scale.scale import Scale
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.marks_folder.hand_marks import HandMark
 from kinegrade.marks_folder.layout import (
     ANSWERS,
     BONUS,
@@ -31,6 +32,7 @@ from kinegrade.marks_folder.layout import (
     CORRECTIONS,
     GRADES,
     KEPT,
+    MANUAL,
     OPEN,
     POLICY,
     PRINTED,
@@ -117,11 +119,20 @@ class MarksWriter:
         if count:
             write_csv(self.path / CORRECTIONS.name, CORRECTIONS.columns, [(str(count),)])
 
-    def open(self, questions: Sequence[OpenQuestion]) -> None:
-        """The questions that are still to be marked by hand."""
-        if questions:
-            rows = [(each.question, write_amount(each.points)) for each in questions]
-            write_csv(self.path / OPEN.name, OPEN.columns, rows)
+    def open(self, questions: Iterable[OpenQuestion], names: Mapping[str, str]) -> None:
+        """Who is still to be marked by hand for which questions; `names` are by student."""
+        rows = [
+            (student, neutralise(names[student]), each.question, write_amount(each.points), "", "")
+            for each in questions
+            for student in each.students
+        ]
+        if rows:
+            write_for_people(self.path / OPEN.name, OPEN.columns, rows)
+
+    def by_hand(self, marks: Iterable[HandMark]) -> None:
+        """The marks that a person gave."""
+        if rows := list(map(_write_hand_mark, marks)):
+            write_for_people(self.path / MANUAL.name, MANUAL.columns, rows)
 
 
 def _write_answer_lines(cells: AnswerCells) -> str:
@@ -161,6 +172,12 @@ def _write_complaint(complaint: Complaint, words: Catalogue) -> tuple[str, ...]:
     said = words.write(complaint.problem), words.write(complaint.done)
     texts = complaint.column, complaint.content, *said
     return (neutralise(complaint.file), line, *map(neutralise, texts))
+
+
+def _write_hand_mark(mark: HandMark) -> tuple[str, ...]:
+    amounts = mark.points, mark.out_of, mark.machine
+    shown = ("" if each is None else write_amount(each) for each in amounts)
+    return (mark.student, mark.column, *shown, neutralise(mark.comment))
 
 
 def _write_kept(kept: KeptTotal, words: Catalogue) -> tuple[str, ...]:

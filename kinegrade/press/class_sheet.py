@@ -128,6 +128,21 @@ class QuestionLosses:
 
 
 @dataclass(frozen=True)
+class HandLine:
+    """A question or an ask that has marks by hand: how many, and the means of the points by hand
+    and of those by the machine in the same places.
+    """
+
+    question: str
+    title: str  # prose
+    symbol: Symbol  # without math and name for a whole question
+    count: int
+    by_hand: str
+    machine: str
+    points: str
+
+
+@dataclass(frozen=True)
 class PartLine:
     """The totals of a part of the class, such as a version or a group, and its facility by
     question.
@@ -229,6 +244,7 @@ class ClassFigures:
     passed: str = ""
     grades: tuple[GradeLine, ...] = ()
     ranks: tuple[RankLine, ...] = ()
+    by_hand: tuple[HandLine, ...] = ()
 
 
 @dataclass(frozen=True)

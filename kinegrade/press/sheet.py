@@ -209,6 +209,7 @@ class FeedbackQuestion:
     points: str  # plain, "4 / 7"
     givens: str  # prose: the numbers drawn for this paper
     rows: tuple[FeedbackRow, ...]
+    note: str = ""  # plain: on its points as a whole
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ from kinegrade.lms.grades.from_scratch import new_file
 from kinegrade.lms.grades.grades import TOTAL, ClassGrades, read_grades
 from kinegrade.lms.grades.systems import GRADE_FILES, SYSTEMS, WORKBOOK
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.marks_folder.open_questions import describe_open
+from kinegrade.marks_folder.open_questions import describe_lacking, describe_open
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.opened import expect_opened
 from kinegrade.public.options import require_known, require_word
@@ -85,6 +85,8 @@ def _list_open(marks: MarksFolder, place: Path) -> Iterator[Fault]:
     """That the grades lack what is still to be marked by hand."""
     if marks.open:
         yield Fault(str(place), describe_open(marks.open), do=Message("marks.add-by-hand"))
+    for question in marks.lacking:
+        yield Fault(str(place), describe_lacking(question), do=Message("marks.add-by-hand"))
 
 
 def _list_above(grades: ClassGrades, options: ExportOptions) -> Iterator[Message]:

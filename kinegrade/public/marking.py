@@ -23,7 +23,8 @@ from kinegrade.lms.grades import moodle
 from kinegrade.lms.responses.answer_table import ReadingWishes
 from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.marks_folder.layout import KEPT
+from kinegrade.marks_folder.hand_marks import list_hand_marks
+from kinegrade.marks_folder.layout import KEPT, MANUAL
 from kinegrade.marks_folder.open_questions import describe_open
 from kinegrade.numbers.amounts import write_amount
 from kinegrade.public.folders import expect_own_place
@@ -44,9 +45,9 @@ class GradeOptions:
     They come from `source`, which is detected where it is None; `encoding` is that of a CSV file
     that is not UTF-8, `decimal` the decimal mark where cells leave it open. With `unfinished`,
     attempts that were not handed in count too; with `own_papers`, students answered their own
-    papers although most answers fit others. `policy` is a file of other rules; `never_lower` an
-    earlier marking whose totals stand where they are higher. `assuming` is given each assumption as
-    soon as it is made, before anything is marked.
+    papers although most answers fit others. `policy` is a file of other rules; `manual` are files
+    of marks by hand; `never_lower` an earlier marking whose totals stand where they are higher.
+    `assuming` is given each assumption as soon as it is made, before anything is marked.
     """
 
     source: str | None = None
@@ -54,6 +55,7 @@ class GradeOptions:
     unfinished: bool = False
     decimal: DecimalMark | None = None
     policy: str | PathLike[str] | None = None
+    manual: Sequence[str | PathLike[str]] = ()
     never_lower: MarksFolder | None = None
     own_papers: bool = False
     assuming: Callable[[Part], None] = _in_silence
@@ -73,6 +75,7 @@ class GradeOptions:
             self.never_lower,
             _choose_following(exam),
             self.own_papers,
+            tuple(map(Path, self.manual)),
         )
 
 
@@ -129,13 +132,27 @@ def grade(
     for assumption in read.assumed:
         options.assuming(assumption)
     grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
-    written = [*_list_written(grades, place, kept=options.never_lower is not None)]
     marks = open_marks(place)
-    if marks.open:
-        written.append(describe_open(marks.open))
-    written += _describe_grades(marks, exam, options.policy)
+    written = [
+        *_list_written(grades, place, kept=options.never_lower is not None),
+        *_describe_by_hand(grades, marks),
+        *_describe_grades(marks, exam, options.policy),
+    ]
     complaints = tuple(complaint.fault for complaint in grades.complaints)
     return Graded(place, tuple(written), complaints, grades=grades, assumed=read.assumed)
+
+
+def _describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Message]:
+    """What hands marked, and what they still have to mark."""
+    yield from grades.notes
+    given = list(list_hand_marks(marks.by_hand))
+    if given:
+        changed = sum(mark.is_override for mark in given)
+        overrides = Message("terminal.overrides", count=changed)
+        file = str(marks.path / MANUAL.name)
+        yield Message("terminal.by-hand", file=file, count=len(given), overrides=overrides)
+    if marks.open:
+        yield describe_open(marks.open)
 
 
 def _choose_following(exam: ExamFolder) -> Follows:

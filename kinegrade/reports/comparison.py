@@ -7,8 +7,8 @@ which means by points where both markings have the same maximum.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from kinegrade.files.csv_writing import encode_for_people, neutralise, write_csv_text
@@ -24,6 +24,7 @@ from kinegrade.language.message import (
 )
 from kinegrade.language.terminal_lines import align, cut
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.hand_marks import list_hand_marks
 from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 from kinegrade.numbers.amounts import write_amount, write_change
 
@@ -63,18 +64,15 @@ class _AskChange:
         parts: list[Part] = []
         if before.typed != after.typed:
             parts.append(f'"{before.typed}" -> "{after.typed}"')
-        parts.append(
-            before.verdict
-            if before.verdict == after.verdict
-            else f"{before.verdict} -> {after.verdict}"
-        )
+        judged = dict.fromkeys(each for each in (before.judged, after.judged) if each)
+        parts.append(" -> ".join(judged))
         if before.out_of != after.out_of:
             worth = write_amount(before.out_of), write_amount(after.out_of)
             parts.append(Message("marks.worth", before=worth[0], after=worth[1]))
         changes = list_plainly(parts)
-        if not after.reason:
+        if not after.reason_given:
             return changes
-        return Message("marks.why", changes=changes, reason=after.reason)
+        return Message("marks.why", changes=changes, reason=after.reason_given)
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +122,8 @@ class Comparison:
 def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
     """Compares two marks folders. Raises TableError."""
     before, after = first.totals.by_student, second.totals.by_student
-    asks = _ask_changes(_answers(first), _answers(second))
+    whole = {*_list_whole(first), *_list_whole(second)}
+    asks = _ask_changes(_answers(first, whole), _answers(second, whole))
     found = (
         _StudentChange(
             student, before.get(student), after.get(student), tuple(asks.get(student, ()))
@@ -169,7 +168,9 @@ def _write_rows(comparison: Comparison, words: Catalogue) -> Iterator[tuple[str,
         for ask in each.asks:
             sides = ask.before or _NOTHING, ask.after or _NOTHING
             texts = (
-                getattr(side, part) for part in ("verdict", "typed", "reason") for side in sides
+                getattr(side, part)
+                for part in ("judged", "typed", "reason_given")
+                for side in sides
             )
             amounts = _write_amounts(_worth(ask.before), _worth(ask.after))
             yield (*person, ask.column, *amounts, *map(neutralise, texts))
@@ -192,8 +193,30 @@ def write_comparison_text(comparison: Comparison, words: Catalogue) -> str:
     return f"{table}{words.write(_summarise(comparison))}"
 
 
-def _answers(marks: MarksFolder) -> _Answers:
-    return {(answer.student, answer.column): answer for answer in marks.answers()}
+def _answers(marks: MarksFolder, whole: Iterable[tuple[str, str]]) -> _Answers:
+    """The answers, and the questions that either marking has as a whole by hand."""
+    answers = {(answer.student, answer.column): answer for answer in marks.answers()}
+    possible = {each.student: each.out_of for each in marks.sums()} if whole else {}
+    totals = marks.totals.by_student
+    for student, question in whole:
+        total, mark = totals.get(student), marks.by_hand.get(student, {}).get(question)
+        if total is not None and question in total.points:
+            answers[student, question] = replace(
+                _NOTHING,
+                student=student,
+                question=question,
+                points=total.points[question],
+                out_of=possible[student].get(question, Fraction(0)),
+                by_hand=mark,
+            )
+    return answers
+
+
+def _list_whole(marks: MarksFolder) -> Iterator[tuple[str, str]]:
+    """The questions that have a mark by hand as a whole, with whose it is."""
+    for mark in list_hand_marks(marks.by_hand):
+        if not mark.ask:
+            yield mark.student, mark.question
 
 
 def _ask_changes(before: _Answers, after: _Answers) -> Mapping[str, list[_AskChange]]:
@@ -208,7 +231,7 @@ def _ask_changes(before: _Answers, after: _Answers) -> Mapping[str, list[_AskCha
 
 def _said(answer: MarkedAnswer | None) -> tuple[object, ...] | None:
     """The part of a verdict that matters; the wording of its reason does not."""
-    return (answer.verdict, answer.points, answer.out_of) if answer else None
+    return (answer.judged, answer.points, answer.out_of) if answer else None
 
 
 def _worth(side: MarkedAnswer | StudentTotal | None) -> _Worth | None:

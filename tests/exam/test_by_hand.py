@@ -119,7 +119,10 @@ def test_marks_leave_it_open_and_never_count_it_as_zero(tmp_path: Path) -> None:
         ("3", "4", "7", "7")
     ] * 2
     assert "q2" not in rows[0]
-    assert (marks / "open.csv").read_text(encoding="utf-8") == "question,points\nq2,2.5\n"
+    assert (marks / "open.csv").read_text(encoding="utf-8-sig") == (
+        "student,name,question,out_of,points,comment\n"
+        "1001,Ada Byron,q2,2.5,,\n1002,Sofya Kovalevskaya,q2,2.5,,\n"
+    )
 
 
 def test_feedback_report_and_exports_say_what_is_open(tmp_path: Path) -> None:

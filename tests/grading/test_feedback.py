@@ -312,6 +312,8 @@ def test_a_total_that_was_kept_is_told(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"7": ("1", "2", "3")})
     grades = (marks / "grades.csv").read_text(encoding="utf-8")
     (marks / "grades.csv").write_text(grades.replace(",0,9.5,0", ",8,9.5,84.21"), encoding="utf-8")
+    header = "student,name,before,before_out_of,by_this_marking,out_of,stands,reason"
+    (marks / "kept.csv").write_text(f"{header}\n7,A,8,9.5,0,9.5,8,higher\n", encoding="utf-8")
     ((_, sheet),) = make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en")
     assert (sheet.total, sheet.kept) == ("8 / 9.5", True)
     kept = open_catalogue(sheet.language).text("feedback.sheet.kept")

@@ -15,6 +15,7 @@ from kinegrade.files.tables import Complaint
 from kinegrade.grade_scale.scale import Scale, Step
 from kinegrade.language import ENGLISH
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
+from kinegrade.marks_folder.hand_marks import HandMark
 from kinegrade.marks_folder.layout import ANSWERS, COMPLAINTS, FILES, KEPT, AnswerCells
 from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.rows import Grade, KeptTotal
@@ -43,7 +44,9 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     writer.kept([KEPT_ANNA])
     writer.put([("7", "q1", "v", "8")])
     writer.printed({"7": ("q2", "q1")})
-    writer.open([OpenQuestion("q3", HALF)])
+    writer.open([OpenQuestion("q3", HALF, ("7",))], {"7": "=Anna, B."})
+    mark = HandMark("7", "q2", "v", Fraction(2), Fraction(2), "=fine", Fraction(2))
+    writer.by_hand([mark])
     writer.bonus({"q2": Fraction(2)})
     writer.policy("")
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(FILES)
@@ -62,7 +65,8 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     ]
     assert folder.complaints() == (COMPLAINT,)
     assert (folder.put, folder.printed) == ({"7": {"q1.v": "8"}}, {"7": ("q2", "q1")})
-    assert folder.open == (OpenQuestion("q3", HALF),)
+    assert folder.open == (OpenQuestion("q3", HALF, ("7",)),)
+    assert folder.by_hand == {"7": {"q2.v": mark}}
 
 
 def test_files_that_not_every_folder_has_are_not_missed(tmp_path: Path) -> None:

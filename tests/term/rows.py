@@ -42,7 +42,6 @@ ROWS: Mapping[int, str] = {
 TO_COME: Mapping[int, str] = {
     12: "there is no practice sheet",
     13: "two files are merged; double entry is not compared",
-    16: "marks by hand are not taken",
     17: "works, but is not played here",
     18: "feedback and report by group are played in row 8; sharing is not",
     19: "the workbook of an examination office is not filled",

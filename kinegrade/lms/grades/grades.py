@@ -21,6 +21,7 @@ from kinegrade.language import ENGLISH, Language
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.lms.grades.dialect import Field
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.hand_marks import EXTRA
 from kinegrade.marks_folder.rows import StudentSums, StudentTotal
 from kinegrade.numbers.amounts import write_amount
 from kinegrade.question_numbers import find_bank_number, number_printed
@@ -144,17 +145,20 @@ def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
     >>> feedback_text(StudentGrade("7", "", "", points, out_of, True, ("q2", "q1")), ("q1", "q2"))
     '1: 0/3; 2: 2.5/4'
     """
-    numbered = (
-        list(zip(map(str, number_printed(grade.printed)), grade.printed, strict=True))
-        if grade.printed
-        else [(find_bank_number(name), name) for name in questions]
-    )
-    parts = [
-        f"{number}: {'+' if name in grade.bonus else ''}"
-        f"{write_amount(grade.points[name])}/{write_amount(grade.out_of.get(name, Fraction(0)))}"
-        for number, name in numbered
-    ]
-    return "; ".join(parts)
+    others = [name for name in questions if name not in grade.printed and name in grade.points]
+    numbered = list(zip(map(str, number_printed(grade.printed)), grade.printed, strict=True))
+    numbered += [(find_bank_number(name), name) for name in others]
+    shown = (_write_points(grade, number, name) for number, name in numbered)
+    return "; ".join(filter(None, shown))
+
+
+def _write_points(grade: StudentGrade, number: str, question: str) -> str:
+    """The points of a question after its number; "" for a bonus of which nothing could be had."""
+    points = write_amount(grade.points[question])
+    sign = "+" if question in grade.bonus else ""
+    if question == EXTRA:
+        return f"{number}: {sign}{points}" if grade.points[question] else ""
+    return f"{number}: {sign}{points}/{write_amount(grade.out_of.get(question, Fraction(0)))}"
 
 
 def _add_exam(grades: ClassGrades, exam: ExamFolder) -> ClassGrades:

@@ -67,7 +67,8 @@ def _find_above(students: Sequence[StudentGrade], item: str) -> Iterator[Message
     then a total that was kept may be as high, too, where the bonus has been dropped since.
     """
     for each in students:
-        if each.points[item] > each.out_of[item] and not (item == TOTAL and each.bonus):
+        is_raised = bool(each.bonus) if item == TOTAL else item in each.bonus
+        if each.points[item] > each.out_of[item] and not is_raised:
             yield Message(
                 "grades.above-maximum",
                 student=Quoted(each.student),

@@ -68,6 +68,9 @@ def _write_question(question: FeedbackQuestion, words: Mapping[str, str]) -> Ite
     title = f" · {question.title}" if question.title else ""
     yield f"## {_write_plain(question.heading)}{title} ({question.points})"
     yield ""
+    if question.note:
+        yield _write_plain(question.note)
+        yield ""
     if question.givens:
         yield f"{words['givens']}: {question.givens}"
         yield ""

@@ -84,7 +84,8 @@ def _write_question(question: FeedbackQuestion, missing: frozenset[str]) -> Shee
             lambda row: _write_row(row, question.heading, missing), question.rows
         ),
     )
-    return parts | {"heading": question.heading, "points": question.points}
+    note = make_legible(question.note, missing)
+    return parts | {"heading": question.heading, "points": question.points, "note": note}
 
 
 def _write_row(row: FeedbackRow, where: Location, missing: frozenset[str]) -> Sheet:
@@ -105,6 +106,7 @@ def _texts(holder: object, names: Sequence[str], missing: frozenset[str]) -> dic
 def _write_plain_texts(sheet: FeedbackSheet) -> list[str]:
     rows = [row for question in sheet.questions for row in question.rows]
     return [
+        *(question.note for question in sheet.questions),
         *_texts(sheet, _SHEET_TEXTS, frozenset()).values(),
         *(text for row in rows for text in _texts(row, _ROW_TEXTS, frozenset()).values()),
     ]

@@ -23,6 +23,7 @@ from kinegrade.press.class_sheet import (
 )
 from kinegrade.press.html.class_report import write_class_report
 from kinegrade.reports.classes.asks import list_asks, list_legend
+from kinegrade.reports.classes.by_hand import list_hand_lines
 from kinegrade.reports.classes.equal_hardness import ENOUGH
 from kinegrade.reports.classes.figures import (
     write_decimal,
@@ -86,7 +87,11 @@ def make_class_sheet(
         catalogue.write(Message("report.silent", count=silent)) if silent else "",
         0 < answered < ENOUGH,
         tuple(name_question(question, catalogue) for question in exam.questions),
-        None if figures is None else _make_figures(counts, figures, exam, wording, catalogue),
+        None
+        if figures is None
+        else _make_figures(
+            counts, figures, exam, marks=marks, wording=wording, catalogue=catalogue
+        ),
         complaints[:_MOST_COMPLAINTS],
         count,
         catalogue.write(more) if count > _MOST_COMPLAINTS else "",
@@ -97,12 +102,14 @@ def _make_figures(
     counts: ClassTally,
     figures: Summary,
     exam: ExamFolder,
+    *,
+    marks: MarksFolder,
     wording: Wording,
     catalogue: Catalogue,
 ) -> ClassFigures:
     out_of = write_plain(float(max(each.out_of for each in counts.answered)), catalogue)
     return ClassFigures(
-        _write_maximum(out_of, exam, catalogue),
+        _write_maximum(out_of, exam, marks, catalogue),
         _list_cards(counts, figures, exam, catalogue),
         HistogramPlot(
             make_histogram(counts.percents),
@@ -116,15 +123,19 @@ def _make_figures(
         tuple(list_losses(counts, wording, catalogue)),
         judge_hardness(counts, exam, wording, catalogue),
         list_parts(counts, counts.groups, exam, catalogue) if len(set(counts.groups)) > 1 else (),
+        by_hand=tuple(list_hand_lines(marks, wording, catalogue)),
     )
 
 
-def _write_maximum(points: str, exam: ExamFolder, catalogue: Catalogue) -> str:
-    """How many points there are; of those marked here alone, where others are marked by hand; and
-    how many come on top of them.
+def _write_maximum(points: str, exam: ExamFolder, marks: MarksFolder, catalogue: Catalogue) -> str:
+    """How many points there are; of those marked so far, where others are still to be marked by
+    hand; and how many come on top of them.
     """
-    head = exam.head
-    by_hand = sum((each.points for each in head.by_hand if not each.bonus), Fraction(0))
+    head, still_open = exam.head, {each.question for each in marks.open}
+    by_hand = sum(
+        (each.points for each in head.by_hand if each.question in still_open and not each.bonus),
+        Fraction(0),
+    )
     said = Message("report.of-points", points=points)
     if by_hand:
         others = write_plain(float(by_hand), catalogue)

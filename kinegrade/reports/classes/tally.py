@@ -144,7 +144,8 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
         if columns != _list_asked(count, orders.get(student)) or student not in totals:
             what = Message("report.other-asks", student=Quoted(student), grades=GRADES.name)
             raise TableError(Fault(str(marks.path / ANSWERS.name), what))
-        if any(answer.verdict != _BLANK and answer.typed.strip() for answer in answers):
+        answered = any(answer.verdict != _BLANK and answer.typed.strip() for answer in answers)
+        if answered or student in marks.by_hand:
             count.include(
                 totals[student],
                 answers,
@@ -199,9 +200,11 @@ def _close(count: _Count) -> ClassTally:
 
 
 def _loss(answer: MarkedAnswer, paper: PaperRecord) -> str:
-    """Why an answer did not get all its points, in one term: a mistake, a kind of hint, or else the
-    verdict.
+    """Why an answer did not get all its points, in one term: that a hand marked it, a mistake, a
+    kind of hint, or else the verdict.
     """
+    if answer.by_hand:
+        return answer.judged
     if answer.mistakes:
         return answer.mistakes[0]
     if answer.verdict != "wrong":

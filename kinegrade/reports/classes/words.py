@@ -8,6 +8,7 @@ from kinegrade.grading.verdict_names import name_verdict
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message, Text
+from kinegrade.marks_folder.hand_marks import BY_HAND
 from kinegrade.press.class_sheet import Symbol
 from kinegrade.question_numbers import find_bank_number
 
@@ -36,6 +37,7 @@ _REASONS: Mapping[str, Message] = {
     "another paper": Message("report.reason-another-paper"),
     "mistake": Message("report.reason-mistake"),
     "void": Message("report.reason-void"),
+    BY_HAND: Message("report.reason-by-hand"),
 }
 
 

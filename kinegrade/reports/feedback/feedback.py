@@ -7,7 +7,8 @@ Markdown and PDF.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import groupby
 from math import isnan, nan
@@ -16,19 +17,27 @@ from types import MappingProxyType
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.records import Candidate, ExamHead, HandQuestion
+from kinegrade.exam.folder.records import Candidate, ExamHead
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.decimal_mark import write_decimals_of_math
 from kinegrade.language.message import Fault, Message, Quoted, Text
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.hand_marks import HandMark
 from kinegrade.marks_folder.layout import GRADES
-from kinegrade.marks_folder.open_questions import OpenQuestion, add_open_points
+from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
-from kinegrade.numbers.amounts import bound_rounding, write_amount
 from kinegrade.press.sheet import FeedbackQuestion, FeedbackRow, FeedbackSheet
-from kinegrade.question_numbers import find_bank_number, find_other_number, number_printed
+from kinegrade.question_numbers import find_bank_number, number_printed
+from kinegrade.reports.feedback.by_hand import explain_hand_mark, make_by_hand, make_extra
+from kinegrade.reports.feedback.points import (
+    head_question,
+    mark_decimals,
+    say_bonus,
+    write_share,
+    write_total,
+)
 from kinegrade.reports.feedback.remarks import make_remark, name_verdict
 from kinegrade.reports.feedback.right_answers import (
     write_allowed,
@@ -63,26 +72,33 @@ def make_feedback_sheets(
         candidate, total = head.candidates[student], totals[student]
         paper_language = Language(candidate.language)
         spoken = paper_language if paper_language in own else language
-        catalogue = open_catalogue(spoken)
         paper = papers.marked(student, (answer.column for answer in answers))
-        gained = total.total - sum(answer.points for answer in answers)
-        kept = gained > bound_rounding(len(answers))  # three written thirds fall short of a point
-        yield (
-            candidate,
-            FeedbackSheet(
-                spoken,
-                worded[spoken].course or head.course,
-                worded[spoken].exam or head.title,
-                head.date,
-                student,
-                candidate.name,
-                candidate.paper,
-                _write_total(total, marks.open, catalogue),
-                kept,
-                tuple(_order_questions(answers, paper, worded[spoken], exam.head, catalogue)),
-                grade=total.grade,
-            ),
-        )
+        others = _Others(candidate, head, total, marks.by_hand.get(student, {}), marks.open)
+        yield candidate, _make_sheet(answers, paper, worded[spoken], spoken, others)
+
+
+def _make_sheet(
+    answers: Sequence[MarkedAnswer],
+    paper: PaperRecord,
+    wording: Wording,
+    language: Language,
+    others: _Others,
+) -> FeedbackSheet:
+    """One student's sheet."""
+    catalogue, candidate = open_catalogue(language), others.candidate
+    return FeedbackSheet(
+        language,
+        wording.course or others.head.course,
+        wording.exam or others.head.title,
+        others.head.date,
+        candidate.student,
+        candidate.name,
+        candidate.paper,
+        write_total(others.total, others.still_open, catalogue),
+        others.total.kept is not None,
+        tuple(_order_questions(answers, paper, wording, others, catalogue)),
+        grade=others.total.grade,
+    )
 
 
 def _describe_other_exam(student: str, marks: MarksFolder, exam: ExamFolder) -> Fault:
@@ -96,56 +112,51 @@ def _describe_other_exam(student: str, marks: MarksFolder, exam: ExamFolder) -> 
     return Fault(str(marks.path), what)
 
 
-def _write_total(
-    total: StudentTotal, still_open: Sequence[OpenQuestion], catalogue: Catalogue
-) -> str:
-    """Points out of the maximum, and what is still to be marked by hand."""
-    share = _write_share(total.total, total.out_of, catalogue)
-    if not still_open:
-        return share
-    points = _mark_decimals(write_amount(add_open_points(still_open)), catalogue)
-    return catalogue.text("feedback.total-open", total=share, points=points)
+@dataclass(frozen=True)
+class _Others:
+    """What is not in a student's lines of marks.csv: who it is, the exam's head, the totals, what
+    was marked `by_hand`, and what is still to be marked so.
+    """
+
+    candidate: Candidate
+    head: ExamHead
+    total: StudentTotal
+    by_hand: Mapping[str, HandMark]
+    still_open: Sequence[OpenQuestion]
 
 
 def _order_questions(
     answers: Sequence[MarkedAnswer],
     paper: PaperRecord,
     wording: Wording,
-    head: ExamHead,
+    others: _Others,
     catalogue: Catalogue,
 ) -> Iterator[FeedbackQuestion]:
-    """All questions in the order of the paper, those to be marked by hand between the others."""
+    """All questions in the order of the paper, those marked by hand between the others; what comes
+    on top of everything last.
+    """
     numbers = number_printed(paper.printed)
-    marked = _make_questions(answers, paper, wording, head.bonus, catalogue)
-    questions = zip(numbers, marked, strict=True)
-    by_number = {int(find_bank_number(each.question)): each for each in head.by_hand}
-    found = dict(questions)
+    marked = _make_questions(answers, paper, wording, others, catalogue)
+    found = dict(zip(numbers, marked, strict=True))
+    by_number = {int(find_bank_number(each.question)): each for each in others.head.by_hand}
     for number, each in by_number.items():
         title = wording.titles.get(each.question, each.title)
-        found[number] = _make_open(number, each, title, catalogue)
+        mark = others.by_hand.get(each.question)
+        found[number] = make_by_hand(number, each, title, mark, catalogue)
     yield from (found[number] for number in sorted(found))
-
-
-def _make_open(
-    number: int, question: HandQuestion, title: str, catalogue: Catalogue
-) -> FeedbackQuestion:
-    """A question that is marked by hand."""
-    points = _mark_decimals(write_amount(question.points), catalogue)
-    worth = _say_bonus(points, catalogue) if question.bonus else points
-    said = catalogue.text("feedback.by-hand", points=worth)
-    heading = catalogue.write(_head_question(question.question, number))
-    return FeedbackQuestion(heading, title, said, "", ())
+    extra = make_extra(others.by_hand, catalogue)
+    yield from [extra] if extra else []
 
 
 def _make_questions(
     answers: Sequence[MarkedAnswer],
     paper: PaperRecord,
     wording: Wording,
-    bonus: Container[str],
+    others: _Others,
     catalogue: Catalogue,
 ) -> Iterator[FeedbackQuestion]:
     """The questions that are marked here, in the order of the paper; the points of those that are a
-    `bonus` say so.
+    bonus say so.
     """
     by_question = {
         question: tuple(group)
@@ -154,19 +165,18 @@ def _make_questions(
     numbers = number_printed(paper.printed)
     for number, question in zip(numbers, paper.printed, strict=True):
         asked = by_question.get(question, ())
-        heading = catalogue.write(_head_question(question, number))
-        points = sum((answer.points for answer in asked), Fraction(0))
+        heading = catalogue.write(head_question(question, number))
+        mark = others.by_hand.get(question)
+        added = sum((answer.points for answer in asked), Fraction(0))
+        points = mark.points if mark else added
         out_of = sum((answer.out_of for answer in asked), Fraction(0))
         rows = tuple(_make_feedback_row(answer, paper, wording, catalogue) for answer in asked)
-        share = _write_share(points, out_of, catalogue)
-        worth = _say_bonus(share, catalogue) if question in bonus else share
+        share = write_share(points, out_of, catalogue)
+        worth = say_bonus(share, catalogue) if question in others.head.bonus else share
         givens = ", ".join(_list_givens(question, paper, wording, catalogue))
-        yield FeedbackQuestion(heading, wording.titles.get(question, ""), worth, givens, rows)
-
-
-def _say_bonus(points: str, catalogue: Catalogue) -> str:
-    """Points that come on top of the maximum."""
-    return catalogue.text("feedback.bonus", points=points)
+        note = explain_hand_mark(mark, catalogue)
+        title = wording.titles.get(question, "")
+        yield FeedbackQuestion(heading, title, worth, givens, rows, note)
 
 
 def _list_givens(
@@ -185,13 +195,6 @@ def _list_givens(
             yield write_with_unit(f"${formula}$", unit)
 
 
-def _head_question(question: str, number: int) -> Message:
-    other = find_other_number(question, number)
-    if other is None:
-        return Message("feedback.question", number=number)
-    return Message("feedback.question-known", number=number, other=other)
-
-
 def _make_feedback_row(
     answer: MarkedAnswer, paper: PaperRecord, wording: Wording, catalogue: Catalogue
 ) -> FeedbackRow:
@@ -206,11 +209,11 @@ def _make_feedback_row(
         _cut(answer.typed),
         catalogue.write(_describe_reading(answer, catalogue)),
         _mark_formula(write_closed_form(right), catalogue) if right else "",
-        _mark_decimals(write_decimal(right), catalogue) if right else "",
-        _mark_decimals(write_allowed(right), catalogue) if right else "",
+        mark_decimals(write_decimal(right), catalogue) if right else "",
+        mark_decimals(write_allowed(right), catalogue) if right else "",
         _choose_mark(answer),
-        catalogue.write(name_verdict(answer.verdict)),
-        _write_share(answer.points, answer.out_of, catalogue),
+        catalogue.write(name_verdict(answer.judged)),
+        write_share(answer.points, answer.out_of, catalogue),
         prose,
         remark.guess,
         remark.note,
@@ -221,11 +224,6 @@ def _cut(typed: str) -> str:
     return typed if len(typed) <= _LONGEST_TYPED else f"{typed[:_LONGEST_TYPED]}…"
 
 
-def _mark_decimals(number: str, catalogue: Catalogue) -> str:
-    """A number that is written with a decimal point, with the mark of the language."""
-    return number.replace(".", catalogue.decimal_mark)
-
-
 def _mark_formula(latex: str, catalogue: Catalogue) -> str:
     """A formula with the decimal mark of the language."""
     return write_decimals_of_math(latex, catalogue.language)
@@ -233,7 +231,7 @@ def _mark_formula(latex: str, catalogue: Catalogue) -> str:
 
 def _choose_mark(answer: MarkedAnswer) -> str:
     """The sign beside the verdict: whether all points were given, some, or none."""
-    if answer.verdict in ("blank", "void"):
+    if answer.judged in ("blank", "void"):
         return _UNDECIDED
     if answer.points >= answer.out_of:
         return _FULL
@@ -244,9 +242,4 @@ def _describe_reading(answer: MarkedAnswer, catalogue: Catalogue) -> Text:
     if answer.read_as in ("", answer.typed.strip()):
         return ""
     number = write_with_unit(answer.read_as, answer.unit).replace("-", "−")
-    return Message("feedback.read-as", number=_mark_decimals(number, catalogue))
-
-
-def _write_share(points: Fraction, out_of: Fraction, catalogue: Catalogue) -> str:
-    """Points out of the maximum."""
-    return _mark_decimals(f"{write_amount(points)} / {write_amount(out_of)}", catalogue)
+    return Message("feedback.read-as", number=mark_decimals(number, catalogue))

@@ -16,6 +16,7 @@ from typing import assert_never
 from kinegrade.grading.judging.hints import Hint
 from kinegrade.grading.wording import Wording
 from kinegrade.language.message import Message, Text
+from kinegrade.marks_folder.hand_marks import BY_HAND
 from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.numbers.written import read_number
 from kinegrade.reports.classes.tally import hint_of
@@ -32,6 +33,7 @@ _VERDICTS: Mapping[str, Message] = {
     "blank": Message("feedback.verdict-blank"),
     "unreadable": Message("feedback.verdict-unreadable"),
     "void": Message("feedback.verdict-void"),
+    BY_HAND: Message("feedback.verdict-by-hand"),
 }
 _EXPLAINED: Mapping[str, Message] = {
     "wrong unit": Message("feedback.wrong-unit"),
@@ -63,7 +65,9 @@ def name_verdict(verdict: str) -> Text:
 
 def make_remark(answer: MarkedAnswer, paper: PaperRecord, wording: Wording) -> Remark:
     """What is said about an answer."""
-    match answer.verdict:
+    match answer.judged:
+        case "by hand":
+            return Remark(note=answer.reason_given)
         case "mistake":
             return Remark(_list_mistakes(answer, wording))
         case "wrong":

@@ -1,0 +1,123 @@
+"""All marks by hand of a class: those of the files that are given, and those of the marks folder
+that is replaced, which are never lost in silence.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import chain
+from pathlib import Path
+
+from kinegrade.errors import TableError
+from kinegrade.files.tables import read_table
+from kinegrade.grading.by_hand.markable import Markable
+from kinegrade.grading.by_hand.reading import (
+    HandFile,
+    HandRow,
+    find_contradictions,
+    read_hand_file,
+)
+from kinegrade.language.message import Fault, Message
+from kinegrade.marks_folder.hand_marks import ByHand, group_by_student
+from kinegrade.marks_folder.layout import MANUAL, OPEN
+
+
+@dataclass(frozen=True, slots=True)
+class HandSources:
+    """The files that are `given`, the marks folder that is replaced, and an earlier one that this
+    marking follows.
+    """
+
+    given: tuple[Path, ...]
+    replaced: Path
+    earlier: Path | None = None
+
+    @property
+    def carried(self) -> Path | None:
+        """The file whose marks are carried over: that of the folder which is replaced, or else that
+        of the earlier one; None where there is none, or it is given.
+        """
+        folders = (self.replaced, *([self.earlier] if self.earlier else []))
+        files = (folder / MANUAL.name for folder in folders)
+        found = next((file for file in files if file.exists()), None)
+        return None if found is None or _is_among(found, self.given) else found
+
+    @property
+    def filled(self) -> Path | None:
+        """The list of open questions in the folder that is replaced, unless it is given."""
+        file = self.replaced / OPEN.name
+        if not file.exists() or _is_among(file, self.given):
+            return None
+        # Earlier versions listed questions alone, and nobody typed there
+        return file if "student" in read_table(file).header else None
+
+
+@dataclass(frozen=True, slots=True)
+class Gathered:
+    """The marks, and what is to be said of them."""
+
+    by_hand: ByHand
+    notes: tuple[Message, ...]
+
+
+def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
+    """The marks of all sources. Raises TableError with all that is wrong in any of them, and for
+    points typed into a list that would be lost.
+    """
+    given = [read_hand_file(path, markable) for path in sources.given]
+    carried = HandFile() if sources.carried is None else read_hand_file(sources.carried, markable)
+    rows = list(chain.from_iterable(file.rows for file in given))
+    replacing = {(row.mark.student, row.mark.column): row for row in rows}
+    kept = [row for row in carried.rows if (row.mark.student, row.mark.column) not in replacing]
+    faults = [
+        *chain.from_iterable(file.faults for file in (*given, carried)),
+        *find_contradictions([*kept, *rows]),
+        *_find_lost(sources, markable, [*kept, *rows]),
+    ]
+    if faults:
+        raise TableError(*faults)
+    by_hand = group_by_student(row.mark for row in (*kept, *rows))
+    return Gathered(by_hand, tuple(_say(sources, given, carried, kept, replacing)))
+
+
+def _say(
+    sources: HandSources,
+    given: Sequence[HandFile],
+    carried: HandFile,
+    kept: Sequence[HandRow],
+    replacing: dict[tuple[str, str], HandRow],
+) -> Iterator[Message]:
+    """What was carried over and replaced, and which rows have no points yet."""
+    for path, file in zip(sources.given, given, strict=True):
+        if file.unmarked:
+            yield Message("marking.unmarked-rows", file=str(path), count=file.unmarked)
+    changed = sum(
+        replacing[each.mark.student, each.mark.column].mark.points != each.mark.points
+        for each in carried.rows
+        if (each.mark.student, each.mark.column) in replacing
+    )
+    if kept:
+        yield Message("marking.carried-over", file=str(sources.carried), count=len(kept))
+    if changed:
+        yield Message("marking.replaced-by-hand", file=str(sources.carried), count=changed)
+
+
+def _find_lost(
+    sources: HandSources, markable: Markable, rows: Sequence[HandRow]
+) -> Iterator[Fault]:
+    """That points typed into the list of open questions would be lost with the folder."""
+    if sources.filled is None:
+        return
+    counted = {(row.mark.student, row.mark.column, row.mark.points) for row in rows}
+    typed = read_hand_file(sources.filled, markable)
+    marks = [row.mark for row in typed.rows]
+    lost = [mark for mark in marks if (mark.student, mark.column, mark.points) not in counted]
+    if lost or typed.faults:
+        what = Message("marking.typed-would-be-lost", count=len(lost) + len(typed.faults))
+        do = Message("marking.give-manual", file=str(sources.filled))
+        yield Fault(str(sources.filled), what, do=do)
+
+
+def _is_among(file: Path, given: Sequence[Path]) -> bool:
+    return file.resolve() in [path.resolve() for path in given]

@@ -1,0 +1,63 @@
+"""What may be marked by hand in an exam: whose papers, which questions and asks, out of how many
+points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kinegrade.ask_names import AskNames
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.roster.student_ids import StudentIds
+from kinegrade.grading.policy.policy import Policy
+from kinegrade.language.message import Message, list_plainly
+from kinegrade.marks_folder.hand_marks import EXTRA
+from kinegrade.numbers.amounts import add_amounts
+
+_SHOWN = 4  # names that a message gives as examples
+
+
+@dataclass(frozen=True, slots=True)
+class Markable:
+    """`maxima` are the points under the policy, by question and by ask; `orders` are the questions
+    of each paper that has others than the exam, or in another order.
+    """
+
+    ids: StudentIds
+    names: AskNames
+    maxima: Mapping[str, Fraction]
+    orders: Mapping[str, tuple[str, ...]]
+    by_hand: tuple[str, ...]
+
+    def is_held(self, student: str, question: str) -> bool:
+        """Whether a student's paper holds a question."""
+        if question in (*self.by_hand, EXTRA) or student not in self.orders:
+            return True
+        return question in self.orders[student]
+
+    def explain_names(self) -> Message:
+        """What can be marked, by examples."""
+        shown = list_plainly([*self.by_hand, *self.names.columns][:_SHOWN])
+        if self.names.shuffled:
+            return Message("marking.names-shuffled", names=shown, extra=EXTRA)
+        return Message("marking.names", names=shown, extra=EXTRA)
+
+
+def find_markable(exam: ExamFolder, policy: Policy) -> Markable:
+    """What may be marked by hand under a policy. Raises ExamError."""
+    head, orders = exam.head, exam.printed_orders()
+    by_hand = tuple(each.question for each in head.by_hand)
+    asks = [policy.ruling(ask.column).ask(ask) for ask in exam.asks]
+    maxima = {ask.column: ask.points for ask in asks}
+    maxima |= {
+        question: add_amounts(ask.points for ask in asks if ask.question == question)
+        for question in exam.questions
+    }
+    maxima |= {each.question: each.points for each in head.by_hand}
+    shuffled = any(
+        list(order) != sorted(order, key=exam.questions.index) for order in orders.values()
+    )
+    ids = StudentIds(exam.students, exam.codes)
+    return Markable(ids, AskNames(exam.head.columns, by_hand, shuffled), maxima, orders, by_hand)

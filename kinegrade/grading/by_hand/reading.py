@@ -1,0 +1,208 @@
+"""Files of marks by hand, read: whose mark, for what, how many points, and why.
+
+All that is wrong with them is found at once; then none of their marks counts.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from pathlib import Path
+from unicodedata import normalize
+
+from kinegrade.ask_names import Named
+from kinegrade.exam.roster.student_ids import StudentIds
+from kinegrade.files.cell_text import make_header_key, shorten
+from kinegrade.files.spreadsheet import read_workbook
+from kinegrade.files.tables import Complaint, Row, Table, drop_headers, read_table
+from kinegrade.files.workbook_inspection import is_workbook
+from kinegrade.grading.by_hand.columns import HandColumns, find_hand_columns
+from kinegrade.grading.by_hand.markable import Markable
+from kinegrade.language.message import Fault, Message, Quoted, Text, list_choices
+from kinegrade.language.spellings import list_spellings
+from kinegrade.marks_folder.hand_marks import EXTRA, HandMark
+from kinegrade.numbers.amounts import PLACES, write_amount
+
+_POINTS = re.compile(rf"\+?([0-9]{{1,9}}(?:[.,][0-9]{{1,{PLACES}}})?)")
+
+
+@dataclass(frozen=True, slots=True)
+class HandRow:
+    """A mark and where it stands."""
+
+    mark: HandMark
+    where: str
+
+
+@dataclass
+class HandFile:
+    """What was read of one file: its marks, how many rows have none yet, and what is wrong."""
+
+    rows: list[HandRow] = field(default_factory=list)
+    unmarked: int = 0
+    faults: list[Fault] = field(default_factory=list)
+
+
+def read_hand_file(path: Path, markable: Markable) -> HandFile:
+    """The marks of a CSV file or workbook. Raises TableError where it is no such table."""
+    table = read_workbook(path) if is_workbook(path) else read_table(path)
+    return _Reader(table, find_hand_columns(table), markable, str(path)).read()
+
+
+@dataclass(frozen=True)
+class _Reader:
+    table: Table
+    columns: HandColumns
+    markable: Markable
+    path: str
+    found: HandFile = field(default_factory=HandFile)
+
+    def read(self) -> HandFile:
+        """All rows."""
+        surplus = (each for each in self.table.complaints if each.content)
+        self.found.faults.extend(map(self._explain_unread, surplus))
+        rows = drop_headers(self.table)
+        students = self._find_students(rows)
+        for row in rows:
+            self._read_row(row, students)
+        return self.found
+
+    def _find_students(self, rows: Sequence[Row]) -> Mapping[str, str]:
+        """The students by the cells that name them: ids exactly, or as a spreadsheet left them."""
+        ids = self.markable.ids
+        cells = dict.fromkeys(self.columns.cell(row, self.columns.student) for row in rows)
+        exact = {cell: student for cell in cells if (student := ids.exact(cell))}
+        unknown = [cell for cell in cells if cell and cell not in exact]
+        return {**exact, **ids.restored(unknown, set(exact.values()))}
+
+    def _read_row(self, row: Row, students: Mapping[str, str]) -> None:
+        points = self.columns.cell(row, self.columns.points)
+        comment = self.columns.cell(row, self.columns.comment)
+        if not points and not comment:
+            self.found.unmarked += 1
+            return
+        student = self._find_student(row, students)
+        named = self._find_named(row)
+        if student is None or named is None:
+            return
+        amount = self._read_points(row, points, student, named)
+        if amount is None:
+            return
+        maximum = self.markable.maxima.get(named.column)
+        mark = HandMark(student, named.question, named.ask, amount, maximum, comment)
+        self.found.rows.append(HandRow(mark, f"{self.path}:{row.line}"))
+
+    def _find_student(self, row: Row, students: Mapping[str, str]) -> str | None:
+        cell = self.columns.cell(row, self.columns.student)
+        code = self.columns.cell(row, self.columns.code)
+        owner = self.markable.ids.coded(code) if code else None
+        if code and owner is None:
+            self._fault(row, code, Message("marking.no-such-code"))
+            return None
+        if not cell:
+            if owner is None:
+                self._fault(row, "", Message("marking.no-id"))
+            return owner
+        student = students.get(cell)
+        if student is None:
+            self._fault(row, "", *_explain_unknown(cell, self.markable.ids))
+        elif owner is not None and owner != student:
+            what = Message("marking.code-of-another", student=Quoted(owner))
+            self._fault(row, code, what, do=Message("marking.correct-one", student=Quoted(student)))
+            return None
+        return student
+
+    def _find_named(self, row: Row) -> Named | None:
+        written = self.columns.target(row)
+        named = self.markable.names.find(written)
+        if named is None and make_header_key(written) in list_spellings(Message("marking.extra")):
+            named = Named(EXTRA)
+        if named is None:
+            what = Message("marking.nothing-of-this-name", name=Quoted(shorten(written)))
+            self._fault(row, "", what, self.markable.explain_names())
+        return named
+
+    def _read_points(self, row: Row, cell: str, student: str, named: Named) -> Fraction | None:
+        if not self.markable.is_held(student, named.question):
+            question = Message(
+                "marking.not-on-paper", question=named.column, student=Quoted(student)
+            )
+            self._fault(row, "", question)
+            return None
+        number = _POINTS.fullmatch(normalize("NFKC", cell))
+        if number is None:
+            what = Message("marking.points-are", cell=Quoted(shorten(cell)))
+            self._fault(row, named.column, what, Message("marking.hand-points", places=PLACES))
+            return None
+        points, maximum = (
+            Fraction(number[1].replace(",", ".")),
+            self.markable.maxima.get(named.column),
+        )
+        if maximum is not None and points > maximum:
+            shown = write_amount(points), write_amount(maximum)
+            what = Message("marking.above-points", points=shown[0], maximum=shown[1])
+            self._fault(row, named.column, what, do=Message("marking.rest-as-bonus", name=EXTRA))
+            return None
+        return points
+
+    def _explain_unread(self, complaint: Complaint) -> Fault:
+        where = self.path if complaint.line is None else f"{self.path}:{complaint.line}"
+        return Fault(where, complaint.problem, do=Message("marking.correct-row"))
+
+    def _fault(
+        self, row: Row, what_for: str, what: Message, expected: Text = "", do: Text = ""
+    ) -> None:
+        where = f"{self.path}:{row.line}"
+        self.found.faults.append(
+            Fault(f"{where}: {what_for}" if what_for else where, what, expected, do)
+        )
+
+
+def _explain_unknown(cell: str, ids: StudentIds) -> tuple[Message, Text, Text]:
+    """That nobody has that id, and who may be meant."""
+    likely = ids.near(cell)
+    what = Message("marking.no-student", student=Quoted(shorten(cell)))
+    do = Message("marking.one-of", students=list_choices(map(Quoted, likely))) if likely else ""
+    return what, "", do
+
+
+def find_contradictions(rows: Iterable[HandRow]) -> Iterator[Fault]:
+    """Two marks of one student for the same thing with different points, and a mark for a question
+    as a whole beside one for a part of it.
+    """
+    seen: dict[tuple[str, str], HandRow] = {}
+    parts: dict[tuple[str, str], HandRow] = {}
+    for row in rows:
+        mark = row.mark
+        before = seen.setdefault((mark.student, mark.column), row)
+        if before.mark.points != mark.points:
+            yield _explain_twice(before, row)
+        if mark.ask:
+            parts.setdefault((mark.student, mark.question), row)
+    for (student, question), part in parts.items():
+        if (student, question) in seen:
+            yield _explain_whole_and_part(seen[student, question], part)
+
+
+def _explain_twice(first: HandRow, second: HandRow) -> Fault:
+    what = Message(
+        "marking.twice-by-hand",
+        student=Quoted(second.mark.student),
+        column=second.mark.column,
+        here=write_amount(second.mark.points),
+        there=write_amount(first.mark.points),
+        place=first.where,
+    )
+    return Fault(second.where, what, do=Message("marking.keep-one"))
+
+
+def _explain_whole_and_part(whole: HandRow, part: HandRow) -> Fault:
+    what = Message(
+        "marking.whole-and-part",
+        student=Quoted(part.mark.student),
+        column=part.mark.column,
+        place=whole.where,
+    )
+    return Fault(part.where, what, do=Message("marking.keep-one"))

@@ -1,0 +1,138 @@
+"""Marks by hand put in the place of those of the machine, which are kept beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Set
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+from kinegrade.exam.folder.records import ExamHead
+from kinegrade.files.tables import Complaint
+from kinegrade.grading.marks import ClassGrades, MarkedBlock
+from kinegrade.language.message import Message
+from kinegrade.marks_folder.hand_marks import (
+    EXTRA,
+    ByHand,
+    HandMark,
+    find_only_by_hand,
+    group_by_student,
+    list_hand_marks,
+    settle_points,
+)
+from kinegrade.marks_folder.layout import OPEN
+from kinegrade.marks_folder.open_questions import OpenQuestion, describe_lacking
+from kinegrade.marks_folder.rows import Grade
+from kinegrade.numbers.amounts import add_amounts
+from kinegrade.question_numbers import sort_as_in_bank
+
+
+@dataclass(frozen=True)
+class HandMarking:
+    """The marks `by_hand` of a class; `machine` is what the machine gave to the asks they are for,
+    by student and column, as far as the class has been marked.
+    """
+
+    by_hand: ByHand
+    head: ExamHead
+    machine: dict[tuple[str, str], Fraction] = field(default_factory=dict)
+
+    def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
+        """The same blocks; what the machine gave is noted on the way."""
+        for block in blocks:
+            width = len(block.asks)
+            for row, (paper, _) in enumerate(block.judged.rows):
+                for number, ask in enumerate(block.asks):
+                    if ask.column in self.by_hand.get(paper.student, ()):
+                        _, share = block.judged.decision(row * width + number)
+                        self.machine[paper.student, ask.column] = share * ask.points
+            yield block
+
+    @property
+    def bonus(self) -> Set[str]:
+        """What hands mark and comes on top of the maximum."""
+        return {each.question for each in self.head.by_hand if each.bonus} | {EXTRA}
+
+    def settle(self, grades: ClassGrades) -> Settled:
+        """The grades with the marks by hand, after all blocks have been watched."""
+        beside = group_by_student(
+            self._put_beside(mark, grade, grades.questions)
+            for grade in grades.grades
+            for mark in self.by_hand.get(grade.student, {}).values()
+        )
+        only = find_only_by_hand(beside)
+        questions = sort_as_in_bank((*grades.questions, *only))
+        settled = [
+            self._settle_grade(grade, grades.questions, questions, beside, only)
+            for grade in grades.grades
+        ]
+        still_open = tuple(self._list_open(settled, only))
+        lacking = [_complain_of_lacking(each) for each in still_open if each.counts]
+        complaints = (*lacking, *grades.complaints)
+        found = replace(grades, questions=questions, grades=tuple(settled), complaints=complaints)
+        extra = {name: points for name, points in only.items() if name in self.bonus}
+        return Settled(found, beside, still_open, extra)
+
+    def _put_beside(self, mark: HandMark, grade: Grade, questions: tuple[str, ...]) -> HandMark:
+        """The mark with what the machine gave in the same place."""
+        if mark.ask:
+            return replace(mark, machine=self.machine[mark.student, mark.column])
+        if mark.question not in questions:
+            return mark
+        return replace(mark, machine=grade.points[questions.index(mark.question)])
+
+    def _settle_grade(
+        self,
+        grade: Grade,
+        before: tuple[str, ...],
+        questions: tuple[str, ...],
+        beside: ByHand,
+        only: Mapping[str, Fraction],
+    ) -> Grade:
+        given = zip(before, grade.points, strict=True)
+        machine = {name: points for name, points in given if points is not None}
+        marks = beside.get(grade.student, {}).values()
+        points = settle_points({**machine, **dict.fromkeys(only, Fraction(0))}, marks)
+        more = add_amounts(worth for name, worth in only.items() if name not in self.bonus)
+        return replace(
+            grade,
+            points=tuple(map(points.get, questions)),
+            out_of=grade.out_of + more,
+            absent=grade.absent and not marks,
+        )
+
+    def _list_open(
+        self, grades: Iterable[Grade], only: Mapping[str, Fraction]
+    ) -> Iterator[OpenQuestion]:
+        """Who is still to be marked by hand; where others have been, the absent are not."""
+        everybody = list(grades)
+        for each in self.head.by_hand:
+            counts = each.question in only
+            students = tuple(
+                grade.student
+                for grade in everybody
+                if each.question not in self.by_hand.get(grade.student, ())
+                and not (counts and grade.absent)
+            )
+            if students:
+                yield OpenQuestion(each.question, each.points, students, counts)
+
+
+@dataclass(frozen=True, slots=True)
+class Settled:
+    """The grades, the marks by hand with what the machine gave beside them, who is still to be
+    marked by hand, and what hands mark on top of the maximum.
+    """
+
+    grades: ClassGrades
+    by_hand: ByHand
+    still_open: tuple[OpenQuestion, ...]
+    bonus: Mapping[str, Fraction]
+
+    def list_marks(self) -> Iterator[HandMark]:
+        """All marks by hand."""
+        return list_hand_marks(self.by_hand)
+
+
+def _complain_of_lacking(question: OpenQuestion) -> Complaint:
+    done = Message("marking.fill-in-open", file=OPEN.name)
+    return Complaint(OPEN.name, None, "", "", describe_lacking(question), done)
