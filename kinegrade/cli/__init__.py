@@ -13,6 +13,7 @@ import os
 import click
 
 from kinegrade import __version__
+from kinegrade.cli.appeals import explain
 from kinegrade.cli.choosing import list_templates, show
 from kinegrade.cli.doctor import doctor
 from kinegrade.cli.exams import archive, generate, verify
@@ -62,6 +63,7 @@ for command in (
     diff,
     class_report,
     feedback,
+    explain,
     sharing,
     export,
     term,

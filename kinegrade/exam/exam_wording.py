@@ -17,7 +17,7 @@ from kinegrade.language import Language
 from kinegrade.problem.printed_givens import find_printed_givens
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Template
-from kinegrade.problem.template.texts import require_language
+from kinegrade.problem.template.texts import find_language_faults, require_language
 from kinegrade.students.mistaking.mistake_names import describe_all_mistakes
 
 
@@ -64,6 +64,12 @@ def read_exam_wording(exam: ExamFolder, language: Language) -> ExamWording:
         title,
         course,
     )
+
+
+def read_nearest_wording(exam: ExamFolder, language: Language) -> ExamWording:
+    """The words of an exam in a language, or in that of the papers where a template lacks it."""
+    lacking = find_language_faults(exam.templates.readable.values(), language)
+    return read_exam_wording(exam, exam.language if lacking else language)
 
 
 def _read_names(exam: ExamFolder, language: Language) -> tuple[str, str, Mapping[str, str]]:

@@ -18,7 +18,8 @@ from fractions import Fraction
 from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.grading.judging.decision import Decision
 from kinegrade.grading.judging.judge import Verdict, judge
-from kinegrade.grading.judging.trivial_answers import Later, Own, WhatFollows, is_trivial
+from kinegrade.grading.judging.own_answers import EarlierAnswers, find_followed, select_used
+from kinegrade.grading.judging.trivial_answers import Later, Own, is_trivial
 from kinegrade.grading.policy.policy import Ruling
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Message, Text, list_all
@@ -27,7 +28,6 @@ from kinegrade.language.message import Message, Text, list_all
 # A misplaced decimal point, revolutions per minute (9.5) and degrees for radians (57.3) are inside.
 _LEAST, _MOST = Fraction(1, 20), 60
 _SIGN_ALONE = Fraction(1, 100)  # of the right answer: a wrong one no farther off but for its sign
-_SAME = Fraction(1, 10**9)  # relative: closer values differ only by rounding
 
 
 # Of a student, in a question, from the answers to some of its asks, for another ask: the values in
@@ -102,7 +102,7 @@ def follow_answers(
     found: dict[str, Decision] = {}
     if any(answer.is_absurd for answer in answers):
         return found
-    earlier = _Earlier({}, {}, {answer.ask.ask: answer.key.value for answer in answers}, {})
+    earlier = EarlierAnswers({}, {}, {answer.ask.ask: answer.key.value for answer in answers}, {})
     for stage in follows.sorted(answers):
         for answer in stage:
             value = answer.own_value
@@ -132,30 +132,8 @@ def _sort_by_points(answers: Sequence[Decided]) -> list[Decided]:
     return ordered
 
 
-@dataclass(frozen=True, slots=True)
-class _Earlier:
-    """The student's answers so far, wrong and right, the right values, and the asks on which an
-    answer that earned follow-through rests.
-    """
-
-    wrong: dict[str, Fraction]
-    right: dict[str, Fraction]
-    keys: Own
-    basis: dict[str, Collection[str]]
-
-    def leave_out(self, ask: str) -> _Earlier:
-        """Without the answer to an ask, and without those that rest on it."""
-        wrong = {name: value for name, value in self.wrong.items() if not self._rests(name, ask)}
-        right = {name: value for name, value in self.right.items() if name != ask}
-        return _Earlier(wrong, right, self.keys, self.basis)
-
-    def _rests(self, name: str, ask: str) -> bool:
-        """Whether an answer is that to an ask, or rests on it."""
-        return name == ask or any(self._rests(each, ask) for each in self.basis.get(name, ()))
-
-
 def _find_credits(
-    student: str, answer: Decided, earlier: _Earlier, follows: Follows
+    student: str, answer: Decided, earlier: EarlierAnswers, follows: Follows
 ) -> Iterator[tuple[Verdict, Collection[str]]]:
     """Agreements with what follows from the student's answers, at least one of them wrong and none
     of them copied or making the rest trivial; each with the wrong answers that it rests on.
@@ -169,9 +147,9 @@ def _find_credits(
         return judge(answer.reading, answer.ruling.beside(answer.key, value))
 
     later = Later(what_follows, lambda value: compared(value).kind == "right")
-    for answers, value in _find_followed(earlier, what_follows):
+    for answers, value in find_followed(earlier, what_follows):
         if later.agrees(value):
-            used = _select_used(answers, value, what_follows)
+            used = select_used(answers, value, what_follows)
             wrong = used.keys() & earlier.wrong.keys()
             copied = any(_is_copied(answer, used[name], earlier.keys[name]) for name in wrong)
             if not copied and not any(
@@ -195,36 +173,6 @@ def _is_copied(answer: Decided, own: Fraction, right: Fraction) -> bool:
         ).kind
         != "right"
     )
-
-
-def _find_followed(earlier: _Earlier, what_follows: WhatFollows) -> Iterator[tuple[Own, Fraction]]:
-    """What follows from all wrong answers, from single ones, and from wrong and right ones
-    together. A student may have carried on from one answer and not from another, and what would
-    follow for a third may still be right.
-    """
-    wrong, right = earlier.wrong, earlier.right
-    singles = ({name: wrong[name]} for name in reversed(tuple(wrong)) if len(wrong) > 1)
-    for answers in (wrong, *singles):
-        for value in what_follows(answers):
-            yield answers, value
-    for value in what_follows({**wrong, **right}) if right else ():
-        if not _is_among(value, what_follows(right)):
-            yield {**wrong, **right}, value
-
-
-def _select_used(answers: Own, value: Fraction, what_follows: WhatFollows) -> Own:
-    """The answers without which a different value would follow."""
-    used = dict(answers)
-    for name in answers:
-        rest = {each: number for each, number in used.items() if each != name}
-        if rest and _is_among(value, what_follows(rest)):
-            used = rest
-    return used
-
-
-def _is_among(value: Fraction, others: Sequence[Fraction]) -> bool:
-    """Whether it is one of the others, but for rounding."""
-    return any(abs(other - value) <= _SAME * abs(value) for other in others)
 
 
 def _explain(question: str, used: Own, comparison: Text) -> Message:
