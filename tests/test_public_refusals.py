@@ -73,9 +73,9 @@ def test_options_of_an_exam_that_are_unknown_or_contradict_each_other(
             "--lang: only the generic sheet has headers that can be translated - leave it out",
         ),
         (
-            "xlsx",
-            {"into": "download.csv"},
-            "--into: a spreadsheet is written anew - leave it out, or choose a system",
+            "moodle",
+            {"overwrite": True},
+            "--overwrite: cells of a download are filled anyway - leave it out, or fill a workbook",
         ),
         ("moodle", {"maximum": 0}, '"0": expected a number above zero, like 10 or 12.5'),
         (

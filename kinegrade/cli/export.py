@@ -46,6 +46,10 @@ def _list_files() -> Iterable[str]:
     metavar="DOWNLOAD",
 )
 @click.option(
+    "--overwrite",
+    is_flag=True,
+)
+@click.option(
     "--column",
     "columns",
     multiple=True,

@@ -13,9 +13,9 @@ from kinegrade.errors import OptionError, Problem
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.output import write_file
 from kinegrade.grading.same_key import require_same_key
-from kinegrade.language.message import Fault, Message, Part, Quoted, list_plainly
-from kinegrade.lms.grades.dialect import Dialect, ExportOptions
-from kinegrade.lms.grades.fill_in import fill_in
+from kinegrade.language.message import Fault, Message, Part, Quoted, Text, list_plainly
+from kinegrade.lms.grades.dialect import ExportOptions
+from kinegrade.lms.grades.fill_in import Filled, fill_in
 from kinegrade.lms.grades.from_scratch import new_file
 from kinegrade.lms.grades.grades import TOTAL, ClassGrades, read_grades
 from kinegrade.lms.grades.systems import GRADE_FILES, SYSTEMS, WORKBOOK
@@ -39,7 +39,7 @@ def export(
     options: ExportOptions = _ORDINARY,
 ) -> Outcome:
     """Write the grades of a class as a learning management system takes them, as `kinegrade export`
-    does; `to="xlsx"` is one spreadsheet with everything.
+    does; `to="xlsx"` is one spreadsheet with everything, or somebody's workbook with the grades.
 
     E-mail addresses and the title come from the exam. Raises KinegradeError.
 
@@ -58,25 +58,23 @@ def export(
     require_known(options)
     if options.language is not None and not (to in SYSTEMS and SYSTEMS[to].speaks):
         raise OptionError(Message("terminal.no-headers"))
-    if to == WORKBOOK:
-        return _export_workbook(marks, place, options, force=force)
+    if to == WORKBOOK and options.into is None:
+        return _export_workbook(marks, place, force=force)
+    if options.overwrite and to != WORKBOOK:
+        raise OptionError(Message("terminal.no-overwrite"))
     grades = read_grades(marks, exam)
     _require_sense(options, grades)
     options = replace(options, title=options.title.strip())
-    made = _make_file(SYSTEMS[to], grades, options)
+    made = _make_file(to, grades, options)
     write_file(place, made.content, force=force)
     notes = *made.notes, _tell(made, place, grades, options), *_list_above(grades, options)
     return Outcome(place, notes, (*made.complaints, *_list_open(marks, place)))
 
 
-def _export_workbook(
-    marks: MarksFolder, place: Path, options: ExportOptions, *, force: bool
-) -> Outcome:
+def _export_workbook(marks: MarksFolder, place: Path, *, force: bool) -> Outcome:
     """One spreadsheet with everything, which is no file of another system."""
     from kinegrade.lms.workbook import workbook
 
-    if options.into is not None:
-        raise OptionError(Message("terminal.no-into"))
     write_file(place, workbook(marks), force=force)
     return Outcome(place, (), tuple(_list_open(marks, place)))
 
@@ -101,28 +99,37 @@ def _list_above(grades: ClassGrades, options: ExportOptions) -> Iterator[Message
 class _Made:
     """The content of a file, how many students have a grade in it, and what is to be said of it."""
 
-    dialect: Dialect
+    system: Text
     content: bytes
     students: int
     complaints: tuple[Problem, ...]
     notes: tuple[Problem, ...] = ()
 
 
-def _make_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> _Made:
-    if options.into is None:
-        new = new_file(dialect, grades, options)
-        complaints = tuple(complaint.fault for complaint in new.complaints)
-        return _Made(dialect, new.text.encode(), new.students, complaints)
-    filled = fill_in(dialect, grades, Path(options.into), options)
+def _make_file(to: str, grades: ClassGrades, options: ExportOptions) -> _Made:
+    into = None if options.into is None else Path(options.into)
+    if to == WORKBOOK and into is not None:
+        from kinegrade.lms.grades.office.filling import fill_workbook
+
+        return _say_filled(into.name, fill_workbook(grades, into, options))
+    dialect = SYSTEMS[to]
+    if into is not None:
+        return _say_filled(dialect.name, fill_in(dialect, grades, into, options))
+    new = new_file(dialect, grades, options)
+    complaints = tuple(complaint.fault for complaint in new.complaints)
+    return _Made(dialect.name, new.text.encode(), new.students, complaints)
+
+
+def _say_filled(system: Text, filled: Filled) -> _Made:
     complaints = tuple(complaint.fault for complaint in filled.complaints)
-    return _Made(dialect, filled.content, filled.students, complaints, filled.notes)
+    return _Made(system, filled.content, filled.students, complaints, filled.notes)
 
 
 def _tell(made: _Made, place: Path, grades: ClassGrades, options: ExportOptions) -> Part:
     """How many students were exported, and how many were not."""
     absent = len(grades.students) - len(grades.exported(ungraded=options.ungraded))
     exported = Message(
-        "terminal.exported", file=str(place), count=made.students, system=made.dialect.name
+        "terminal.exported", file=str(place), count=made.students, system=made.system
     )
     if not absent:
         return exported

@@ -118,7 +118,7 @@ def test_a_spreadsheet_for_people(tmp_path: Path) -> None:
         (("--to", "moodle", "--maximum", "0"), '"0": expected a number above zero'),
         (
             ("--to", "xlsx", "--into", "a.csv"),
-            "--into: a spreadsheet is written anew - leave it out, or choose a system",
+            "error: a.csv: cannot be read (No such file or directory) - expected a workbook",
         ),
         (("--to", "moodle", "--into", "missing.csv"), "error: missing.csv: cannot be read"),
     ],

@@ -159,7 +159,8 @@ class Dialect:
 class ExportOptions:
     """What the instructor asks for.
 
-    `into` is a downloaded file to be filled in, in place of a new one. `by` are the fields to match
+    `into` is a downloaded file to be filled in, in place of a new one; with `overwrite`, cells of a
+    workbook that hold something else are filled, too. `by` are the fields to match
     or to write, empty for the system's default; `columns` the headers by item, the total's under
     ""; `feedback` None where the system decides; `maximum` the item's maximum in the system, to
     which grades are scaled; `scale` scales to the maximum that the file states; `language` that of
@@ -176,3 +177,4 @@ class ExportOptions:
     maximum: Fraction | int | None = None
     language: str | None = None
     into: str | PathLike[str] | None = None
+    overwrite: bool = False
