@@ -75,7 +75,8 @@ def test_options_of_an_exam_that_are_unknown_or_contradict_each_other(
         (
             "moodle",
             {"overwrite": True},
-            "--overwrite: cells of a download are filled anyway - leave it out, or fill a workbook",
+            "--overwrite: cells of a download are filled anyway - leave it out, or fill a workbook "
+            "(--to xlsx --into)",
         ),
         ("moodle", {"maximum": 0}, '"0": expected a number above zero, like 10 or 12.5'),
         (
