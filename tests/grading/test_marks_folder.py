@@ -48,6 +48,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     mark = HandMark("7", "q2", "v", Fraction(2), Fraction(2), "=fine", Fraction(2))
     writer.by_hand([mark])
     writer.bonus({"q2": Fraction(2)})
+    writer.corrections(12)
     writer.policy("")
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(FILES)
     (total,) = open_marks(tmp_path).totals.students
@@ -67,6 +68,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     assert (folder.put, folder.printed) == ({"7": {"q1.v": "8"}}, {"7": ("q2", "q1")})
     assert folder.open == (OpenQuestion("q3", HALF, ("7",)),)
     assert folder.by_hand == {"7": {"q2.v": mark}}
+    assert folder.corrections == 12
 
 
 def test_files_that_not_every_folder_has_are_not_missed(tmp_path: Path) -> None:
