@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from kinegrade.public.assigning import assign
     from kinegrade.public.bank import Bank
     from kinegrade.public.class_page import report
+    from kinegrade.public.entries import compare_entries
     from kinegrade.public.exporting import export
     from kinegrade.public.generating import add_students, generate
     from kinegrade.public.marking import GradeOptions, grade
@@ -43,6 +44,7 @@ __all__ = [
     "__version__",
     "add_students",
     "assign",
+    "compare_entries",
     "export",
     "feedback",
     "generate",
@@ -64,6 +66,7 @@ _HOMES = {
     "Roster": "exam.roster.roster",
     "add_students": "public.generating",
     "assign": "public.assigning",
+    "compare_entries": "public.entries",
     "export": "public.exporting",
     "feedback": "public.sheets",
     "generate": "public.generating",

@@ -16,6 +16,7 @@ from kinegrade import __version__
 from kinegrade.cli.appeals import explain
 from kinegrade.cli.choosing import list_templates, show
 from kinegrade.cli.doctor import doctor
+from kinegrade.cli.entries import compare_entries
 from kinegrade.cli.exams import archive, generate, verify
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
@@ -59,6 +60,7 @@ for command in (
     archive,
     verify,
     doctor,
+    compare_entries,
     grade,
     diff,
     class_report,

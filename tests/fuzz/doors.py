@@ -38,6 +38,8 @@ tolerance = { figures = 2 }
 void = "full"
 """
 ANSWERS = "student,name,q1.v_x,q1.v_y\n007,x,-2,7.7\n0012,,1.5e1,\nS9,,abc,0.5\nx-4,,-3 m/s,\n"
+MANUAL = 'student,question,points,comment\n007,q1,2.5,neat\n0012,1a,1,\nS9,bonus,"1,5",=why\n'
+LONG = "student,ask,answer\nS9,1b,0.5\n007,q1.v_x,-2\nx-4,v_x,-3 m/s\n"
 MOODLE = (
     '"Last name","First name","ID number","Email address",Status,Grade/3.00,"Response 1"\n'
     '王,伟,007,wei@example.org,Finished,3.00,"part 1: -2; part 2: 7.7"\n'
@@ -77,6 +79,8 @@ REPORT = ("report", "EXAM", "MARKS", "-o", "OUT")
 FEEDBACK = ("feedback", "EXAM", "MARKS", "-o", "OUT", "--format", "md")
 EXPORT = ("export", "MARKS", "--to", "generic", "-o", "OUT")
 QUIZ = ("quiz", "EXAM", "--to", "moodle-xml", "-o", "OUT")
+BY_HAND = (*GRADE, "--manual", "manual.csv")
+LONG_GRADE = ("grade", "EXAM", "long.csv", "-o", "OUT")
 NEVER_LOWER = (*GRADE, "--never-lower", "MARKS")
 
 DOORS = (
@@ -85,8 +89,8 @@ DOORS = (
     Door("template", "crank.toml", ("solve", "crank.toml")),
     Door("shown", "crank.toml", ("show", "crank.toml")),
     Door("answers", "answers.csv", GRADE),
-    Door("answers", "answers.csv", GRADE),
-    Door("workbook", "answers.xlsx", BOOK),
+    Door("by hand", "manual.csv", BY_HAND),
+    Door("long", "long.csv", LONG_GRADE),
     Door("workbook", "answers.xlsx", BOOK),
     Door("moodle", "moodle.csv", MOODLE_GRADE),
     Door("sheet", "answers.csv", (*GRADE, "--from", "sheet")),
@@ -111,6 +115,8 @@ def write_material(folder: Path) -> None:
         "crank.toml": crank_text(),
         "policy.toml": POLICY,
         "answers.csv": ANSWERS,
+        "manual.csv": MANUAL,
+        "long.csv": LONG,
         "moodle.csv": MOODLE,
         "gradebook.csv": GRADEBOOK,
     }

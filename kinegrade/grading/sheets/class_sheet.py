@@ -11,12 +11,13 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 
-from kinegrade.exam.folder.keys import Sitting
+from kinegrade.exam.folder.keys import Ask, Sitting
 from kinegrade.files.answer_file import AnswerFile, LeftOut
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.tables import Complaint, Table
 from kinegrade.grading.sheets.part import read_part
 from kinegrade.grading.sheets.sheet import Entry, Part, Place, Sheet
+from kinegrade.grading.typed.same_answer import are_same
 from kinegrade.language.message import Message, Quoted
 
 _Entries = Mapping[str, tuple[Entry, ...]]
@@ -39,7 +40,7 @@ def class_sheet(files: Sequence[AnswerFile], exam: Sitting) -> Sheet:
         next((part.columns[number] for part in parts if part.columns[number]), "")
         for number in range(len(exam.asks))
     )
-    entries, conflicts = _join(parts)
+    entries, conflicts = _join(parts, exam.asks)
     left_out = [each for answers in files for each in answers.left_out]
     complaints = [
         *(complaint for part in parts for complaint in part.complaints),
@@ -56,7 +57,7 @@ def class_sheet(files: Sequence[AnswerFile], exam: Sitting) -> Sheet:
     )
 
 
-def _join(parts: Sequence[Part]) -> tuple[_Entries, list[Complaint]]:
+def _join(parts: Sequence[Part], asks: Sequence[Ask]) -> tuple[_Entries, list[Complaint]]:
     if len(parts) == 1:
         return parts[0].entries, []
     found: dict[str, list[tuple[Entry, ...]]] = defaultdict(list)
@@ -71,7 +72,7 @@ def _join(parts: Sequence[Part]) -> tuple[_Entries, list[Complaint]]:
             continue
         first, *others = (entries[0] for entries in several)
         for other in others:
-            conflicts += _find_conflicts(student, first, other, parts)
+            conflicts += _find_conflicts(student, first, other, parts, asks)
             first = _unite(first, other)
         together[student] = (first,)
     return together, conflicts
@@ -126,11 +127,13 @@ def _unite(first: Entry, other: Entry) -> Entry:
 
 
 def _find_conflicts(
-    student: str, first: Entry, other: Entry, parts: Sequence[Part]
+    student: str, first: Entry, other: Entry, parts: Sequence[Part], asks: Sequence[Ask]
 ) -> Iterator[Complaint]:
     columns = {part.file: part.columns for part in parts}
     for number, (mine, others) in enumerate(zip(first.responses, other.responses, strict=True)):
-        if not is_answered(mine) or not is_answered(others) or trim(mine) == trim(others):
+        if not is_answered(mine) or not is_answered(others):
+            continue
+        if are_same(mine, others, asks[number].unit):
             continue
         place, there = first.place(number), other.place(number)
         problem = Message(

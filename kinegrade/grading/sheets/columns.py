@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from operator import itemgetter
 from unicodedata import normalize
 
+from kinegrade.ask_names import AskNames
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.roster.known_columns import (
@@ -19,12 +20,15 @@ from kinegrade.exam.roster.known_columns import (
 from kinegrade.files.answer_file import AnswerFile, Sources
 from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.tables import Table
+from kinegrade.grading.sheets.sheet import Place
 from kinegrade.language.message import Fault, Message, Text, list_plainly
 
 _NO_STUDENT_COLUMN = Message("marking.no-student-column")
 _ANSWER_COLUMN = re.compile(
     r"q[0-9]+[a-z]?\.\w+"
 )  # as generate writes the headers of the answer sheet
+
+_UNIT = re.compile(r"\s*[(\[][^()\[\]]*[)\]]$")  # "q1.v_B (m/s)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +66,18 @@ class Columns:
         return {
             line: tuple(["" if index is None else sources[index - 1] for index in self.asks])
             for line, sources in answers.put.items()
+        }
+
+    def places(self, answers: AnswerFile) -> Mapping[int, tuple[Place, ...]]:
+        """By line, the place of the answer to each ask, in the order of the asks, where the answers
+        of a row stand on lines of their own.
+        """
+        file = answers.table.file
+        return {
+            line: tuple(
+                [Place(file, line if index is None else lines[index - 1]) for index in self.asks]
+            )
+            for line, lines in answers.lines.items()
         }
 
 
@@ -123,9 +139,21 @@ def _find_ask_columns(header: Sequence[str], asks: Sequence[Ask]) -> tuple[int |
 
     def find(column: str) -> int | None:
         key = make_header_key(column)
-        return exact.get(_make_exact_key(column), folded.get(key) if alike[key] == 1 else None)
+        found = exact.get(_make_exact_key(column), folded.get(key) if alike[key] == 1 else None)
+        return described.get(column) if found is None else found
 
+    described = _find_described(header, [ask.column for ask in asks])
     return tuple(find(ask.column) for ask in asks)
+
+
+def _find_described(header: Sequence[str], columns: Sequence[str]) -> Mapping[str, int]:
+    """The columns whose headers name an ask otherwise, or with its unit behind: q1a, q1.v_B
+    (m/s).
+    """
+    names = AskNames(columns, shuffled=True)
+    backwards = list(enumerate(header))[::-1]
+    found = ((names.find(_UNIT.sub("", cell)), index) for index, cell in backwards)
+    return {named.column: index for named, index in found if named is not None and named.ask}
 
 
 def _make_exact_key(column: str) -> str:

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from kinegrade.exam.folder.keys import Sitting
 from kinegrade.exam.roster.student_ids import StudentIds, describe_restoration
 from kinegrade.exam.roster.students import make_student_key
-from kinegrade.files.answer_file import AnswerFile, Sources
+from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.files.tables import Complaint, Row, Table, drop_headers
@@ -34,10 +34,14 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
     table = answers.table
     columns = find_columns(table, exam.asks)
     rows, complaints = _group_rows(table, columns, exam)
-    responses, put = columns.responses(), columns.sources(answers)
-    entries = {
-        student: _make_entries(rows[student], table.file, responses, put) for student in rows
-    }
+    responses, put, places = columns.responses(), columns.sources(answers), columns.places(answers)
+
+    def make_entry(row: Row, kept: str) -> Entry:
+        sources = put.get(row.line, ())
+        given = responses(row.cells)
+        return Entry(row.line, given, kept, table.file, sources, places.get(row.line, ()))
+
+    entries = {student: _make_entries(rows[student], make_entry) for student in rows}
     names = ("" if index is None else table.header[index] for index in columns.asks)
     said = (*table.complaints, *_find_extra_columns(table, columns), *complaints)
     return Part(table.file, tuple(names), entries, said)
@@ -108,20 +112,12 @@ def _join_row(row: Row) -> str:
 
 
 def _make_entries(
-    rows: Sequence[Row],
-    file: str,
-    responses: Callable[[tuple[str, ...]], tuple[str, ...]],
-    put: Mapping[int, Sources],
+    rows: Sequence[Row], make_entry: Callable[[Row, str], Entry]
 ) -> tuple[Entry, ...]:
+    """The entries of a student; where there are several, each keeps its row as it came."""
     if len(rows) == 1:
-        (row,) = rows
-        return (Entry(row.line, responses(row.cells), "", file, put.get(row.line, ())),)
-    return tuple(
-        [
-            Entry(row.line, responses(row.cells), _join_row(row), file, put.get(row.line, ()))
-            for row in rows
-        ]
-    )
+        return (make_entry(rows[0], ""),)
+    return tuple([make_entry(row, _join_row(row)) for row in rows])
 
 
 def _find_extra_columns(table: Table, columns: Columns) -> Iterator[Complaint]:

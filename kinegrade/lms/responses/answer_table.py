@@ -91,6 +91,8 @@ def read_responses(
     table = replace(table, file=name or table.file, rows=drop_headers(table))
     system = detected(table) if wishes.source is None else _known(wishes.source, path)
     typed = DIALECTS[system].read(table, exam.head, wishes.attempts)
+    if typed.by_number:
+        _refuse_shuffled(table.file, exam)
     everybody = [*(each.row for each in typed.rows), *(each.row for each in typed.not_taken)]
     people = People(exam.head.students)
     columns = people.columns(everybody, typed.people, typed.named)
@@ -102,6 +104,14 @@ def read_responses(
     answers = _answers(_Read(table, typed, columns, found), variants, exam)
     assumed = _assumed(table, system, wishes.source, typed, columns)
     return Responses(answers, system, (*assumed, *_restored(table.file, found)))
+
+
+def _refuse_shuffled(file: str, exam: ExamFolder) -> None:
+    """Raises TableError where a number alone is another question on each paper."""
+    if exam.printed_orders():
+        first = exam.head.columns[0]
+        expected = Message("responses.full-name", column=first)
+        raise TableError(Fault(file, Message("responses.numbers-shuffled"), expected))
 
 
 def _refuse_another_class(
@@ -157,7 +167,7 @@ def _answers(read: _Read, variants: Variants | None, exam: ExamFolder) -> Answer
     )
     header = ("student", *typed.columns)
     sheet = replace(table, header=header, rows=tuple(_rows(pairs)), complaints=complaints)
-    return AnswerFile(sheet, put, tuple(each for each in left if each.student))
+    return AnswerFile(sheet, put, tuple(each for each in left if each.student), typed.lines)
 
 
 def _known(source: str, path: Path) -> str:

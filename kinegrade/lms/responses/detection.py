@@ -10,7 +10,7 @@ from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.tables import Table
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, list_plainly
-from kinegrade.lms.responses import canvas, google_forms, moodle, ms_forms, sheet, wjx
+from kinegrade.lms.responses import canvas, google_forms, long, moodle, ms_forms, sheet, wjx
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 
 
@@ -29,6 +29,7 @@ DIALECTS: Mapping[str, Dialect] = {
     "wjx": Dialect(wjx.TITLE, wjx.recognises, wjx.read),
     "ms-forms": Dialect(ms_forms.TITLE, ms_forms.recognises, ms_forms.read),
     "google-forms": Dialect(google_forms.TITLE, google_forms.recognises, google_forms.read),
+    "long": Dialect(long.TITLE, long.recognises, long.read),
     "sheet": Dialect(sheet.TITLE, sheet.recognises, sheet.read),
 }
 

@@ -55,7 +55,9 @@ class TypedRows:
     download's columns they come from. One of the columns `people`, or of those `named` for it,
     identifies the student. `assumed` states which column was taken for what. `not_taken` are rows
     whose answers do not count. `drawn` are the groups of columns that a system draws together from
-    a pool; where it is empty, each column is drawn by itself.
+    a pool; where it is empty, each column is drawn by itself. `lines` are those of the single
+    responses, by the line of their row, where each stands on its own; `by_number` is whether
+    questions are named by their numbers alone.
     """
 
     columns: tuple[str, ...]
@@ -67,6 +69,8 @@ class TypedRows:
     assumed: tuple[Message, ...] = ()
     not_taken: tuple[NotTaken, ...] = ()
     drawn: tuple[tuple[str, ...], ...] = ()
+    lines: Mapping[int, tuple[int, ...]] = field(default_factory=dict)
+    by_number: bool = False
 
 
 def whole(row: Row) -> str:

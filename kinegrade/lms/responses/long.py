@@ -1,0 +1,161 @@
+"""Answers one below the other: a line for each student and ask, in any order, by the id or by the
+code of the paper. What belongs to one student becomes one row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from kinegrade.ask_names import AskNames
+from kinegrade.errors import TableError
+from kinegrade.exam.folder.records import ExamHead
+from kinegrade.exam.roster.known_columns import (
+    list_code_columns,
+    list_column_names,
+    list_key_columns,
+)
+from kinegrade.exam.roster.student_ids import StudentIds
+from kinegrade.files.cell_text import is_answered, make_header_key, shorten, trim
+from kinegrade.files.tables import Complaint, Row, Table
+from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.language.spellings import list_preferred_spellings
+from kinegrade.lms.responses.people import Kind
+from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
+
+TITLE = Message("responses.long")
+_QUESTION = Message("marking.columns-question")
+_ASK = Message("marking.columns-ask")
+_ANSWER = Message("marking.columns-answer")
+
+
+@dataclass(frozen=True, slots=True)
+class _Columns:
+    """The places of the columns; `parts` are those that name the ask, the question first."""
+
+    people: Mapping[Kind, Sequence[int]]
+    parts: tuple[int, ...]
+    answer: int
+
+
+def recognises(header: Sequence[str]) -> bool:
+    """Whether there is a column of asks and one of answers beside one that identifies the
+    student.
+    """
+    return _find_columns(header) is not None
+
+
+def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
+    """A row for each student. Raises TableError where it is no such table; lines that name no ask,
+    and different answers to the same one, are complained of.
+    """
+    columns = _find_columns(table.header)
+    if columns is None:
+        raise TableError(Fault(table.file, Message("responses.not-long")))
+    gathered = _Gathered(table, columns, head)
+    for row in table.rows:
+        gathered.take(row)
+    return gathered.typed_rows()
+
+
+def _find_columns(header: Sequence[str]) -> _Columns | None:
+    keys = [make_header_key(name) for name in header]
+
+    def find(names: Sequence[str]) -> list[int]:
+        return [keys.index(name) for name in names if name in keys][:1]
+
+    named_by = find(list_key_columns())
+    codes = [place for place in find(list_code_columns()) if place not in named_by]
+    people: dict[Kind, Sequence[int]] = {
+        "id": named_by,
+        "email": find(list_column_names("email")),
+        "code": codes,
+    }
+    named = (find(list_preferred_spellings(each)) for each in (_QUESTION, _ASK))
+    parts = tuple(dict.fromkeys(place for found in named for place in found))
+    answer = find(list_preferred_spellings(_ANSWER))
+    if not any(people.values()) or not parts or not answer:
+        return None
+    return _Columns(people, parts, answer[0])
+
+
+@dataclass
+class _Student:
+    """What was gathered of one student: the first row, and for each ask the row of its answer."""
+
+    first: Row
+    answers: dict[str, Row] = field(default_factory=dict)
+
+
+class _Gathered:
+    """The rows of a table by student, and what is wrong with some of them."""
+
+    def __init__(self, table: Table, columns: _Columns, head: ExamHead) -> None:
+        self.table, self.columns, self.head = table, columns, head
+        self.ids = StudentIds((each.student for each in head.students), head.owners)
+        self.named = AskNames(head.columns, shuffled=True)
+        self.numbered = AskNames(head.columns)
+        self.by_number = False
+        self.students: dict[str, _Student] = {}
+        self.complaints: list[Complaint] = []
+
+    def take(self, row: Row) -> None:
+        """One line of the table."""
+        written = ".".join(filter(None, (trim(row.cell(place)) for place in self.columns.parts)))
+        column = self._find_ask(written)
+        if column is None:
+            problem = Message("responses.no-ask", name=Quoted(shorten(written)))
+            self._complain(row, problem, Message("marking.not-graded"))
+            return
+        student = self.students.setdefault(self._find_owner(row), _Student(row))
+        before = student.answers.setdefault(column, row)
+        here, there = (trim(each.cell(self.columns.answer)) for each in (row, before))
+        if not is_answered(there):
+            student.answers[column] = row
+        elif is_answered(here) and here != there:
+            place = f"{self.table.file}:{before.line}"
+            problem = Message(
+                "responses.answered-twice",
+                here=Quoted(shorten(here)),
+                there=Quoted(shorten(there)),
+                place=place,
+            )
+            self._complain(row, problem, Message("responses.first-line-counts", place=place))
+
+    def _find_ask(self, written: str) -> str | None:
+        named = self.named.find(written)
+        if named is None:
+            named = self.numbered.find(written)
+            self.by_number = self.by_number or named is not None
+        return named.column if named is not None and named.ask else None
+
+    def _find_owner(self, row: Row) -> str:
+        """Whose row it is: the student, or else what is written there."""
+        places = [place for found in self.columns.people.values() for place in found]
+        cells = [trim(row.cell(place)) for place in places]
+        known = (self.ids.exact(cell) for cell in cells if cell)
+        return next((student for student in known if student), "\n".join(cells))
+
+    def _complain(self, row: Row, problem: Message, done: Message) -> None:
+        self.complaints.append(Complaint(self.table.file, row.line, "", whole(row), problem, done))
+
+    def typed_rows(self) -> TypedRows:
+        """Everything, student by student."""
+        columns, answer = self.head.columns, self.columns.answer
+        rows, lines = [], {}
+        for student in self.students.values():
+            found = [student.answers.get(column) for column in columns]
+            responses = tuple("" if row is None else row.cell(answer) for row in found)
+            rows.append(TypedRow(student.first, responses))
+            first = student.first.line
+            lines[first] = tuple(first if row is None else row.line for row in found)
+        return TypedRows(
+            columns,
+            frozenset({answer}),
+            tuple(rows),
+            (),
+            self.columns.people,
+            tuple(self.complaints),
+            lines=lines,
+            by_number=self.by_number,
+        )
