@@ -197,6 +197,8 @@ def class_report(*, exam: Path, marks: Path, output: Path, **options: Any) -> No
     "--before-due",
     is_flag=True,
 )
+@click.option("--send-list", type=FILE, metavar="FILE")
+@click.option("--moodle", type=FILE, metavar="WORKSHEET")
 @_EXAM_LANGUAGE
 @JOBS
 @FORCE

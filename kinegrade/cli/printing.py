@@ -61,13 +61,14 @@ def papers(exam: Path, output: Path, *, listed: Path | None, force: bool) -> Non
     """Copy from EXAM what students may have: everybody's paper as PDF, and for Word and the browser
     where it exists.
     """
-    from kinegrade.exam.printing.handout import hand_out, send_list
+    from kinegrade.exam.printing.handout import hand_out, list_papers, send_list
 
     folder = kinegrade.open_exam(exam)
     if listed is None:
         count = hand_out(folder, output, force=force)
     else:
-        with send_list(folder, output, listed, force=force) as reached:
+        files = list_papers(folder, output)
+        with send_list(folder, output, files, listed, force=force) as reached:
             count = hand_out(folder, output, force=force)
         say(Message("terminal.send-list", file=str(listed), count=reached))
     say(Message("terminal.handed-out", folder=str(output), count=count))

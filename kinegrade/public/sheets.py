@@ -2,23 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from os import PathLike
 from pathlib import Path
 from typing import Literal, assert_never
 
 from kinegrade.exam.exam_wording import ExamWording, read_exam_wording
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.printing.handout import send_list
 from kinegrade.language import Language
 from kinegrade.language.message import Message
+from kinegrade.lms.feedback_zip import Participants, pack_feedback, read_participants
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.processes.executor import open_executor
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.opened import expect_exam_and_marks
 from kinegrade.public.options import find_language, require_known
 from kinegrade.public.outcome import Outcome
-from kinegrade.reports.feedback.folder import FeedbackWishes, Press, Text, write_feedback
+from kinegrade.reports.feedback.folder import (
+    PACKED,
+    FeedbackWishes,
+    Press,
+    Text,
+    list_sheets,
+    write_feedback,
+)
 
 FeedbackForm = Literal["pdf", "html", "md"]
 
@@ -28,12 +39,17 @@ class FeedbackOptions:
     """What students get: sheets in a `form`, with the worked solutions or without, by default as
     the bank says, and not before homework is due unless that is wanted; made by up to `jobs`
     processes.
+
+    `send_list` is a table for mail merges that is written, too; `moodle` the grading worksheet of a
+    Moodle assignment, for which everything is packed as moodle.zip.
     """
 
     form: FeedbackForm = "pdf"
     solutions: bool | None = None
     before_due: bool = False
     jobs: int = 1
+    send_list: str | PathLike[str] | None = None
+    moodle: str | PathLike[str] | None = None
 
 
 _ORDINARY = FeedbackOptions()
@@ -64,19 +80,60 @@ def feedback(
     place = Path(output)
     expect_own_place(place)
     require_known(options)
-    solutions = exam.head.solutions if options.solutions is None else options.solutions
+    solutions = _choose_solutions(exam, options)
     chosen = exam.language if language is None else find_language(language)
-    if solutions:
-        _require_solutions(exam, before_due=options.before_due)
     own = _read_own_wording(exam) if language is None else {}
-    wishes = FeedbackWishes(_choose_form(options.form), chosen, solutions, force, own)
+    participants = _read_participants(exam, options)
+    pack = None if participants is None else partial(pack_feedback, exam, participants.numbers)
+    wishes = FeedbackWishes(_choose_form(options.form), chosen, solutions, force, own, pack)
     wording = read_exam_wording(exam, chosen)
-    with open_executor(options.jobs, "feedback") as workers:
+    with (
+        _list_receivers(exam, marks, place, wishes, options) as notes,
+        open_executor(options.jobs, "feedback") as workers,
+    ):
         count = write_feedback(exam, marks, place, wording, wishes, workers=workers)
+    return _tell(place, count, notes, participants)
+
+
+def _choose_solutions(exam: ExamFolder, options: FeedbackOptions) -> bool:
+    """Whether worked solutions are handed out. Raises ExamError where they may not be."""
+    wanted = exam.head.solutions if options.solutions is None else options.solutions
+    if wanted:
+        _require_solutions(exam, before_due=options.before_due)
+    return wanted
+
+
+@contextmanager
+def _list_receivers(
+    exam: ExamFolder,
+    marks: MarksFolder,
+    place: Path,
+    wishes: FeedbackWishes,
+    options: FeedbackOptions,
+) -> Iterator[list[Message]]:
+    """The table for mail merges, where one is wanted; gives what is to be said of it."""
+    if options.send_list is None:
+        yield []
+        return
+    target, sheets = Path(options.send_list), list_sheets(exam, marks, place, wishes.form)
+    with send_list(exam, place, sheets, target, force=wishes.force) as reached:
+        yield [Message("terminal.send-list", file=str(target), count=reached)]
+
+
+def _read_participants(exam: ExamFolder, options: FeedbackOptions) -> Participants | None:
+    return None if options.moodle is None else read_participants(exam, Path(options.moodle))
+
+
+def _tell(
+    place: Path, count: int, notes: Sequence[Message], participants: Participants | None
+) -> Outcome:
+    """What was written."""
     index = str(place / "feedback.csv")
-    return Outcome(
-        place, (Message("terminal.feedback", folder=str(place), count=count, index=index),)
-    )
+    written = Message("terminal.feedback", folder=str(place), count=count, index=index)
+    if participants is None:
+        return Outcome(place, (written, *notes))
+    packed = Message("terminal.packed", file=str(place / PACKED), count=len(participants.numbers))
+    return Outcome(place, (written, *notes, packed), participants.complaints)
 
 
 def _require_solutions(exam: ExamFolder, *, before_due: bool) -> None:

@@ -152,5 +152,5 @@ def test_the_list_may_not_lie_among_the_papers(small_class: Path, tmp_path: Path
     taken = ("-o", tmp_path / "TAKEN", "--send-list", tmp_path / "send.csv")
     assert kinegrade("papers", small_class / "EXAM", *taken).exit_code == 2
     assert not (tmp_path / "send.csv").exists()
-    assert "would lie among the papers" in result.stderr
+    assert "would lie among the files" in result.stderr
     assert not folder.exists()

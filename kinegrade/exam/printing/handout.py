@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -37,29 +37,40 @@ def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
 
 @contextmanager
 def send_list(
-    exam: ExamFolder, papers: Path, target: Path, *, force: bool = False
+    exam: ExamFolder,
+    folder: Path,
+    files: Mapping[str, Path],
+    target: Path,
+    *,
+    force: bool = False,
 ) -> Iterator[int]:
     """A table for mail merges, which takes its place when the block ends: who gets which of the
-    papers that the block copies to the folder `papers`, by its whole path. Gives how many have an
-    address.
+    `files` that the block writes into a folder, by student, each by its whole path. Gives how many
+    have an address.
 
-    Raises OutputError, also where it would lie among the papers, which others may see.
+    Raises OutputError, also where it would lie among the files, which others may see.
     """
-    if papers.resolve() in target.resolve().parents:
-        what = Message("exam.list-among-papers", folder=str(papers))
+    if folder.resolve() in target.resolve().parents:
+        what = Message("exam.list-among-papers", folder=str(folder))
         raise OutputError(Fault(str(target), what, do=Message("exam.list-elsewhere")))
+    listed = [each for each in exam.head.students if each.student in files]
     rows = [
         [
             neutralise(each.student),
             neutralise(each.name),
             neutralise(each.email),
-            str((papers / Path(each.file).name).resolve()),
+            str(files[each.student].resolve()),
         ]
-        for each in exam.head.students
+        for each in listed
     ]
     with output_file(target, force=force) as partial:
         write_for_people(partial, SEND_COLUMNS, rows)
-        yield sum(bool(each.email) for each in exam.head.students)
+        yield sum(bool(each.email) for each in listed)
+
+
+def list_papers(exam: ExamFolder, papers: Path) -> dict[str, Path]:
+    """Where `hand_out` puts everybody's paper, by student."""
+    return {each.student: papers / Path(each.file).name for each in exam.head.students}
 
 
 def _require_outside(exam: Path, output: Path) -> None:

@@ -34,6 +34,7 @@ Text = Literal["html", "md"]
 Press = Callable[[FeedbackSheet, bytes | None], bytes]
 _PART = 20  # sheets in one task
 _MARKER, _SHEETS = "feedback.csv", "sheets"
+PACKED = "moodle.zip"
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,8 @@ class FeedbackWishes:
 
     With `solutions` everybody gets the worked solutions that the exam folder has: in the PDF, or as
     a file beside. With `force` the output may replace an earlier one. `own` has the words of
-    languages in which students get their sheets because their papers are in them.
+    languages in which students get their sheets because their papers are in them. `pack` writes
+    another file, the zip of a learning management system, from the files by student.
     """
 
     form: Text | Press
@@ -51,6 +53,7 @@ class FeedbackWishes:
     solutions: bool = False
     force: bool = False
     own: Mapping[Language, Wording] = field(default_factory=dict)
+    pack: Callable[[Path, Mapping[str, Sequence[Path]]], None] | None = None
 
 
 @dataclass(frozen=True)
@@ -80,11 +83,11 @@ def write_feedback(
         what = Message("feedback.pool-solutions", exam=str(exam.path))
         expected, do = Message("feedback.no-solutions"), Message("feedback.add-no-solutions")
         raise ExamError(Fault(str(marks.path), what, expected, do))
-    contents = _MARKER, _SHEETS
+    contents = _MARKER, _SHEETS, PACKED
     make = partial(_make_part, wishes.form)
     with output_folder(output, marker=_MARKER, contents=contents, force=wishes.force) as folder:
         (folder / _SHEETS).mkdir()
-        rows = []
+        rows, written = [], dict[str, list[Path]]()
         handouts = _print_handouts(
             make_feedback_sheets(marks, exam, wording, wishes.language, wishes.own), exam, wishes
         )
@@ -92,10 +95,23 @@ def write_feedback(
         for candidate, files in chain.from_iterable(parts):
             for name, content in files.items():
                 (folder / _SHEETS / name).write_bytes(content)
+            written[candidate.student] = [folder / _SHEETS / name for name in files]
             whose = candidate.student, neutralise(candidate.name), neutralise(candidate.email)
             rows.append((*whose, f"{_SHEETS}/{next(iter(files))}"))
         write_for_people(folder / _MARKER, ("student", "name", "email", "file"), rows)
+        if wishes.pack is not None:
+            wishes.pack(folder / PACKED, written)
     return len(rows)
+
+
+def list_sheets(
+    exam: ExamFolder, marks: MarksFolder, output: Path, form: Text | Press
+) -> dict[str, Path]:
+    """Where the sheets will be, by student."""
+    suffix = "pdf" if callable(form) else form
+    stems = exam.head.file_stems
+    marked = (each.student for each in marks.totals.students if each.student in stems)
+    return {student: output / _SHEETS / f"{stems[student]}.{suffix}" for student in marked}
 
 
 def _print_handouts(
