@@ -12,7 +12,7 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import nearest_of, shorter_way
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Label, Scene, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Label, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.drivers import Component, Rotation
 from kinegrade.mechanics.mechanism import Mechanism
@@ -101,7 +101,7 @@ def test_the_tail_of_an_arrow_is_at_its_point_or_level_with_it() -> None:
     ahead, beside, line = (part.lines[0] for part in drawn)
     assert [tail.x - at.x for tail, _ in (ahead, beside)] == [pytest.approx(1.05), 0.0]
     assert (line[1], drawn[-1].pen) == (beside[0], THIN)
-    assert abs(line[0].y - at.y) == pytest.approx(2.0)
+    assert abs(line[0].y - at.y) == pytest.approx(1.05)
 
 
 def test_the_line_to_the_tail_of_an_arrow_crosses_no_letter() -> None:
@@ -125,6 +125,49 @@ def test_a_second_arrow_passes_the_first_on_the_open_side_of_the_rail() -> None:
         rail = Rail(at, RIGHT, side, level - RIGHT * 8, level + RIGHT * 8, 1.7, None)
         layout = add_motions(Layout.of(()), mechanism, BOTH, [rail])
         assert (layout.marks[-1].path()[0][0] - at).dot(side) < 0
+
+
+def lay_floor(at: Vector) -> Rail:
+    level = at - Vector(0.0, 1.7)
+    return Rail(at, RIGHT, Vector(0.0, -1.0), level - RIGHT * 8, level + RIGHT * 8, 1.7, None)
+
+
+def test_the_line_to_an_arrow_in_the_ground_is_upright_and_the_hatching_cleared_for_it() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    above = Strokes(((at + Vector(-30.0, 2.6), at + Vector(30.0, 2.6)),), BOLD)
+    layout = add_motions(shut_in(at).drawn([above]), mechanism, BOTH[:1], [lay_floor(at)])
+    line = layout.lines[-1]
+    assert isinstance(line, Strokes)
+    [(start, end)] = line.lines
+    assert start.x == end.x == at.x
+    assert end.y < at.y - 1.7 < start.y < at.y - 1.0
+    [white] = [each for each in layout.lines if isinstance(each, Outline) and each.fill == "white"]
+    across, upward = zip(*white.corners, strict=True)
+    assert min(across) < at.x - 0.5 < at.x + 0.5 < max(across)
+    assert at.y - 3.3 < min(upward) < at.y - 3.0 < at.y - 2.1 < max(upward) < at.y - 1.9
+
+
+def test_the_symbol_of_an_arrow_is_not_on_the_other_side_of_the_rail_of_its_point() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    above = Strokes(((at + Vector(1.0, 3.0), at + Vector(11.0, 3.0)),), FIRM)
+    layout = Layout.of([above])
+    free = add_motions(layout, mechanism, BOTH[:1])
+    railed = add_motions(layout, mechanism, BOTH[:1], [lay_floor(at)])
+    assert free.marks[-1].path() == railed.marks[-1].path()
+    assert free.labels[0].centre.y < at.y - 1.7 < railed.labels[0].centre.y
+
+
+def test_an_arrow_may_run_along_the_side_of_an_angle_at_its_point() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    above = Strokes(((at + Vector(-30.0, 2.6), at + Vector(30.0, 2.6)),), BOLD)
+    for first, along in ((0.0, True), (-0.3, False)):
+        arc = Bow(at, 7.0, first, 1.0, THIN)
+        layout = add_motions(Layout.of([above, arc]), mechanism, BOTH[:1], [lay_floor(at)])
+        ((start, _), *_) = layout.marks[-1].path()
+        assert (start.y == pytest.approx(at.y)) == along
 
 
 def test_each_symbol_is_nearest_to_its_own_arrow() -> None:

@@ -1,0 +1,156 @@
+"""A given straight motion as one arrow at its point or beside it, tied to it by a thin line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from kinegrade.figure.mechanism.rails import Rail
+from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.place import (
+    Wish,
+    list_spots_around,
+    list_spots_beside,
+    rate_nearness,
+    widen,
+)
+from kinegrade.figure.plane import NEAR, length
+from kinegrade.figure.scene import THIN, Outline, Primitive, Strokes
+from kinegrade.figure.symbols import HEADS, PIN, draw_arrow
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import Moving
+
+_ARROW = 9.0  # millimetres, length of the arrow of a straight motion
+_OPPOSED = 8.0  # demerit of an arrow that stands tail to tail with another beside its point
+# Millimetres between two parallel arrows at one point, and the demerit of less
+_APART, _TIGHT = 2.5, 6.0
+_MISTAKEN = 3.0  # demerit of a symbol about as near to another arrow at the same point
+_PARTED = 4.0  # demerit of a symbol on the other side of the rail of the arrow's point
+_LEAST_OFFSET = 1.0  # millimetres from which on an arrow stands beside its point
+_BEYOND_TIP = 1  # spots for the symbol there
+# Millimetres from a point within which an arrow may lie close to a bar, and sideways its block
+_LEAVING, _BLOCK = 3.0, 2.0
+# Millimetres from the ground between which hatching is cleared, and on either side of a line there
+_HATCHING, _CLEARED = (0.3, 1.5), 0.9
+_OFF_PIN = 0.2  # millimetres between a pin and the line from it to a tail
+_PAST_ARROW = 1.6  # millimetres from an arrow to the way past it
+
+
+@dataclass(frozen=True)
+class MovingArrow:
+    """A straight arrow from `start` in the direction `toward`; `ground` is how far from its point
+    the ground is that lies between them, 0 for none.
+    """
+
+    start: Vector
+    toward: Vector
+    hint: Moving
+    demerit: float
+    point: Vector
+    past: float = _BLOCK
+    ground: float = 0.0
+    shared: bool = False
+
+    def among(self, others: Sequence[MovingArrow]) -> MovingArrow:
+        """The arrow beside others at its point, past which is the way to it."""
+        if not others:
+            return self
+        aside = self._find_aside(self.start)
+        levels = [(other, self._find_aside(other.start)) for other in others]
+        worse = sum(self._rate_beside(other, aside - level) for other, level in levels)
+        within = [abs(level) for _, level in levels if 0 < level * aside < aside**2]
+        past = max([self.past, *(level + _PAST_ARROW for level in within)])
+        return replace(self, demerit=self.demerit + worse, past=past)
+
+    def path(self) -> tuple[Segment, ...]:
+        """The arrow without its start at the pin, which leaves the parts there; beside its point
+        the way there as well, past a block: no wall or bar lies between; and the line to its tail.
+        """
+        away = (self.start + self._end()) / 2 - self.point
+        aside = abs(self._find_aside(self.start))
+        if aside < _LEAST_OFFSET:
+            near = max(0.0, _LEAVING - length(self.start - self.point))
+            return ((self.start + self.toward * near, self._end()),)
+        past, line = self.point + away * (self.past / aside), self._trace_line(self.past)
+        return ((self.start, self._end()), (past, self.point + away), *([line] if line else []))
+
+    def is_level(self) -> bool:
+        """Whether its tail is level with its point, or on its line of motion."""
+        return bool(abs((self.start - self.point).dot(self.toward)) < NEAR)
+
+    def _find_aside(self, at: Vector) -> float:
+        """Millimetres from the line of motion to a place, on the left positive."""
+        return float((at - self.point).dot(self.toward.turned()))
+
+    def _rate_beside(self, other: MovingArrow, apart: float) -> float:
+        """The demerit of an arrow too close beside another one at its point, or on one line with
+        it beside their point, in opposite senses.
+        """
+        if abs(apart) >= _LEAST_OFFSET:
+            return _TIGHT if abs(apart) < _APART else 0.0
+        against: bool = self.toward.dot(other.toward) < 0
+        beside = abs(self._find_aside(self.start)) >= _LEAST_OFFSET
+        return _OPPOSED if against and beside else 0.0
+
+    def wish(self) -> Wish:
+        """Beside the arrow, beyond its tip, farther beside it, else around its tip."""
+        symbol, end = self.hint.symbol, self._end()
+        shaft = list_spots_beside(symbol, self.start + self.toward * 3, end)
+        tip = list_spots_around(symbol, end, away=self.toward)[:_BEYOND_TIP]
+        close = len(shaft) // 3
+        spots = np.concatenate((shaft[:close], tip, shaft[close:]))
+        return Wish(symbol, spots, end)
+
+    def wish_apart(self, others: Sequence[MovingArrow], rails: Sequence[Rail] = ()) -> Wish:
+        """The wish, where the symbol cannot be taken for that of another arrow first, and no rail
+        of its point parts them.
+        """
+        if not others and not rails:
+            return self.wish()
+        wish = widen(self.wish())
+        near = [at for arrow in others for at in arrow._list_stations()]
+        mistaken = rate_nearness(self.hint.symbol, wish.spots, self._list_stations(), near)
+        parted = np.zeros(len(wish.spots))
+        for rail in rails:
+            levels = (wish.spots - np.array(rail.at)) @ np.array(rail.side)
+            behind = (self.start - rail.at).dot(rail.side) > rail.level
+            parted = np.maximum(parted, (levels > rail.level) != behind)
+        return replace(wish, demerits=_MISTAKEN * mistaken + _PARTED * parted)
+
+    def _list_stations(self) -> list[Vector]:
+        """Points along the arrow, a millimetre apart."""
+        return [self.start + self.toward * step for step in range(int(_ARROW) + 1)]
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """The shaft and its arrowhead; beside its point also the line from there to its tail."""
+        arrow = draw_arrow(self.start, self._end(), HEADS[self.hint.level])
+        line = self._trace_line(self._find_aside_at_pin())
+        if not line:
+            return arrow
+        return (*arrow, *self._clear_hatching(), Strokes((line,), THIN))
+
+    def _clear_hatching(self) -> tuple[Primitive, ...]:
+        """White in the hatching through which the line to the tail passes."""
+        if not self.ground:
+            return ()
+        away = (self.start - self.point) / abs(self._find_aside(self.start))
+        near, far = (self.point + away * (self.ground + each) for each in _HATCHING)
+        beside = self.toward * _CLEARED
+        return (Outline((near - beside, far - beside, far + beside, near + beside), None, "white"),)
+
+    def _trace_line(self, past: float) -> Segment | None:
+        """The line to the tail of an arrow beside its point, from so many millimetres beside that;
+        None where the arrow is nearer.
+        """
+        aside, step = abs(self._find_aside(self.start)), self.start - self.point
+        return (self.point + step * (past / aside), self.start) if aside > past else None
+
+    def _find_aside_at_pin(self) -> float:
+        """Millimetres beside the point at which the line to the tail leaves its pin."""
+        size = length(self.start - self.point)
+        return (PIN + _OFF_PIN) * abs(self._find_aside(self.start)) / size if size else 0.0
+
+    def _end(self) -> Vector:
+        return self.start + self.toward * _ARROW
