@@ -18,10 +18,10 @@ from click.testing import CliRunner, Result
 
 import kinegrade
 from kinegrade.cli import main
-from kinegrade.cli.choosing import show
 from kinegrade.cli.exams import generate
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import feedback
+from kinegrade.cli.problems.choosing import show
 from kinegrade.cli.quiz import quiz
 from kinegrade.errors import TemplateError, TypesetError
 from kinegrade.exam.printing.printing import PressOrder

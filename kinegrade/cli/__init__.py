@@ -14,21 +14,21 @@ import click
 
 from kinegrade import __version__
 from kinegrade.cli.appeals import explain
-from kinegrade.cli.choosing import list_templates, show
 from kinegrade.cli.doctor import doctor
 from kinegrade.cli.entries import compare_entries
 from kinegrade.cli.exams import archive, generate, verify
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
 from kinegrade.cli.printing import paper, papers, reprint_exam, sample, solutions
+from kinegrade.cli.problems.choosing import list_templates, show
+from kinegrade.cli.problems.solve import solve
+from kinegrade.cli.problems.starters import new
+from kinegrade.cli.problems.templates import check, gallery
 from kinegrade.cli.quiz import quiz
 from kinegrade.cli.rosters import assign, roster
 from kinegrade.cli.running.program import Program
 from kinegrade.cli.series import series
 from kinegrade.cli.sharing import sharing
-from kinegrade.cli.solve import solve
-from kinegrade.cli.starters import new
-from kinegrade.cli.templates import check, gallery
 from kinegrade.cli.term import term
 
 
