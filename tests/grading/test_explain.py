@@ -82,6 +82,23 @@ def test_the_rule_of_a_policy_is_told_apart_from_that_of_the_paper(car: Path) ->
     assert "verdict right" in said
 
 
+def test_what_a_hand_gave_is_told_beside_the_machine_and_may_be_asked_for(car: Path) -> None:
+    (car / "manual.csv").write_text(
+        "student,question,points,comment\n1002,q1.v,1,work shown\n1002,bonus,2,\n",
+        encoding="utf-8",
+    )
+    files = car / "EXAM", car / "answers.csv", "-o", car / "HANDS"
+    kinegrade("grade", *files, "--manual", car / "manual.csv")
+    said = explain(car, "1002", marks="HANDS")
+    place = said.index("Marked by hand")
+    assert said[place + 1].startswith("q1.v 1 of ")
+    assert said[place + 1].endswith("; in place of 0 by the machine; work shown")
+    assert said[place + 2] == "bonus 2 on top of everything"
+    alone = explain(car, "1002", "bonus", marks="HANDS")
+    assert "bonus 2 on top of everything" in alone
+    assert not any("q1.v" in line for line in alone)
+
+
 def test_the_code_of_a_paper_stands_for_its_student(car: Path) -> None:
     head, *_ = explain(car, "1001")
     assert head.endswith(": 2.5 of 5.5 points")

@@ -26,6 +26,7 @@ from kinegrade.grading.policy.reading import read_policy, stated_policy
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.hand_marks import HandMark
 from kinegrade.marks_folder.layout import POLICY
 from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
@@ -58,6 +59,7 @@ class Explanation:
     paper: PaperRecord
     numbers: Mapping[str, int]
     answers: tuple[ExplainedAnswer, ...]
+    by_hand: tuple[HandMark, ...] = ()
 
 
 def explain_marks(
@@ -78,12 +80,17 @@ def explain_marks(
         candidate.student, (answer.column for answer in answers)
     )
     numbers = dict(zip(paper.printed, number_printed(paper.printed), strict=True))
-    chosen = _choose(answers, numbers, which, candidate.student)
+    wanted = _Wanted.read(which, numbers)
+    chosen = [each for each in answers if wanted.has(each.question, each.ask)]
+    given = marks.by_hand.get(candidate.student, {}).values()
+    by_hand = tuple(each for each in given if wanted.has(each.question, each.ask))
+    if not chosen and not by_hand:
+        raise _refuse(which, candidate.student, answers)
     questions = {each.question for each in chosen}
     whole = [each for each in answers if each.question in questions]
     explained = _Explaining(exam, marks, _read_policy(exam, marks)).explain(whole)
     asked = tuple(each for each in explained if each.marked in chosen)
-    return Explanation(candidate, total, marks.open, paper, numbers, asked)
+    return Explanation(candidate, total, marks.open, paper, numbers, asked, by_hand)
 
 
 def _find_candidate(exam: ExamFolder, student: str) -> Candidate:
@@ -100,23 +107,32 @@ def _find_candidate(exam: ExamFolder, student: str) -> Candidate:
     return exam.head.candidates[found]
 
 
-def _choose(
-    answers: Sequence[MarkedAnswer], numbers: Mapping[str, int], which: str, student: str
-) -> list[MarkedAnswer]:
-    """The answers meant. Raises ExamError where there is none."""
-    question, _, ask = which.strip().partition(".")
-    printed = {str(number): name for name, number in numbers.items()}
-    wanted = printed.get(question, question)
-    found = [
-        each
-        for each in answers
-        if (not which or each.question == wanted) and (not ask or each.ask == ask)
-    ]
-    if not found:
-        what = Message("explain.not-asked", student=Quoted(student), which=Quoted(which))
-        do = suggest(which, [each.column for each in answers])
-        raise ExamError(Fault("", what, Message("explain.which"), do))
-    return found
+@dataclass(frozen=True)
+class _Wanted:
+    """What is to be explained: a question, or one answer to it; everything where both are empty."""
+
+    question: str
+    ask: str
+
+    @classmethod
+    def read(cls, which: str, numbers: Mapping[str, int]) -> _Wanted:
+        """Reads `q3.v_B`, or `3.v_B` by the number on the paper, or `3`."""
+        question, _, ask = which.strip().partition(".")
+        printed = {str(number): name for name, number in numbers.items()}
+        by_hand = f"q{question}" if question.isdecimal() else question
+        return cls(printed.get(question, by_hand), ask)
+
+    def has(self, question: str, ask: str) -> bool:
+        """Whether an answer, or marks for a whole question, are meant."""
+        if not self.question:
+            return True
+        return question == self.question and self.ask in ("", ask)
+
+
+def _refuse(which: str, student: str, answers: Sequence[MarkedAnswer]) -> ExamError:
+    what = Message("explain.not-asked", student=Quoted(student), which=Quoted(which))
+    do = suggest(which, [each.column for each in answers])
+    return ExamError(Fault("", what, Message("explain.which"), do))
 
 
 def _read_policy(exam: ExamFolder, marks: MarksFolder) -> Policy:

@@ -24,6 +24,7 @@ from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.numbers.amounts import write_amount
 from kinegrade.question_numbers import find_other_number
 from kinegrade.reports.explanation.explanation import ExplainedAnswer, Explanation
+from kinegrade.reports.explanation.hand_lines import write_hand_marks
 from kinegrade.reports.feedback.remarks import make_remark, name_verdict
 from kinegrade.reports.feedback.right_answers import write_decimal, write_with_unit
 
@@ -40,10 +41,12 @@ class ExplanationWriter:
     words: Catalogue
 
     def write(self, exam: ExamFolder) -> str:
-        """Whose paper, one answer after the other, and where the paper and its worked solution
-        are.
+        """Whose paper, one answer after the other, what hands gave, and where the paper and its
+        worked solution are.
         """
-        return "\n".join([*self._head(), *self._questions(), "", *self._places(exam)])
+        by_hand = write_hand_marks(self.explanation.by_hand, self.words)
+        parts = *self._head(), *self._questions(), *by_hand, "", *self._places(exam)
+        return "\n".join(parts)
 
     def _head(self) -> Iterator[str]:
         who, total = self.explanation.candidate, self.explanation.total
