@@ -16,6 +16,7 @@ _BANK = "kinegrade.exam.bank.keys"
 _STEPWISE = "kinegrade.problem.template.sections.stepwise_keys"
 _POLICY = "kinegrade.grading.policy.keys"
 _STATED = "kinegrade.stated_marking"
+_LATENESS = "kinegrade.grading.lateness.reading"
 _PLAN = "kinegrade.reports.term.plan"
 _SCALE = "kinegrade.grade_scale.stated"
 _BANK_EXAMPLE = """```toml
@@ -136,6 +137,12 @@ def write_policy_page() -> str:
         "## Accepted answers",
         "In each entry of `accept`:",
         write_words("key", read_words(_POLICY, "ACCEPTED")),
+        "## Lateness",
+        "In a table `[late]`; what is subtracted is never more than the points that were reached:",
+        write_words("key", read_words(_LATENESS, "LATE")),
+        "## Tries",
+        "In a table `[tries]`:",
+        write_words("key", read_words(_LATENESS, "TRIES")),
         *_stated({}),
     )
 

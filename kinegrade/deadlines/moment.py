@@ -16,7 +16,7 @@ from kinegrade.files.fields.values import found
 from kinegrade.language.message import Message
 
 _WRITTEN = re.compile(
-    r"([0-9]{4}-[0-9]{2}-[0-9]{2})[T ]+([0-9]{2}:[0-9]{2}(?::[0-9]{2})?)"
+    r"([0-9]{4}-[0-9]{2}-[0-9]{2})[T ]+([0-9]{2}:[0-9]{2}(?::[0-9]{2})?)(?:\.[0-9]{1,6})?"
     r"(?: ?(Z|UTC|[+-][0-9]{2}:[0-9]{2}))?"
 )
 

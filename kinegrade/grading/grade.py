@@ -20,6 +20,7 @@ from kinegrade.grading.by_hand.gathering import HandSources, gather_hand_marks
 from kinegrade.grading.by_hand.markable import find_markable
 from kinegrade.grading.by_hand.settling import HandMarking, Settled
 from kinegrade.grading.judging.follow import Follows
+from kinegrade.grading.lateness.submissions import check_times
 from kinegrade.grading.marking import MarkingTerms, mark_blocks
 from kinegrade.grading.marks import ClassGrades, collect_grades
 from kinegrade.grading.other_papers import OtherPapers
@@ -88,6 +89,7 @@ def grade(
     with bulk_work(), written as path:
         folder, files = MarksWriter(path, exam.language), _read_files(answers)
         sheet, rules = class_sheet(files, exam), _choose_policy(exam, wishes.policy)
+        untimed = check_times(sheet, rules.penalties.late)
         pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
         accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
         terms = MarkingTerms(rules, accepted, wishes.decimal, wishes.follows, pool)
@@ -99,7 +101,10 @@ def grade(
             others.refuse(exam, ", ".join(each.table.file for each in files))
         settled = by_hand.settle(grades)
         scale = None if settled.still_open else _make_scale(rules, exam.language)
-        grades = _write_totals(folder, settled.grades, wishes.never_lower, scale)
+        grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))
+        kept = wishes.never_lower
+        earlier = None if kept is None else kept.totals.by_student
+        grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
         folder.policy(rules.text)
         folder.printed(exam.printed_orders())
         folder.corrections(exam.head.corrections)
@@ -121,20 +126,17 @@ def _make_scale(rules: Policy, language: Language) -> Scale | None:
     return None if rules.scale is None else make_scale(rules.scale, open_catalogue(language))
 
 
-def _write_totals(
-    folder: MarksWriter,
-    grades: ClassGrades,
-    never_lower: MarksFolder | None,
-    scale: Scale | None,
-) -> ClassGrades:
+def _write_totals(folder: MarksWriter, grades: ClassGrades, terms: TotalTerms) -> ClassGrades:
     """Writes the totals and complaints, and gives them with the earlier totals that stand."""
-    earlier = None if never_lower is None else never_lower.totals.by_student
-    grades, kept = work_out_totals(grades, TotalTerms(earlier, scale))
-    if never_lower is not None:
-        folder.kept(kept)
-    folder.grades(grades.questions, grades.grades, scale)
-    folder.complaints(grades.complaints)
-    return grades
+    totals = work_out_totals(grades, terms)
+    if terms.earlier is not None:
+        folder.kept(totals.kept)
+    if terms.penalties.are_any:
+        folder.subtracted(totals.subtracted)
+    subtracting = terms.penalties.are_any
+    folder.grades(grades.questions, totals.marks.grades, terms.scale, subtracting=subtracting)
+    folder.complaints(totals.marks.complaints)
+    return totals.marks
 
 
 def _write_exports(path: Path, exports: Mapping[str, Export]) -> None:

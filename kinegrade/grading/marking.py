@@ -20,6 +20,7 @@ from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.block_judge import BlockJudge
 from kinegrade.grading.fast.judged_block import USUAL_CREDITS, JudgedBlock, Row
 from kinegrade.grading.judging.follow import Follows
+from kinegrade.grading.lateness.submissions import Submissions
 from kinegrade.grading.marks import MarkedBlock, Marks, collect_grades
 from kinegrade.grading.policy.accepted import Alternatives
 from kinegrade.grading.policy.policy import AS_PRINTED, Policy
@@ -29,7 +30,7 @@ from kinegrade.grading.sheets.sheet import Entry, Sheet, find_repeated
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.grading.typed.decimal_style import find_file_style
 from kinegrade.language.message import Text
-from kinegrade.marks_folder.rows import Grade
+from kinegrade.marks_folder.rows import Grade, Submission
 from kinegrade.numbers.amounts import add_amounts
 
 _BLOCK = 250  # papers marked together
@@ -71,7 +72,8 @@ def mark_blocks(exam: Sitting, sheet: Sheet, terms: MarkingTerms) -> Iterator[Ma
     papers = PapersAnswered(exam)
     judge = BlockJudge(papers, policy, terms.alternatives, styles, terms.follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
-    marker = _Marker(sheet, judge, asks, add_counted(asks), terms.pool)
+    submissions = Submissions(policy.penalties)
+    marker = _Marker(sheet, judge, asks, add_counted(asks), terms.pool, submissions)
     each = exam.papers()
     while block := list(islice(each, _BLOCK)):
         yield marker.block(block)
@@ -90,6 +92,7 @@ class _Marker:
     asks: tuple[Ask, ...]
     out_of: Fraction
     pool: Pool
+    submissions: Submissions
     known: dict[tuple[int, ...], tuple[Fraction, ...]] = field(default_factory=dict)
 
     def block(self, papers: Sequence[Paper]) -> MarkedBlock:
@@ -97,8 +100,8 @@ class _Marker:
         rows = self._counted(papers)
         judged = self._judged(rows)
         grades = [
-            self._make_grade(paper, points)
-            for (paper, _), points in zip(rows, self._points(judged), strict=True)
+            self._make_grade(paper, points, entry)
+            for (paper, entry), points in zip(rows, self._points(judged), strict=True)
         ]
         complaints = [
             complaint
@@ -123,18 +126,40 @@ class _Marker:
         """These rows judged, by what their papers ask alone."""
         return self.judge.judged([(paper, leave_out(paper, entry)) for paper, entry in rows])
 
-    def _make_grade(self, paper: Paper, points: tuple[Fraction, ...]) -> Grade:
-        """A student's grade; that of a paper without some alternatives is of the others alone."""
-        lacks, absent = paper.lacks, self._is_absent(paper)
+    def _make_grade(self, paper: Paper, points: tuple[Fraction, ...], entry: Entry) -> Grade:
+        """A student's grade by an entry; that of a paper without some alternatives is of the others
+        alone.
+        """
+        own, out_of = self._find_own(paper, points)
+        return Grade(
+            paper.student,
+            paper.name,
+            own,
+            out_of,
+            absent=self._is_absent(paper),
+            submission=self._find_submission(paper, entry),
+        )
+
+    def _find_submission(self, paper: Paper, entry: Entry) -> Submission | None:
+        """When and after how many others an entry was handed in, where that costs anything."""
+        if not self.submissions.penalties.are_any:
+            return None
+        return self.submissions.find(paper.student, self._entries(paper), entry)
+
+    def _find_own(
+        self, paper: Paper, points: tuple[Fraction, ...]
+    ) -> tuple[tuple[Fraction | None, ...], Fraction]:
+        """The points of the questions that a paper holds, None for others, and the maximum."""
+        lacks = paper.lacks
         if not lacks:
-            return Grade(paper.student, paper.name, points, self.out_of, None, absent)
+            return points, self.out_of
         asked = [ask for number, ask in enumerate(self.asks) if number not in lacks]
         held = {ask.question for ask in asked}
         own = tuple(
             each if self.asks[question.start].question in held else None
             for question, each in zip(self.judge.papers.questions, points, strict=True)
         )
-        return Grade(paper.student, paper.name, own, add_counted(asked), None, absent)
+        return own, add_counted(asked)
 
     def _entries(self, paper: Paper) -> Sequence[Entry]:
         return self.sheet.entries[paper.student]
@@ -168,10 +193,19 @@ class _Marker:
         ]
         best: dict[str, tuple[Fraction, Row]] = {}
         for row, points in zip(tried, self._points(self._judged(tried)), strict=True):
-            total, student = add_amounts(points), row[0].student
+            student, total = row[0].student, self._find_net(row, points)
             if student not in best or total >= best[student][0]:
                 best[student] = total, row
         return [best[row[0].student][1] if row[0].student in best else row for row in rows]
+
+    def _find_net(self, row: Row, points: tuple[Fraction, ...]) -> Fraction:
+        """The total of a row without what being late and trying again costs."""
+        paper, entry = row
+        submission, total = self._find_submission(paper, entry), add_amounts(points)
+        if submission is None:
+            return total
+        _, out_of = self._find_own(paper, points)
+        return total - self.submissions.penalties.subtract(submission, total, out_of)
 
     def _points(self, judged: JudgedBlock) -> Iterator[tuple[Fraction, ...]]:
         """The points of each row by question; there are few combinations, and each is added up

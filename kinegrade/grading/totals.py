@@ -1,5 +1,6 @@
 """A student's total, worked out in one place and in this order: the points of the machine and of
-the hand, never below an earlier total that stands; and of the total the grade.
+the hand, without what being late and trying again costs, never below an earlier total that stands;
+and of the total the grade.
 """
 
 from __future__ import annotations
@@ -7,33 +8,78 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from kinegrade.deadlines.duration import write_duration
 from kinegrade.grade_scale.scale import Scale
 from kinegrade.grading.kept_totals import never_lower
+from kinegrade.grading.lateness.rule import NO_PENALTIES, Penalties
 from kinegrade.grading.marks import ClassGrades
-from kinegrade.marks_folder.rows import Grade, KeptTotal, StudentTotal
+from kinegrade.language.message import Message, list_statements
+from kinegrade.marks_folder.rows import Grade, KeptTotal, StudentTotal, Submission, Subtracted
+from kinegrade.numbers.amounts import write_amount
 
 
 @dataclass(frozen=True, slots=True)
 class TotalTerms:
-    """What totals depend on beside the marks: `earlier` totals stand where they are higher, None
-    where a total may fall; `scale` gives the grades, None where there are none.
+    """What totals depend on beside the marks: `penalties` are subtracted; `earlier` totals stand
+    where they are higher, None where a total may fall; `scale` gives the grades, None where there
+    are none.
     """
 
+    penalties: Penalties = NO_PENALTIES
     earlier: Mapping[str, StudentTotal] | None = None
     scale: Scale | None = None
 
 
-def work_out_totals(
-    marks: ClassGrades, terms: TotalTerms
-) -> tuple[ClassGrades, tuple[KeptTotal, ...]]:
-    """The marks with their totals and grades as they stand, and the earlier totals that do."""
+@dataclass(frozen=True, slots=True)
+class Totals:
+    """The marks with their totals and grades as they stand, the earlier totals that do, and what
+    was subtracted.
+    """
+
+    marks: ClassGrades
+    kept: tuple[KeptTotal, ...]
+    subtracted: tuple[Subtracted, ...]
+
+
+def work_out_totals(marks: ClassGrades, terms: TotalTerms) -> Totals:
+    """The totals of a class from its marks."""
+    grades = tuple(_subtract(each, terms.penalties) for each in marks.grades)
+    subtracted = tuple(
+        _describe(each, terms.penalties, each.submission)
+        for each in grades
+        if each.subtracted and each.submission is not None
+    )
+    marks = replace(marks, grades=grades)
     kept: tuple[KeptTotal, ...] = ()
     if terms.earlier is not None:
         marks, kept = never_lower(marks, terms.earlier)
-    if terms.scale is None:
-        return marks, kept
-    grades = tuple(replace(each, grade=find_grade(each, terms.scale)) for each in marks.grades)
-    return replace(marks, grades=grades), kept
+    if terms.scale is not None:
+        scale = terms.scale
+        graded = tuple(replace(each, grade=find_grade(each, scale)) for each in marks.grades)
+        marks = replace(marks, grades=graded)
+    return Totals(marks, kept, subtracted)
+
+
+def _subtract(total: Grade, penalties: Penalties) -> Grade:
+    """A total without what its submission costs, to as many places as are written."""
+    if total.submission is None:
+        return total
+    points = penalties.subtract(total.submission, total.total, total.out_of)
+    return replace(total, subtracted=points) if points else total
+
+
+def _describe(total: Grade, penalties: Penalties, submission: Submission) -> Subtracted:
+    """What was subtracted and why."""
+    said = []
+    if submission.late_by and penalties.late is not None:
+        time = write_duration(submission.late_by)
+        share = write_amount(100 * penalties.late.find_share(submission.late_by))
+        said.append(Message("marking.handed-in-late", time=time, share=share))
+    if submission.before and penalties.tries is not None:
+        share = write_amount(100 * penalties.tries.find_share(submission.before))
+        said.append(Message("marking.tried-before", count=submission.before, share=share))
+    reason = list_statements(said)
+    return Subtracted(total.student, total.name, submission, total.subtracted, reason)
 
 
 def find_grade(total: Grade, scale: Scale) -> str:

@@ -110,7 +110,8 @@ def _find_wrong_points(row: StudentTotal, sums: StudentSums) -> Iterator[Message
 
 def _find_wrong_total(row: StudentTotal, sums: StudentSums, lines: int) -> Iterator[Message]:
     if row.kept is None:
-        yield from _describe_difference("total", row.total, sums.total, lines, sums)
+        expected = sums.total - row.subtracted
+        yield from _describe_difference("total", row.total, expected, lines + 1, sums)
     elif row.total != row.kept.stands:
         yield _contradict("total", row.total, row.kept.stands, KEPT.name)
 

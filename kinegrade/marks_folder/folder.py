@@ -46,6 +46,7 @@ from kinegrade.marks_folder.layout import (
     PRINTED,
     PUT,
     QUESTIONS_BETWEEN,
+    SUBTRACTED,
 )
 from kinegrade.marks_folder.open_questions import OpenQuestion, read_open_questions
 from kinegrade.marks_folder.rows import (
@@ -150,6 +151,12 @@ class MarksFolder:
                 raise TableError(explain_cell(path, line, "corrections", count, expected))
             return int(count)
         return 0
+
+    @cached_property
+    def subtracted(self) -> Mapping[str, str]:
+        """Why points were subtracted, by the student from whose total they were."""
+        records = read_records_if_any(self.path, SUBTRACTED)
+        return {cells[0]: restore(cells[-1]) for _, cells in records}
 
     @cached_property
     def scale(self) -> Scale | None:

@@ -71,9 +71,13 @@ AFTER_QUESTIONS = (
 )
 #: Columns of grades.csv that stand at its end only where they are needed.
 WHERE_NEEDED = (
+    #: The points subtracted for being late and for trying again; only where a policy says what that
+    #: costs.
+    "subtracted",
     #: The grade by the scale of policy or bank; only where one of them has a scale.
     "grade",
 )
+SUBTRACTED_POINTS, SCALE_GRADE = WHERE_NEEDED
 _KEPT_AMOUNTS = ("before", "before_out_of", "by_this_marking", "out_of", "stands")
 
 # Earlier versions named the mistakes and the policy in the reason alone
@@ -115,6 +119,12 @@ MANUAL: Final = TableFile(
 #: Questions whose points, as the papers state them, come on top of the maximum; only where there
 #: are some.
 BONUS: Final = TableFile("bonus.csv", ("question", "points"))
+#: What was subtracted from whose total, and why; only where a policy says what being late or trying
+#: again costs.
+SUBTRACTED: Final = TableFile(
+    "subtracted.csv",
+    ("student", "name", "submitted", "due", "late_by", "tries_before", "points", "reason"),
+)
 #: The scale by which grades were given: each grade with the percentage from which on it is given,
 #: and whether it passes; only where there is one.
 SCALE: Final = TableFile("scale.csv", ("grade", "from", "result"))
@@ -134,6 +144,7 @@ _TABLES = (
     MANUAL,
     BONUS,
     SCALE,
+    SUBTRACTED,
     CORRECTIONS,
 )
 FILES: Final = (*(file.name for file in _TABLES), POLICY)
@@ -142,10 +153,17 @@ MARKER: Final = COMPLAINTS.name  # the file by which kinegrade recognises a mark
 Status = Literal["marked", "absent"]  # absent: answered nothing at all
 STATUSES: Final[tuple[Status, ...]] = ("marked", "absent")
 FOR_PEOPLE: Final = (GRADES, ANSWERS, COMPLAINTS)
-_OF_NUMBERS = {"points", "total", "out_of", "percent", "line"}  # besides the questions
+_OF_NUMBERS = {
+    "points",
+    "subtracted",
+    "total",
+    "out_of",
+    "percent",
+    "line",
+}  # besides the questions
 TEXT_COLUMNS: Final = frozenset(name for file in FOR_PEOPLE for name in file.columns) - _OF_NUMBERS
 
 
-def make_grades_header(questions: tuple[str, ...], needed: tuple[str, ...] = ()) -> tuple[str, ...]:
+def make_grades_header(questions: tuple[str, ...], needed: Sequence[str] = ()) -> tuple[str, ...]:
     """The columns of grades.csv for these questions, and those of `WHERE_NEEDED` that are."""
     return (*BEFORE_QUESTIONS, *questions, *AFTER_QUESTIONS, *needed)

@@ -6,10 +6,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import datetime, timedelta
 from fractions import Fraction
 from functools import cached_property
 
-from kinegrade.language.message import Text
+from kinegrade.language.message import Part, Text
 from kinegrade.marks_folder.hand_marks import BY_HAND, HandMark, work_out_total
 from kinegrade.marks_folder.layout import Status
 from kinegrade.numbers.amounts import add_amounts
@@ -81,13 +82,39 @@ class KeptTotal:
 
 
 @dataclass(frozen=True, slots=True)
+class Submission:
+    """One of a student's submissions: when it was handed in and when it was due, None where that is
+    not known; `late_by` is zero in time and within the grace; `before` is how many came before it.
+    """
+
+    submitted: datetime | None = None
+    due: datetime | None = None
+    late_by: timedelta = timedelta(0)
+    before: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Subtracted:
+    """One line of late.csv: what was subtracted from a student's total for being late and for
+    trying again, and why.
+    """
+
+    student: str
+    name: str
+    submission: Submission
+    points: Fraction
+    reason: Part
+
+
+@dataclass(frozen=True, slots=True)
 class Grade:
     """One line of grades.csv as it is written: a student's points for each question of the exam,
     None for an alternative that the paper does not hold, and the total.
 
     `kept` is the total that stands instead of the sum, where an earlier one was higher and no total
     may fall. A student who is `absent` answered nothing at all. `grade` is that of the total,
-    "" where there is no scale.
+    "" where there is no scale. What its `submission` costs is `subtracted` from the points; it is
+    None where nothing is.
     """
 
     student: str
@@ -97,13 +124,16 @@ class Grade:
     kept: Fraction | None = None
     absent: bool = False
     grade: str = ""
+    submission: Submission | None = None
+    subtracted: Fraction = Fraction(0)
 
     @property
     def total(self) -> Fraction:
-        """The sum of the points, or the total that was kept."""
+        """The sum of the points without what is subtracted, or the total that was kept."""
         if self.kept is not None:
             return self.kept
-        return work_out_total(each for each in self.points if each is not None)
+        points = work_out_total(each for each in self.points if each is not None)
+        return points - self.subtracted
 
     @property
     def share(self) -> Fraction:
@@ -135,6 +165,7 @@ class StudentTotal:
     status: str | None
     kept: KeptTotal | None
     grade: str = ""
+    subtracted: Fraction = Fraction(0)
 
     @property
     def is_present(self) -> bool:

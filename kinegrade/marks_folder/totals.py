@@ -12,7 +12,7 @@ from kinegrade.files.csv_writing import restore
 from kinegrade.files.tables import Row, Table
 from kinegrade.language.message import Fault
 from kinegrade.marks_folder.cells import explain_amount, find_amount, read_whole
-from kinegrade.marks_folder.layout import GRADES
+from kinegrade.marks_folder.layout import GRADES, SCALE_GRADE, SUBTRACTED_POINTS
 from kinegrade.marks_folder.rows import ClassTotals, KeptTotal, StudentTotal
 
 
@@ -47,7 +47,7 @@ class _Reader:
         held = [name for name in self.questions if whole or cells[name]]
         amounts = {
             name: self._amount(row, name, cells[name])
-            for name in (*held, "total", "out_of", "percent")
+            for name in (*held, "total", "out_of", "percent", SUBTRACTED_POINTS)
             if name in cells
         }
         return StudentTotal(
@@ -60,7 +60,8 @@ class _Reader:
             amounts.get("percent"),
             cells.get("status"),
             self.kept.get(cells["student"]),
-            restore(cells.get("grade", "")),
+            restore(cells.get(SCALE_GRADE, "")),
+            amounts.get(SUBTRACTED_POINTS, Fraction(0)),
         )
 
     def _amount(self, row: Row, column: str, cell: str) -> Fraction:

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
+from kinegrade.deadlines.duration import write_duration
+from kinegrade.deadlines.moment import write_moment
 from kinegrade.files.csv_writing import (
     encode,
     neutralise,
@@ -39,13 +41,15 @@ from kinegrade.marks_folder.layout import (
     PUT,
     QUESTIONS_BETWEEN,
     SCALE,
-    WHERE_NEEDED,
+    SCALE_GRADE,
+    SUBTRACTED,
+    SUBTRACTED_POINTS,
     AnswerCells,
     Status,
     make_grades_header,
 )
 from kinegrade.marks_folder.open_questions import OpenQuestion
-from kinegrade.marks_folder.rows import Grade, KeptTotal, Orders
+from kinegrade.marks_folder.rows import Grade, KeptTotal, Orders, Subtracted
 from kinegrade.marks_folder.scale_file import write_scale_rows
 from kinegrade.numbers.amounts import write_amount
 
@@ -76,10 +80,18 @@ class MarksWriter:
             write_csv(self.path / PUT.name, PUT.columns, rows)
 
     def grades(
-        self, questions: tuple[str, ...], grades: Sequence[Grade], scale: Scale | None = None
+        self,
+        questions: tuple[str, ...],
+        grades: Sequence[Grade],
+        scale: Scale | None = None,
+        *,
+        subtracting: bool = False,
     ) -> None:
-        """Every student's points, and the grades that a scale gives, which is kept beside them."""
-        needed = () if scale is None else WHERE_NEEDED
+        """Every student's points, with what is subtracted where anything can be, and the grades
+        that a scale gives, which is kept beside them.
+        """
+        needed = [SUBTRACTED_POINTS] if subtracting else []
+        needed += [] if scale is None else [SCALE_GRADE]
         header = make_grades_header(questions, needed)
         write_for_people(self.path / GRADES.name, header, _grade_rows(grades, needed))
         if scale is not None:
@@ -101,6 +113,12 @@ class MarksWriter:
         words = open_catalogue(self.language)
         rows = (_write_kept(each, words) for each in kept)
         write_for_people(self.path / KEPT.name, KEPT.columns, rows)
+
+    def subtracted(self, subtracted: Iterable[Subtracted]) -> None:
+        """What was subtracted from whose total."""
+        words = open_catalogue(self.language)
+        rows = (_write_subtracted(each, words) for each in subtracted)
+        write_for_people(self.path / SUBTRACTED.name, SUBTRACTED.columns, rows)
 
     def printed(self, orders: Orders) -> None:
         """The order of the questions on paper, by student, where it differs from the bank's."""
@@ -148,16 +166,20 @@ def _write_answer_lines(cells: AnswerCells) -> str:
     return "".join(parts)
 
 
-def _grade_rows(grades: Iterable[Grade], needed: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+def _grade_rows(grades: Iterable[Grade], needed: Sequence[str]) -> Iterator[tuple[str, ...]]:
     """Most students share one tuple of points with others: such amounts are formatted once."""
-    known: dict[tuple[int, int, Fraction | None], tuple[str, ...]] = {}
+    known: dict[tuple[int, int, Fraction | None, Fraction], tuple[str, ...]] = {}
     for grade in grades:
-        which = id(grade.points), id(grade.out_of), grade.kept
+        which = id(grade.points), id(grade.out_of), grade.kept, grade.subtracted
         status: Status = "absent" if grade.absent else "marked"
         if which not in known:
             known[which] = _write_amounts(grade)
-        last = [neutralise(grade.grade)] if needed else []
-        yield (grade.student, neutralise(grade.name), *known[which], status, *last)
+        last = {
+            SUBTRACTED_POINTS: write_amount(grade.subtracted),
+            SCALE_GRADE: neutralise(grade.grade),
+        }
+        shown = (last[name] for name in needed)
+        yield (grade.student, neutralise(grade.name), *known[which], status, *shown)
 
 
 def _write_amounts(grade: Grade) -> tuple[str, ...]:
@@ -178,6 +200,20 @@ def _write_hand_mark(mark: HandMark) -> tuple[str, ...]:
     amounts = mark.points, mark.out_of, mark.machine
     shown = ("" if each is None else write_amount(each) for each in amounts)
     return (mark.student, mark.column, *shown, neutralise(mark.comment))
+
+
+def _write_subtracted(subtracted: Subtracted, words: Catalogue) -> tuple[str, ...]:
+    submission = subtracted.submission
+    moments = submission.submitted, submission.due
+    return (
+        subtracted.student,
+        neutralise(subtracted.name),
+        *("" if each is None else write_moment(each) for each in moments),
+        write_duration(submission.late_by),
+        str(submission.before),
+        write_amount(subtracted.points),
+        neutralise(words.write(subtracted.reason)),
+    )
 
 
 def _write_kept(kept: KeptTotal, words: Catalogue) -> tuple[str, ...]:

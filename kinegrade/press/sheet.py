@@ -215,7 +215,8 @@ class FeedbackQuestion:
 @dataclass(frozen=True)
 class FeedbackSheet:
     """One student's sheet in a language, plain text except for its questions; `solution` is the
-    name of a file beside it, or ""; `grade` is "" where no grades are given.
+    name of a file beside it, or ""; `grade` is "" where no grades are given, `subtracted`
+    says what is missing from the sum of the points, and why.
     """
 
     language: Language
@@ -230,6 +231,7 @@ class FeedbackSheet:
     questions: tuple[FeedbackQuestion, ...]
     solution: str = ""
     grade: str = ""
+    subtracted: str = ""
 
     @property
     def guesses(self) -> bool:

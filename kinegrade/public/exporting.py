@@ -68,7 +68,8 @@ def export(
     made = _make_file(to, grades, options)
     write_file(place, made.content, force=force)
     notes = *made.notes, _tell(made, place, grades, options), *_list_above(grades, options)
-    return Outcome(place, notes, (*made.complaints, *_list_open(marks, place)))
+    untold = _list_untold(grades, place) if options.per_question else ()
+    return Outcome(place, notes, (*made.complaints, *untold, *_list_open(marks, place)))
 
 
 def _export_workbook(marks: MarksFolder, place: Path, *, force: bool) -> Outcome:
@@ -85,6 +86,14 @@ def _list_open(marks: MarksFolder, place: Path) -> Iterator[Fault]:
         yield Fault(str(place), describe_open(marks.open), do=Message("marks.add-by-hand"))
     for question in marks.lacking:
         yield Fault(str(place), describe_lacking(question), do=Message("marks.add-by-hand"))
+
+
+def _list_untold(grades: ClassGrades, place: Path) -> Iterator[Fault]:
+    """That the points of questions do not show what is subtracted from totals."""
+    count = sum(bool(each.subtracted) for each in grades.students)
+    if count:
+        what = Message("terminal.untold", count=count)
+        yield Fault(str(place), what, do=Message("terminal.export-totals"))
 
 
 def _list_above(grades: ClassGrades, options: ExportOptions) -> Iterator[Message]:

@@ -24,7 +24,7 @@ from kinegrade.lms.responses.answer_table import ReadingWishes
 from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import list_hand_marks
-from kinegrade.marks_folder.layout import KEPT, MANUAL
+from kinegrade.marks_folder.layout import KEPT, MANUAL, SUBTRACTED
 from kinegrade.marks_folder.open_questions import describe_open
 from kinegrade.numbers.amounts import write_amount
 from kinegrade.public.folders import expect_own_place
@@ -136,6 +136,7 @@ def grade(
     written = [
         *_list_written(grades, place, kept=options.never_lower is not None),
         *_describe_by_hand(grades, marks),
+        *_describe_subtracted(marks),
         *_describe_grades(marks, exam, options.policy),
     ]
     complaints = tuple(complaint.fault for complaint in grades.complaints)
@@ -158,6 +159,15 @@ def _describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Messa
 def _choose_following(exam: ExamFolder) -> Follows:
     follow_through = FollowThrough(exam)
     return Follows(follow_through, follow_through.stages)
+
+
+def _describe_subtracted(marks: MarksFolder) -> Iterator[Message]:
+    """From how many totals points were subtracted, where a policy says what costs any."""
+    if (marks.path / SUBTRACTED.name).exists():
+        points = [each.subtracted for each in marks.totals.students if each.subtracted]
+        whole = write_amount(sum(points, Fraction(0)))
+        file = str(marks.path / SUBTRACTED.name)
+        yield Message("terminal.subtracted", file=file, count=len(points), points=whole)
 
 
 def _describe_grades(

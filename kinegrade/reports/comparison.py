@@ -35,7 +35,7 @@ HEADER = (
 )  # fmt: skip
 _ONLY_FIRST = Message("marks.only-first")
 _ONLY_SECOND = Message("marks.only-second")
-_GRADE = "grade"  # of a total, in the column of what changes
+_SUBTRACTED, _GRADE = "subtracted", "grade"  # of a total, in the column of what changes
 _WIDEST_NAME = 24
 _NOTHING = MarkedAnswer("", "", "", "", "", "", "", Fraction(0), Fraction(0), "")
 _Answers = Mapping[tuple[str, str], MarkedAnswer]  # by student and answer column
@@ -87,7 +87,21 @@ class _StudentChange:
     @property
     def is_other_total(self) -> bool:
         """Whether the total is another, of points or of a maximum, or earns another grade."""
-        return _worth(self.before) != _worth(self.after) or self.grades[0] != self.grades[1]
+        return _worth(self.before) != _worth(self.after) or any(self.list_changes())
+
+    @property
+    def lost(self) -> tuple[str, str]:
+        """The points subtracted before and after, "" for none."""
+        sides = (each.subtracted if each else Fraction(0) for each in (self.before, self.after))
+        before, after = (write_amount(each) if each else "" for each in sides)
+        return before, after
+
+    def list_changes(self) -> Iterator[tuple[str, str, str]]:
+        """What else of the total changed, before and after: what is subtracted, and the grade."""
+        if self.lost[0] != self.lost[1]:
+            yield (_SUBTRACTED, *self.lost)
+        if self.grades[0] != self.grades[1]:
+            yield (_GRADE, *self.grades)
 
     @property
     def grades(self) -> tuple[str, str]:
@@ -163,8 +177,8 @@ def _write_rows(comparison: Comparison, words: Catalogue) -> Iterator[tuple[str,
             "",
             *(neutralise(words.write(reason)) for reason in reasons),
         )
-        if each.grades[0] != each.grades[1]:
-            yield (*person, _GRADE, *map(neutralise, each.grades), *[""] * len(HEADER[5:]))
+        for change in each.list_changes():
+            yield (*person, *map(neutralise, change), *[""] * len(HEADER[5:]))
         for ask in each.asks:
             sides = ask.before or _NOTHING, ask.after or _NOTHING
             texts = (
@@ -183,8 +197,8 @@ def write_comparison_text(comparison: Comparison, words: Catalogue) -> str:
         person = show_in_one_line(each.student), cut(show_in_one_line(each.name), _WIDEST_NAME)
         points = _write_amounts(_worth(each.before), _worth(each.after))[:3]
         rows.append((*person, "total", *points, words.write(_describe_presence(each))))
-        if each.grades[0] != each.grades[1]:
-            rows.append(("", "", _GRADE, *map(show_in_one_line, each.grades), "", ""))
+        for change in each.list_changes():
+            rows.append(("", "", *map(show_in_one_line, change), "", ""))
         for ask in each.asks:
             points = _write_amounts(_worth(ask.before), _worth(ask.after))[:3]
             rows.append(("", "", ask.column, *points, show_in_one_line(words.write(ask.why))))

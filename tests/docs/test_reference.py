@@ -24,6 +24,7 @@ from kinegrade.exam.folder.contents import CONTENTS
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.expressions.reading import read_expression
 from kinegrade.grade_scale import stated as stated_scale
+from kinegrade.grading.lateness import reading as lateness
 from kinegrade.grading.policy import keys as policy_keys
 from kinegrade.grading.policy.reading import read_policy
 from kinegrade.marks_folder.layout import FILES
@@ -51,6 +52,7 @@ TABLES = [
     ("kinegrade.grading.policy.keys", policy_keys, "POLICY QUESTION ASK ACCEPTED"),
     ("kinegrade.grade_scale.stated", stated_scale, "SCALE"),
     ("kinegrade.reports.term.plan", term_plan, "PLAN PART"),
+    ("kinegrade.grading.lateness.reading", lateness, "LATE TRIES"),
 ]
 
 

@@ -18,7 +18,7 @@ from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.hand_marks import HandMark
 from kinegrade.marks_folder.layout import ANSWERS, COMPLAINTS, FILES, KEPT, AnswerCells
 from kinegrade.marks_folder.open_questions import OpenQuestion
-from kinegrade.marks_folder.rows import Grade, KeptTotal
+from kinegrade.marks_folder.rows import Grade, KeptTotal, Submission, Subtracted
 from kinegrade.marks_folder.writing import MarksWriter
 from tests.grading.marked_folder import RIGHT, mark_class
 from tests.small_class import kinegrade
@@ -30,6 +30,7 @@ KEPT_ANNA = KeptTotal(
     *(Fraction(3), Fraction(4), Fraction(5, 2), Fraction(4), Fraction(3)),
 )
 SCALE = Scale((Step("=A", Fraction(2, 3), passes=True), Step("F", Fraction(0), passes=False)), "-x")
+SUBTRACTED = Subtracted("7", "=Anna, B.", Submission(), HALF, "=late")
 COMPLAINT = Complaint("a.csv", None, "q1.v", "=1+1", "unreadable", "no points")
 
 
@@ -40,6 +41,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     with writer.answers() as write:
         write(AnswerCells(*cells, ["mistake", "right"], ["0.5", "2"], ["2", "2"], *rest))
     writer.grades(("q1", "q2"), [replace(ANNA, kept=Fraction(3), grade="=A")], SCALE)
+    writer.subtracted([SUBTRACTED])
     writer.complaints([COMPLAINT])
     writer.kept([KEPT_ANNA])
     writer.put([("7", "q1", "v", "8")])
@@ -54,6 +56,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     (total,) = open_marks(tmp_path).totals.students
     assert (total.student, total.name, total.kept) == ("7", "=Anna, B.", KEPT_ANNA)
     assert (total.grade, open_marks(tmp_path).scale) == ("=A", SCALE)
+    assert open_marks(tmp_path).subtracted == {"7": "=late"}
     assert (total.points, total.total, total.out_of) == ({"q1": HALF, "q2": 2}, 3, 2)
     assert (total.percent, total.status) == (150, "marked")
     assert [(each.column, each.typed, each.points) for each in folder.answers()] == [

@@ -11,6 +11,7 @@ import pytest
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.files.starter import read_starter_text
 from kinegrade.grade_scale.stated import SCALE
+from kinegrade.grading.lateness.reading import LATE, TRIES
 from kinegrade.grading.policy.keys import ACCEPTED, ASK, POLICY, QUESTION
 from kinegrade.grading.policy.reading import read_policy
 from tests.small_class import kinegrade
@@ -51,10 +52,12 @@ def test_new_writes_a_policy_by_which_a_class_is_marked(exam: Path) -> None:
 
 def test_every_key_is_there_and_explained_in_the_line_above_it() -> None:
     keys = list_keys(TEXT)
-    assert {*keys[""], "questions", "scale"} == set(POLICY)
+    assert {*keys[""], "questions", "scale", "late", "tries"} == set(POLICY)
     assert {*keys["scale"], *list_keys(read_starter_text("kinegrade.exam.bank"))["scale"]} == {
         *SCALE
     }
+    assert set(keys["late"]) == set(LATE)
+    assert set(keys["tries"]) == set(TRIES)
     assert {*keys["questions.q1"], "asks"} == set(QUESTION)
     assert {*keys["questions.q1.asks.v_B"], "accept"} == set(ASK)
     assert set(keys["questions.q1.asks.v_B.accept"]) == set(ACCEPTED)
@@ -67,5 +70,7 @@ def test_what_is_not_in_force_is_read_where_it_is_put_in_force(exam: Path) -> No
     policy = read_policy(path, open_exam(exam))
     assert policy.scale is not None
     assert list(policy.scale.grades) == ["A", "B", "C", "D"]
+    assert policy.penalties.late is not None
+    assert set(policy.penalties.late.extensions) == {"1001"}
     ruling = policy.rulings["q1.v_B"]
     assert (ruling.points, ruling.void, len(ruling.accepted)) == (4, "full", 1)

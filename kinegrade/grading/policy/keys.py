@@ -14,6 +14,10 @@ POLICY = (
     "credit",
     #: Which grades totals earn: a table `[scale]`, in place of the bank's.
     "scale",
+    #: What being late costs: a table `[late]`.
+    "late",
+    #: What each submission after the first costs: a table `[tries]`.
+    "tries",
     #: Rules for single questions: tables `[questions.q1]`.
     "questions",
 )

@@ -14,6 +14,7 @@ from typing import Literal, assert_never
 from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.expressions.tree import Expression
 from kinegrade.grade_scale.stated import StatedScale
+from kinegrade.grading.lateness.rule import NO_PENALTIES, Penalties
 from kinegrade.grading.typed.conversion import Conversion
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.stated_marking import StatedTolerance
@@ -92,13 +93,15 @@ class Ruling:
 @dataclass(frozen=True, slots=True)
 class Policy:
     """Which of a student's rows counts, and a ruling for each answer column that has one; `text` is
-    the content of the file, `scale` says which grades totals earn.
+    the content of the file, `scale` says which grades totals earn, `penalties` what is subtracted
+    from them.
     """
 
     attempts: Attempts = "last"
     rulings: Mapping[str, Ruling] = field(default_factory=dict, hash=False)
     text: str = ""
     scale: StatedScale | None = None
+    penalties: Penalties = NO_PENALTIES
 
     def ruling(self, column: str) -> Ruling:
         """The ruling for an answer column."""

@@ -22,6 +22,7 @@ from kinegrade.files.fields.document import FileKind, parsed_table, read_text, t
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import amount, choice, whole
 from kinegrade.grade_scale.stated import StatedScale, read_scale
+from kinegrade.grading.lateness.reading import read_penalties
 from kinegrade.grading.policy import keys
 from kinegrade.grading.policy.accepted_reading import AcceptedReader
 from kinegrade.grading.policy.policy import FULL_CREDIT, NO_ROOM, Attempts, Policy, Ruling, Void
@@ -117,9 +118,9 @@ class _Reader:
         attempts: Attempts = table.with_default("attempts", choice(_ATTEMPTS), "last")
         level = self._level(table).over(stated)
         rulings = self._rulings(table.table("questions"), level)
-        scale = read_scale(table)
+        scale, penalties = read_scale(table), read_penalties(table, self.exam)
         table.faults.require_none()
-        return Policy(attempts, rulings, text, scale or _read_stated_scale(self.exam))
+        return Policy(attempts, rulings, text, scale or _read_stated_scale(self.exam), penalties)
 
     def _rulings(self, content: Table, wider: _Level) -> dict[str, Ruling]:
         """A ruling for each answer column."""

@@ -123,6 +123,7 @@ def _unite(first: Entry, other: Entry) -> Entry:
         first.file,
         tuple(put) if any(put) else (),
         tuple(chosen[number].place(number) for number in numbers),
+        first.submitted or other.submitted,
     )
 
 

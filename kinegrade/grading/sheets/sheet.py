@@ -29,8 +29,8 @@ class Entry(NamedTuple):
 
     `whole` is the row as it came, where the student has several. `put` holds for each ask the
     student whose line of the key it is marked by, "" for the student's own; it is empty where all
-    are the student's own. `places` are those of the single responses, where they come from several
-    files.
+    are the student's own. `submitted` is when it was handed in, as far as that is known. `places`
+    are those of the single responses, where they come from several files.
     """
 
     line: int | None
@@ -39,6 +39,7 @@ class Entry(NamedTuple):
     file: str = ""
     put: Sources = ()
     places: tuple[Place, ...] = ()
+    submitted: str = ""
 
     def place(self, number: int) -> Place:
         """Where the response to an ask stands."""

@@ -36,7 +36,7 @@ class StudentGrade:
     `name` is that of grades.csv, neutralised against spreadsheets; `email` is empty where no exam
     was read. `printed` are the questions in the order of the paper, empty where that is the bank's;
     the points of those that are a `bonus` come on top of the maximum. `scale_grade` is "" where no
-    scale was stated.
+    scale was stated; `subtracted` is missing from the total.
     """
 
     student: str
@@ -48,6 +48,7 @@ class StudentGrade:
     printed: tuple[str, ...] = ()
     bonus: Set[str] = frozenset()
     scale_grade: str = ""
+    subtracted: Fraction = Fraction(0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,13 +131,23 @@ def _make_student_grade(
     name = neutralise(total.name)
     held = bonus & out_of.keys()
     return StudentGrade(
-        total.student, name, "", points, out_of, handed_in, printed, held, total.grade
+        total.student,
+        name,
+        "",
+        points,
+        out_of,
+        handed_in,
+        printed,
+        held,
+        total.grade,
+        total.subtracted,
     )
 
 
 def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
     """What the system shows a student: points by the number of the question on the student's paper,
-    and nothing that the student typed; those of a bonus have a plus sign.
+    and nothing that the student typed; those of a bonus have a plus sign, and what is subtracted
+    from the total a minus sign.
 
     >>> points = {"q1": Fraction(5, 2), "q2": Fraction(0)}
     >>> out_of = {"q1": Fraction(4), "q2": Fraction(3)}
@@ -149,7 +160,8 @@ def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
     numbered = list(zip(map(str, number_printed(grade.printed)), grade.printed, strict=True))
     numbered += [(find_bank_number(name), name) for name in others]
     shown = (_write_points(grade, number, name) for number, name in numbered)
-    return "; ".join(filter(None, shown))
+    less = f"-{write_amount(grade.subtracted)}" if grade.subtracted else ""
+    return "; ".join(filter(None, (*shown, less)))
 
 
 def _write_points(grade: StudentGrade, number: str, question: str) -> str:

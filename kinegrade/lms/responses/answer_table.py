@@ -35,6 +35,7 @@ from kinegrade.language.message import (
 from kinegrade.lms.responses.detection import DIALECTS, detected
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
+from kinegrade.lms.responses.times import read_time
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 
 if TYPE_CHECKING:
@@ -167,7 +168,9 @@ def _answers(read: _Read, variants: Variants | None, exam: ExamFolder) -> Answer
     )
     header = ("student", *typed.columns)
     sheet = replace(table, header=header, rows=tuple(_rows(pairs)), complaints=complaints)
-    return AnswerFile(sheet, put, tuple(each for each in left if each.student), typed.lines)
+    times = {each.row.line: read_time(each.submitted) for each, _ in pairs if each.submitted}
+    taken = tuple(each for each in left if each.student)
+    return AnswerFile(sheet, put, taken, typed.lines, times)
 
 
 def _known(source: str, path: Path) -> str:

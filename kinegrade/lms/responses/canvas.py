@@ -67,6 +67,7 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
             tuple(_response(row, each) for each in sources),
             _moment(row, people),
             texts=tuple(_text(table, row, places) for places in columns.values()),
+            submitted=_moment(row, people),
         )
         for row in rows
     )

@@ -28,25 +28,20 @@ _COLUMNS: Mapping[str, Column] = {"id": "student", "email": "email", "name": "na
 
 
 def form_rows(
-    table: Table, head: ExamHead, *, questions: Sequence[int], known: Mapping[Kind, Sequence[int]]
+    table: Table,
+    head: ExamHead,
+    *,
+    questions: Sequence[int],
+    known: Mapping[Kind, Sequence[int]],
+    end: int,
 ) -> TypedRows:
     """The responses of a form whose questions are these columns; `known` are other columns that
-    identify the student.
+    identify the student, `end` is the one that says when it was sent.
 
     Raises TableError where questions and asks do not agree.
     """
     questions = without_derived(table.header, questions)
-    taken = {
-        place for places in asks_by_name(table.header, questions, head).values() for place in places
-    }
-    about = {
-        kind: [
-            place
-            for place in questions
-            if place not in taken and _asks_for(kind, table.header[place])
-        ]
-        for kind in _TITLES
-    }
+    about = _find_about(table, head, questions)
     personal = {place for places in about.values() for place in places}
     columns = columns_of_asks(table, [place for place in questions if place not in personal], head)
     named: dict[Kind, Sequence[int]] = {
@@ -54,7 +49,10 @@ def form_rows(
         "email": [*known["email"], *about["email"]] if "email" in known else about["email"],
     }
     rest = [place for place in questions if place not in {*columns.values(), *about["name"]}]
-    rows = tuple(TypedRow(row, tuple(map(row.cell, columns.values()))) for row in table.rows)
+    rows = tuple(
+        TypedRow(row, tuple(map(row.cell, columns.values())), submitted=row.cell(end))
+        for row in table.rows
+    )
     assumed = tuple(
         Message("responses.column", columns=_show(table.header[place]), asks=column)
         for column, place in columns.items()
@@ -62,6 +60,23 @@ def form_rows(
     return TypedRows(
         tuple(columns), frozenset(columns.values()), rows, tuple(rest), named, assumed=assumed
     )
+
+
+def _find_about(
+    table: Table, head: ExamHead, questions: Sequence[int]
+) -> Mapping[str, Sequence[int]]:
+    """The questions that ask for the id, the address or the name, and for no answer."""
+    taken = {
+        place for places in asks_by_name(table.header, questions, head).values() for place in places
+    }
+    return {
+        kind: [
+            place
+            for place in questions
+            if place not in taken and _asks_for(kind, table.header[place])
+        ]
+        for kind in _TITLES
+    }
 
 
 def _asks_for(kind: str, title: str) -> bool:

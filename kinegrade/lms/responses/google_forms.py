@@ -32,4 +32,4 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     address = [place for place in (1, 2) if place < len(keys) and keys[place] in _ADDRESS][:1]
     score = [place for place in (1, 2) if place < len(keys) and keys[place] == _SCORE][:1]
     questions = [place for place in range(1, len(table.header)) if place not in {*address, *score}]
-    return form_rows(table, head, questions=questions, known={"email": address})
+    return form_rows(table, head, questions=questions, known={"email": address}, end=0)

@@ -29,6 +29,7 @@ from kinegrade.lms.responses.typed_rows import Attempts, NotTaken, TypedRow, Typ
 TITLE = Message("responses.moodle")
 _NOT_GRADED = Message("marking.not-graded")
 _STATE_COLUMNS = 4
+_FROM_END = 2  # columns from the end of an attempt to its grade
 _NAMES = 2  # the first two columns, by which no student is found
 
 
@@ -69,7 +70,10 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
             not_taken.append(reason)
             continue
         responses, faults = _responses(table, row, slots)
-        rows.append(TypedRow(row, responses, right=_right(row, slots), texts=_texts(row, slots)))
+        right, texts = _right(row, slots), _texts(row, slots)
+        rows.append(
+            TypedRow(row, responses, right=right, texts=texts, submitted=_find_end(row, columns))
+        )
         complaints += faults
     assumed = tuple(
         Message("responses.column", columns=table.header[slot.column], asks=list_plainly(slot.asks))
@@ -85,6 +89,15 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
         not_taken=tuple(not_taken),
         drawn=tuple(slot.asks for slot in slots),
     )
+
+
+def _find_end(row: Row, columns: MoodleColumns) -> str:
+    """When an attempt was completed, "" where it is not: the duration alone stands between that and
+    the grade.
+    """
+    place = columns.grade - _FROM_END
+    cell = trim(row.cell(place)) if place >= _NAMES + 1 else ""
+    return "" if cell == NOTHING else cell
 
 
 def _averages(table: Table, row: Row, columns: MoodleColumns) -> Complaint:

@@ -18,6 +18,7 @@ from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 
 TITLE = Message("responses.ms-forms")
 _FIRST = ("id", "start time", "completion time", "email", "name")
+_END = _FIRST.index("completion time")
 _ADDRESS = _FIRST.index("email")
 _BETWEEN = ("total points", "quiz feedback", "last modified time")
 
@@ -38,4 +39,4 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
         for place in range(len(_FIRST), len(table.header))
         if make_header_key(table.header[place]) not in _BETWEEN
     ]
-    return form_rows(table, head, questions=questions, known={"email": [_ADDRESS]})
+    return form_rows(table, head, questions=questions, known={"email": [_ADDRESS]}, end=_END)

@@ -19,6 +19,7 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
 
+SUBMITTED = "submitted"  # the column that says when a row was handed in
 TITLE = Message("responses.sheet")
 
 
@@ -35,8 +36,12 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     email = _places(table.header, list_column_names("email"))
     codes = [each for each in _places(table.header, list_code_columns()) if each not in student[:1]]
     named: dict[Kind, Sequence[int]] = {"id": student[:1], "email": email[:1], "code": codes}
-    others = [place for place in range(len(table.header)) if place not in student[:1]]
-    rows = tuple(TypedRow(row, tuple(map(row.cell, others))) for row in table.rows)
+    end = _places(table.header, [SUBMITTED])
+    others = [place for place in range(len(table.header)) if place not in {*student[:1], *end}]
+    rows = tuple(
+        TypedRow(row, tuple(map(row.cell, others)), submitted="".join(map(row.cell, end)))
+        for row in table.rows
+    )
     return TypedRows(
         tuple(table.header[place] for place in others), frozenset(others), rows, (), named
     )

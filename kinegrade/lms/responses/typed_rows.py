@@ -23,7 +23,8 @@ class TypedRow:
 
     `moment` sorts the attempts of a student; "" where the file is in chronological order. `right`
     are the right answers according to the download, and `texts` the texts of the questions, in the
-    same order, where the download has them.
+    same order, where the download has them. `submitted` is when it was handed in, as the download
+    writes it, "" where it does not.
     """
 
     row: Row
@@ -31,6 +32,7 @@ class TypedRow:
     moment: str = ""
     right: tuple[str, ...] = ()
     texts: tuple[str, ...] = ()
+    submitted: str = ""
 
 
 @dataclass(frozen=True, slots=True)

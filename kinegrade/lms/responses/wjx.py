@@ -17,6 +17,7 @@ from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 
 TITLE = Message("responses.wjx")
 _NUMBER = "序号"
+_END = 1  # the column after it says when it was sent
 _QUESTION = re.compile(r"\s*\d+、")
 
 
@@ -32,7 +33,7 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     questions = _questions(table.header)
     if not questions:
         raise TableError(Fault(table.file, Message("responses.no-numbers", report=TITLE)))
-    return form_rows(table, head, questions=questions, known={})
+    return form_rows(table, head, questions=questions, known={}, end=_END)
 
 
 def _questions(header: Sequence[str]) -> list[int]:

@@ -38,6 +38,8 @@ def write_feedback_markdown(sheet: FeedbackSheet) -> str:
     ]
     for question in sheet.questions:
         lines += _write_question(question, words)
+    if sheet.subtracted:
+        lines += [_write_plain(sheet.subtracted), ""]
     if sheet.kept:
         lines += [words["kept"], ""]
     if sheet.guesses:

@@ -20,7 +20,17 @@ from kinegrade.press.typst.layout_call import Sheet, write_formula, write_layout
 from kinegrade.press.typst.press import TypstPress
 
 _ROW_TEXTS = ("typed", "read_as", "right", "allowed", "mark", "verdict", "points", "reason")
-_SHEET_TEXTS = ("course", "title", "date", "student", "name", "code", "total", "grade")
+_SHEET_TEXTS = (
+    "course",
+    "title",
+    "date",
+    "student",
+    "name",
+    "code",
+    "total",
+    "grade",
+    "subtracted",
+)
 
 
 def print_feedback(sheet: FeedbackSheet, solution: bytes | None = None) -> bytes:

@@ -58,6 +58,9 @@ def class_report(
     the students if they are wanted. Raises TableError, ExamError.
     """
     sheet, catalogue = make_class_sheet(marks, exam, wording, language), open_catalogue(language)
+    if marks.subtracted:
+        less = Message("report.subtracted", count=len(marks.subtracted))
+        sheet = replace(sheet, counted=f"{sheet.counted} {catalogue.write(less)}")
     if sheet.figures is not None:
         totals, scale = marks.totals, marks.scale
         passed, grades = ("", ()) if scale is None else count_grades(totals, scale, catalogue)

@@ -35,6 +35,7 @@ from kinegrade.reports.feedback.points import (
     head_question,
     mark_decimals,
     say_bonus,
+    write_points,
     write_share,
     write_total,
 )
@@ -73,7 +74,14 @@ def make_feedback_sheets(
         paper_language = Language(candidate.language)
         spoken = paper_language if paper_language in own else language
         paper = papers.marked(student, (answer.column for answer in answers))
-        others = _Others(candidate, head, total, marks.by_hand.get(student, {}), marks.open)
+        others = _Others(
+            candidate,
+            head,
+            total,
+            marks.by_hand.get(student, {}),
+            marks.open,
+            marks.subtracted.get(student, ""),
+        )
         yield candidate, _make_sheet(answers, paper, worded[spoken], spoken, others)
 
 
@@ -98,6 +106,7 @@ def _make_sheet(
         others.total.kept is not None,
         tuple(_order_questions(answers, paper, wording, others, catalogue)),
         grade=others.total.grade,
+        subtracted=_write_subtracted(others.total, others.reason, catalogue),
     )
 
 
@@ -115,7 +124,8 @@ def _describe_other_exam(student: str, marks: MarksFolder, exam: ExamFolder) -> 
 @dataclass(frozen=True)
 class _Others:
     """What is not in a student's lines of marks.csv: who it is, the exam's head, the totals, what
-    was marked `by_hand`, and what is still to be marked so.
+    was marked `by_hand`, what is still to be marked so, and the `reason` why points were
+    subtracted.
     """
 
     candidate: Candidate
@@ -123,6 +133,15 @@ class _Others:
     total: StudentTotal
     by_hand: Mapping[str, HandMark]
     still_open: Sequence[OpenQuestion]
+    reason: str
+
+
+def _write_subtracted(total: StudentTotal, reason: str, catalogue: Catalogue) -> str:
+    """What was subtracted from a total and why, "" for nothing."""
+    if not total.subtracted:
+        return ""
+    points = write_points(total.subtracted, catalogue)
+    return catalogue.text("feedback.subtracted", points=points, reason=reason)
 
 
 def _order_questions(

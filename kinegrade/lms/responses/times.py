@@ -1,0 +1,96 @@
+"""When something was handed in, as systems write it: read only where it is certain which day and
+which hour is meant.
+
+A date of three numbers is certain where the year comes first; one with the name of a month, in any
+language of the catalogues, always.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from datetime import datetime
+from functools import cache
+
+from kinegrade.deadlines.moment import parse_moment, write_moment
+from kinegrade.files.cell_text import trim
+from kinegrade.language.message import Message
+from kinegrade.language.spellings import match_spellings
+
+_HALF_DAY, _DAY = 12, 24
+_CLOCK = (
+    r"(?:(?P<morning>上午)|(?P<afternoon>下午))? ?"
+    r"(?P<hour>[0-9]{1,2}):(?P<minute>[0-9]{2})(?::(?P<second>[0-9]{2}))?"
+)
+_HALF = r"(?: ?(?P<half>[AaPp])\.?[Mm]\.?)?(?: Uhr)?"
+_ZONE = r"(?: ?(?:GMT|UTC)(?P<sign>[+-])(?P<hours>[0-9]{1,2})(?::(?P<minutes>[0-9]{2}))?)?"
+_YEAR_FIRST = re.compile(
+    r"(?P<year>[0-9]{4})(?:[-/.]|年) ?(?P<month>[0-9]{1,2})(?:[-/.]|月) ?(?P<day>[0-9]{1,2})日?"
+    rf"[,， ]*(?:(?:星期|周).)?[,， ]*{_CLOCK}{_HALF}{_ZONE}"
+)
+_MONTHS = (
+    Message("responses.month-1"),
+    Message("responses.month-2"),
+    Message("responses.month-3"),
+    Message("responses.month-4"),
+    Message("responses.month-5"),
+    Message("responses.month-6"),
+    Message("responses.month-7"),
+    Message("responses.month-8"),
+    Message("responses.month-9"),
+    Message("responses.month-10"),
+    Message("responses.month-11"),
+    Message("responses.month-12"),
+)
+
+
+def read_time(cell: str) -> str:
+    """A time as `kinegrade.deadlines.moment` reads it; where it is not certain, as it stands.
+
+    >>> read_time("Sunday, 27 September 2026, 3:04 PM"), read_time("10/4/2026 10:15:00")
+    ('2026-09-27 15:04', '10/4/2026 10:15:00')
+    """
+    text = " ".join(trim(cell).split())
+    moment = parse_moment(text) or _read_written(text)
+    return text if moment is None else write_moment(moment)
+
+
+def _read_written(text: str) -> datetime | None:
+    found = _YEAR_FIRST.fullmatch(text)
+    if found is not None:
+        return _make_moment(found, int(found["month"]))
+    for number, pattern in enumerate(_match_months(), 1):
+        found = pattern.fullmatch(text)
+        if found is not None:
+            return _make_moment(found, number)
+    return None
+
+
+@cache
+def _match_months() -> Sequence[re.Pattern[str]]:
+    """For each month what a date with its name looks like: "27 September 2026, 3:04 PM"."""
+    return tuple(
+        re.compile(
+            rf"(?:\w+, )?(?P<day>[0-9]{{1,2}})\.? {match_spellings(each)}\.? "
+            rf"(?P<year>[0-9]{{4}}),? {_CLOCK}{_HALF}{_ZONE}",
+            re.IGNORECASE,
+        )
+        for each in _MONTHS
+    )
+
+
+def _make_moment(found: re.Match[str], month: int) -> datetime | None:
+    hour, half = int(found["hour"]), found["half"]
+    if half or found["morning"] or found["afternoon"]:
+        if not 1 <= hour <= _HALF_DAY:
+            return None
+        is_late = found["afternoon"] is not None or (half or "").lower() == "p"
+        hour = hour % _HALF_DAY + (_HALF_DAY if is_late else 0)
+    if hour >= _DAY:
+        return None
+    date = f"{found['year']}-{month:02d}-{int(found['day']):02d}"
+    clock = f"{hour:02d}:{found['minute']}:{found['second'] or '00'}"
+    zone = ""
+    if found["sign"]:
+        zone = f" {found['sign']}{int(found['hours']):02d}:{found['minutes'] or '00'}"
+    return parse_moment(f"{date} {clock}{zone}")
