@@ -8,7 +8,7 @@ import numpy as np
 
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Wish, list_spots_around
+from kinegrade.figure.placing.place import LOST, Wish, list_spots_around
 from kinegrade.figure.scene import BOLD, THIN, Label, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
@@ -93,3 +93,9 @@ def test_a_mark_through_a_letter_is_named_by_its_symbol() -> None:
 def test_what_is_only_spared_crowds_nothing() -> None:
     letter = Label("A", Vector(0.0, 2.0), 2.0, 2.0)
     assert Layout.of(()).marked([Rule(0.0, 0.0)], [letter]).crowded == ()
+
+
+def test_a_symbol_too_far_from_its_mark_to_be_found_has_no_good_place() -> None:
+    for demerit, crowded in ((LOST, ("x",)), (LOST / 2, ())):
+        wish = Wish("x", np.array([[0.0, 0.0]]), demerits=np.array([demerit]))
+        assert Layout.of(()).captioned(wish).crowded == crowded

@@ -137,11 +137,11 @@ class Layout:
 
     def captioned(self, wish: Wish, sparing: Sequence[Primitive] = ()) -> Layout:
         """The layout with the label of a mark, which has a fault only where something is under
-        it.
+        it, or where it is lost.
         """
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
         placed = place_label(wish, crowded)
-        faulty = placed.faulty and is_covered(placed.label, self.obstacles)
+        faulty = placed.faulty and (placed.lost or is_covered(placed.label, self.obstacles))
         return self._labelled(replace(placed, faulty=faulty))
 
     def _strikes_label(self, mark: Mark) -> bool:

@@ -22,6 +22,7 @@ CLEARANCE = 0.25  # millimetres kept free around a label
 _FARTHER = 0.04
 _LABEL_WEIGHT = 3.0  # a symbol on a line is worse than a line across a line
 _AMBIGUOUS = 0.4  # millimetres by which a letter has to be nearer to its point than to any other
+LOST = 20.0  # demerit of a spot at which a symbol is too far from its mark to be found
 _FAULT = 0.5  # cost of a spot from which on there is a fault: less than covering a thin line
 # Millimetres from which on a letter has a leader, and of paper at its two ends
 _STANDS_OFF, _BEFORE, _SHORT_OF = 3.3, 0.2, 1.3
@@ -56,12 +57,13 @@ class Wish:
 
 @dataclass(frozen=True)
 class Placed:
-    """A label at its spot, and whether that has a fault: something is under it, or the spot has a
-    demerit.
+    """A label at its spot, whether that has a fault: something is under it, or the spot has a
+    demerit; and whether it is so far from its mark that nobody would find it.
     """
 
     label: Label
     faulty: bool
+    lost: bool
 
 
 def place_label(wish: Wish, obstacles: Obstacles) -> Placed:
@@ -69,11 +71,13 @@ def place_label(wish: Wish, obstacles: Obstacles) -> Placed:
     spots = wish.spots
     spot, cost = _choose_best(wish.symbol, spots, obstacles, wish.demerits)
     if cost >= _FARTHER * len(spots) and wish.at is not None:
-        spots = widen(wish).spots
+        wish = widen(wish)
+        spots = wish.spots
         spot, cost = _choose_best(wish.symbol, spots, obstacles)
     centre = Vector(*spots[spot].tolist())
     label = Label(wish.symbol, centre, *measure_symbol(wish.symbol))
-    return Placed(label, cost - _FARTHER * spot >= _FAULT)
+    demerit = 0.0 if wish.demerits is None else wish.demerits[spot]
+    return Placed(label, cost - _FARTHER * spot >= _FAULT, lost=bool(demerit >= LOST))
 
 
 def widen(wish: Wish) -> Wish:

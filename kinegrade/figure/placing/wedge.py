@@ -9,7 +9,7 @@ from math import pi, sin
 import numpy as np
 
 from kinegrade.figure.placing.extent import measure_symbol
-from kinegrade.figure.placing.place import Floats, Wish, list_spots_along_arc
+from kinegrade.figure.placing.place import LOST, Floats, Wish, list_spots_along_arc
 from kinegrade.figure.plane import polar
 from kinegrade.figure.scene import Bow
 
@@ -19,8 +19,7 @@ _OUTSIDE = 8.0  # demerit of a spot outside the angle: less than covering a thin
 _AWAY = 0.8  # demerit of a millimetre between the arc and a letter that has no room at it
 _SHARES = np.array((0.5, 0.4, 0.6, 0.3, 0.7))  # of the angle
 _ENDS = np.array((0.13, 0.87))  # of the angle, for a letter near an end of a long arc
-# Millimetres from its arc at which a letter is lost, and the demerit of that
-_LATEST, _LOST = 3.0, 20.0
+_LATEST = 3.0  # millimetres from its arc at which a letter is lost
 # Millimetres beyond the narrowest place with room
 _STEPS = np.array((0.0, 1.0, 2.0, 3.5, 5.0, 7.0, 9.0, 11.0))
 
@@ -38,7 +37,7 @@ def list_spots_in_wedge(symbol: str, bow: Bow) -> Wish:
     away = np.hypot(steps[:, 0], steps[:, 1]) - bow.radius
     late = np.maximum(np.abs(away) - max(measure_symbol(symbol)), 0.0)
     demerits = _AWAY * late + _OUTSIDE * _find_outside(symbol, steps, bow)
-    demerits = demerits + _LOST * (late > _LATEST)
+    demerits = demerits + LOST * (late > _LATEST)
     order = np.argsort(demerits.round(6), kind="stable")
     return Wish(symbol, spots[order], demerits=demerits[order])
 
