@@ -74,11 +74,13 @@ def _find_at_angles(wish: Wish, layout: Layout) -> Floats:
         bow, steps = arc.bow, wish.spots - np.array(arc.bow.centre)
         turned = (np.arctan2(steps[:, 1], steps[:, 0]) - bow.start) * np.sign(bow.sweep)
         within = turned % (2 * pi) < abs(bow.sweep)
-        found = np.maximum(found, within & (np.hypot(*steps.T) < bow.radius + _IN_ANGLE))
+        near = np.hypot(*steps.T) < bow.radius + _IN_ANGLE
+        found = np.maximum(found, within & near)
         for start, end in arc.list_sides():
             steps, toward = wish.spots - np.array(end), unit(end - start)
             ahead, aside = steps @ np.array(toward), np.abs(steps @ np.array(toward.turned()))
-            found = np.maximum(found, (ahead > 0) & (ahead < half + _AT_END) & (aside < _ASIDE))
+            beyond = (ahead > 0) & (ahead < half + _AT_END)
+            found = np.maximum(found, beyond & (aside < _ASIDE))
     return found
 
 
@@ -93,7 +95,8 @@ def _find_in_discs(wish: Wish, discs: Iterable[Rim]) -> Floats:
     within = np.zeros(len(wish.spots))
     for disc in discs:
         steps = wish.spots - np.array(disc.at)
-        within = np.maximum(within, np.hypot(*steps.T) < disc.radius)
+        inside = np.hypot(*steps.T) < disc.radius
+        within = np.maximum(within, inside)
     return within
 
 
