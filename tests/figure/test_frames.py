@@ -14,7 +14,7 @@ from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.plane import nearest_of
+from kinegrade.figure.plane import length, nearest_of
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Line, Slide
@@ -152,6 +152,16 @@ def test_an_axis_along_the_edge_of_a_plate_begins_at_its_origin() -> None:
     assert min(gaps) < 0.01
 
 
+def test_two_axes_along_one_edge_each_end_nearer_to_their_own_origin() -> None:
+    mechanism, _ = sliding_plate()
+    frames = (BodyFrame("x_2", "y_2", "B", "B", "C"), BodyFrame("x_3", "y_3", "C", "C", "B"))
+    scene = sketch(mechanism, FigureHints(frames=frames))
+    (first, _, second, _) = (head.corners[0] for head in heads(scene))
+    at = {label.symbol: label.centre for label in scene.labels}
+    assert length(first - at["B"]) < length(first - at["C"])
+    assert length(second - at["C"]) < length(second - at["B"])
+
+
 def test_the_letter_of_an_axis_keeps_clear_of_a_line_that_is_still_to_come() -> None:
     at = {"A": Vector(0.0, 0.0), "B": Vector(20.0, 5.0)}
     hints = FigureHints(frames=(BodyFrame("x_1", "y_1", "A", "A", "B"),))
@@ -182,3 +192,18 @@ def test_an_axis_is_short_where_a_bar_stands_farther_along_it() -> None:
     hints = FigureHints(axes="origin")
     layout = add_frames(Layout.of([stem]), {}, hints, EMPTY, ())
     assert max(part.corners[0].y for part in layout.lines if isinstance(part, Outline)) < 9.0
+
+
+@pytest.mark.parametrize("far", [0.1, 2.0])
+def test_an_axis_reaches_beyond_the_point_that_gives_the_side_of_an_angle(far: float) -> None:
+    mechanism, _ = sliding_plate()
+    points = {**mechanism.points, "X": mechanism.points["A"] + Vector(far, 0.0)}
+    hints = FigureHints(
+        frames=(BodyFrame("x_1", "y_1", "A", "A", "X"),),
+        angles=(Angle("u", "A", "up", "X"),),
+    )
+    scene = sketch(replace(mechanism, points=points), hints)
+    thin = [part for part in scene.primitives if isinstance(part, Strokes) and part.pen == THIN]
+    level = [line for part in thin for line in part.lines if abs(line[0].y - line[1].y) < 1e-6]
+    tip = max(corner.x for head in heads(scene) for corner in head.corners)
+    assert max(end.x for line in level for end in line) < tip

@@ -9,7 +9,7 @@ from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.plane import NEAR, on_line, unit
+from kinegrade.figure.plane import NEAR, length, on_line, unit
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 
@@ -27,6 +27,21 @@ def measure_drawn(at: Vector, toward: Vector, drawing: Drawing) -> float:
         if along and min(steps) < _BEGINS and on_line(at, Line(start, end - start)):
             reaches += steps
     return max(reaches)
+
+
+def measure_edge(at: Vector, toward: Vector, drawing: Drawing) -> float:
+    """The length in millimetres of the edge of a plate that leaves a corner in a direction (a unit
+    vector); 0 when none does.
+    """
+    plates = [part for part in drawing.parts if isinstance(part, Plate)]
+    steps = [
+        corner - at
+        for plate in plates
+        if any(length(corner - at) < NEAR for corner in plate.corners)
+        for corner in plate.corners
+    ]
+    reaches = [step.dot(toward) for step in steps if abs(step.cross(toward)) < NEAR]
+    return max(reaches, default=0.0)
 
 
 def _list_lines(drawing: Drawing) -> Iterator[Segment]:

@@ -5,12 +5,12 @@ the axes of a body, as two arrows with their letters.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import assert_never
 
 import numpy as np
 
-from kinegrade.figure.marks.drawn import measure_drawn
+from kinegrade.figure.marks.drawn import measure_drawn, measure_edge
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark, direction
@@ -30,7 +30,9 @@ _LENGTHS, _BODY_LENGTHS, _ASIDE = (
     7.0,
 )
 _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of an angle
+_BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side of an angle
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
+_ON_EDGE = 5.0  # millimetres of an edge beyond the longest axis on it
 _CLEAR = 3.0  # millimetres about that square that are free as well
 _ROOM = 11.0  # millimetres, of the square that the axes aside take with their letters
 _STATIONS = 7  # places along the height of a figure for the axes aside
@@ -49,21 +51,35 @@ def add_frames(
 ) -> Layout:
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
-    ground runs on beyond it; one that is the leg of an angle reaches beyond its arc.
+    ground runs on beyond it, one along the edge of a plate lies on that; one that is the leg of an
+    angle reaches beyond its arc.
     """
     axes = [axis for frame in hints.frames for axis in _name_axes(*_find_place(at, frame), frame)]
     if hints.axes == "origin":
         axes += [("x", _ORIGIN, _RIGHT, _LENGTHS), ("y", _ORIGIN, _RIGHT.turned(), _LENGTHS)]
-    for symbol, origin, toward, usual in axes:
-        long = _LEG_LENGTHS if _is_leg(at, hints.angles, origin, toward) else ()
-        drawn = measure_drawn(origin, toward, drawing)
-        beyond = tuple(drawn + more - PIN for more in _BEYOND_BAR if drawn)
-        sizes = (*(size for size in (*long, *usual) if size > drawn), *beyond)
-        hidden = drawn if _is_point(at, origin + toward * drawn) else 0.0
-        left = tuple(size - hidden for size in sizes)
-        ways = list(_list_axes(origin + toward * (hidden + PIN), toward, symbol, left))
-        layout = layout.marked(ways, sparing)
+    for axis in axes:
+        layout = layout.marked(_list_ways(at, hints, drawing, axis), sparing)
     return layout
+
+
+def _list_ways(
+    at: Mapping[str, Vector], hints: FigureHints, drawing: Drawing, axis: _NamedAxis
+) -> list[Mark]:
+    """An axis in the lengths that it may have; on an edge that has room for it its head lies on
+    that, so that it is seen to begin at its own origin.
+    """
+    symbol, origin, toward, usual = axis
+    if measure_edge(origin, toward, drawing) > max(usual) + _ON_EDGE:
+        on_edge = _list_axes(origin + toward * PIN, toward, symbol, usual)
+        return [replace(way, on_edge=True) for way in on_edge]
+    leg = _measure_leg(at, hints.angles, origin, toward)
+    long = (*(size for size in _LEG_LENGTHS if size > leg), leg + _BEYOND_LEG) if leg else ()
+    drawn = measure_drawn(origin, toward, drawing)
+    beyond = tuple(drawn + more - PIN for more in _BEYOND_BAR if drawn)
+    sizes = (*(size for size in (*long, *usual) if size > drawn), *beyond)
+    hidden = drawn if _is_point(at, origin + toward * drawn) else 0.0
+    left = tuple(size - hidden for size in sizes)
+    return list(_list_axes(origin + toward * (hidden + PIN), toward, symbol, left))
 
 
 def _is_point(at: Mapping[str, Vector], end: Vector) -> bool:
@@ -79,18 +95,18 @@ def _name_axes(origin: Vector, along: Vector, frame: BodyFrame) -> tuple[_NamedA
     )
 
 
-def _is_leg(
+def _measure_leg(
     at: Mapping[str, Vector], angles: Iterable[Angle], origin: Vector, toward: Vector
-) -> bool:
-    """Whether a body's axis is a side of an angle that is not a side of the paper."""
+) -> float:
+    """How far, in millimetres, the point lies that gives the side of an angle along an axis; 0
+    where the axis is no side, or one of the paper.
+    """
+    reaches = [0.0]
     for angle in angles:
-        vertex = at[angle.at]
-        sides = (at[name] - vertex for name in (angle.start, angle.end) if name in at)
-        if length(vertex - origin) < NEAR and any(
-            length(unit(side) - toward) < NEAR for side in sides
-        ):
-            return True
-    return False
+        if length(at[angle.at] - origin) < NEAR:
+            sides = [at[name] - origin for name in (angle.start, angle.end) if name in at]
+            reaches += [length(side) for side in sides if length(unit(side) - toward) < NEAR]
+    return max(reaches)
 
 
 def add_axes_aside(layout: Layout, hints: FigureHints) -> Layout:
@@ -134,7 +150,7 @@ def _find_place(at: Mapping[str, Vector], frame: BodyFrame) -> tuple[Vector, Vec
 
 def _list_axes(
     start: Vector, toward: Vector, symbol: str, lengths: tuple[float, ...]
-) -> Iterator[Mark]:
+) -> Iterator[_Axis]:
     """An axis in each length, the preferred one first."""
     for rank, size in enumerate(lengths):
         yield _Axis(start, toward, size, symbol, 0.5 * rank)
@@ -149,10 +165,13 @@ class _Axis:
     size: float
     symbol: str
     demerit: float
+    on_edge: bool = False
     shared: bool = True
 
     def path(self) -> tuple[Segment, ...]:
-        """The part before the tip; the rest may run along a bar."""
+        """The part before the tip; the rest may run along a bar, and all of it along an edge."""
+        if self.on_edge:
+            return ()
         return ((self._tip() - self.toward * _TIP, self._tip()),)
 
     def wish(self) -> Wish:
