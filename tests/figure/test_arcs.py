@@ -52,6 +52,16 @@ def test_a_track_is_a_full_circle_unless_its_arc_is_wanted() -> None:
     assert rims_about(primitives, ORIGIN) == []
 
 
+def test_the_arc_around_a_wheel_goes_on_to_where_an_arrow_passes_beside_it() -> None:
+    points = {"O1": ORIGIN, "O": Vector(0.0, -0.4)}
+    joint = Roll("W", Circle("O", 0.2), GROUND, Circle("O1", 0.6), inside=True)
+    (arc,) = arcs(hinted(Mechanism(points, (Body("W", ("O",)),), (joint,), ()), **ARC))
+    ends = sorted((degrees(arc.start), degrees(arc.start + arc.sweep)))
+    beside_the_wheel = 30.0 + 15.0
+    assert ends[0] < -90.0 - beside_the_wheel
+    assert -90.0 + beside_the_wheel < ends[1] < 0.0
+
+
 def test_the_arc_goes_on_to_both_sides_of_all_wheels_on_it() -> None:
     (arc,) = arcs(wheels_on_track(170, -150, **ARC))
     ends = sorted((degrees(arc.start) % 360, degrees(arc.start + arc.sweep) % 360))

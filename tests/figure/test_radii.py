@@ -71,6 +71,13 @@ def test_an_arrow_and_its_letter_keep_out_of_other_wheels() -> None:
     assert length(label.centre - other.at) > 9.0
 
 
+def test_an_arrow_does_not_lie_on_the_rim_of_another_wheel() -> None:
+    preferred = find_tip(mark([make_rim(ORIGIN, 30.0)]))
+    other = make_rim(preferred * 0.5 + unit(preferred).turned() * 9.6, 9.0, "P")
+    tip = find_tip(mark([make_rim(ORIGIN, 30.0), other]))
+    assert length(nearest_of(other.at, ORIGIN, tip) - other.at) > 10.0
+
+
 def test_an_arrow_does_not_end_at_a_point_of_the_rim() -> None:
     preferred = find_tip(mark([make_rim(ORIGIN, 20.0)]))
     layout = mark([make_rim(ORIGIN, 20.0)], at=preferred)

@@ -6,14 +6,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from math import asin
 from typing import assert_never
 
 from kinegrade.figure.joints.ropes import find_rope, is_rope
 from kinegrade.figure.joints.symbol import Feature, Foot, Kind, Rim, Symbol, is_particle
-from kinegrade.figure.plane import foot, unit
+from kinegrade.figure.plane import angle_of, foot, length, polar, unit
 from kinegrade.mechanics.joints import GROUND, Arc, Circle, Contact, Line, Mesh, Roll
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
+
+# Radians by which the edge of a wheel, seen from the centre of the track about it, lies beyond the
+# contact while the usual arc has room for an arrow beside it
+_WITHIN_ARC = 0.3
 
 
 def find_touch_symbol(
@@ -25,7 +30,7 @@ def find_touch_symbol(
     rims = _find_rims(mechanism, joint, kinds)
     match joint.on:
         case Circle():
-            return Symbol(rims=tuple(_limit(rim, shapes) for rim in rims))
+            return Symbol(rims=tuple(_limit(rim, rims, shapes) for rim in rims))
         case Line():
             away = unit(rims[0].touch - rims[0].at)
         case _:
@@ -63,9 +68,19 @@ def find_arc_symbol(mechanism: Mechanism, joint: Arc) -> Symbol:
     return Symbol(point=joint.point, pinned=particle, edge=edge, rims=(rim,))
 
 
-def _limit(rim: Rim, shapes: Mapping[str, str]) -> Rim:
-    """A rim of which the author wants only an arc."""
-    return replace(rim, contacts=(rim.touch,)) if shapes.get(rim.body) == "arc" else rim
+def _limit(rim: Rim, rims: tuple[Rim, ...], shapes: Mapping[str, str]) -> Rim:
+    """A rim of which the author wants only an arc; that around a wheel within it goes on to where
+    an arrow from its centre passes beside the wheel.
+    """
+    if shapes.get(rim.body) != "arc":
+        return rim
+    middle, contacts = angle_of(rim.touch - rim.at), [rim.touch]
+    for wheel in rims:
+        if rim.ring and wheel is not rim:
+            aside = asin(min(1.0, wheel.radius / length(wheel.at - rim.at))) - _WITHIN_ARC
+            ends = (middle - aside, middle + aside) if aside > 0 else ()
+            contacts += [rim.at + polar(end, rim.radius) for end in ends]
+    return replace(rim, contacts=tuple(contacts))
 
 
 def _choose_kind(body: str, toothed: bool, shapes: Mapping[str, str]) -> Kind:

@@ -17,6 +17,7 @@ from kinegrade.mechanics.vector import Vector
 # Cost of an arrow across another wheel, and of one towards a centre that is in its own circle
 _ACROSS, _TOWARD_CENTRE = 15.0, 1.5
 _HALO = 0.6  # millimetres of white about an arrowhead among hatching
+_BESIDE = 1.2  # millimetres beside another wheel within which an arrow seems to lie on its rim
 _TOUCHING = 0.99  # share of a radius: nearer is within the circle
 
 
@@ -40,7 +41,7 @@ class RadiusFromCentre:
         for other in self.others:
             aside = other.at - self.centre
             missed = length(nearest_of(other.at, self.centre, self._end()) - other.at)
-            if missed < _TOUCHING * other.radius < _TOUCHING * length(aside):
+            if missed < other.radius + _BESIDE and other.radius < _TOUCHING * length(aside):
                 worse += _ACROSS
             if length(aside) < self.radius:
                 worse += _TOWARD_CENTRE * max(0.0, self.toward.dot(unit(aside)))
