@@ -23,11 +23,11 @@ from kinegrade.worked.answers.boxes import AnswerBoxes
 from kinegrade.worked.answers.named_steps import explain_steps
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
+from kinegrade.worked.checks.chapters import check_places, check_rates
 from kinegrade.worked.document import Block, Heading, TermTable, WorkedSolution
 from kinegrade.worked.numbering import number_steps
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.rates.kinds import describe_motions
-from kinegrade.worked.steps.checks import check_last
 from kinegrade.worked.steps.couplers import find_coupler, goes_by_pole, name_method
 from kinegrade.worked.steps.given_steps import holds_still, is_given
 from kinegrade.worked.steps.ideas import explain_idea
@@ -99,6 +99,8 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     yield from _write_position_chapter(case, None if still else points)
     yield from explain_pose_answers(case, (ask.name for ask in still))
     yield from boxes.state_missing(still)
+    if not moving:
+        yield from check_places(still, case)
     if velocities:
         yield Heading(case.write(Message("solution.velocities")), 1)
         yield case.say(Message("solution.positive"))
@@ -171,7 +173,7 @@ def _write_level_chapter(
     stages = _find_stages(steps, case, level, known)
     yield from _write_steps(steps, stages, known, answers)
     yield from answers.follow(None)
-    yield from check_last(stages)
+    yield from check_rates(stages, level, case)
 
 
 def _write_steps(

@@ -1,49 +1,60 @@
-"""The check at the end of a chapter uses printed values alone, and agrees."""
+"""The check at the end of a chapter uses printed values alone, agrees, and shows a slip."""
 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 import pytest
 
 from kinegrade.language.math.reading import read_math
+from kinegrade.mechanics.rates import Rate, make_turning
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.library.library import find_template_names
-from kinegrade.worked.document import Prose
+from kinegrade.worked.document import Block, Prose
+from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import drawn, kept
 from tests.worked.reader.amounts import Amount, Unreadable
 from tests.worked.reader.formula_reader import read_formula
 
 CHECK = re.compile(
-    r"^Check by the projection on (?P<axis>.*), which has not been used: "
-    r"left side \$(?P<left>.*)\$, right side \$(?P<right>.*)\$; they agree\.$"
+    r"^Check by (?P<way>.*): left side \$(?P<left>.*)\$, right side \$(?P<right>.*)\$; "
+    r"they agree\.$"
 )
 RELATION = re.compile(r"=|\\approx")
-CHECKED = (
-    "bar-through-swivelling-sleeve",
-    "five-bar-two-driven-cranks",
-    "pin-in-disc-slot-and-rod",
-    "rocker-driven-by-two-slider-link",
-    "slotted-rocker-and-slider-two-drivers",
-)
 
 
 @dataclass(frozen=True)
 class Check:
-    """The axis, and each side with its value."""
+    """The way, and each side with its value."""
 
-    axis: str
+    way: str
     left: str
     right: str
 
+    @property
+    def sides(self) -> tuple[list[Amount], list[Amount]]:
+        """What each side is worth as it is printed: the sum, and the value said of it."""
+        return read_side(self.left), read_side(self.right)
 
-def read_checks(name: str, place: int = 0) -> list[Check]:
-    texts = [block.text for block in kept(name, place) if isinstance(block, Prose)]
+    @property
+    def agrees(self) -> bool:
+        """Whether the values said of both sides are the same."""
+        left, right = (side[-1] for side in self.sides)
+        return left.value == pytest.approx(right.value, abs=left.room + right.room + 1e-9)
+
+
+def find_checks(blocks: Iterable[Block]) -> list[Check]:
+    texts = [block.text for block in blocks if isinstance(block, Prose)]
     return [Check(**found.groupdict()) for text in texts if (found := CHECK.match(text))]
 
 
+def read_checks(name: str, place: int = 0) -> list[Check]:
+    return find_checks(kept(name, place))
+
+
 def read_side(side: str) -> list[Amount]:
-    """What a side is worth as it is printed: the sum, and the value said of it."""
     return [read_formula(read_math(part.strip(), "test"), refuse) for part in RELATION.split(side)]
 
 
@@ -54,18 +65,91 @@ def refuse(symbol: str) -> Amount:
 
 def test_a_rod_is_checked_along_the_axis_that_is_left() -> None:
     assert read_checks("slider-crank")[0] == Check(
-        "the $x$ axis",
+        "the projection on the $x$ axis, which has not been used",
         r"1.155\,\unit{m/s}",
         r"1\,\unit{m/s} \cdot \sin 60^\circ + 0.5774\,\unit{m/s} \cdot \sin 30^\circ"
         r" \approx 1.155\,\unit{m/s}",
     )
 
 
+def test_where_both_axes_are_used_the_direction_of_a_vector_is_left() -> None:
+    assert read_checks("flat-faced-follower-eccentric-circle")[0] == Check(
+        r"the projection on the direction of $\boldsymbol{v}_{\mathrm{a}}$, "
+        "which has not been used",
+        r"0.2\,\unit{m/s}",
+        r"0.1\,\unit{m/s} \cdot \cos 60^\circ + 0.1732\,\unit{m/s} \cdot \sin 60^\circ"
+        r" \approx 0.2\,\unit{m/s}",
+    )
+
+
+def test_a_pole_is_checked_by_the_projection_theorem() -> None:
+    assert read_checks("pole-four-bar-coupler")[0].way == (
+        "the projection theorem for $B$ and $C$, on $BC$"
+    )
+
+
+def test_a_wheel_that_its_pole_has_solved_is_checked_from_its_centre() -> None:
+    assert read_checks("wheel-inside-circular-track")[0] == Check(
+        "the base point $O$, the velocity of $B$ and those of $O$ and of the rotation each "
+        r"multiplied by $\overrightarrow{OB}$ turned through $90^\circ$",
+        r"-0.09\,\unit{m} \cdot 1.44\,\unit{m/s} - 0.1559\,\unit{m} \cdot 2.494\,\unit{m/s}"
+        r" \approx -0.5184\,\unit{m^2/s}",
+        r"-0.18\,\unit{m} \cdot 1.44\,\unit{m/s} - 8\,\unit{rad/s} \cdot (0.18\,\unit{m})^{2}"
+        r" = -0.5184\,\unit{m^2/s}",
+    )
+
+
+def test_points_of_a_body_are_checked_by_the_projection_theorem() -> None:
+    assert read_checks("crossed-belt-drive")[0] == Check(
+        "the projection theorem, the velocities of $B$ and $A$ each multiplied by "
+        r"$\overrightarrow{AB}$",
+        r"0.02071\,\unit{m} \cdot 0.1101\,\unit{m/s} + 0.07727\,\unit{m} \cdot 0.4881\,\unit{m/s}"
+        r" \approx 0.04\,\unit{m^2/s}",
+        r"0.08\,\unit{m} \cdot 0.5\,\unit{m/s} = 0.04\,\unit{m^2/s}",
+    )
+
+
+def test_a_planet_is_checked_as_its_carrier_sees_it() -> None:
+    assert read_checks("ring-gear-planet-relative-spin")[0] == Check(
+        "the rim speeds of the planet gear and of the fixed circle, "
+        "seen from the carrier $O_{1}O_{2}$",
+        r"0.08\,\unit{m} \cdot (-2.75\,\unit{rad/s} - 1\,\unit{rad/s}) = -0.3\,\unit{m/s}",
+        r"0.3\,\unit{m} \cdot (-1\,\unit{rad/s}) = -0.3\,\unit{m/s}",
+    )
+
+
+def test_a_pose_is_checked_by_a_distance_that_is_given() -> None:
+    assert read_checks("pose-four-bar-coupler")[0] == Check(
+        "the distance of $D$ and $C$ in coordinates, and as it is given",
+        r"\sqrt{(0.8255\,\unit{m} - 1.9\,\unit{m})^{2} + (1.804\,\unit{m})^{2}}"
+        r" \approx 2.1\,\unit{m}",
+        r"2.1\,\unit{m}",
+    )
+
+
+def test_a_direction_cosine_is_checked_by_its_angle() -> None:
+    assert read_checks("pose-sleeve-slider-rod") == [
+        Check(
+            r"$A_{11}$ from the angle $\varphi_{2}$",
+            "-0.9363",
+            r"\cos 159.44^\circ \approx -0.9363",
+        )
+    ]
+
+
+@pytest.mark.parametrize("name", find_template_names())
+def test_every_solution_has_a_check(name: str) -> None:
+    for place, solution in enumerate(drawn(name)):
+        assert read_checks(name, place)
+        asked = write_worked_solution(solution, solution.template.asked(), "en")
+        assert find_checks(asked.blocks)
+
+
 @pytest.mark.parametrize("name", find_template_names())
 def test_all_that_a_check_says_of_both_sides_agrees(name: str) -> None:
     for place in range(len(drawn(name))):
         for check in read_checks(name, place):
-            said = [*read_side(check.left), *read_side(check.right)]
+            said = [amount for side in check.sides for amount in side]
             for one in said[1:]:
                 assert one.value == pytest.approx(said[0].value, abs=said[0].room + one.room + 1e-9)
 
@@ -77,11 +161,35 @@ def test_a_check_ends_with_the_same_value_on_both_sides(name: str) -> None:
         assert left == right
 
 
-@pytest.mark.parametrize("name", CHECKED)
-def test_relations_with_an_axis_to_spare_have_a_check(name: str) -> None:
-    assert read_checks(name)
+def slip(solution: Solution, rate: Rate) -> list[Check]:
+    """The checks of what an exam asks, as if a rate had been found a tenth too large."""
+    wrong = {**solution.motion.rates, rate: solution.motion.rates[rate] * 11 / 10}
+    slipped = replace(solution, motion=replace(solution.motion, rates=wrong))
+    return find_checks(write_worked_solution(slipped, solution.template.asked(), "en").blocks)
 
 
-def test_a_check_that_nobody_reads_at_a_glance_is_left_out() -> None:
-    (only,) = read_checks("five-bar-two-driven-cranks", 1)
-    assert r"\unit{m/s}" in only.left
+@pytest.mark.parametrize(
+    ("name", "body"),
+    [
+        ("slider-crank", "AB"),
+        ("pole-four-bar-coupler", "CD"),
+        ("crank-slider-in-floating-link", "BC"),
+        ("square-on-two-fixed-points", "plate"),
+        ("ring-gear-planet-relative-spin", "planet"),
+        ("rolling-wheel-pin-slotted-rocker", "rocker"),
+        ("flat-faced-follower-eccentric-circle", "cam"),
+    ],
+)
+def test_a_wrong_value_shows(name: str, body: str) -> None:
+    solution = drawn(name)[0]
+    assert not all(check.agrees for check in slip(solution, make_turning(body)))
+
+
+def test_a_point_in_a_wrong_place_shows() -> None:
+    solution = drawn("pose-four-bar-coupler")[0]
+    mechanism = solution.motion.frames.mechanism
+    points = {**mechanism.points, "C": mechanism.points["C"] * 11 / 10}
+    frames = replace(solution.motion.frames, mechanism=replace(mechanism, points=points))
+    slipped = replace(solution, motion=replace(solution.motion, frames=frames))
+    (check,) = find_checks(write_worked_solution(slipped, ("phi_2",), "en").blocks)
+    assert not check.agrees

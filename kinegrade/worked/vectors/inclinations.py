@@ -174,12 +174,15 @@ def name_acute(ends: tuple[str, str], case: Case) -> Symbol:
     return index_letter(_ACUTE, join_letters(map(case.naming.letter, ends)).row)
 
 
-def is_angle_known(part: Part, case: Case) -> bool:
-    """Whether a part's direction is along an axis, or by an angle that is given or has been
-    introduced.
+def is_direction_told(part: Part, case: Case) -> bool:
+    """Whether a part's direction is along an axis, or by an angle that is given or that the
+    solution has found, of its own line or of one parallel to it.
     """
     ends, found = find_ends(part, case), find_inclination(part, case)
-    return ends is not None and found is not None and is_inclination_known(found, ends, case)
+    if found is None or found.angle is None:
+        return found is not None
+    known = ends is not None and is_inclination_known(found, ends, case)
+    return known or is_line_found(found.value, case)
 
 
 def is_inclination_known(found: Inclination, ends: tuple[str, str], case: Case) -> bool:

@@ -52,6 +52,11 @@ class Projection:
         """The shares of the right side."""
         return tuple(self._shares(self.equation.right))
 
+    @property
+    def shares(self) -> tuple[Share, ...]:
+        """The shares of both sides."""
+        return (*self.left, *self.right)
+
     def _shares(self, parts: Sequence[Part]) -> Iterator[Share]:
         for part in parts:
             if vanishes(part) or size(find_heading(part)) == 0:

@@ -50,7 +50,7 @@ class Stage:
         rates that are solved.
         """
         left, right = (
-            add_terms(self._list_terms(projection, side, 1, solved))
+            add_terms(self.list_terms(projection, side, 1, solved))
             for side in (projection.left, projection.right)
         )
         return Equation(left, equate(right))
@@ -73,14 +73,14 @@ class Stage:
         left = [one for one in projection.left if one.part.unknown != rate]
         right = [one for one in projection.right if one.part.unknown != rate]
         terms = [
-            *self._list_terms(projection, right, -side, solved),
-            *self._list_terms(projection, left, side, solved),
+            *self.list_terms(projection, right, -side, solved),
+            *self.list_terms(projection, left, side, solved),
         ]
         sign, cosine = self._state_cosine(projection, share, solved is not None)
         total = add_terms(term.signed(-sign) for term in terms)
         return divide_by(total, cosine)
 
-    def _list_terms(
+    def list_terms(
         self,
         projection: Projection,
         shares: Sequence[Share],

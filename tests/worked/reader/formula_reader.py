@@ -167,7 +167,7 @@ class _Reader:
     def product(self) -> Amount:
         total = self.factor()
         self.skip_spaces()
-        while self.nodes and self.next() not in (Sign("+"), Sign("-"), Sign(")")):
+        while self.nodes and not _ends_product(self.nodes[0]):
             self.take(r"\cdot")
             total = multiply(total, self.factor())
             self.skip_spaces()
@@ -283,6 +283,14 @@ class _Reader:
         while self.nodes and _continues(self.nodes[0]):
             total = multiply(total, self.factor())
         return total
+
+
+def _ends_product(node: Node) -> bool:
+    """Whether a node is the sign of the next summand, or a bracket that closes, with or without a
+    power.
+    """
+    base = node.base if isinstance(node, Scripts) else node
+    return base in (Sign("+"), Sign("-"), Sign(")"))
 
 
 def _is_lettering(row: Row) -> bool:

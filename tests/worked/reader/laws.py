@@ -132,6 +132,8 @@ def _judge_line(line: Line, sought: Set[str], known: _Known) -> Iterator[Fault]:
     yield from _judge_values(line, values)
     yield from _judge_exact_forms(line, values)
     _learn(line, values, known)
+    found = (side.row for side in line.sides if is_decimal(side.row))
+    known.angles += [angle for row in found for angle in find_angles(row)]
 
 
 def _learn(line: Line, values: Values, known: _Known) -> None:

@@ -1,0 +1,141 @@
+"""Checks of the points of a body: along the line of two points, whose distance does not change,
+their vectors differ by the normal acceleration alone; across it, by the rotation. All of them are
+multiplied by the distance, so that no angle is needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.rates import make_turning
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.case import Case
+from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.findings import Fact
+from kinegrade.worked.formulas.atoms import TWO, ZERO, add_terms
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import double, length
+from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.vectors.facts import make_key
+from kinegrade.worked.vectors.vectors import UNITS
+
+_UNITS: Mapping[Level, str] = {"velocity": "m^2/s", "acceleration": "m^2/s^2"}
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """Two points of a body whose vectors have been found."""
+
+    body: str
+    points: tuple[str, str]
+    facts: tuple[Fact, Fact]
+
+
+def list_body_checks(level: Level, case: Case) -> Iterator[Check]:
+    """The checks of all bodies, those first in which nothing vanishes and neither point is the one
+    from which the other has been found.
+    """
+    pairs = tuple(_list_pairs(level, case))
+    for new in (True, False):
+        for pair in pairs:
+            if _is_new(pair, case) == new:
+                yield from _check_pair(pair, level, case)
+
+
+def _list_pairs(level: Level, case: Case) -> Iterator[_Pair]:
+    """The pairs of points of each body, those found last first."""
+    frames, facts = case.motion.frames, case.findings.facts
+    for body in reversed(tuple(frames.bases)):
+        if make_turning(body) not in case.motion.rates:
+            continue
+        found = {
+            point: facts[key]
+            for point in case.motion.points
+            if (key := make_key(frames.chain(body, point), level)) in facts
+        }
+        for first, second in reversed(tuple(combinations(found, 2))):
+            yield _Pair(body, (first, second), (found[first], found[second]))
+
+
+def _is_new(pair: _Pair, case: Case) -> bool:
+    """Whether neither point is the body's base point, by which the other has been found."""
+    return case.motion.frames.bases[pair.body].point not in pair.points
+
+
+def _check_pair(pair: _Pair, level: Level, case: Case) -> Iterator[Check]:
+    """The checks along and across the line of two points, each vector times that line, without
+    those in which nothing is left of the second one's vector.
+    """
+    start, end = (case.motion.points[point] for point in pair.points)
+    first, second = map(case.naming.point, pair.points)
+    arm = _Arm(end - start, measure(length(end - start, case.arithmetic), "m"))
+    for way, across in (("along", False), ("across", True)):
+        turning = _state_turning(pair, arm, level, case, across=across)
+        before, after = (arm.multiply(fact, across=across) for fact in pair.facts)
+        if double(after.value):
+            yield compare(
+                Message(f"solution.check-{way}-{level}", first=first, second=second),
+                after,
+                Side(_add(before.numbers, turning.numbers), before.value + turning.value),
+                _UNITS[level],
+            )
+
+
+@dataclass(frozen=True)
+class _Arm:
+    """From the first point to the second one; `number` is its length."""
+
+    vector: Vector
+    number: Formula
+
+    def multiply(self, fact: Fact, *, across: bool) -> Side:
+        """The product of a vector with the arm, with the arm turned by 90 degrees where `across`:
+        its length times what lies along it, else by components.
+        """
+        line = self.vector.turned() if across else self.vector
+        value = double(line.map(float).dot(fact.value.map(float)))
+        if value == 0:
+            return Side(ZERO, 0.0)
+        if not fact.by_components and not double(line.cross(fact.value)):
+            size = abs(value) / float(line.map(float).squared()) ** 0.5
+            return Side(
+                self.number.dot(measure(size, fact.symbol.unit)).signed(_sign(value)), value
+            )
+        pairs = zip(line, fact.value, strict=True)
+        products = [
+            measure(abs(one), "m")
+            .dot(measure(abs(other), fact.symbol.unit))
+            .signed(_sign(one * other))
+            for one, other in pairs
+            if double(one * other)
+        ]
+        return Side(add_terms(products), value)
+
+
+def _sign(number: Any) -> int:
+    return 1 if double(number) > 0 else -1
+
+
+def _add(first: Formula, second: Formula) -> Formula:
+    """The sum, without what is zero."""
+    return add_terms(one for one in (first, second) if one != ZERO)
+
+
+def _state_turning(pair: _Pair, arm: _Arm, level: Level, case: Case, *, across: bool) -> Side:
+    """What the rotation about the first point adds: across the line the rate, along it, towards the
+    first point, the square of the angular velocity, times the square of the distance.
+    """
+    square, far = arm.number**TWO, double(arm.vector.squared())
+    if across:
+        rate = double(case.rates(level)[make_turning(pair.body)])
+        number = measure(abs(rate), UNITS[level, True]).dot(square).signed(_sign(rate))
+        return Side(number if rate else ZERO, rate * far)
+    omega = double(case.motion.omega(pair.body))
+    if level == "velocity" or not omega:
+        return Side(ZERO, 0.0)
+    return Side(-(measure(abs(omega), "rad/s") ** TWO).dot(square), -(omega**2) * far)

@@ -1,0 +1,41 @@
+"""The check at the end of a chapter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
+
+from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.template.template import Ask
+from kinegrade.worked.case import Case
+from kinegrade.worked.checks.bodies import list_body_checks
+from kinegrade.worked.checks.carriers import list_carrier_checks
+from kinegrade.worked.checks.check import Check
+from kinegrade.worked.checks.places import list_place_checks
+from kinegrade.worked.checks.projections import list_projection_checks
+from kinegrade.worked.document import Block
+from kinegrade.worked.vectors.stage import Stage
+
+
+def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Iterator[Block]:
+    """The check of the last step that has one, else that of the points of a body."""
+    for step, stage in reversed(tuple(stages.items())):
+        for check in list_projection_checks(step, stage):
+            if check.is_telling:
+                yield check.say(case)
+                return
+    others = chain(list_body_checks(level, case), list_carrier_checks(level, case))
+    yield from _say_first(others, case)
+
+
+def check_places(asked: Sequence[Ask], case: Case) -> Iterator[Block]:
+    """The check of answers that positions alone decide."""
+    yield from _say_first(list_place_checks(asked, case), case)
+
+
+def _say_first(checks: Iterable[Check], case: Case) -> Iterator[Block]:
+    """The first check that tells something."""
+    first = next((one for one in checks if one.is_telling), None)
+    if first is not None:
+        yield first.say(case)

@@ -1,0 +1,137 @@
+"""Checks of positions: distances that are given, from coordinates; direction cosines, from the
+angle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from math import cos, degrees, radians, sin
+from typing import Any, Literal, assert_never
+
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
+from kinegrade.language.message import Message
+from kinegrade.problem.template.template import Ask
+from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y
+from kinegrade.worked.case import Case
+from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.formulas.atoms import ZERO, add_squares
+from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.measures import length
+from kinegrade.worked.formulas.numbers import measure, state_angle, state_quantity
+from kinegrade.worked.formulas.symbols import collect_symbols, read_symbol
+from kinegrade.worked.positions.construction_steps import list_steps
+from kinegrade.worked.positions.instance import make_instance
+from kinegrade.worked.vectors.arms import find_stated_length
+
+_X, _Y = Call("", AXIS_X), Call("", AXIS_Y)
+
+
+@dataclass(frozen=True)
+class _Distance:
+    """The distance of two points as it is given."""
+
+    first: str
+    second: str
+    given: Expression
+
+    def check(self, case: Case) -> Check:
+        """The same distance by coordinates."""
+        start, end = (case.motion.points[point] for point in (self.first, self.second))
+        sides = [_state_difference(*pair) for pair in zip(start, end, strict=True)]
+        across = [side for side in sides if side != ZERO]
+        numbers = add_squares(across) if len(across) > 1 else across[0]
+        value, given = length(end - start, case.arithmetic), make_instance(case).value(self.given)
+        first, second = map(case.naming.point, (self.first, self.second))
+        way = Message("solution.check-distance", first=first, second=second)
+        return compare(way, Side(numbers, value), Side(measure(given, "m"), given), "m")
+
+
+def list_place_checks(asked: Sequence[Ask], case: Case) -> Iterator[Check]:
+    """The checks of distances, then those of direction cosines."""
+    for distance in (*_list_placed("circle", case), *_list_lengths(asked, case)):
+        yield distance.check(case)
+    for angle in asked:
+        for cosine in asked:
+            yield from _check_cosine(angle, cosine, case)
+
+
+def _list_placed(construction: str, case: Case) -> Iterator[_Distance]:
+    """The distances of points placed on a circle, or at a distance, from the centre: of two circles
+    the second one comes first, since the first one has led to the point.
+    """
+    for step in reversed(list_steps(case.template)):
+        for call in reversed(tuple(walk(step.tree))):
+            match call:
+                case Call(function=function, arguments=(Name(centre), radius, *_)):
+                    if function == construction and step.point in case.motion.points:
+                        yield _Distance(centre, step.point, radius)
+                case Name() | Number() | Operation() | Call():
+                    continue
+                case _:
+                    assert_never(call)
+
+
+def _list_lengths(asked: Sequence[Ask], case: Case) -> tuple[_Distance, ...]:
+    """The distances that are given, those first of a point of which a coordinate is asked for."""
+    calls = (call for ask in asked for call in walk(ask.quantity))
+    sought = {name for call in calls for name in _find_located(call)}
+    given = (*_list_stated(case), *reversed(tuple(_list_placed("polar", case))))
+    return tuple(sorted(given, key=lambda one: not sought & {one.first, one.second}))
+
+
+def _list_stated(case: Case) -> Iterator[_Distance]:
+    """The distances for which the statement has a given."""
+    symbols = collect_symbols(case.template)
+    for first, second in combinations(case.template.scheme.points, 2):
+        stated = find_stated_length(first, second, case)
+        for name in case.template.parameters:
+            if stated is not None and symbols[name].looks_like(stated):
+                yield _Distance(first, second, Name(name))
+
+
+def _find_located(call: Expression) -> tuple[str, ...]:
+    """The point whose coordinate an expression is."""
+    match call:
+        case Call(function="x" | "y", arguments=(Name(point),)):
+            return (point,)
+        case Name() | Number() | Operation() | Call():
+            return ()
+        case _:
+            assert_never(call)
+
+
+def _state_difference(start: Any, end: Any) -> Formula:
+    """The difference of two coordinates in numbers, of which the square is taken; where one is zero
+    the other one.
+    """
+    before, after = measure(start, "m"), measure(end, "m")
+    if ZERO in (before, after):
+        return after if before == ZERO else before
+    return after - before
+
+
+def _check_cosine(angle: Ask, cosine: Ask, case: Case) -> Iterator[Check]:
+    """A component of the unit vector along a direction, or normal to it, by the angle of that
+    direction from the x axis.
+    """
+    whole, part = angle.quantity, cosine.quantity
+    if not (isinstance(whole, Call) and whole.function == "angle" and whole.arguments[0] == _X):
+        return
+    if not (isinstance(part, Call) and part.function == "along" and part.arguments[0] in (_X, _Y)):
+        return
+    axis, along = part.arguments
+    turned = along == Call("turned", (whole.arguments[1],))
+    if not turned and along != whole.arguments[1]:
+        return
+    found, answer = (case.solution.answers[ask.name] for ask in (angle, cosine))
+    turn = found.value if found.measure.degrees else degrees(found.value)
+    ratio: Literal["sin", "cos"] = "cos" if turned == (axis == _Y) else "sin"
+    sign = -1 if turned and axis == _X else 1
+    value = sign * {"cos": cos, "sin": sin}[ratio](radians(turn))
+    *_, decimal = state_quantity(answer)
+    symbols = [case.text(read_symbol(ask.symbol)) for ask in (cosine, angle)]
+    way = Message("solution.check-cosine", cosine=symbols[0], angle=symbols[1])
+    side = Function(ratio, state_angle(turn)).signed(sign)
+    yield compare(way, Side(decimal.right, answer.value), Side(side, value), "1")

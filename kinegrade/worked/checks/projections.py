@@ -1,0 +1,163 @@
+"""Checks of vector equations: their projections on axes that have not been used."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from math import cos, radians, sin
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.relations import add_vectors
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import VectorEquation
+from kinegrade.worked.case import Case
+from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.formulas.atoms import AxisName, add_terms
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import bearing, double
+from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
+from kinegrade.worked.steps.titles import select_scalars
+from kinegrade.worked.vectors.deductions import AXIS_NAMES
+from kinegrade.worked.vectors.facts import make_key
+from kinegrade.worked.vectors.inclinations import find_inclination, is_direction_told
+from kinegrade.worked.vectors.magnitudes import find_heading
+from kinegrade.worked.vectors.projection import Projection, Share, find_deductions
+from kinegrade.worked.vectors.stage import Stage, find_share_cosine
+from kinegrade.worked.vectors.summands import PLACES
+from kinegrade.worked.vectors.vectors import UNITS, name_part, vanishes
+
+_SAME = 1e-6  # degrees within which two axes are one
+_AXES: dict[float, AxisName] = {0.0: "x", 90.0: "y"}
+
+
+def list_projection_checks(step: Step, stage: Stage) -> Iterator[Check]:
+    """The checks of a step by the projection theorem where a pole has given the velocities, else by
+    axes that its deductions have not used.
+    """
+    coupler, case = find_coupler(stage), stage.case
+    if coupler is not None and choose_method(coupler, case) == "pole":
+        yield from _check_by_theorem(coupler, step, stage)
+        return
+    deductions = tuple(find_deductions(stage.equations, select_scalars(step, case), step.unknowns))
+    projections = [one for deduction in deductions for one in deduction.projections]
+    printed = _list_angles(projections, stage)
+    for equation in reversed(stage.equations):
+        used = [one.axis for one in projections if one.equation == equation]
+        for projection, axis in _list_axes(equation, case):
+            if not _is_among(projection.axis, used) and _list_sums(projection, stage) <= printed:
+                way = Message("solution.check-projection", axis=axis)
+                yield from _check_on(projection, way, step, stage)
+
+
+def _check_by_theorem(coupler: Coupler, step: Step, stage: Stage) -> Iterator[Check]:
+    """The velocities of two points projected on their line."""
+    heading = bearing(find_heading(coupler.rotation))
+    projection = Projection(coupler.equation, (heading + 90) % 360, coupler.rotation)
+    first, second = map(stage.case.naming.point, (coupler.rotation.base, coupler.rotation.point))
+    way = Message("solution.check-theorem", first=first, second=second)
+    yield from _check_on(projection, way, step, stage)
+
+
+def _list_axes(equation: VectorEquation, case: Case) -> Iterator[tuple[Projection, Message]]:
+    """The projections on the axes, then on the directions of the vectors, with their names."""
+    for axis, name in AXIS_NAMES.items():
+        yield Projection(equation, axis, None), name
+    for part in equation.parts:
+        if not vanishes(part):
+            vector = case.text(name_part(equation, part, case, bold=True))
+            along = Message("solution.projection-of", vector=vector)
+            yield Projection(equation, bearing(find_heading(part)), None), along
+
+
+def _list_angles(projections: Iterable[Projection], stage: Stage) -> frozenset[float]:
+    """The angles in the cosines of projections, in degrees."""
+    cosines = (
+        find_share_cosine(projection, share, stage.case)
+        for projection in projections
+        for share in projection.shares
+    )
+    return frozenset(one.value for one in cosines if one is not None)
+
+
+def _list_sums(projection: Projection, stage: Stage) -> frozenset[float]:
+    """The angles in the cosines of a projection on an oblique axis: the difference of two angles
+    has been worked out only where a projection has used it.
+    """
+    if projection.axis in _AXES:
+        return frozenset()
+    angles = (find_inclination(share.part, stage.case) for share in projection.shares)
+    known = {one.value for one in angles if one is not None}
+    return _list_angles((projection,), stage) - known
+
+
+def _is_among(axis: float, used: Sequence[float]) -> bool:
+    return any(abs((axis - other + 90) % 180 - 90) < _SAME for other in used)
+
+
+def _check_on(projection: Projection, way: Message, step: Step, stage: Stage) -> Iterator[Check]:
+    """The check by a projection in which two parts or more are left, all by what the solution has
+    found; where nothing is left on one side, what counts negative on the other one goes there.
+    """
+    shares = projection.shares
+    if len(shares) < 2 or not all(_can_be_told(projection, share, stage) for share in shares):
+        return
+    axis = _find_unit(projection.axis)
+    sides, sign = (projection.left, projection.right), 1
+    if not all(sides):
+        gaining = tuple(one for one in shares if double(one.part.value.map(float).dot(axis)) > 0)
+        losing = tuple(one for one in shares if one not in gaining)
+        sides, sign = (gaining, losing), -1
+    left, right = (
+        _work_out_side(projection, side, factor, step, stage)
+        for side, factor in zip(sides, (1, sign), strict=True)
+    )
+    yield compare(way, left, right, UNITS[stage.level, False])
+
+
+def _can_be_told(projection: Projection, share: Share, stage: Stage) -> bool:
+    """Whether the solution has found a share: its angle, or a component along an axis."""
+    along_axis = not share.angle and projection.axis in _AXES
+    if along_axis or _find_component(projection, share, stage) is not None:
+        return True
+    named = not share.angle or find_share_cosine(projection, share, stage.case) is not None
+    return named and is_direction_told(share.part, stage.case)
+
+
+def _find_component(projection: Projection, share: Share, stage: Stage) -> Formula | None:
+    """The component of a vector that is known by its components; None for any other."""
+    together = share.part.together
+    fact = stage.case.findings.facts.get(make_key(together, stage.level)) if together else None
+    axis = _AXES.get(projection.axis)
+    if fact is None or not fact.by_components or axis is None:
+        return None
+    return measure(share.part.value[PLACES[axis]], UNITS[stage.level, False])
+
+
+def _work_out_side(
+    projection: Projection, shares: Sequence[Share], sign: int, step: Step, stage: Stage
+) -> Side:
+    """A side in numbers, and what it amounts to."""
+    terms = (
+        term for share in shares for term in _state_share(projection, share, sign, step, stage)
+    )
+    total = add_vectors(share.part.value for share in shares)
+    exact = total if projection.axis in _AXES else total.map(float)
+    value = exact.dot(_find_unit(projection.axis)) * sign
+    return Side(add_terms(terms), value)
+
+
+def _state_share(
+    projection: Projection, share: Share, sign: int, step: Step, stage: Stage
+) -> Iterable[Formula]:
+    """A share in numbers: by its component where that has been found, else by its magnitude."""
+    component = _find_component(projection, share, stage)
+    if component is not None:
+        return (component.signed(sign),)
+    return stage.list_terms(projection, (share,), sign, step.unknowns)
+
+
+def _find_unit(axis: float) -> Vector:
+    """The direction of an axis: exact along x and y."""
+    units = {0.0: Vector(1, 0), 90.0: Vector(0, 1)}
+    return units.get(axis) or Vector(cos(radians(axis)), sin(radians(axis)))
