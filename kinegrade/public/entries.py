@@ -14,14 +14,13 @@ from kinegrade.exam.folder.keys import Ask, Examinee, KeyedExam, Sitting
 from kinegrade.exam.roster.known_columns import list_key_columns
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import make_header_key, trim
-from kinegrade.files.spreadsheet import read_workbook
-from kinegrade.files.tables import Table, drop_headers, read_table
-from kinegrade.files.workbook_inspection import is_workbook
+from kinegrade.files.tables import Table, drop_headers
 from kinegrade.grading.sheets.part import read_part
 from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses import long
 from kinegrade.lms.responses.answer_table import DETECTED
 from kinegrade.lms.responses.class_files import read_class
+from kinegrade.lms.responses.sheet import read_answer_file
 from kinegrade.public.opened import expect_opened
 from kinegrade.reports.double_entry import DoubleEntry, compare_parts
 
@@ -59,7 +58,7 @@ def compare_entries(
 
 def _read_sheet(path: Path) -> Table:
     """An answer sheet as it is. Raises TableError for answers that need the exam to be read."""
-    table = read_workbook(path) if is_workbook(path) else read_table(path)
+    table = read_answer_file(path)
     if long.recognises(table.header):
         what, do = Message("responses.long-alone"), Message("responses.name-the-exam")
         raise TableError(Fault(table.file, what, do=do))

@@ -292,11 +292,14 @@ def test_the_answer_sheet_is_blank_and_runs_nothing(exam: Path) -> None:
 def test_ids_keep_their_zeros_in_a_spreadsheet(exam: Path) -> None:
     sheet = load_workbook(exam / "answers.xlsx").active
     rows = [[cell.value for cell in row] for row in sheet.iter_rows()]
-    assert rows[0] == list(table(exam / "answers.csv")[0])
-    assert [row[0] for row in rows[1:]] == list(STUDENTS)
-    assert rows[3][1] == "=HYPERLINK(1)"
-    assert {cell.data_type for row in sheet.iter_rows() for cell in row if cell.value} == {"s"}
-    assert {cell.number_format for row in sheet.iter_rows() for cell in row} == {"@"}
+    own, asks = rows[1][:3], [str(name).partition(" ")[0] for name in rows[1][3:]]
+    assert own == ["student", "name", "paper"]
+    assert asks == list(table(exam / "answers.csv")[0])[2:]
+    assert [row[0] for row in rows[2:]] == list(STUDENTS)
+    assert rows[4][1] == "=HYPERLINK(1)"
+    cells = [cell for row in sheet.iter_rows(min_row=2) for cell in row]
+    assert {cell.data_type for cell in cells if cell.value} == {"s"}
+    assert {cell.number_format for cell in cells} == {"@"}
 
 
 def test_a_spreadsheet_shows_the_names_of_the_answer_sheet(exam: Path) -> None:

@@ -230,8 +230,8 @@ def test_row_14_a_workbook_is_typed_into(small: Midterm) -> None:
     sheet = workbook.active
     assert sheet is not None
     given = right(small.exam)
-    for row in sheet.iter_rows(min_row=2):
-        for cell, answer in zip(row[2:], given.get(str(row[0].value), []), strict=False):
+    for row in sheet.iter_rows(min_row=3):
+        for cell, answer in zip(row[3:], given.get(str(row[0].value), []), strict=False):
             cell.value = float(answer)
     filled = small.folder / "filled.xlsx"
     workbook.save(filled)

@@ -6,6 +6,7 @@ The comments that begin with `#:` say what each holds; the reference of docs/ pr
 from __future__ import annotations
 
 from kinegrade.language.known import known_languages
+from kinegrade.language.message import Message
 from kinegrade.problem.template.translation_names import name_beside
 
 #: The exam: title, questions, asks with their units and points, students, the secret.
@@ -44,6 +45,7 @@ SOURCES = "tex"
 ANSWERS = "answers.csv"
 #: The same sheet as a workbook, which keeps ids as text.
 ANSWER_WORKBOOK = "answers.xlsx"
+FINDER = Message("exam.find-row")  # begins the line above the header of the workbook
 FOR_STUDENTS = (PAPERS, f"{PAPERS}.pdf", ROOMS)
 CONTENTS = (
     HEAD,

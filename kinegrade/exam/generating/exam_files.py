@@ -29,7 +29,7 @@ from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.printed_orders import read_held_questions
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.writing import encode_head
-from kinegrade.exam.generating.answer_workbook import write_answer_workbook
+from kinegrade.exam.generating.answer_workbook import Rows, write_answer_workbook
 from kinegrade.exam.generating.hand_work import OWN_COLUMNS
 from kinegrade.exam.generating.key_books import write_key_books
 from kinegrade.exam.printing.head_record import write_warning
@@ -38,6 +38,7 @@ from kinegrade.exam.printing.printing import Printed, PrintRun
 from kinegrade.exam.roster.students import Student
 from kinegrade.files.csv_writing import neutralise, write_for_people
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.template.beside import Translations
@@ -175,11 +176,12 @@ def write_blank_workbook(head: ExamHead, folder: Path) -> None:
     Raises ExamError where the folder's key cannot be read.
     """
     held = read_held_questions(folder / KEY, head)
-    rows = (
-        [each.student, each.name, *_write_blanks(head.asks, held.get(each.student))]
+    cells = [
+        [each.student, each.name, each.paper, *_write_blanks(head.asks, held.get(each.student))]
         for each in head.students
-    )
-    write_answer_workbook(folder / ANSWER_WORKBOOK, (*OWN_COLUMNS, *head.columns), rows)
+    ]
+    rows = Rows((*OWN_COLUMNS, "paper"), head.asks, cells)
+    write_answer_workbook(folder / ANSWER_WORKBOOK, rows, open_catalogue(head.language))
 
 
 def _write_blanks(asks: Iterable[Ask], held: Collection[str] | None) -> list[str | None]:

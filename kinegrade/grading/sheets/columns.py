@@ -99,7 +99,9 @@ def find_columns(table: Table, asks: Sequence[Ask]) -> Columns:
         expected = Message("marking.answer-columns", columns=first)
         faults.append(_explain(table, Message("marking.no-answer-column"), expected))
     strange = [
-        cell for cell in header if _ANSWER_COLUMN.fullmatch(cell) and cell not in _list_keys(asks)
+        cell
+        for cell in (_UNIT.sub("", name) for name in header)
+        if _ANSWER_COLUMN.fullmatch(cell) and cell not in _list_keys(asks)
     ]
     if not faults and len(strange) > sum(index is not None for index in found):
         first = list_plainly(strange[:4])

@@ -19,9 +19,7 @@ from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.files.cell_text import trim
 from kinegrade.files.decoding import name_encoding
-from kinegrade.files.spreadsheet import read_workbook
-from kinegrade.files.tables import Complaint, Row, Table, drop_headers, read_table
-from kinegrade.files.workbook_inspection import is_workbook
+from kinegrade.files.tables import Complaint, Row, Table, drop_headers
 from kinegrade.language.message import (
     Fault,
     Message,
@@ -35,6 +33,7 @@ from kinegrade.language.message import (
 from kinegrade.lms.responses.detection import DIALECTS, detected
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
+from kinegrade.lms.responses.sheet import read_answer_file
 from kinegrade.lms.responses.times import read_time
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 
@@ -88,7 +87,7 @@ def read_responses(
     the questions answered in a quiz are recognised by it, unless each student answered their own
     paper. `name` replaces the file's name in messages. Raises TableError, ExamError.
     """
-    table = read_workbook(path) if is_workbook(path) else read_table(path, wishes.encoding)
+    table = read_answer_file(path, wishes.encoding)
     table = replace(table, file=name or table.file, rows=drop_headers(table))
     system = detected(table) if wishes.source is None else _known(wishes.source, path)
     typed = DIALECTS[system].read(table, exam.head, wishes.attempts)

@@ -1,12 +1,14 @@
 """The exam's answer sheet, filled in as CSV or in a spreadsheet: all its columns are passed on
-unchanged.
+unchanged. The workbook's line by which rows are found is left out as the file is read.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.contents import FINDER
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster.known_columns import (
     list_code_columns,
@@ -14,8 +16,11 @@ from kinegrade.exam.roster.known_columns import (
     list_key_columns,
 )
 from kinegrade.files.cell_text import make_header_key
-from kinegrade.files.tables import Table
+from kinegrade.files.spreadsheet import read_workbook
+from kinegrade.files.tables import Table, read_table
+from kinegrade.files.workbook_inspection import is_workbook
 from kinegrade.language.message import Fault, Message
+from kinegrade.language.spellings import list_spellings
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
 
@@ -51,3 +56,26 @@ def _places(header: Sequence[str], names: Sequence[str]) -> list[int]:
     """The columns of these names, the best name first."""
     keys = [make_header_key(name) for name in header]
     return [keys.index(name) for name in names if name in keys]
+
+
+def read_answer_file(path: Path, encoding: str | None = None) -> Table:
+    """The table of a file, whose header is its first line, or the one below the finder. Raises
+    TableError.
+    """
+    table = _read(path, encoding, finds=False)
+    return _read(path, encoding, finds=True) if _is_finder(table.header) else table
+
+
+def _read(path: Path, encoding: str | None, *, finds: bool) -> Table:
+    sign = _is_header if finds else None
+    return read_workbook(path, sign) if is_workbook(path) else read_table(path, encoding, sign)
+
+
+def _is_header(cells: Sequence[str]) -> bool:
+    return not _is_finder(cells)
+
+
+def _is_finder(cells: Sequence[str]) -> bool:
+    """Whether a line is that above the header; whatever separates its cells."""
+    first = make_header_key(cells[0]) if cells else ""
+    return first.startswith(tuple(map(make_header_key, list_spellings(FINDER))))
