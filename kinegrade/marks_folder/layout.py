@@ -153,15 +153,11 @@ MARKER: Final = COMPLAINTS.name  # the file by which kinegrade recognises a mark
 Status = Literal["marked", "absent"]  # absent: answered nothing at all
 STATUSES: Final[tuple[Status, ...]] = ("marked", "absent")
 FOR_PEOPLE: Final = (GRADES, ANSWERS, COMPLAINTS)
-_OF_NUMBERS = {
-    "points",
-    "subtracted",
-    "total",
-    "out_of",
-    "percent",
-    "line",
-}  # besides the questions
-TEXT_COLUMNS: Final = frozenset(name for file in FOR_PEOPLE for name in file.columns) - _OF_NUMBERS
+# Besides the questions
+_OF_NUMBERS = {"points", "subtracted", "total", "out_of", "percent", "line", "machine"}
+TEXT_COLUMNS: Final = (
+    frozenset(name for file in (*FOR_PEOPLE, MANUAL) for name in file.columns) - _OF_NUMBERS
+)
 
 
 def make_grades_header(questions: tuple[str, ...], needed: Sequence[str] = ()) -> tuple[str, ...]:

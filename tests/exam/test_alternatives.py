@@ -141,6 +141,20 @@ def test_the_workbook_shades_what_a_student_does_not_have(exam_folder: Path) -> 
         assert grey == {name.value for name in header[3:] if name.value.split(".")[0] not in held}
 
 
+def test_nobody_is_marked_by_hand_for_what_is_not_on_the_paper(
+    exam_folder: Path, tmp_path: Path
+) -> None:
+    exam = exam_folder / "EXAM"
+    held = find_held(exam)["1002"]
+    other = "q2b" if "q2a" in held else "q2a"
+    file = tmp_path / "manual.csv"
+    file.write_text(f"student,question,points\n1002,{other},1\n", encoding="utf-8")
+    marks = "-o", tmp_path / "MARKS", "--manual", file
+    done = kinegrade("grade", exam, exam_folder / "answers.csv", *marks)
+    assert done.exit_code == 2
+    assert f'question {other[1:]} is not on the paper of "1002"' in done.stderr
+
+
 def test_marks_are_of_what_each_paper_holds(exam_folder: Path) -> None:
     held = find_held(exam_folder / "EXAM")
     for row in table(exam_folder / "MARKS" / "grades.csv"):

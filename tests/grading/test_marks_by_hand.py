@@ -9,11 +9,12 @@ from pathlib import Path
 
 import pytest
 from click.testing import Result
+from openpyxl import Workbook, load_workbook
 
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.marks_folder.folder import open_marks
-from tests.exam.test_by_hand import CRANK, SLEEVE, THEORY, mark_right, set_exam
+from tests.exam.test_by_hand import CRANK, SLEEVE, THEORY, WHEEL, mark_right, set_exam
 from tests.small_class import kinegrade, table
 
 HEAD = "student,question,points,comment\n"
@@ -260,3 +261,52 @@ def test_feedback_report_diff_and_exports_have_them(folder: Path) -> None:
         "q2",
         "q3.omega_AB",
     ]
+
+
+def test_a_spreadsheet_shows_them_on_a_sheet_of_their_own(folder: Path) -> None:
+    assert give(folder, f"{ADA},q2,2,007\n{SOFYA},q2,1,=1+1\n").exit_code == 0
+    book = folder / "all.xlsx"
+    done = kinegrade("export", folder / "MARKS", "--to", "xlsx", "-o", book)
+    assert done.exit_code == 0, done.stderr
+    rows = [[cell.value for cell in row] for row in load_workbook(book)["manual"].iter_rows()]
+    assert rows[1:] == [
+        [ADA, "q2", 2, 2.5, None, "007"],
+        [SOFYA, "q2", 1, 2.5, None, "=1+1"],
+    ]
+
+
+def test_marks_by_hand_come_from_a_workbook_too(folder: Path) -> None:
+    book = Workbook()
+    sheet = book.active
+    assert sheet is not None
+    for row in (["Matrikelnummer", "Aufgabe", "Punkte", "Kommentar"], [1001, 2, 1.5, "gut"]):
+        sheet.append(row)
+    sheet.append(["1002", "2", "0,5", None])
+    book.save(folder / "hand.xlsx")
+    assert grade(folder, "--manual", folder / "hand.xlsx").exit_code == 0
+    assert totals(folder) == {ADA: ("8.5", "9.5"), SOFYA: ("7.5", "9.5")}
+
+
+def test_who_only_wrote_words_is_not_absent(folder: Path) -> None:
+    answers = folder / "answers.csv"
+    first, second, third = answers.read_text(encoding="utf-8").splitlines()
+    answers.write_text(f"{first}\n{second.split(',')[0]},,\n{third}\n", encoding="utf-8")
+    grade(folder)
+    assert table(folder / "MARKS" / "grades.csv")[0]["status"] == "absent"
+    only = give(folder, f"{SOFYA},q2,1,\n")
+    assert only.exit_code == 0, only.stderr  # nobody waits for the absent
+    give(folder, f"{ADA},q2,2,\n")
+    row = table(folder / "MARKS" / "grades.csv")[0]
+    assert (row["total"], row["status"]) == ("2", "marked")
+
+
+def test_on_shuffled_papers_a_number_alone_names_no_question(tmp_path: Path) -> None:
+    bank = "shuffle = true\n" + CRANK + THEORY + SLEEVE + WHEEL
+    assert set_exam(tmp_path, bank, "--reproducible", "any order").exit_code == 0
+    mark_right(tmp_path)
+    assert faults(give(tmp_path, f"{ADA},1,1,\n"), tmp_path) == [
+        'by-hand.csv:2: "1" is no question or ask of the exam - expected such as q2, q1.v_B, '
+        "q3.omega_AB, q4.omega, or bonus: the papers are shuffled, so a number alone is another "
+        "question on each"
+    ]
+    assert give(tmp_path, f"{ADA},q1,1,\n{ADA},q2,1,\n{SOFYA},q2,1,\n").exit_code == 0

@@ -88,3 +88,13 @@ def test_a_table_that_is_not_long_is_refused_as_such(folder: Path, tmp_path: Pat
     done = kinegrade("grade", folder / "EXAM", file, "-o", tmp_path / "M", "--from", "long")
     assert done.exit_code == 2
     assert "wide.csv: no columns of students, asks and answers" in done.stderr
+
+
+def test_headers_of_other_languages_are_known(folder: Path, tmp_path: Path) -> None:
+    for number, header in enumerate(("Matrikelnummer;Frage;Antwort", "学号;小问;答案"), 1):
+        place = tmp_path / str(number)
+        place.mkdir()
+        value = right(folder, "007", "q1.v_B")
+        grade(folder, place, f"{header}\n007;1a;{value}\n")
+        totals = {row["student"]: row["total"] for row in table(place / "MARKS" / "grades.csv")}
+        assert totals["007"] == "3"

@@ -24,6 +24,7 @@ from kinegrade.language.message import Fault, Message, Quoted, Text, list_choice
 from kinegrade.language.spellings import list_spellings
 from kinegrade.marks_folder.hand_marks import EXTRA, HandMark
 from kinegrade.numbers.amounts import PLACES, write_amount
+from kinegrade.question_numbers import find_bank_number
 
 _POINTS = re.compile(rf"\+?([0-9]{{1,9}}(?:[.,][0-9]{{1,{PLACES}}})?)")
 
@@ -126,10 +127,9 @@ class _Reader:
 
     def _read_points(self, row: Row, cell: str, student: str, named: Named) -> Fraction | None:
         if not self.markable.is_held(student, named.question):
-            question = Message(
-                "marking.not-on-paper", question=named.column, student=Quoted(student)
-            )
-            self._fault(row, "", question)
+            question = find_bank_number(named.question)
+            what = Message("marking.not-on-paper", question=question, student=Quoted(student))
+            self._fault(row, "", what)
             return None
         number = _POINTS.fullmatch(normalize("NFKC", cell))
         if number is None:
