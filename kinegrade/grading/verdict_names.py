@@ -17,6 +17,7 @@ _VERDICTS: Mapping[str, Message] = {
     "blank": Message("report.verdict-blank"),
     "unreadable": Message("report.verdict-unreadable"),
     "void": Message("report.verdict-void"),
+    "by hand": Message("report.reason-by-hand"),
 }
 
 

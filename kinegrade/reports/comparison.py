@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from kinegrade.files.csv_writing import encode_for_people, neutralise, write_csv_text
+from kinegrade.grading.verdict_names import name_verdict
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import (
@@ -64,8 +65,9 @@ class _AskChange:
         parts: list[Part] = []
         if before.typed != after.typed:
             parts.append(f'"{before.typed}" -> "{after.typed}"')
-        judged = dict.fromkeys(each for each in (before.judged, after.judged) if each)
-        parts.append(" -> ".join(judged))
+        judged = [name_verdict(each.judged) for each in (before, after) if each.judged]
+        was, now = judged[0], judged[-1]
+        parts.append(now if was == now else Message("marks.from-to", before=was, after=now))
         if before.out_of != after.out_of:
             worth = write_amount(before.out_of), write_amount(after.out_of)
             parts.append(Message("marks.worth", before=worth[0], after=worth[1]))
@@ -193,16 +195,18 @@ def _write_rows(comparison: Comparison, words: Catalogue) -> Iterator[tuple[str,
 def write_comparison_text(comparison: Comparison, words: Catalogue) -> str:
     """The same for a person: an aligned table, and a summary line."""
     rows: list[tuple[str, ...]] = []
+    total = words.text("marks.total")
     for each in comparison.changes:
         person = show_in_one_line(each.student), cut(show_in_one_line(each.name), _WIDEST_NAME)
         points = _write_amounts(_worth(each.before), _worth(each.after))[:3]
-        rows.append((*person, "total", *points, words.write(_describe_presence(each))))
-        for change in each.list_changes():
-            rows.append(("", "", *map(show_in_one_line, change), "", ""))
+        rows.append((*person, total, *points, words.write(_describe_presence(each))))
+        for what, *sides in each.list_changes():
+            named = words.text(f"marks.change-{what}")
+            rows.append(("", "", named, *map(show_in_one_line, sides), "", ""))
         for ask in each.asks:
             points = _write_amounts(_worth(ask.before), _worth(ask.after))[:3]
             rows.append(("", "", ask.column, *points, show_in_one_line(words.write(ask.why))))
-    header = (*HEADER[:6], words.text("marks.why-heading"))
+    header = [words.text(f"marks.heading-{name}") for name in (*HEADER[:6], "why")]
     table = align(header, rows, numbers=(3, 4, 5)) if rows else ""
     return f"{table}{words.write(_summarise(comparison))}"
 

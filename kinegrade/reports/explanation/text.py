@@ -12,6 +12,7 @@ from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.printing.rules import make_percent
 from kinegrade.grading.judging.carried_on import CarriedOn
+from kinegrade.grading.verdict_names import name_verdict
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.lines import show_in_one_line
@@ -25,7 +26,7 @@ from kinegrade.numbers.amounts import write_amount
 from kinegrade.question_numbers import find_other_number
 from kinegrade.reports.explanation.explanation import ExplainedAnswer, Explanation
 from kinegrade.reports.explanation.hand_lines import write_hand_marks
-from kinegrade.reports.feedback.remarks import make_remark, name_verdict
+from kinegrade.reports.feedback.remarks import make_remark
 from kinegrade.reports.feedback.right_answers import write_decimal, write_with_unit
 
 _INDENT = " " * 4
