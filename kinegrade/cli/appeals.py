@@ -1,13 +1,15 @@
-"""The commands for the time after the marks are known: explain."""
+"""The commands for the time after the marks are known: explain, merge."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Literal
 
 import click
 
+import kinegrade
 from kinegrade.cli.help import command
-from kinegrade.cli.options import FILE, refusing
+from kinegrade.cli.options import FILE, FORCE, finish, refusing
 from kinegrade.cli.running.opening import open_both
 from kinegrade.cli.terminal import terminal_words
 
@@ -29,3 +31,25 @@ def explain(exam: Path, marks: Path, student: str, question: str) -> None:
     explanation = explain_marks(folder, marked, student, question)
     wording = read_nearest_wording(folder, words.language)
     click.echo(ExplanationWriter(explanation, wording, words).write(folder))
+
+
+@command()
+@click.argument("folders", type=FILE, nargs=-1, required=True, metavar="MARKS...")
+@click.option("-o", "--output", type=FILE, required=True, metavar="ALL")
+@click.option("--prefer", type=click.Choice(["first", "last", "better"]))
+@FORCE
+@refusing
+def merge(
+    folders: tuple[Path, ...],
+    *,
+    output: Path,
+    prefer: Literal["first", "last", "better"] | None,
+    force: bool,
+) -> None:
+    """Put the MARKS of a make-up exam together with those of the exam."""
+    from kinegrade.public.folders import expect_folders
+    from kinegrade.public.merging import merge_marks
+
+    expect_folders(*((each, "MARKS") for each in folders))
+    marked = [kinegrade.open_marks(each) for each in folders]
+    finish(merge_marks(marked, output, prefer, force=force))

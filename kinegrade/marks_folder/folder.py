@@ -41,6 +41,7 @@ from kinegrade.marks_folder.layout import (
     GRADES,
     KEPT,
     MANUAL,
+    MERGED,
     MISTAKE,
     NAMES_BETWEEN,
     PRINTED,
@@ -162,6 +163,14 @@ class MarksFolder:
     def scale(self) -> Scale | None:
         """The scale by which grades were given; None where there are no grades."""
         return read_scale_file(self.path)
+
+    @cached_property
+    def elsewhere(self) -> Mapping[str, str]:
+        """The students whose marks come from another exam, and the folder of marks that had
+        them.
+        """
+        records = read_records_if_any(self.path, MERGED)
+        return {student: restore(marks) for _, (student, marks) in records}
 
     def _repr_html_(self) -> str:
         return write_table_html(read_whole(self.path, GRADES))

@@ -130,10 +130,13 @@ SUBTRACTED: Final = TableFile(
 SCALE: Final = TableFile("scale.csv", ("grade", "from", "result"))
 #: How often the key was corrected before the class was marked; only where it was.
 CORRECTIONS: Final = TableFile("corrections.csv", ("corrections",))
+#: Students whose marks come from another exam, such as a make-up exam, with the folder of marks
+#: that had them; only where folders were merged.
+MERGED: Final = TableFile("merged.csv", ("student", "marks"))
 QUESTIONS_BETWEEN: Final = " "  # question identifiers contain no blank
 #: A copy of the policy; only where there was one.
 POLICY: Final = "policy.toml"
-_TABLES = (
+TABLES: Final = (
     ANSWERS,
     GRADES,
     COMPLAINTS,
@@ -146,8 +149,9 @@ _TABLES = (
     SCALE,
     SUBTRACTED,
     CORRECTIONS,
+    MERGED,
 )
-FILES: Final = (*(file.name for file in _TABLES), POLICY)
+FILES: Final = (*(file.name for file in TABLES), POLICY)
 MARKER: Final = COMPLAINTS.name  # the file by which kinegrade recognises a marks folder
 
 Status = Literal["marked", "absent"]  # absent: answered nothing at all

@@ -65,7 +65,7 @@ class _AskChange:
         parts: list[Part] = []
         if before.typed != after.typed:
             parts.append(f'"{before.typed}" -> "{after.typed}"')
-        judged = [name_verdict(each.judged) for each in (before, after) if each.judged]
+        judged = [name_verdict(each.judged) for each in (before, after) if each.judged] or [""]
         was, now = judged[0], judged[-1]
         parts.append(now if was == now else Message("marks.from-to", before=was, after=now))
         if before.out_of != after.out_of:

@@ -31,6 +31,7 @@ from kinegrade.reports.paper_record import PaperRecord, PaperRecords
 
 _RIGHT, _BLANK = "right", "blank"
 _UNEXPLAINED = "unexplained"
+_UNKNOWN = PaperRecord((), {}, {}, {})  # of another exam
 
 
 @dataclass(frozen=True)
@@ -127,6 +128,8 @@ class _Count:
         self.parameters.append(array("d", (paper.parameters.get(name, nan) for name in self.names)))
         self.difficulties.append(paper.difficulties)
         for answer in answers:
+            if answer.column not in self.verdicts:
+                continue  # asked in another exam alone
             self.verdicts[answer.column][answer.verdict] += 1
             if answer.points < answer.out_of:
                 self.losses[answer.column][_loss(answer, paper)] += 1
@@ -140,8 +143,11 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
     orders = marks.printed if exam.head.choices else {}
     for student, answers in marks.answers_by_student():
         columns = tuple(answer.column for answer in answers)
-        _open(count, exam.head, answers)
-        if columns != _list_asked(count, orders.get(student)) or student not in totals:
+        here = student not in marks.elsewhere
+        if here:
+            _open(count, exam.head, answers)
+        asked = columns == _list_asked(count, orders.get(student))
+        if (here and not asked) or student not in totals:
             what = Message("report.other-asks", student=Quoted(student), grades=GRADES.name)
             raise TableError(Fault(str(marks.path / ANSWERS.name), what))
         answered = any(answer.verdict != _BLANK and answer.typed.strip() for answer in answers)
@@ -149,7 +155,7 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
             count.include(
                 totals[student],
                 answers,
-                papers.marked(student, columns),
+                papers.marked(student, columns) if here else _UNKNOWN,
                 exam.head.candidates.get(student),
             )
         else:

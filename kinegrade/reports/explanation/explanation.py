@@ -71,6 +71,10 @@ def explain_marks(
     sheet, `3.v_B` as on the student's paper. Raises ExamError, TableError, PolicyError.
     """
     candidate = _find_candidate(exam, student)
+    if candidate.student in marks.elsewhere:
+        where = Quoted(marks.elsewhere[candidate.student])
+        what = Message("explain.merged", student=Quoted(candidate.student), marks=where)
+        raise ExamError(Fault(str(marks.path), what, do=Message("explain.name-that-exam")))
     answers = dict(marks.answers_by_student()).get(candidate.student)
     total = marks.totals.by_student.get(candidate.student)
     if answers is None or total is None:

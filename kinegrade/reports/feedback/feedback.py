@@ -68,6 +68,8 @@ def make_feedback_sheets(
     papers = PaperRecords(exam, marks.put)
     worded = {language: wording, **own}
     for student, answers in marks.answers_by_student():
+        if student in marks.elsewhere:
+            continue  # of another paper, which this exam does not have
         if student not in head.candidates or student not in totals:
             raise ExamError(_describe_other_exam(student, marks, exam))
         candidate, total = head.candidates[student], totals[student]

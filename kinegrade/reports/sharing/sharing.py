@@ -63,7 +63,8 @@ def find_sharing(exam: ExamFolder, marks: MarksFolder, level: float = _LEVEL) ->
     """
     require_same_key(exam, marks)
     known = make_exam_as_put(exam, exam.in_memory(), marks.put)
-    return find_pairs(known, marks.answers(), level)
+    here = (each for each in marks.answers() if each.student not in marks.elsewhere)
+    return find_pairs(known, here, level)
 
 
 def find_pairs(exam: KeyedExam, answers: Iterable[MarkedAnswer], level: float = _LEVEL) -> Sharing:

@@ -1,0 +1,43 @@
+"""Marks folders put together: everything behind `kinegrade merge`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from kinegrade.files.output import output_folder
+from kinegrade.language.message import Message
+from kinegrade.lms.grades import moodle
+from kinegrade.marks_folder.folder import MarksFolder, open_marks
+from kinegrade.marks_folder.layout import FILES, MARKER
+from kinegrade.marks_folder.merging import Merging, Preference
+from kinegrade.public.outcome import Outcome
+
+_MOODLE = "moodle.csv"
+
+
+def merge_marks(
+    folders: Sequence[MarksFolder],
+    output: Path,
+    preference: Preference | None,
+    *,
+    force: bool = False,
+) -> Outcome:
+    """Writes the folder `output`, whole or not at all, with the marks of all folders.
+
+    Raises TableError for students who handed in to several, unless there is a preference,
+    OutputError.
+    """
+    merging = Merging(folders, preference)
+    complaints = tuple(merging.find_different_maxima())
+    with output_folder(output, marker=MARKER, contents=(*FILES, _MOODLE), force=force) as path:
+        merging.write(path)
+        (path / _MOODLE).write_text(moodle.export(open_marks(path)), encoding="utf-8", newline="")
+    first, *_ = folders
+    note = Message(
+        "terminal.merged",
+        folder=str(output),
+        count=len(merging.chosen),
+        others=sum(each is not first for each in merging.chosen.values()),
+    )
+    return Outcome(output, (note,), complaints)

@@ -1,0 +1,156 @@
+"""The marks of a make-up exam, put together with those of the exam."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from click.testing import Result
+
+from kinegrade.marks_folder.folder import open_marks
+from tests.grading.marked_folder import RIGHT, Page, mark_class
+from tests.small_class import kinegrade, table
+
+LATER = {"007": RIGHT, "S9": ("1.732", "9", "9")}
+FIRST = {"007": (), "0012": RIGHT, "S8": ("1.732", "9", "9")}
+
+
+@pytest.fixture
+def both(tmp_path: Path) -> Path:
+    """A folder with first/ and later/, an exam and its marks in each; 007 was absent at first, S9
+    was not in the first exam.
+    """
+    mark_class(tmp_path / "first", FIRST)
+    mark_class(tmp_path / "later", LATER)
+    return tmp_path
+
+
+def merge(folder: Path, *options: str) -> Result:
+    """Both MARKS into ALL."""
+    files = folder / "first" / "MARKS", folder / "later" / "MARKS", "-o", folder / "ALL"
+    return kinegrade("merge", *files, *options)
+
+
+def totals(folder: Path) -> dict[str, tuple[str, str]]:
+    """Points and status by student."""
+    rows = table(folder / "ALL" / "grades.csv")
+    return {row["student"]: (row["total"], row["status"]) for row in rows}
+
+
+def test_who_was_absent_has_the_marks_of_the_make_up_exam(both: Path) -> None:
+    done = merge(both)
+    assert done.exit_code == 0, done.stderr
+    assert f"{both / 'ALL'}: 4 students, 2 of whom by another exam" in done.stderr
+    assert totals(both) == {
+        "0012": ("9.5", "marked"),
+        "S8": ("4", "marked"),
+        "007": ("9.5", "marked"),
+        "S9": ("4", "marked"),
+    }
+    merged = open_marks(both / "ALL")
+    assert set(merged.elsewhere) == {"007", "S9"}
+    assert merged.elsewhere["007"] == str(both / "later" / "MARKS")
+
+
+def test_exports_and_report_show_all(both: Path) -> None:
+    merge(both)
+    listed = both / "grades.csv"
+    done = kinegrade("export", both / "ALL", "--to", "generic", "-o", listed)
+    assert done.exit_code == 0, done.stderr
+    assert "grades of 4 students" in done.stderr
+    page = both / "report.html"
+    done = kinegrade("report", both / "first" / "EXAM", both / "ALL", "-o", page)
+    assert done.exit_code == 0, done.stderr
+    assert "4 of 4" in Page(page.read_text(encoding="utf-8")).text
+    moodle = (both / "ALL" / "moodle.csv").read_text(encoding="utf-8-sig")
+    assert moodle.count("9.5") == 2
+
+
+def test_feedback_sharing_and_explanations_leave_other_papers_alone(both: Path) -> None:
+    merge(both)
+    exam, marks = both / "first" / "EXAM", both / "ALL"
+    kinegrade("feedback", exam, marks, "-o", both / "SHEETS", "--format", "md")
+    assert {each["student"] for each in table(both / "SHEETS" / "feedback.csv")} == {"0012", "S8"}
+    done = kinegrade("explain", exam, marks, "007")
+    assert done.exit_code == 2
+    assert f'the marks of "007" were merged from "{both / "later" / "MARKS"}"' in done.stderr
+    assert "name that folder, and the exam by which it was marked" in done.stderr
+    assert kinegrade("explain", exam, marks, "0012").exit_code == 0
+    assert kinegrade("sharing", exam, marks, "-o", both / "sharing.csv").exit_code == 0
+
+
+def test_who_handed_in_twice_is_refused_with_both_totals(both: Path, tmp_path: Path) -> None:
+    mark_class(tmp_path / "again", {**LATER, "0012": ("1.732", "9", "9")})
+    (both / "later").rename(both / "before")
+    (tmp_path / "again").rename(both / "later")
+    done = merge(both)
+    assert done.exit_code == 2
+    assert 'student "0012" handed in several times: 9.5 of 9.5 in' in done.stderr
+    assert "4 of 9.5 in" in done.stderr
+    assert "add --prefer first, last or better" in done.stderr
+    assert not (both / "ALL").exists()
+    for preference, points in (("first", "9.5"), ("last", "4"), ("better", "9.5")):
+        assert merge(both, "--prefer", preference, "--force").exit_code == 0
+        assert totals(both)["0012"] == (points, "marked")
+
+
+def test_another_maximum_is_said(both: Path) -> None:
+    policy = both / "policy.toml"
+    policy.write_text('[questions.q2]\nvoid = "drop"\n', encoding="utf-8")
+    later = both / "later"
+    files = later / "EXAM", later / "answers.csv", "-o", later / "MARKS", "--force"
+    assert kinegrade("grade", *files, "--policy", policy).exit_code == 0
+    done = merge(both)
+    assert done.exit_code == 1
+    assert "its maximum is 7 points, not 9.5, for 2 students - compare percentages" in done.stderr
+    assert totals(both)["007"] == ("7", "marked")
+
+
+def test_what_was_merged_is_merged_again(both: Path) -> None:
+    merge(both)
+    mark_class(both / "third", {"T1": RIGHT})
+    files = both / "ALL", both / "third" / "MARKS", "-o", both / "MORE"
+    assert kinegrade("merge", *files).exit_code == 0
+    more = open_marks(both / "MORE")
+    assert set(more.elsewhere) == {"007", "S9", "T1"}
+    assert more.elsewhere["007"] == str(both / "later" / "MARKS")
+    assert len(more.totals.students) == 5
+
+
+def test_a_make_up_exam_may_have_other_questions(both: Path) -> None:
+    marks = both / "later" / "MARKS"
+    for name in ("marks.csv", "grades.csv"):
+        file = marks / name
+        file.write_text(file.read_text(encoding="utf-8").replace("q2", "q5"), encoding="utf-8")
+    assert merge(both).exit_code == 0
+    rows = {row["student"]: row for row in table(both / "ALL" / "grades.csv")}
+    assert (rows["007"]["q2"], rows["007"]["q5"]) == ("", "2.5")
+    assert (rows["0012"]["q2"], rows["0012"]["q5"]) == ("2.5", "")
+    page = both / "report.html"
+    done = kinegrade("report", both / "first" / "EXAM", both / "ALL", "-o", page)
+    assert done.exit_code == 0, done.stderr
+
+
+def mark_by(folder: Path, policy: str) -> Result:
+    """Marks the class in a folder again, by that policy."""
+    (folder / "policy.toml").write_text(policy, encoding="utf-8")
+    files = folder / "EXAM", folder / "answers.csv", "-o", folder / "MARKS", "--force"
+    return kinegrade("grade", *files, "--policy", folder / "policy.toml")
+
+
+def test_grades_by_one_scale_are_merged_and_by_two_are_refused(both: Path) -> None:
+    scale = '[scale]\ngrades = { A = "90 %", B = 0 }\npass = 0\n'
+    for name in ("first", "later"):
+        assert mark_by(both / name, scale).exit_code in (0, 1)
+    assert merge(both).exit_code == 0
+    graded = {row["student"]: row["grade"] for row in table(both / "ALL" / "grades.csv")}
+    assert graded == {"0012": "A", "S8": "B", "007": "A", "S9": "B"}
+    assert open_marks(both / "ALL").scale == open_marks(both / "first" / "MARKS").scale
+    mark_by(both / "later", scale.replace("90 %", "80 %"))
+    refused = merge(both, "--force")
+    assert refused.exit_code == 2
+    said = (
+        f"error: {both / 'later' / 'MARKS'}: its grades are not by the scale of"
+        f" {both / 'first' / 'MARKS'} - mark both by a policy with the same scale"
+    )
+    assert refused.stderr.splitlines() == [said]
