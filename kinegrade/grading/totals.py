@@ -8,14 +8,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from kinegrade.deadlines.duration import write_duration
 from kinegrade.grade_scale.scale import Scale
 from kinegrade.grading.kept_totals import never_lower
 from kinegrade.grading.lateness.rule import NO_PENALTIES, Penalties
 from kinegrade.grading.marks import ClassGrades
-from kinegrade.language.message import Message, list_statements
 from kinegrade.marks_folder.rows import Grade, KeptTotal, StudentTotal, Submission, Subtracted
-from kinegrade.numbers.amounts import write_amount
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,17 +66,9 @@ def _subtract(total: Grade, penalties: Penalties) -> Grade:
 
 
 def _describe(total: Grade, penalties: Penalties, submission: Submission) -> Subtracted:
-    """What was subtracted and why."""
-    said = []
-    if submission.late_by and penalties.late is not None:
-        time = write_duration(submission.late_by)
-        share = write_amount(100 * penalties.late.find_share(submission.late_by))
-        said.append(Message("marking.handed-in-late", time=time, share=share))
-    if submission.before and penalties.tries is not None:
-        share = write_amount(100 * penalties.tries.find_share(submission.before))
-        said.append(Message("marking.tried-before", count=submission.before, share=share))
-    reason = list_statements(said)
-    return Subtracted(total.student, total.name, submission, total.subtracted, reason)
+    """What was subtracted, and the shares that it is."""
+    late, tries = penalties.find_shares(submission)
+    return Subtracted(total.student, total.name, submission, total.subtracted, late, tries)
 
 
 def find_grade(total: Grade, scale: Scale) -> str:

@@ -47,7 +47,6 @@ from kinegrade.marks_folder.layout import (
     PRINTED,
     PUT,
     QUESTIONS_BETWEEN,
-    SUBTRACTED,
 )
 from kinegrade.marks_folder.open_questions import OpenQuestion, read_open_questions
 from kinegrade.marks_folder.rows import (
@@ -57,8 +56,10 @@ from kinegrade.marks_folder.rows import (
     Orders,
     Put,
     StudentSums,
+    Subtracted,
 )
 from kinegrade.marks_folder.scale_file import read_scale_file
+from kinegrade.marks_folder.subtractions import read_subtracted
 from kinegrade.marks_folder.sums import read_sums
 from kinegrade.marks_folder.table_html import write_table_html
 from kinegrade.marks_folder.totals import read_totals
@@ -154,10 +155,9 @@ class MarksFolder:
         return 0
 
     @cached_property
-    def subtracted(self) -> Mapping[str, str]:
-        """Why points were subtracted, by the student from whose total they were."""
-        records = read_records_if_any(self.path, SUBTRACTED)
-        return {cells[0]: restore(cells[-1]) for _, cells in records}
+    def subtracted(self) -> Mapping[str, Subtracted]:
+        """What was subtracted from totals, by student."""
+        return read_subtracted(self.path)
 
     @cached_property
     def scale(self) -> Scale | None:

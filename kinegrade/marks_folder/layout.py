@@ -123,7 +123,10 @@ BONUS: Final = TableFile("bonus.csv", ("question", "points"))
 #: again costs.
 SUBTRACTED: Final = TableFile(
     "subtracted.csv",
-    ("student", "name", "submitted", "due", "late_by", "tries_before", "points", "reason"),
+    (
+        *("student", "name", "submitted", "due", "late_by", "late_percent"),
+        *("tries_before", "tries_percent", "points", "reason"),
+    ),
 )
 #: The scale by which grades were given: each grade with the percentage from which on it is given,
 #: and whether it passes; only where there is one.

@@ -10,7 +10,7 @@ from datetime import datetime, timedelta
 from fractions import Fraction
 from functools import cached_property
 
-from kinegrade.language.message import Part, Text
+from kinegrade.language.message import Text
 from kinegrade.marks_folder.hand_marks import BY_HAND, HandMark, work_out_total
 from kinegrade.marks_folder.layout import Status
 from kinegrade.numbers.amounts import add_amounts
@@ -95,15 +95,16 @@ class Submission:
 
 @dataclass(frozen=True, slots=True)
 class Subtracted:
-    """One line of late.csv: what was subtracted from a student's total for being late and for
-    trying again, and why.
+    """One line of subtracted.csv: the points taken from a student's total for being late and for
+    trying again, and the shares that these cost.
     """
 
     student: str
     name: str
     submission: Submission
     points: Fraction
-    reason: Part
+    late_share: Fraction = Fraction(0)
+    tries_share: Fraction = Fraction(0)
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,8 +13,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
-from kinegrade.deadlines.duration import write_duration
-from kinegrade.deadlines.moment import write_moment
 from kinegrade.files.csv_writing import (
     encode,
     neutralise,
@@ -51,6 +49,7 @@ from kinegrade.marks_folder.layout import (
 from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.rows import Grade, KeptTotal, Orders, Subtracted
 from kinegrade.marks_folder.scale_file import write_scale_rows
+from kinegrade.marks_folder.subtractions import write_subtracted
 from kinegrade.numbers.amounts import write_amount
 
 
@@ -117,7 +116,7 @@ class MarksWriter:
     def subtracted(self, subtracted: Iterable[Subtracted]) -> None:
         """What was subtracted from whose total."""
         words = open_catalogue(self.language)
-        rows = (_write_subtracted(each, words) for each in subtracted)
+        rows = (write_subtracted(each, words) for each in subtracted)
         write_for_people(self.path / SUBTRACTED.name, SUBTRACTED.columns, rows)
 
     def printed(self, orders: Orders) -> None:
@@ -200,20 +199,6 @@ def _write_hand_mark(mark: HandMark) -> tuple[str, ...]:
     amounts = mark.points, mark.out_of, mark.machine
     shown = ("" if each is None else write_amount(each) for each in amounts)
     return (mark.student, mark.column, *shown, neutralise(mark.comment))
-
-
-def _write_subtracted(subtracted: Subtracted, words: Catalogue) -> tuple[str, ...]:
-    submission = subtracted.submission
-    moments = submission.submitted, submission.due
-    return (
-        subtracted.student,
-        neutralise(subtracted.name),
-        *("" if each is None else write_moment(each) for each in moments),
-        write_duration(submission.late_by),
-        str(submission.before),
-        write_amount(subtracted.points),
-        neutralise(words.write(subtracted.reason)),
-    )
 
 
 def _write_kept(kept: KeptTotal, words: Catalogue) -> tuple[str, ...]:

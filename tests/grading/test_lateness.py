@@ -106,7 +106,8 @@ def test_what_is_late_costs_points_that_are_kept_apart(exam: Path) -> None:
     (line,) = table(exam.parent / "LATE" / "subtracted.csv")
     assert line == {
         "student": "9", "name": "Student 9", "submitted": "2026-12-02 18:10:01", "due": DUE,
-        "late_by": "24:11", "tries_before": "0", "points": "1.9",
+        "late_by": "24:11", "late_percent": "20", "tries_before": "0", "tries_percent": "0",
+        "points": "1.9",
         "reason": "handed in 24:11 hours late: 20 %",
     }  # fmt: skip
     assert "subtracted.csv: 1.9 points are subtracted from 1 total" in done.stderr
@@ -287,6 +288,20 @@ def test_a_total_that_stands_is_not_lowered_by_lateness(exam: Path) -> None:
     grade(exam, "attempts = 'last'", IN_TIME, "PLAIN")
     grade(exam, LATE, IN_TIME, "LATE", "--never-lower", str(exam.parent / "PLAIN"))
     assert totals(exam)["9"][0] == "9.5"
+    wishes = "-o", exam.parent / "F", "--format", "md"
+    assert kinegrade("feedback", exam, exam.parent / "LATE", *wishes).exit_code == 0
+    sheet = (exam.parent / "F" / "sheets" / "9.md").read_text(encoding="utf-8")
+    assert "Subtracted" not in sheet
+
+
+def test_a_lateness_that_was_changed_by_hand_is_refused(exam: Path) -> None:
+    grade(exam, LATE)
+    path = exam.parent / "LATE" / "subtracted.csv"
+    path.write_text(path.read_text(encoding="utf-8").replace("24:11", "a day"), encoding="utf-8")
+    wishes = "-o", exam.parent / "F", "--format", "md"
+    done = kinegrade("feedback", exam, exam.parent / "LATE", *wishes)
+    assert done.exit_code == 2
+    assert 'late_by is "a day" - expected hours and minutes like 25:00' in done.stderr
 
 
 def test_an_amount_that_was_changed_by_hand_is_refused(exam: Path) -> None:

@@ -5,6 +5,7 @@ way.
 from __future__ import annotations
 
 from dataclasses import replace
+from datetime import timedelta
 from fractions import Fraction
 from pathlib import Path
 
@@ -32,7 +33,9 @@ KEPT_ANNA = KeptTotal(
     *(Fraction(3), Fraction(4), Fraction(5, 2), Fraction(4), Fraction(3)),
 )
 SCALE = Scale((Step("=A", Fraction(2, 3), passes=True), Step("F", Fraction(0), passes=False)), "-x")
-SUBTRACTED = Subtracted("7", "=Anna, B.", Submission(), HALF, "=late")
+SUBTRACTED = Subtracted(
+    "7", "=Anna, B.", Submission(None, None, timedelta(hours=25), 2), HALF, HALF, Fraction(1, 8)
+)
 COMPLAINT = Complaint("a.csv", None, "q1.v", "=1+1", "unreadable", "no points")
 
 
@@ -58,7 +61,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     (total,) = open_marks(tmp_path).totals.students
     assert (total.student, total.name, total.kept) == ("7", "=Anna, B.", KEPT_ANNA)
     assert (total.grade, open_marks(tmp_path).scale) == ("=A", SCALE)
-    assert open_marks(tmp_path).subtracted == {"7": "=late"}
+    assert open_marks(tmp_path).subtracted == {"7": SUBTRACTED}
     assert (total.points, total.total, total.out_of) == ({"q1": HALF, "q2": 2}, 3, 2)
     assert (total.percent, total.status) == (150, "marked")
     assert [(each.column, each.typed, each.points) for each in folder.answers()] == [

@@ -352,7 +352,7 @@ def test_all_faults_of_a_policy_are_told_at_once(tmp_path: Path) -> None:
     ] == [
         ':2: attempts: "lst" - expected last, first or best',
         ':3: tolerence: unknown key - did you mean "tolerance"? '
-        "(known here: attempts, credit, questions, scale, tolerance)",
+        "(known here: attempts, credit, late, questions, scale, tolerance, tries)",
         ':4: credit.wrong_unit: unknown key - did you mean "wrong-unit"? '
         "(known here: follow-through, mistakes, wrong-unit)",
         ':4: credit.mistakes.sense-revers: unknown mistake - did you mean "sense-reversed"? '

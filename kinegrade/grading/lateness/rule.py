@@ -95,10 +95,14 @@ class Penalties:
         return min(total, base * self.find_share(submission))
 
     def find_share(self, submission: Submission) -> Fraction:
-        """The share that a submission costs, for its time and for those before it."""
+        """The share that a submission costs, for its time and for those before it together."""
+        return min(Fraction(1), sum(self.find_shares(submission), Fraction(0)))
+
+    def find_shares(self, submission: Submission) -> tuple[Fraction, Fraction]:
+        """The shares that a submission costs for its time, and for those before it."""
         late = self.late.find_share(submission.late_by) if self.late else Fraction(0)
         tries = self.tries.find_share(submission.before) if self.tries else Fraction(0)
-        return min(Fraction(1), late + tries)
+        return late, tries
 
 
 NO_PENALTIES = Penalties()

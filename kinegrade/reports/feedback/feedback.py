@@ -27,7 +27,8 @@ from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import HandMark
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.open_questions import OpenQuestion
-from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
+from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal, Subtracted
+from kinegrade.marks_folder.subtractions import describe_subtracted
 from kinegrade.press.sheet import FeedbackQuestion, FeedbackRow, FeedbackSheet
 from kinegrade.question_numbers import find_bank_number, number_printed
 from kinegrade.reports.feedback.by_hand import explain_hand_mark, make_by_hand, make_extra
@@ -82,7 +83,7 @@ def make_feedback_sheets(
             total,
             marks.by_hand.get(student, {}),
             marks.open,
-            marks.subtracted.get(student, ""),
+            marks.subtracted.get(student),
         )
         yield candidate, _make_sheet(answers, paper, worded[spoken], spoken, others)
 
@@ -108,7 +109,7 @@ def _make_sheet(
         others.total.kept is not None,
         tuple(_order_questions(answers, paper, wording, others, catalogue)),
         grade=others.total.grade,
-        subtracted=_write_subtracted(others.total, others.reason, catalogue),
+        subtracted=_write_subtracted(others, catalogue),
     )
 
 
@@ -126,8 +127,7 @@ def _describe_other_exam(student: str, marks: MarksFolder, exam: ExamFolder) -> 
 @dataclass(frozen=True)
 class _Others:
     """What is not in a student's lines of marks.csv: who it is, the exam's head, the totals, what
-    was marked `by_hand`, what is still to be marked so, and the `reason` why points were
-    subtracted.
+    was marked `by_hand`, what is still to be marked so, and what was `subtracted`.
     """
 
     candidate: Candidate
@@ -135,14 +135,15 @@ class _Others:
     total: StudentTotal
     by_hand: Mapping[str, HandMark]
     still_open: Sequence[OpenQuestion]
-    reason: str
+    subtracted: Subtracted | None
 
 
-def _write_subtracted(total: StudentTotal, reason: str, catalogue: Catalogue) -> str:
+def _write_subtracted(others: _Others, catalogue: Catalogue) -> str:
     """What was subtracted from a total and why, "" for nothing."""
-    if not total.subtracted:
+    found = others.subtracted
+    if found is None or others.total.kept:
         return ""
-    points = write_points(total.subtracted, catalogue)
+    points, reason = write_points(found.points, catalogue), describe_subtracted(found)
     return catalogue.text("feedback.subtracted", points=points, reason=reason)
 
 
