@@ -84,6 +84,8 @@ _EXAM_LANGUAGE = click.option(
     type=FILE,
     metavar="MARKS",
 )
+@click.option("--since", type=FILE, metavar="MARKS")
+@click.option("--reason", default="", metavar="TEXT")
 @click.option(
     "--own-papers",
     is_flag=True,
@@ -96,6 +98,7 @@ def grade(
     answers: tuple[Path, ...],
     output: Path,
     never_lower: Path | None,
+    since: Path | None,
     force: bool,
     **options: Any,
 ) -> None:
@@ -107,9 +110,10 @@ def grade(
     from kinegrade.cli.running.shortlist import shorten_list
     from kinegrade.public.folders import expect_folders
 
-    expect_folders((exam, "EXAM"), (never_lower, "MARKS"))
+    expect_folders((exam, "EXAM"), (never_lower, "MARKS"), (since, "MARKS"))
     earlier = None if never_lower is None else kinegrade.open_marks(never_lower)
-    wishes = kinegrade.GradeOptions(never_lower=earlier, assuming=say, **options)
+    logged = None if since is None else kinegrade.open_marks(since)
+    wishes = kinegrade.GradeOptions(never_lower=earlier, since=logged, assuming=say, **options)
     graded = kinegrade.grade(
         kinegrade.open_exam(exam), answers, output, force=force, options=wishes
     )

@@ -35,6 +35,7 @@ from kinegrade.marks_folder.layout import (
     ANSWERS,
     BONUS,
     BY_POLICY,
+    CHANGES,
     COMPLAINTS,
     CORRECTIONS,
     FOR_PEOPLE,
@@ -171,6 +172,11 @@ class MarksFolder:
         """
         records = read_records_if_any(self.path, MERGED)
         return {student: restore(marks) for _, (student, marks) in records}
+
+    @cached_property
+    def log(self) -> tuple[Record, ...]:
+        """The lines of changes.csv as they stand, the oldest first."""
+        return tuple(cells for _, cells in read_records_if_any(self.path, CHANGES))
 
     def _repr_html_(self) -> str:
         return write_table_html(read_whole(self.path, GRADES))

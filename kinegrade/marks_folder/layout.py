@@ -136,6 +136,15 @@ CORRECTIONS: Final = TableFile("corrections.csv", ("corrections",))
 #: Students whose marks come from another exam, such as a make-up exam, with the folder of marks
 #: that had them; only where folders were merged.
 MERGED: Final = TableFile("merged.csv", ("student", "marks"))
+#: What changed in the marks after they were known, totals and answers, when and why; later markings
+#: keep it and add to it. Only where a reason was given.
+CHANGES: Final = TableFile(
+    "changes.csv",
+    (
+        *("date", "student", "name", "what", "before", "after"),
+        *("out_of_before", "out_of_after", "reason"),
+    ),
+)
 QUESTIONS_BETWEEN: Final = " "  # question identifiers contain no blank
 #: A copy of the policy; only where there was one.
 POLICY: Final = "policy.toml"
@@ -153,6 +162,7 @@ TABLES: Final = (
     SUBTRACTED,
     CORRECTIONS,
     MERGED,
+    CHANGES,
 )
 FILES: Final = (*(file.name for file in TABLES), POLICY)
 MARKER: Final = COMPLAINTS.name  # the file by which kinegrade recognises a marks folder

@@ -2,29 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from datetime import date
 from fractions import Fraction
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
 from typing import Literal
 
+from kinegrade.errors import OptionError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.follow_through import FollowThrough
-from kinegrade.grading.grade import MarkingWishes
+from kinegrade.grading.grade import Export, MarkingWishes
 from kinegrade.grading.grade import grade as mark_class
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.marks import ClassGrades
 from kinegrade.grading.policy.reading import read_policy, stated_policy
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
-from kinegrade.language.message import Message, Part
+from kinegrade.language.message import Fault, Message, Part
 from kinegrade.lms.grades import moodle
 from kinegrade.lms.responses.answer_table import ReadingWishes
 from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import list_hand_marks
-from kinegrade.marks_folder.layout import KEPT, MANUAL, SUBTRACTED
+from kinegrade.marks_folder.layout import CHANGES, KEPT, MANUAL, SUBTRACTED
 from kinegrade.marks_folder.open_questions import describe_open
 from kinegrade.numbers.amounts import write_amount
 from kinegrade.public.folders import expect_own_place
@@ -32,6 +34,7 @@ from kinegrade.public.opened import expect_opened
 from kinegrade.public.opening import open_marks
 from kinegrade.public.options import require_known
 from kinegrade.public.outcome import Outcome
+from kinegrade.reports.change_log import LoggedChange, write_log
 
 
 def _in_silence(assumption: Part) -> None:
@@ -47,6 +50,8 @@ class GradeOptions:
     attempts that were not handed in count too; with `own_papers`, students answered their own
     papers although most answers fit others. `policy` is a file of other rules; `manual` are files
     of marks by hand; `never_lower` an earlier marking whose totals stand where they are higher.
+    What differs from the earlier marking `since` is added to its log of changes, with the `reason`;
+    the two go together.
     `assuming` is given each assumption as soon as it is made, before anything is marked.
     """
 
@@ -57,6 +62,8 @@ class GradeOptions:
     policy: str | PathLike[str] | None = None
     manual: Sequence[str | PathLike[str]] = ()
     never_lower: MarksFolder | None = None
+    since: MarksFolder | None = None
+    reason: str = ""
     own_papers: bool = False
     assuming: Callable[[Part], None] = _in_silence
 
@@ -66,10 +73,24 @@ class GradeOptions:
         attempts: Literal["all", "finished"] = "all" if self.unfinished else "finished"
         return ReadingWishes(self.source, attempts, self.encoding, self.own_papers)
 
+    @property
+    def earlier(self) -> MarksFolder | None:
+        """The marking whose log goes on."""
+        return self.never_lower if self.since is None else self.since
+
+    @property
+    def log(self) -> Mapping[str, Export]:
+        """What writes the log of changes, where there is one."""
+        if self.since is not None:
+            day = date.today().isoformat()
+            return {CHANGES.name: LoggedChange(self.since, self.reason.strip(), day).write}
+        rows = () if self.earlier is None else self.earlier.log
+        return {CHANGES.name: lambda _: write_log(rows)} if rows else {}
+
     def marking(self, exam: ExamFolder) -> MarkingWishes:
         """How answers are marked."""
         return MarkingWishes(
-            {"moodle.csv": moodle.export},
+            {"moodle.csv": moodle.export, **self.log},
             self.decimal,
             None if self.policy is None else Path(self.policy),
             self.never_lower,
@@ -127,6 +148,7 @@ def grade(
     place = Path(output)
     expect_own_place(place)
     require_known(options)
+    _require_kept_log(place, options)
     files = [answers] if isinstance(answers, str | PathLike) else answers
     read = read_class([Path(file) for file in files], exam, options.reading)
     for assumption in read.assumed:
@@ -154,6 +176,19 @@ def _describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Messa
         yield Message("terminal.by-hand", file=file, count=len(given), overrides=overrides)
     if marks.open:
         yield describe_open(marks.open)
+
+
+def _require_kept_log(place: Path, options: GradeOptions) -> None:
+    """Raises OptionError where a reason or an earlier marking is missing, or where a log would be
+    lost by which changes of marks are accounted for.
+    """
+    if (options.since is None) != (not options.reason.strip()):
+        raise OptionError(Message("terminal.since-and-reason"))
+    replaced = MarksFolder(place).log
+    kept = () if options.earlier is None else options.earlier.log
+    if replaced and not {*replaced} <= {*kept}:
+        what, do = Message("terminal.log-lost"), Message("terminal.keep-log")
+        raise OptionError(Fault(str(place / CHANGES.name), what, do=do))
 
 
 def _choose_following(exam: ExamFolder) -> Follows:

@@ -161,35 +161,35 @@ def write_comparison_csv(comparison: Comparison, words: Catalogue) -> bytes:
     """A CSV file: for each student the total, followed by the answers that are judged
     differently.
     """
-    return encode_for_people(write_csv_text(HEADER, _write_rows(comparison, words)))
+    sides = zip(list_amounts(comparison), _list_texts(comparison, words), strict=True)
+    rows = ((*amounts, *map(neutralise, texts)) for amounts, texts in sides)
+    return encode_for_people(write_csv_text(HEADER, rows))
 
 
-def _write_rows(comparison: Comparison, words: Catalogue) -> Iterator[tuple[str, ...]]:
+def list_amounts(comparison: Comparison) -> Iterator[tuple[str, ...]]:
+    """The first eight columns: for each student the total, then the answers that are judged
+    differently.
+    """
     for each in comparison.changes:
         person = each.student, neutralise(each.name)
-        old, new = each.before, each.after
-        reasons = ("" if old else _ONLY_SECOND), (_describe_kept(new) if new else _ONLY_FIRST)
-        yield (
-            *person,
-            "total",
-            *_write_amounts(_worth(old), _worth(new)),
-            "",
-            "",
-            "",
-            "",
-            *(neutralise(words.write(reason)) for reason in reasons),
-        )
+        yield (*person, "total", *_write_amounts(_worth(each.before), _worth(each.after)))
         for change in each.list_changes():
-            yield (*person, *map(neutralise, change), *[""] * len(HEADER[5:]))
+            yield (*person, *map(neutralise, change), "", "", "")
+        for ask in each.asks:
+            yield (*person, ask.column, *_write_amounts(_worth(ask.before), _worth(ask.after)))
+
+
+def _list_texts(comparison: Comparison, words: Catalogue) -> Iterator[tuple[str, ...]]:
+    """The other columns: verdicts, responses and reasons, before and after."""
+    for each in comparison.changes:
+        before = "" if each.before else _ONLY_SECOND
+        after = _describe_kept(each.after) if each.after else _ONLY_FIRST
+        yield ("", "", "", "", words.write(before), words.write(after))
+        yield from (("",) * 6 for _ in each.list_changes())
         for ask in each.asks:
             sides = ask.before or _NOTHING, ask.after or _NOTHING
-            texts = (
-                getattr(side, part)
-                for part in ("judged", "typed", "reason_given")
-                for side in sides
-            )
-            amounts = _write_amounts(_worth(ask.before), _worth(ask.after))
-            yield (*person, ask.column, *amounts, *map(neutralise, texts))
+            parts = ("judged", "typed", "reason_given")
+            yield tuple(getattr(side, part) for part in parts for side in sides)
 
 
 def write_comparison_text(comparison: Comparison, words: Catalogue) -> str:

@@ -17,14 +17,22 @@ from kinegrade.grade_scale.scale import Scale, Step
 from kinegrade.language import ENGLISH
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.hand_marks import HandMark
-from kinegrade.marks_folder.layout import ANSWERS, COMPLAINTS, FILES, KEPT, MERGED, AnswerCells
+from kinegrade.marks_folder.layout import (
+    ANSWERS,
+    CHANGES,
+    COMPLAINTS,
+    FILES,
+    KEPT,
+    MERGED,
+    AnswerCells,
+)
 from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.rows import Grade, KeptTotal, Submission, Subtracted
 from kinegrade.marks_folder.writing import MarksWriter
 from tests.grading.marked_folder import RIGHT, mark_class
 from tests.small_class import kinegrade
 
-LATER = {MERGED.name}  # not of one marking
+LATER = {MERGED.name, CHANGES.name}  # not of one marking
 
 HALF = Fraction(1, 2)
 ANNA = Grade("7", "=Anna, B.", (HALF, Fraction(2)), Fraction(2))

@@ -25,6 +25,7 @@ from kinegrade.grading.policy.policy import Policy
 from kinegrade.grading.policy.reading import read_policy, stated_policy
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.marks_folder.cells import Record
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import HandMark
 from kinegrade.marks_folder.layout import POLICY
@@ -58,6 +59,7 @@ class Explanation:
     still_open: Sequence[OpenQuestion]
     paper: PaperRecord
     numbers: Mapping[str, int]
+    log: tuple[Record, ...]
     answers: tuple[ExplainedAnswer, ...]
     by_hand: tuple[HandMark, ...] = ()
 
@@ -94,7 +96,8 @@ def explain_marks(
     whole = [each for each in answers if each.question in questions]
     explained = _Explaining(exam, marks, _read_policy(exam, marks)).explain(whole)
     asked = tuple(each for each in explained if each.marked in chosen)
-    return Explanation(candidate, total, marks.open, paper, numbers, asked, by_hand)
+    log = tuple(each for each in marks.log if each[1] == candidate.student)
+    return Explanation(candidate, total, marks.open, paper, numbers, log, asked, by_hand)
 
 
 def _find_candidate(exam: ExamFolder, student: str) -> Candidate:

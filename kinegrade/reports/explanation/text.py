@@ -11,6 +11,7 @@ from shlex import quote
 from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.printing.rules import make_percent
+from kinegrade.files.csv_writing import restore
 from kinegrade.grading.judging.carried_on import CarriedOn
 from kinegrade.grading.verdict_names import name_verdict
 from kinegrade.grading.wording import Wording
@@ -63,6 +64,17 @@ class ExplanationWriter:
             yield self.words.write(total.kept.reason)
         if self.explanation.still_open:
             yield self.words.write(describe_open(self.explanation.still_open))
+
+        for day, _, _, what, before, after, *_, reason in self.explanation.log:
+            said = Message(
+                "explain.changed",
+                day=day,
+                what=what,
+                before=before,
+                after=after,
+                reason=show_in_one_line(restore(reason)),
+            )
+            yield self.words.write(said)
 
     def _questions(self) -> Iterator[str]:
         answers = self.explanation.answers
