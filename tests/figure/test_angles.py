@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from math import degrees, hypot, radians
+from math import degrees, hypot, radians, sin
 
 import pytest
 
+from kinegrade.figure.joints.symbol import Use
 from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc
 from kinegrade.figure.marks.angles import list_led_arcs, mark_angles
 from kinegrade.figure.marks.sides import find_sides
@@ -96,6 +97,19 @@ def draw_at_o(
     layout = Layout.of(drawing.primitives)
     (arcs,) = mark_angles(at, hint, find_sides(at, hint, drawing))
     return layout.marked(arcs, (), partial(list_led_arcs, arcs, layout.obstacles))
+
+
+def test_the_arc_of_a_narrow_angle_is_seen_beside_a_broad_bar() -> None:
+    radii: dict[Use, float] = {}
+    uses: tuple[Use, ...] = ("link", "slot")
+    for use in uses:
+        bar = Bar("OQ", VERTEX, polar(30.0, 20), use)
+        hint, drawing = Angle("u", "O", "right", "Q"), Drawing((), (), (), (bar,), (), ())
+        at = {"O": VERTEX, "Q": polar(30.0, 20)}
+        (arcs,) = mark_angles(at, hint, find_sides(at, hint, drawing))
+        radii[use] = min(arcs, key=lambda arc: arc.demerit).bow.radius
+    assert radii["slot"] * sin(radians(20)) > 1.75 + 2.5
+    assert radii["link"] < radii["slot"]
 
 
 def test_a_leader_that_cannot_be_the_cheapest_is_not_made() -> None:

@@ -16,6 +16,7 @@ from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.wedge import measure_narrow
 from kinegrade.figure.plane import NEAR, polar, shorter_way, unit
 from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
+from kinegrade.figure.symbols import BAR_WIDTH
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import TURN, Angle
 
@@ -76,7 +77,8 @@ def _choose_bow(at: Mapping[str, Vector], hint: Angle, legs: tuple[Side, ...]) -
     reaches = _measure_reaches(at[hint.at], legs, at.values())
     nicest = min(_RADII[0], max(_RADII[3], _SHARE * min(reaches, default=inf)))
     bow = Bow(at[hint.at], nicest, start, sweep, THIN)
-    narrow = measure_narrow(hint.symbol, bow) - _LETTER
+    half = BAR_WIDTH / 2 if any(leg.broad for leg in legs) else 0.0
+    narrow = measure_narrow(hint.symbol, bow, half) - _LETTER
     return replace(bow, radius=max(nicest, min(narrow, _WIDEST)))
 
 

@@ -42,12 +42,12 @@ def list_spots_in_wedge(symbol: str, bow: Bow) -> Wish:
     return Wish(symbol, spots[order], demerits=demerits[order])
 
 
-def measure_narrow(symbol: str, bow: Bow) -> float:
-    """How far from the vertex the middle of a symbol has to stand on the bisector, in
-    millimetres.
+def measure_narrow(symbol: str, bow: Bow, half: float = 0.0) -> float:
+    """How far from the vertex the middle of a symbol has to stand on the bisector, in millimetres,
+    beside a bar about one side that is `half` as wide.
     """
     widening = max(sin(min(abs(bow.sweep), pi) / 2), 1e-3)
-    return max(_measure_reaches(symbol, bow)) / widening
+    return (max(_measure_reaches(symbol, bow)) + half / 2) / widening
 
 
 def _list_wide_spots(bow: Bow, narrow: float) -> Floats:
