@@ -93,7 +93,10 @@ def grade(
         pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
         accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
         terms = MarkingTerms(rules, accepted, wishes.decimal, wishes.follows, pool)
-        hands = gather_hand_marks(wishes.find_hand_sources(output), find_markable(exam, rules))
+        orders = exam.printed_orders()
+        hands = gather_hand_marks(
+            wishes.find_hand_sources(output), find_markable(exam, rules, orders)
+        )
         by_hand = HandMarking(hands.by_hand, exam.head)
         blocks = by_hand.watched(others.watched(mark_blocks(exam, sheet, terms)))
         grades = collect_grades(exam, sheet, write_marks(folder, blocks))
@@ -106,7 +109,7 @@ def grade(
         earlier = None if kept is None else kept.totals.by_student
         grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
         folder.policy(rules.text)
-        folder.printed(exam.printed_orders())
+        folder.printed(orders)
         folder.corrections(exam.head.corrections)
         _write_by_hand(folder, settled, exam)
         _write_exports(path, wishes.exports)

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from kinegrade.errors import Problem
 from kinegrade.exam.folder.keys import Ask, Sitting, list_questions
 from kinegrade.files.cell_text import trim
 from kinegrade.files.tables import Complaint
@@ -41,7 +42,7 @@ class ClassGrades:
     questions: tuple[str, ...]
     grades: tuple[Grade, ...]
     complaints: tuple[Complaint, ...]
-    notes: tuple[Message, ...] = field(default=(), kw_only=True)
+    notes: tuple[Problem, ...] = field(default=(), kw_only=True)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Literal
 
-from kinegrade.errors import OptionError
+from kinegrade.errors import OptionError, Problem
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.follow_through import FollowThrough
 from kinegrade.grading.grade import Export, MarkingWishes
@@ -165,7 +165,7 @@ def grade(
     return Graded(place, tuple(written), complaints, grades=grades, assumed=read.assumed)
 
 
-def _describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Message]:
+def _describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:
     """What hands marked, and what they still have to mark."""
     yield from grades.notes
     given = list(list_hand_marks(marks.by_hand))

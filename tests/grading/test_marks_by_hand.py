@@ -15,6 +15,7 @@ from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.marks_folder.folder import open_marks
 from tests.exam.test_by_hand import CRANK, SLEEVE, THEORY, WHEEL, mark_right, set_exam
+from tests.exam.test_by_hand import HEAD as EXAM_HEAD
 from tests.small_class import kinegrade, table
 
 HEAD = "student,question,points,comment\n"
@@ -310,3 +311,20 @@ def test_on_shuffled_papers_a_number_alone_names_no_question(tmp_path: Path) -> 
         "question on each"
     ]
     assert give(tmp_path, f"{ADA},q1,1,\n{ADA},q2,1,\n{SOFYA},q2,1,\n").exit_code == 0
+
+
+def test_an_id_without_its_zeros_is_repaired_and_said_and_comments_stay_as_they_are(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "bank.toml").write_text(EXAM_HEAD + CRANK + THEORY, encoding="utf-8")
+    (tmp_path / "roster.csv").write_text("student,name\n007,A\n008,B\n", encoding="utf-8")
+    files = tmp_path / "bank.toml", tmp_path / "roster.csv"
+    assert kinegrade("generate", *files, "-o", tmp_path / "EXAM").exit_code == 0
+    mark_right(tmp_path)
+    said = give(tmp_path, "7,q2,2,=fine\n8,q2,1,\n").stderr
+    assert "by-hand.csv: 2 student ids are not as in the exam" in said
+    for _ in range(2):
+        assert grade(tmp_path).exit_code == 0
+    rows = table(tmp_path / "MARKS" / "manual.csv")
+    assert [(row["student"], row["comment"]) for row in rows] == [("007", "'=fine"), ("008", "")]
+    assert open_marks(tmp_path / "MARKS").by_hand["007"]["q2"].comment == "=fine"

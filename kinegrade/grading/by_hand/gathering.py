@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
 
-from kinegrade.errors import TableError
+from kinegrade.errors import Problem, TableError
+from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.tables import read_table
 from kinegrade.grading.by_hand.markable import Markable
 from kinegrade.grading.by_hand.reading import (
@@ -58,7 +59,7 @@ class Gathered:
     """The marks, and what is to be said of them."""
 
     by_hand: ByHand
-    notes: tuple[Message, ...]
+    notes: tuple[Problem, ...]
 
 
 def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
@@ -87,9 +88,14 @@ def _say(
     carried: HandFile,
     kept: Sequence[HandRow],
     replacing: dict[tuple[str, str], HandRow],
-) -> Iterator[Message]:
-    """What was carried over and replaced, and which rows have no points yet."""
+) -> Iterator[Problem]:
+    """What was carried over and replaced, which rows have no points yet, and which ids were
+    repaired.
+    """
     for path, file in zip(sources.given, given, strict=True):
+        if file.restored:
+            what, done = describe_restoration(file.restored)
+            yield Fault(str(path), what, do=done)
         if file.unmarked:
             yield Message("marking.unmarked-rows", file=str(path), count=file.unmarked)
     changed = sum(

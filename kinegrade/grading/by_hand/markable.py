@@ -45,9 +45,13 @@ class Markable:
         return Message("marking.names", names=shown, extra=EXTRA)
 
 
-def find_markable(exam: ExamFolder, policy: Policy) -> Markable:
-    """What may be marked by hand under a policy. Raises ExamError."""
-    head, orders = exam.head, exam.printed_orders()
+def find_markable(
+    exam: ExamFolder, policy: Policy, orders: Mapping[str, tuple[str, ...]]
+) -> Markable:
+    """What may be marked by hand under a policy; `orders` are those of the papers that differ from
+    the bank's.
+    """
+    head = exam.head
     by_hand = tuple(each.question for each in head.by_hand)
     asks = [policy.ruling(ask.column).ask(ask) for ask in exam.asks]
     maxima = {ask.column: ask.points for ask in asks}

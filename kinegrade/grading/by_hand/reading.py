@@ -15,6 +15,7 @@ from unicodedata import normalize
 from kinegrade.ask_names import Named
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.files.cell_text import make_header_key, shorten
+from kinegrade.files.csv_writing import restore
 from kinegrade.files.spreadsheet import read_workbook
 from kinegrade.files.tables import Complaint, Row, Table, drop_headers, read_table
 from kinegrade.files.workbook_inspection import is_workbook
@@ -39,10 +40,13 @@ class HandRow:
 
 @dataclass
 class HandFile:
-    """What was read of one file: its marks, how many rows have none yet, and what is wrong."""
+    """What was read of one file: its marks, how many rows have none yet, which ids are not as in
+    the exam, and what is wrong.
+    """
 
     rows: list[HandRow] = field(default_factory=list)
     unmarked: int = 0
+    restored: Mapping[str, str] = field(default_factory=dict)
     faults: list[Fault] = field(default_factory=list)
 
 
@@ -76,11 +80,12 @@ class _Reader:
         cells = dict.fromkeys(self.columns.cell(row, self.columns.student) for row in rows)
         exact = {cell: student for cell in cells if (student := ids.exact(cell))}
         unknown = [cell for cell in cells if cell and cell not in exact]
-        return {**exact, **ids.restored(unknown, set(exact.values()))}
+        self.found.restored = ids.restored(unknown, set(exact.values()))
+        return {**exact, **self.found.restored}
 
     def _read_row(self, row: Row, students: Mapping[str, str]) -> None:
         points = self.columns.cell(row, self.columns.points)
-        comment = self.columns.cell(row, self.columns.comment)
+        comment = restore(self.columns.cell(row, self.columns.comment))
         if not points and not comment:
             self.found.unmarked += 1
             return

@@ -41,8 +41,10 @@ class HandMarking:
         for block in blocks:
             width = len(block.asks)
             for row, (paper, _) in enumerate(block.judged.rows):
-                for number, ask in enumerate(block.asks):
-                    if ask.column in self.by_hand.get(paper.student, ()):
+                marks = self.by_hand.get(paper.student, {})
+                asked = enumerate(block.asks) if marks else ()
+                for number, ask in asked:
+                    if ask.column in marks:
                         _, share = block.judged.decision(row * width + number)
                         self.machine[paper.student, ask.column] = share * ask.points
             yield block
@@ -60,7 +62,8 @@ class HandMarking:
             for mark in self.by_hand.get(grade.student, {}).values()
         )
         only = find_only_by_hand(beside)
-        questions = sort_as_in_bank((*grades.questions, *only))
+        together = sort_as_in_bank((*grades.questions, *only))
+        questions = together if only else grades.questions
         settled = [
             self._settle_grade(grade, grades.questions, questions, beside, only)
             for grade in grades.grades
@@ -88,9 +91,11 @@ class HandMarking:
         beside: ByHand,
         only: Mapping[str, Fraction],
     ) -> Grade:
+        marks = beside.get(grade.student, {}).values()
+        if not marks and not only:
+            return grade
         given = zip(before, grade.points, strict=True)
         machine = {name: points for name, points in given if points is not None}
-        marks = beside.get(grade.student, {}).values()
         points = settle_points({**machine, **dict.fromkeys(only, Fraction(0))}, marks)
         more = add_amounts(worth for name, worth in only.items() if name not in self.bonus)
         return replace(
