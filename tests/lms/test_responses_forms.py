@@ -260,7 +260,7 @@ def test_what_no_system_writes_is_refused(tmp_path: Path) -> None:
     with pytest.raises(
         TableError,
         match=r"its columns \(a, b ...\) are those of no system known here - expected one "
-        r"of moodle, canvas, wjx, ms-forms, google-forms, sheet - say which it is",
+        r"of moodle, canvas, wjx, ms-forms, google-forms, long, sheet - say which it is",
     ):
         responses(tmp_path, "a,b\n1,2\n")
     with pytest.raises(
@@ -268,7 +268,7 @@ def test_what_no_system_writes_is_refused(tmp_path: Path) -> None:
         match='download.csv: "blackboard" is no system known here - expected one of moodle',
     ):
         responses(tmp_path, "a,b\n1,2\n", "blackboard")
-    assert SOURCES == ("moodle", "canvas", "wjx", "ms-forms", "google-forms", "sheet")
+    assert SOURCES == ("moodle", "canvas", "wjx", "ms-forms", "google-forms", "long", "sheet")
 
 
 @pytest.mark.parametrize("source", SOURCES)

@@ -87,7 +87,10 @@ def test_a_table_that_is_not_long_is_refused_as_such(folder: Path, tmp_path: Pat
     file.write_text("student,q1.v_B\n007,1\n", encoding="utf-8")
     done = kinegrade("grade", folder / "EXAM", file, "-o", tmp_path / "M", "--from", "long")
     assert done.exit_code == 2
-    assert "wide.csv: no columns of students, asks and answers" in done.stderr
+    assert (
+        "wide.csv: no columns of students, asks and answers - expected columns such as student, "
+        "ask, answer - name them so"
+    ) in done.stderr
 
 
 def test_headers_of_other_languages_are_known(folder: Path, tmp_path: Path) -> None:

@@ -51,7 +51,14 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """
     columns = _find_columns(table.header)
     if columns is None:
-        raise TableError(Fault(table.file, Message("responses.not-long")))
+        raise TableError(
+            Fault(
+                table.file,
+                Message("responses.not-long"),
+                Message("responses.long-columns"),
+                Message("responses.name-columns"),
+            )
+        )
     gathered = _Gathered(table, columns, head)
     for row in table.rows:
         gathered.take(row)
