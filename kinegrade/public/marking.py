@@ -60,7 +60,7 @@ class GradeOptions:
     unfinished: bool = False
     decimal: DecimalMark | None = None
     policy: str | PathLike[str] | None = None
-    manual: Sequence[str | PathLike[str]] = ()
+    manual: str | PathLike[str] | Sequence[str | PathLike[str]] = ()
     never_lower: MarksFolder | None = None
     since: MarksFolder | None = None
     reason: str = ""
@@ -96,7 +96,7 @@ class GradeOptions:
             self.never_lower,
             _choose_following(exam),
             self.own_papers,
-            tuple(map(Path, self.manual)),
+            tuple(map(Path, _list_files(self.manual))),
         )
 
 
@@ -149,8 +149,7 @@ def grade(
     expect_own_place(place)
     require_known(options)
     _require_kept_log(place, options)
-    files = [answers] if isinstance(answers, str | PathLike) else answers
-    read = read_class([Path(file) for file in files], exam, options.reading)
+    read = read_class([Path(file) for file in _list_files(answers)], exam, options.reading)
     for assumption in read.assumed:
         options.assuming(assumption)
     grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
@@ -189,6 +188,13 @@ def _require_kept_log(place: Path, options: GradeOptions) -> None:
     if replaced and not {*replaced} <= {*kept}:
         what, do = Message("terminal.log-lost"), Message("terminal.keep-log")
         raise OptionError(Fault(str(place / CHANGES.name), what, do=do))
+
+
+def _list_files(
+    given: str | PathLike[str] | Sequence[str | PathLike[str]],
+) -> Sequence[str | PathLike[str]]:
+    """One file or several, as several."""
+    return [given] if isinstance(given, str | PathLike) else given
 
 
 def _choose_following(exam: ExamFolder) -> Follows:

@@ -11,6 +11,7 @@ import pytest
 from click.testing import Result
 from openpyxl import Workbook, load_workbook
 
+import kinegrade as library
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.marks_folder.folder import open_marks
@@ -201,6 +202,16 @@ def test_a_code_of_another_paper_beside_an_id_is_refused(folder: Path) -> None:
         "coded.csv:3: XXXX: no paper of the exam has this code",
     ]
     assert ada != sofya
+
+
+def test_a_program_gives_one_file_or_several(folder: Path) -> None:
+    file = folder / "one.csv"
+    file.write_text(f"{HEAD}{ADA},q2,2,\n", encoding="utf-8")
+    exam = library.open_exam(folder / "EXAM")
+    for place, manual in (("ONE", str(file)), ("SEVERAL", [file])):
+        options = library.GradeOptions(manual=manual)
+        graded = library.grade(exam, folder / "answers.csv", folder / place, options=options)
+        assert graded.marks.by_hand[ADA]["q2"].points == 2
 
 
 def test_columns_that_are_missing_are_named(folder: Path) -> None:
