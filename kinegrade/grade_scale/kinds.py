@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import assert_never
 
-from kinegrade.grade_scale.scale import Scale, Step, drop_unreachable
+from kinegrade.grade_scale.scale import Scale, Step, begin_at_zero
 from kinegrade.grade_scale.stated import Kind, StatedScale
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message
@@ -33,7 +33,7 @@ def make_scale(stated: StatedScale, words: Catalogue) -> Scale:
     steps = _list_steps(stated, words)
     reach = _invert_curve(stated)
     moved = [Step(step.grade, reach(step.least), step.passes) for step in steps]
-    return Scale(drop_unreachable(moved), stated.absent)
+    return Scale(begin_at_zero(moved), stated.absent)
 
 
 def _list_steps(stated: StatedScale, words: Catalogue) -> Sequence[Step]:

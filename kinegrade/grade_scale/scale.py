@@ -40,16 +40,17 @@ class Scale:
         return next((step.least for step in reversed(self.steps) if step.passes), None)
 
 
-def drop_unreachable(steps: Sequence[Step]) -> tuple[Step, ...]:
-    """The steps without those below one that everybody reaches, which begins at 0.
+def begin_at_zero(steps: Sequence[Step]) -> tuple[Step, ...]:
+    """The steps without those below one that everybody reaches; the last one begins at 0.
 
     >>> one, two = Step("1", Fraction(-1, 10), True), Step("2", Fraction(-1, 2), False)
-    >>> drop_unreachable([one, two])
+    >>> begin_at_zero([one, two])
     (Step(grade='1', least=Fraction(0, 1), passes=True),)
     """
     kept: list[Step] = []
     for step in steps:
-        kept.append(Step(step.grade, max(step.least, Fraction(0)), step.passes))
+        kept.append(step)
         if step.least <= 0:
             break
-    return tuple(kept)
+    *better, last = kept
+    return (*better, Step(last.grade, Fraction(0), last.passes))

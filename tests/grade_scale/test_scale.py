@@ -115,6 +115,11 @@ def test_a_curve_that_lifts_everybody_leaves_no_grade_below() -> None:
     assert scale.steps[-1].least == 0
 
 
+def test_a_curve_that_takes_points_leaves_the_last_grade_to_all_below() -> None:
+    scale = scale_of('kind = "german"\ncurve = { "50 %" = 0, 1 = 1 }')
+    assert [grade(scale, each) for each in (0, 50, 75)] == ["5.0", "5.0", "4.0"]
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [

@@ -37,6 +37,8 @@ HEAD = ExamHead(
     title='Mid"term\n',
     course="力学",
     date="2026-05-01",
+    kind="homework",
+    due="2026-05-08 18:00 +08:00",
     language="zh",
     paper_size="letter",
     engine="latex",
@@ -47,6 +49,7 @@ HEAD = ExamHead(
     codes="11" * 32,
     versions=("A", "B"),
     credit={"follow-through": "1/2", "mistakes": {"sense-reversed": "1/4"}},
+    scale={"kind": "hundred", "pass": "3/5"},
     solutions=True,
     questions=(
         ExamQuestion(
