@@ -45,10 +45,11 @@ class _Reader:
         cells = {name: row.cell(place) for place, name in enumerate(self.table.header)}
         whole = cells["student"] not in self.some
         held = [name for name in self.questions if whole or cells[name]]
+        # What is subtracted is blank where of several folders put together this one says nothing
         amounts = {
             name: self._amount(row, name, cells[name])
             for name in (*held, "total", "out_of", "percent", SUBTRACTED_POINTS)
-            if name in cells
+            if cells.get(name) or (name in cells and name != SUBTRACTED_POINTS)
         }
         return StudentTotal(
             row.line,

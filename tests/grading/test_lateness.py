@@ -18,6 +18,7 @@ from kinegrade.deadlines.duration import read_duration, write_duration
 from kinegrade.deadlines.moment import read_moment
 from kinegrade.errors import FieldError
 from kinegrade.grading.lateness.rule import LateRule, Penalties, TryRule
+from kinegrade.marks_folder.folder import open_marks
 from kinegrade.marks_folder.rows import Submission
 from tests.grading.marked_folder import COLUMNS, RIGHT, Page, mark_class
 from tests.small_class import contents, kinegrade, table
@@ -292,6 +293,16 @@ def test_a_total_that_stands_is_not_lowered_by_lateness(exam: Path) -> None:
     assert kinegrade("feedback", exam, exam.parent / "LATE", *wishes).exit_code == 0
     sheet = (exam.parent / "F" / "sheets" / "9.md").read_text(encoding="utf-8")
     assert "Subtracted" not in sheet
+
+
+def test_a_blank_amount_is_nothing_as_where_folders_were_put_together(exam: Path) -> None:
+    grade(exam, LATE)
+    path = exam.parent / "LATE" / "grades.csv"
+    text = path.read_text(encoding="utf-8")
+    assert ",100,marked,0\n" in text
+    path.write_text(text.replace(",100,marked,0\n", ",100,marked,\n"), encoding="utf-8")
+    totals = open_marks(exam.parent / "LATE").totals.by_student
+    assert (totals["7"].subtracted, totals["9"].subtracted) == (0, Fraction("1.9"))
 
 
 def test_a_lateness_that_was_changed_by_hand_is_refused(exam: Path) -> None:
