@@ -69,7 +69,7 @@ def measure_label(row: Row) -> tuple[float, float]:
     """Width and height of a label, in em."""
     nodes = tuple(list_nodes(row))
     tall = 1.9 if any(isinstance(node, Quotient) for node in nodes) else 1.0
-    if any(isinstance(node, Letter) and _rises_and_falls(node) for node in nodes):
+    if any(isinstance(node, Letter | Sign) and _rises_and_falls(node) for node in nodes):
         tall = max(tall, _TALL)
     scripts = sum(
         (node.lower is not None) + (node.upper is not None)
@@ -126,8 +126,10 @@ def _measure_alone(node: Node) -> float:
             assert_never(node)
 
 
-def _rises_and_falls(node: Letter) -> bool:
-    """Whether a letter reaches from above the small letters to below the line."""
+def _rises_and_falls(node: Letter | Sign) -> bool:
+    """Whether a letter or a sign reaches from above the small letters to below the line."""
+    if isinstance(node, Sign):
+        return node.latex in "()"
     return node.name.removeprefix("\\") in _RISING_AND_FALLING
 
 
