@@ -5,11 +5,12 @@ joins the two points replaces one that has no clear place.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Disc, Primitive, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Disc, Label, Primitive, Strokes
 from kinegrade.figure.symbols import STANDS, draw_pivot
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length
@@ -53,6 +54,16 @@ def test_extension_lines_start_at_their_points_and_keep_off_a_bar_in_between() -
     for start, end in _find_extensions(_add(Length("d", "A", "B"), (bar,))):
         assert 0.85 < abs(start.y) < 2.0
         assert end.y < 0
+
+
+def test_an_extension_line_does_not_begin_in_a_letter() -> None:
+    [free, _] = _find_extensions(_add(Length("d", "A", "B"), ()))
+    side = 1.0 if free[1].y > 0 else -1.0
+    letter = Label("C", Vector(B.x + 0.5, side * 3.0), 2.0, 2.0)
+    layout = replace(Layout.of((letter,)), labels=(letter,))
+    bare = Obstacles.of(())
+    moved = add_length(layout, AB, Length("d", "A", "B"), bare, bare)
+    assert [end.y * side < 0 for _, end in _find_extensions(moved)] == [True, True]
 
 
 def test_extension_lines_start_outside_the_supports_of_their_points() -> None:

@@ -33,6 +33,13 @@ class DimensionLine:
         """The dimension line, and the extension lines from where they have left their points."""
         return (self._line(), *self._extensions(_LEFT))
 
+    def beginnings(self) -> tuple[Segment, ...]:
+        """The extension lines, up to where they have left their points."""
+        ways = [(start, end, unit(end - start)) for start, end in self._extensions()]
+        return tuple(
+            (start, start + way * min(_LEFT, length(end - start))) for start, end, way in ways
+        )
+
     def crowds(self, other: DimensionLine) -> bool:
         """Whether its line stands close beside that of another dimension."""
         along, (start, end) = unit(self.feet[1] - self.feet[0]), other.feet

@@ -59,7 +59,11 @@ def add_length(
     alone where a line is drawn exactly between the two points; `drawn` is the mechanism, and
     `ground` are its supports and guides.
     """
-    dimensions = _list_dimensions(at, hint, drawn, ground)
+    written = Obstacles.of(layout.labels)
+    dimensions = [
+        replace(mark, demerit=mark.demerit + written.along(mark.beginnings(), mark.shared))
+        for mark in _list_dimensions(at, hint, drawn, ground)
+    ]
     earlier = [mark for mark in layout.marks if isinstance(mark, DimensionLine)]
     if earlier:
         dimensions = [
