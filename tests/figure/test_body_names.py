@@ -12,7 +12,7 @@ from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Part
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.scene import THIN, Bow, Label
+from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Label
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, FigureHints
@@ -58,3 +58,12 @@ def test_the_name_of_a_bar_does_not_stand_in_a_wheel_behind_it() -> None:
     at = name("AB", (replace(WHEEL, radius=25.0),), Layout.of(()), (bar,))
     assert hypot(*at) > 25.0
     assert abs(at.y - 10.0) < 4.0
+
+
+def test_the_name_of_a_wheel_without_room_does_not_stand_beyond_the_ring_around_it() -> None:
+    ring = Rim("R", "P", polar(20.0, 225), 30.0, "gear", True, CENTRE, CENTRE)
+    wheel = replace(WHEEL, radius=8.0)
+    full = Layout.of([Disc(CENTRE, radius, FIRM) for radius in (3.2, 4.4, 5.6, 8.0)])
+    alone, beside = name("W", (wheel,), full), name("W", (wheel, ring), full)
+    assert hypot(*(alone - ring.at)) > 30.0
+    assert hypot(*(beside - ring.at)) < 30.0

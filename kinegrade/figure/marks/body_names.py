@@ -49,9 +49,9 @@ def label_bodies(
     for body, symbol in hints.labels.items():
         if symbol and body not in mechanism.points:
             wish = Wish(symbol, _list_spots(body, symbol, drawing))
-            others = [rim for rim in drawing.rims if rim.body != body and not rim.ring]
+            others = [rim for rim in drawing.rims if rim.body != body]
             taken = _find_beside(wish, layout) + _find_at_angles(wish, layout)
-            order = np.argsort(taken + _find_in_discs(wish, others), kind="stable")
+            order = np.argsort(taken + _find_in_others(wish, others), kind="stable")
             yield replace(wish, spots=wish.spots[order])
 
 
@@ -90,14 +90,14 @@ def _list_arcs(layout: Layout) -> Iterator[AngleArc]:
             yield mark if isinstance(mark, AngleArc) else mark.arc
 
 
-def _find_in_discs(wish: Wish, discs: Iterable[Rim]) -> Floats:
-    """For each spot of a wish 1 in a disc, else 0."""
-    within = np.zeros(len(wish.spots))
-    for disc in discs:
-        steps = wish.spots - np.array(disc.at)
-        inside = np.hypot(*steps.T) < disc.radius
-        within = np.maximum(within, inside)
-    return within
+def _find_in_others(wish: Wish, others: Iterable[Rim]) -> Floats:
+    """For each spot of a wish 1 in the disc of another body, or beyond a ring, else 0."""
+    found = np.zeros(len(wish.spots))
+    for rim in others:
+        steps = wish.spots - np.array(rim.at)
+        inside = np.hypot(*steps.T) < rim.radius
+        found = np.maximum(found, inside != rim.ring)
+    return found
 
 
 def _list_spots(body: str, symbol: str, drawing: Drawing) -> Floats:
