@@ -13,7 +13,7 @@ import os
 import click
 
 from kinegrade import __version__
-from kinegrade.cli.appeals import explain, merge
+from kinegrade.cli.appeals import explain, forget, merge
 from kinegrade.cli.doctor import doctor
 from kinegrade.cli.entries import compare_entries
 from kinegrade.cli.exams import archive, generate, verify
@@ -67,6 +67,7 @@ for command in (
     feedback,
     explain,
     merge,
+    forget,
     sharing,
     export,
     term,

@@ -1,4 +1,4 @@
-"""The commands for the time after the marks are known: explain, merge."""
+"""The commands for the time after the marks are known: explain, merge, forget."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ import kinegrade
 from kinegrade.cli.help import command
 from kinegrade.cli.options import FILE, FORCE, finish, refusing
 from kinegrade.cli.running.opening import open_both
-from kinegrade.cli.terminal import terminal_words
+from kinegrade.cli.terminal import say, terminal_words
+from kinegrade.language.message import Message, list_plainly
 
 
 @command()
@@ -53,3 +54,27 @@ def merge(
     expect_folders(*((each, "MARKS") for each in folders))
     marked = [kinegrade.open_marks(each) for each in folders]
     finish(merge_marks(marked, output, prefer, force=force))
+
+
+@command()
+@click.argument("exam", type=FILE)
+@click.argument("marks", type=FILE, nargs=-1, metavar="[MARKS]...")
+@click.option("--yes", is_flag=True)
+@refusing
+def forget(exam: Path, marks: tuple[Path, ...], *, yes: bool) -> None:
+    """Remove all people from EXAM and MARKS for ever, and keep what statistics need."""
+    from kinegrade.exam.archiving.forgetting import Forgetting
+    from kinegrade.public.folders import expect_folders
+
+    expect_folders((exam, "EXAM"), *((each, "MARKS") for each in marks))
+    opened = tuple(kinegrade.open_marks(each) for each in marks)
+    forgetting = Forgetting(kinegrade.open_exam(exam), opened)
+    if yes:
+        say(Message("archive.forgotten", exam=str(exam), count=forgetting.forget()))
+        return
+    removed = list_plainly(forgetting.list_removed())
+    say(Message("archive.would-remove", exam=str(exam), files=removed))
+    say(Message("archive.would-blank", exam=str(exam)))
+    for each in marks:
+        say(Message("archive.would-blank-marks", marks=str(each)))
+    say(Message("archive.add-yes"))

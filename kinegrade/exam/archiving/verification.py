@@ -78,7 +78,9 @@ def _solve_again(exam: ExamFolder, sample: tuple[Candidate, ...]) -> tuple[Probl
 
 
 def _find_missing(exam: ExamFolder) -> Iterator[Fault]:
-    """The papers that are not in the folder."""
+    """The papers that are not in the folder, and should be."""
+    if exam.head.forgotten:
+        return
     for candidate in exam.head.everybody:
         if not (exam.path / candidate.file).is_file():
             yield Fault(str(exam.path / candidate.file), Message("archive.missing"))

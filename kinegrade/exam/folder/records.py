@@ -77,7 +77,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     which all have so many `pages`, 0 where earlier versions printed them; `method` found the
     velocities of worked solutions, where one was asked for. Of the questions of `choices` each
     paper holds only some. `spares` stand for papers without a student. The key had so many
-    `corrections`.
+    `corrections`. Where people were `forgotten`, students are names, too, that stand for them.
     """
 
     format: int
@@ -110,6 +110,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     editable: dict[str, str] | None = None
     earlier: dict[str, tuple[dict[str, str], ...]] = {}
     corrections: int = 0
+    forgotten: bool = False
 
     def __repr__(self) -> str:
         return f"ExamHead({self.title!r}, {self.date!r})"

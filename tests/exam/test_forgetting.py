@@ -1,0 +1,121 @@
+"""`kinegrade forget`: nobody is left in an exam and its marks, and statistics are as before."""
+
+from __future__ import annotations
+
+import csv
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from kinegrade.exam.folder.exam_folder import open_exam
+from tests.exam.test_own_questions import CAR
+from tests.small_class import contents, kinegrade, table
+
+ROSTER = """student,name,email,group,room
+70011,Ada Lovelace,ada@example.org,A,Hall 7
+70012,王伟,wei@example.org,B,Hall 7
+70013,Grace Hopper,grace@example.org,B,Annex
+"""
+ANSWERS = """student,q1.v,q1.s
+70011,10,25
+70012,12,30
+70013,"I am Grace",25
+"""
+PERSONAL = ("7001", "Ada", "Grace", "Lovelace", "王伟", "example.org", "Hall 7", "Annex", "secret")
+APPEAL = '[questions.q1.asks.v]\naccept = [{ value = "12", student = ["70012"] }]\n'
+
+
+@pytest.fixture(scope="module")
+def forgotten(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with EXAM and MARKS of three, as they were (BEFORE) and as they are."""
+    folder = tmp_path_factory.mktemp("forgotten")
+    texts = {"bank.toml": CAR, "roster.csv": ROSTER, "answers.csv": ANSWERS, "appeal.toml": APPEAL}
+    for name, text in texts.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    exam = folder / "EXAM"
+    made = kinegrade("generate", folder / "bank.toml", folder / "roster.csv", "-o", exam)
+    assert made.exit_code == 0, made.stderr
+    files = exam, folder / "answers.csv", "-o"
+    kinegrade("grade", *files, folder / "FIRST")
+    since = "--since", folder / "FIRST", "--reason", "Ada's letter", "--policy"
+    kinegrade("grade", *files, folder / "MARKS", *since, folder / "appeal.toml")
+    for name in ("EXAM", "MARKS"):
+        shutil.copytree(folder / name, folder / "BEFORE" / name)
+    done = kinegrade("forget", exam, folder / "MARKS", "--yes")
+    assert done.exit_code == 0, done.stderr
+    assert f"{exam}: 3 people forgotten" in done.stderr
+    return folder
+
+
+@pytest.mark.parametrize("name", ["EXAM", "MARKS"])
+def test_nobody_is_left(forgotten: Path, name: str) -> None:
+    def find(folder: Path) -> set[str]:
+        everything = b"".join(contents(folder).values())
+        names = "".join(contents(folder))
+        return {each for each in PERSONAL if each.encode() in everything or each in names}
+
+    assert find(forgotten / "BEFORE" / name) >= {"7001", "Ada", "王伟"}
+    assert find(forgotten / name) <= {"secret"}  # of which INSTRUCTOR-ONLY.txt warns
+    assert open_exam(forgotten / "EXAM").head.drawn_from is None
+    assert {each.paper for each in open_exam(forgotten / "EXAM").lines()} == {""}
+
+
+def test_points_verdicts_and_numbers_stay(forgotten: Path) -> None:
+    def find(folder: Path) -> list[tuple[str, ...]]:
+        columns = "question", "ask", "read_as", "verdict", "points", "out_of"
+        return sorted(
+            tuple(row[name] for name in columns) for row in table(folder / "MARKS" / "marks.csv")
+        )
+
+    assert find(forgotten) == find(forgotten / "BEFORE")
+    totals = [
+        sorted(row["total"] for row in table(folder / "MARKS" / "grades.csv"))
+        for folder in (forgotten, forgotten / "BEFORE")
+    ]
+    assert totals[0] == totals[1] == ["2.5", "5.5", "5.5"]
+    with (forgotten / "MARKS" / "changes.csv").open(encoding="utf-8") as lines:
+        assert {row["reason"] for row in csv.DictReader(lines)} == {""}
+
+
+def test_the_report_is_that_of_before(forgotten: Path) -> None:
+    pages = []
+    for folder in (forgotten, forgotten / "BEFORE"):
+        page = folder / "report.html"
+        done = kinegrade("report", folder / "EXAM", folder / "MARKS", "-o", page, "--force")
+        assert done.exit_code == 0, done.stderr
+        text = re.sub(r"<[^>]+>", " ", page.read_text(encoding="utf-8"))
+        figures, complaints, _ = text.partition(" Complaints ")
+        assert complaints
+        pages.append(figures.split())
+    assert {"81.8", "Groups"} <= {*pages[0]}
+    assert pages[0] == pages[1]
+
+
+def test_the_key_is_still_verified(forgotten: Path) -> None:
+    done = kinegrade("verify", forgotten / "EXAM", "--all")
+    assert done.exit_code == 0, done.stderr
+    assert "3 of 3 papers solved again" in done.stderr
+
+
+def test_without_yes_it_is_said_what_would_go_and_nothing_changes(forgotten: Path) -> None:
+    before = contents(forgotten / "BEFORE")
+    done = kinegrade("forget", forgotten / "BEFORE" / "EXAM", forgotten / "BEFORE" / "MARKS")
+    assert done.exit_code == 0
+    assert "would be deleted: answers.csv, answers.xlsx, key.pdf, papers, papers.pdf" in done.stderr
+    assert "ids, names, addresses, codes" in done.stderr
+    assert "everything typed in words would be removed" in done.stderr
+    assert "cannot be undone" in done.stderr
+    assert "add --yes" in done.stderr
+    assert contents(forgotten / "BEFORE") == before
+
+
+def test_files_of_ones_own_in_the_folder_are_not_lost(forgotten: Path, tmp_path: Path) -> None:
+    shutil.copytree(forgotten / "BEFORE", tmp_path, dirs_exist_ok=True)
+    (tmp_path / "MARKS" / "notes.txt").write_text("mine", encoding="utf-8")
+    before = contents(tmp_path)
+    done = kinegrade("forget", tmp_path / "EXAM", tmp_path / "MARKS", "--yes")
+    assert done.exit_code == 2
+    assert "notes.txt" in done.stderr
+    assert contents(tmp_path) == before
