@@ -63,5 +63,5 @@ def _forget_cells(file: TableFile, cells: Sequence[str], names: Mapping[str, str
 
 def _forget_cell(column: str, cell: str, names: Mapping[str, str]) -> str:
     if column in _OF_PEOPLE:
-        return names.get(cell, "")  # the log may name somebody who left the class
+        return names[cell]
     return "" if column in _TELLING else cell

@@ -24,6 +24,7 @@ from kinegrade.language.message import Fault, Message, Part
 from kinegrade.lms.grades import moodle
 from kinegrade.lms.responses.answer_table import ReadingWishes
 from kinegrade.lms.responses.class_files import read_class
+from kinegrade.marks_folder.cells import Record
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import list_hand_marks
 from kinegrade.marks_folder.layout import CHANGES, KEPT, MANUAL, SUBTRACTED
@@ -183,7 +184,7 @@ def _require_kept_log(place: Path, options: GradeOptions) -> None:
     """
     if (options.since is None) != (not options.reason.strip()):
         raise OptionError(Message("terminal.since-and-reason"))
-    replaced = MarksFolder(place).log
+    replaced = _read_log(place)
     kept = () if options.earlier is None else options.earlier.log
     if replaced and not {*replaced} <= {*kept}:
         what, do = Message("terminal.log-lost"), Message("terminal.keep-log")
@@ -195,6 +196,13 @@ def _list_files(
 ) -> Sequence[str | PathLike[str]]:
     """One file or several, as several."""
     return [given] if isinstance(given, str | PathLike) else given
+
+
+def _read_log(place: Path) -> tuple[Record, ...]:
+    try:
+        return MarksFolder(place).log
+    except OSError:  # a name that is too long, which writing refuses
+        return ()
 
 
 def _choose_following(exam: ExamFolder) -> Follows:

@@ -71,8 +71,11 @@ class Forgetting:
 
     def _make_names(self) -> Mapping[str, str]:
         """A new name for everybody, in an order that nobody knows."""
-        students = (each.student for marks in self.marks for each in marks.totals.students)
-        everybody = list(dict.fromkeys([*self.exam.students, *self._list_pool(), *students]))
+        students = [*self.exam.students, *self._list_pool()]
+        for marks in self.marks:
+            students += marks.totals.by_student
+            students += [each[1] for each in marks.log]  # who has left the class among them
+        everybody = list(dict.fromkeys(students))
         SystemRandom().shuffle(everybody)
         digits = len(str(len(everybody)))
         return {student: f"p{place:0{digits}d}" for place, student in enumerate(everybody, 1)}
