@@ -68,7 +68,7 @@ def test_a_composition_of_velocities() -> None:
         [ ] \boldsymbol{v}_{\mathrm{a}} | $O_{1}A \cdot \omega_{O_{1}A} = 8\,\unit{m/s}$ | $\perp
             O_{1}A$
         [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA$
-        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel OB$
+        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $O \to B$
         Here $O_{1}A = x_{A} = 4\,\unit{m}$, $OA = \sqrt{x_{A}^{2} + y_{A}^{2}} =
             \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         $OA$ makes the acute angle $\psi_{OA}$ with the $x$ axis:
@@ -106,7 +106,7 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         [=] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{n}} | $OA \cdot \omega^{2} = 8.192\,\unit{m/s^2}$ |
             $A \to O$
         [+] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}} | ? $(OA \cdot \alpha)$ | $\perp OA$
-        [+] \boldsymbol{a}_{\mathrm{r}} | ? | $\parallel OB$
+        [+] \boldsymbol{a}_{\mathrm{r}} | ? | $O \to B$
         [+] \boldsymbol{a}_{\mathrm{C}} | $2\omega\,v_{\mathrm{r}} = 12.288\,\unit{m/s^2}$ | $\perp
             v_{\mathrm{r}}$
         At this instant $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
@@ -143,8 +143,8 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
             absolute velocity of $C$ (of the crank $OC$) is its transport velocity (that of the
             point of block which is at $C$) plus the relative one (seen from block).
         [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC$
-        [=] \boldsymbol{v}_{D} | ? | $\parallel x$
-        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\parallel y$
+        [=] \boldsymbol{v}_{D} | ? | $+x$
+        [+] \boldsymbol{v}_{\mathrm{r}} | ? | $+y$
         Here $\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{D}$, $OC = \sqrt{x_{C}^{2} + y_{C}^{2}}
             = \sqrt{(3\,\unit{m})^{2} + (4\,\unit{m})^{2}} = 5\,\unit{m}$.
         Block translates: all its points have the same velocity.
@@ -175,8 +175,8 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
             with the Coriolis acceleration $\boldsymbol{a}_{\mathrm{C}}$:
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20\,\unit{m/s^2}$
             | $C \to O$
-        [=] \boldsymbol{a}_{D} | ? | $\parallel x$
-        [+] \boldsymbol{a}_{\mathrm{r}} | ? | $\parallel y$
+        [=] \boldsymbol{a}_{D} | ? | $+x$
+        [+] \boldsymbol{a}_{\mathrm{r}} | ? | $+y$
         Here $\boldsymbol{a}_{\mathrm{e}} = \boldsymbol{a}_{D}$.
         Block translates: all its points have the same acceleration, and there is no Coriolis
             acceleration.

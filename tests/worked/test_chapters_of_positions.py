@@ -49,7 +49,6 @@ def test_circles_that_meet() -> None:
         $M$ is the midpoint of $AC$:
         x_{M} &= \frac{x_{C}}{2} = \frac{8\,\unit{m}}{2} = 4\,\unit{m}
         y_{M} &= \frac{y_{A}}{2} = \frac{6\,\unit{m}}{2} = 3\,\unit{m}
-        x_{B} &= 5.76\,\unit{m}
         """
     )
 

@@ -37,7 +37,7 @@ def test_velocities_by_a_base_point() -> None:
         r"""
         The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
             $B$.
-        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
+        [ ] \boldsymbol{v}_{A} | ? | $+y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
@@ -71,7 +71,7 @@ def test_velocities_by_the_projection_theorem() -> None:
             36.87^\circ}{\sin 36.87^\circ} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
         The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
             $B$.
-        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
+        [ ] \boldsymbol{v}_{A} | ? | $+y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
@@ -146,7 +146,7 @@ def test_a_rod_whose_end_stands_still() -> None:
         r"""
         The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
             $B$.
-        [ ] \boldsymbol{v}_{A} | ? | $\parallel y$
+        [ ] \boldsymbol{v}_{A} | ? | $+y$
         [=] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
             5\,\unit{m}$.
@@ -212,7 +212,7 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         ## $AB$: base point $A$
         The acceleration of $B$ is that of the base point $A$ plus the normal and tangential
             accelerations of the rotation of $AB$ about $A$.
-        [ ] \boldsymbol{a}_{B} | ? | $\parallel x$
+        [ ] \boldsymbol{a}_{B} | ? | $+x$
         [=] \boldsymbol{a}_{A}^{\mathrm{n}} | $OA \cdot \omega_{OA}^{2} = 12\,\unit{m/s^2}$ | $A \to
             O$
         [+] \boldsymbol{a}_{BA}^{\mathrm{t}} | ? $(AB \cdot \alpha)$ | $\perp AB$

@@ -149,9 +149,10 @@ ANSWERS = [
 @pytest.mark.parametrize(("name", "ask"), ANSWERS)
 def test_the_last_line_ends_with_the_answer_of_the_key(name: str, ask: str) -> None:
     for solution in drawn(name):
-        answer = solution[ask]
-        symbol, parts = list(chains(explain_pose_answers(Case(solution, "en"), (ask,))))[-1]
-        assert symbol == tidy(solution.template.asks[ask].symbol)
+        answer, asked = solution[ask], tidy(solution.template.asks[ask].symbol)
+        placed = explain_positions(Case(solution, "en"), solution.template.scheme.points)
+        told = explain_pose_answers(Case(solution, "en"), (ask,))
+        parts = dict(chains((*placed, *told)))[asked]
         printed = parts[-1].split(r"\,\unit")[0].removesuffix(r"^\circ")
         rounded = answer.decimal(len(printed.strip("-0.").replace(".", "")) or 1)
         assert float(printed) == pytest.approx(float(rounded), rel=1e-3)

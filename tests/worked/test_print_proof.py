@@ -13,6 +13,7 @@ from kinegrade.worked.document import Block, Display, Prose
 from tests.worked.draws import drawn, kept
 from tests.worked.reader.known import KNOWN
 from tests.worked.reader.laws import LAWS, Law, find_faults
+from tests.worked.telling import lines
 
 
 def _broken(name: str, language: Language = "en") -> dict[Law, list[str]]:
@@ -28,7 +29,7 @@ def _broken(name: str, language: Language = "en") -> dict[Law, list[str]]:
 def test_a_solution_obeys_the_laws_of_print_and_is_not_excused_without_need(name: str) -> None:
     broken = _broken(name)
     excused = {law for law, names in KNOWN.items() if name in names}
-    assert {law: lines for law, lines in broken.items() if law not in excused} == {}
+    assert {law: told for law, told in broken.items() if law not in excused} == {}
     assert excused - set(broken) == set()
 
 
@@ -62,11 +63,41 @@ def test_a_page_that_breaks_a_law_is_found(law: Law) -> None:
 
 
 def test_a_page_without_faults_has_none() -> None:
-    lines = (
+    page_lines = (
         r"s = r\cos\varphi = 1\,\unit{m} \cdot \cos 60^\circ = 0.5\,\unit{m}",
         r"h = r\sin\varphi = \frac{\sqrt{3}}{2}\,\unit{m} \approx 0.8660\,\unit{m}",
         r"\psi = 90^\circ - \varphi = 30^\circ",
         r"u = s\cos(\varphi + \psi) = 0.5\,\unit{m} \cdot \cos 90^\circ = 0",
     )
-    page = Display(tuple(read_math(line, "") for line in lines))
+    page = Display(tuple(read_math(line, "") for line in page_lines))
     assert list(find_faults((page,), drawn("slider-crank")[0])) == []
+
+
+def _lines_with(name: str, part: str) -> list[str]:
+    return [line for line in lines(kept(name)) if part in line]
+
+
+@pytest.mark.parametrize(
+    ("name", "derived", "given"),
+    [
+        ("guided-rack-and-gear", "{AC}", r"\cos(\varphi - \psi_{AO})"),
+        ("bent-rod-two-sleeves", "{EM}", r"\cos\varphi"),
+        ("bent-rod-two-sleeves", "{BM}", r"\cos(\psi_{AM} + \varphi)"),
+    ],
+)
+def test_a_line_that_a_given_angle_places_has_no_angle_of_its_own(
+    name: str, derived: str, given: str
+) -> None:
+    assert not _lines_with(name, rf"\psi_{derived}")
+    assert _lines_with(name, given)
+
+
+def test_a_coordinate_is_told_once() -> None:
+    assert len(_lines_with("pose-four-bar-coupler", "y_{C} &")) == 1
+
+
+def test_a_table_says_in_which_direction_an_unknown_vector_is_assumed() -> None:
+    (velocity, acceleration) = _lines_with("slider-crank", "_{B} | ?")
+    assert velocity.endswith("| $+x$")
+    assert acceleration.endswith("| $+x$")
+    assert _lines_with("slotted-bar-between-two-rods", r"_{\mathrm{r}} | ? | $A \to B$")

@@ -23,7 +23,7 @@ from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.equation import Link, drop_repetition, equate
 from kinegrade.worked.formulas.numbers import state_quantity
-from kinegrade.worked.formulas.symbols import INFINITY, read_symbol
+from kinegrade.worked.formulas.symbols import INFINITY, name_coordinate, read_symbol
 from kinegrade.worked.positions.algebra import ONE, cross, dot, minus, over
 from kinegrade.worked.positions.algebra import ZERO as NOTHING
 from kinegrade.worked.positions.axes import find_line, length_of
@@ -48,11 +48,27 @@ def explain_pose_answers(case: Case, ask_names: Iterable[str]) -> tuple[Block, .
     found: frozenset[Expression] = frozenset()
     plain = False
     for name in ask_names:
+        if _has_been_placed(case.template.asks[name], case):
+            continue
         more, found = _explain_one_answer(case, name, found)
         single = len(more) == 1
         blocks = _join_blocks(blocks, more) if plain and single else blocks + more
         plain = single
     return blocks
+
+
+def _has_been_placed(ask: Ask, case: Case) -> bool:
+    """Whether an answer is a coordinate that the positions have given in its own letters and
+    unit.
+    """
+    match ask.quantity:
+        case Call(function="x" | "y" as axis, arguments=(Name(point),)) if ask.unit == METRE:
+            letter = case.naming.letter(point)
+            return name_coordinate(axis, letter).looks_like(read_symbol(ask.symbol))
+        case Call() | Name() | Number() | Operation():
+            return False
+        case _:
+            assert_never(ask.quantity)
 
 
 def _explain_one_answer(

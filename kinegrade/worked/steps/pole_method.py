@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import ZERO
@@ -18,7 +19,7 @@ from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.couplers import Coupler, explain_base_speed
 from kinegrade.worked.steps.pole_distances import PoleTriangle
 from kinegrade.worked.steps.poles import name_pole
-from kinegrade.worked.vectors.arms import name_length
+from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.deductions import state_rotation_result
 from kinegrade.worked.vectors.projection import PARALLEL
 from kinegrade.worked.vectors.vectors import name_part, name_point_vector, name_value
@@ -31,6 +32,7 @@ def explain_by_pole(coupler: Coupler, case: Case) -> Iterator[Block]:
     yield case.say(_describe_construction(coupler, case.naming.point(name), case))
     if case.arithmetic.is_zero(case.motion.omega(body)):
         yield from explain_base_speed(coupler, case)
+        yield from _introduce_arm(coupler.point, case)
         known = name_value(coupler.equation, coupler.base, case)
         still = Equation(case.naming.omega(body), equate(ZERO))
         yield case.show(still, *_state_found_speed(coupler, equate(known), case))
@@ -44,7 +46,14 @@ def explain_by_pole(coupler: Coupler, case: Case) -> Iterator[Block]:
         yield from triangle.explain_coordinates()
     if not case.findings.places_alone:
         yield from explain_base_speed(coupler, case)
+        yield from _introduce_arm(coupler.point, case)
         yield case.show(*_state_rotation(coupler, triangle, case))
+
+
+def _introduce_arm(sought: Part, case: Case) -> Iterator[Block]:
+    """The distance of the second point from the fixed axis about which it turns."""
+    if sought.term is not None and sought.term.kind == "rotation":
+        yield from map(case.show, introduce_lengths(((sought.base, sought.point),), case))
 
 
 def _describe_construction(coupler: Coupler, pole: str, case: Case) -> Message:

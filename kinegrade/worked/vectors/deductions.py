@@ -30,7 +30,7 @@ from kinegrade.worked.senses import (
 )
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.inclinations import find_ends, introduce_angle
-from kinegrade.worked.vectors.magnitudes import find_track_ends
+from kinegrade.worked.vectors.magnitudes import find_path_ends
 from kinegrade.worked.vectors.projection import Deduction, Projection
 from kinegrade.worked.vectors.stage import (
     Stage,
@@ -188,15 +188,4 @@ def _state_sense(value: float, positive: Vector, part: Part, case: Case) -> Row:
     if part.base and value < 0 and find_axis_sense(positive) is None:
         base = case.naming.point(part.base)
         return say_beside(Message("solution.clockwise-about", point=base), case)
-    return state_sense_along(value, positive, _find_path_ends(part, case), case)
-
-
-def _find_path_ends(part: Part, case: Case) -> tuple[str, str] | None:
-    """The points that give the line along which a part lies, in its positive sense; None where no
-    two points do.
-    """
-    ends = find_track_ends(part.term, case) if part.term and part.term.kind == "sliding" else None
-    if ends is None or part.coefficient is None:
-        return None
-    start, end = (case.motion.points[point] for point in ends)
-    return ends if float((end - start).dot(part.coefficient)) > 0 else (ends[1], ends[0])
+    return state_sense_along(value, positive, find_path_ends(part, case), case)

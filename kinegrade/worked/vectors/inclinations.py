@@ -6,12 +6,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from math import degrees
 from typing import Literal, TypeAlias, assert_never
 
 from kinegrade.expressions.tree import Call, Name, Operation
 from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Part
+from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import TWO, Symbol, add_terms
@@ -191,10 +193,15 @@ def is_inclination_known(found: Inclination, ends: tuple[str, str], case: Case) 
 
 
 def is_line_found(angle: float, case: Case) -> bool:
-    """Whether a line has been introduced that makes this acute angle with x, in degrees."""
-    points = case.motion.points
+    """Whether an acute angle, in degrees, is that of a line with x which has been introduced, or is
+    given.
+    """
+    points, values = case.motion.points, case.solution.assembly.values
     lines = (bearing(points[end] - points[start]) % 180 for start, end in case.findings.inclined)
-    return any(abs(min(line, 180 - line) - angle) < _CLOSE for line in lines)
+    found = (min(line, 180 - line) for line in lines)
+    angles = (value for value in values.values() if isinstance(value, Angle))
+    given = (degrees(float(value.ball())) for value in angles)
+    return any(abs(one - angle) < _CLOSE for one in (*found, *given))
 
 
 def introduce_angle(part: Part, case: Case) -> Iterator[Block]:

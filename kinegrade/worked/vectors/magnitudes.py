@@ -169,11 +169,39 @@ def _align_term(part: Part, term: Term, case: Case) -> Row:
     match term.kind:
         case "rotation" | "arc":
             return (Sign(r"\perp"), *name_arm(part, case).row)
+        case "sliding" if part.coefficient is not None:
+            return _find_assumed_direction(part, part.coefficient, case)
         case "sliding":
             line = _find_track(term, case)
             return (Sign(r"\parallel"), *line) if line else ()
         case _:
             assert_never(term.kind)
+
+
+def _find_assumed_direction(part: Part, positive: Vector, case: Case) -> Row:
+    """The direction in which an unknown sliding part counts positive: from point to point, or that
+    of an axis.
+    """
+    ends = find_path_ends(part, case)
+    if ends:
+        start, end = map(case.naming.letter, ends)
+        return (*start.row, Sign(r"\to"), *end.row)
+    x, y = float(positive.x), float(positive.y)
+    if min(abs(x), abs(y)) > NEGLIGIBLE:
+        return ()
+    axis = Letter("x") if abs(y) < NEGLIGIBLE else Letter("y")
+    return (Sign("+" if x + y > 0 else "-"), axis)
+
+
+def find_path_ends(part: Part, case: Case) -> tuple[str, str] | None:
+    """The points that give the line along which a part slides, in its positive sense; None where no
+    two points do.
+    """
+    ends = find_track_ends(part.term, case) if part.term and part.term.kind == "sliding" else None
+    if ends is None or part.coefficient is None:
+        return None
+    start, end = (case.motion.points[point] for point in ends)
+    return ends if float((end - start).dot(part.coefficient)) > 0 else (ends[1], ends[0])
 
 
 def _find_track(term: Term, case: Case) -> Row:

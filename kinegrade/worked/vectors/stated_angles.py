@@ -5,7 +5,7 @@ constructed on a ray from it.
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from math import degrees, nan, pi
 from typing import assert_never
 
@@ -31,8 +31,13 @@ def find_stated_angle(ends: tuple[str, str], case: Case) -> tuple[Formula, int, 
     """The angle that states the line through two points: in symbols and without right angles, the
     sign with which it counts counter-clockwise from +x, and its degrees; None where none does.
     """
-    angles = (_read_polar(step.point, step.tree, ends) for step in list_steps(case.template))
-    angle = next((one for one in angles if one is not None), None)
+    angles = (
+        angle
+        for step in list_steps(case.template)
+        for angle in _list_angles(step.point, step.tree, ends)
+        if _is_given(angle, case)
+    )
+    angle = next(angles, None)
     if angle is None:
         return None
     sign, plain = _drop_right_angles(angle)
@@ -40,16 +45,39 @@ def find_stated_angle(ends: tuple[str, str], case: Case) -> tuple[Formula, int, 
     return symbols, sign, tidy(degrees(_evaluate(plain, case)))
 
 
-def _read_polar(point: str, tree: Expression, ends: tuple[str, str]) -> Expression | None:
-    """The angle of a point's construction, where that is from one end to the other and the angle is
-    made of givens alone.
+def _is_given(angle: Expression, case: Case) -> bool:
+    """Whether an angle is made of givens alone; a line may have a point in its place."""
+    points = case.template.scheme.points
+    names = {part.name for part in walk(angle) if isinstance(part, Name)}
+    return not names & set(points) and not any(isinstance(part, Call) for part in walk(angle))
+
+
+def _list_angles(point: str, tree: Expression, ends: tuple[str, str]) -> Iterator[Expression]:
+    """The angles of the rays and lines from one end on which a construction places the other end,
+    and of a line to which it draws the perpendicular from one end.
     """
-    if not isinstance(tree, Call) or tree.function != "polar":
-        return None
-    base, _, angle = tree.arguments
-    if {point, base.name if isinstance(base, Name) else ""} != {*ends}:
-        return None
-    return None if any(isinstance(part, Call) for part in walk(angle)) else angle
+    match tree:
+        case Call(function="polar", arguments=(Name(base), _, angle)):
+            placed = [(base, angle)]
+        case Call(function="meet", arguments=(first, second, *_)):
+            placed = [*_read_line(first), *_read_line(second)]
+        case Call(function="foot", arguments=(Name(base), line)):
+            placed = [*_read_line(line), *((base, angle) for _, angle in _read_line(line))]
+        case Call() | Name() | Number() | Operation():
+            placed = []
+        case _:
+            assert_never(tree)
+    for base, angle in placed:
+        if {point, base} == {*ends}:
+            yield angle
+
+
+def _read_line(tree: Expression) -> Iterator[tuple[str, Expression]]:
+    """The point and the direction of a line."""
+    if isinstance(tree, Call) and tree.function == "line":
+        through, direction = tree.arguments
+        if isinstance(through, Name):
+            yield through.name, direction
 
 
 def _drop_right_angles(angle: Expression) -> tuple[int, Expression]:
