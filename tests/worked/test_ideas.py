@@ -17,6 +17,7 @@ ALIKE = (
     "known by then."
 )
 IDLE = "The method asked for changes nothing here"
+TITLES = {"pole": ": velocity pole", "projection": ": velocity projection theorem"}
 
 
 def read_idea(name: str, method: Method | None = None) -> str:
@@ -110,6 +111,17 @@ def test_a_method_that_applies_says_nothing_of_it() -> None:
         isinstance(block, Prose) and block.text.startswith(IDLE)
         for block in kept("slider-crank", 0, "pole")
     )
+
+
+@pytest.mark.parametrize("name", find_template_names())
+@pytest.mark.parametrize("method", ["pole", "projection"])
+def test_a_method_asked_for_is_taken_in_some_step_or_the_solution_says_why_not(
+    name: str, method: Method
+) -> None:
+    blocks = kept(name, 0, method)
+    titles = [block.text for block in blocks if isinstance(block, Heading) and block.level == 2]
+    taken = any(TITLES[method] in title for title in titles)
+    assert taken != any(text.startswith(IDLE) for text in proses(blocks))
 
 
 @pytest.mark.parametrize(
