@@ -90,8 +90,8 @@ def test_a_pole_is_checked_by_the_projection_theorem() -> None:
 
 def test_a_wheel_that_its_pole_has_solved_is_checked_from_its_centre() -> None:
     assert read_checks("wheel-inside-circular-track")[0] == Check(
-        "the base point $O$, the velocity of $B$ and those of $O$ and of the rotation each "
-        r"multiplied by $\overrightarrow{OB}$ turned through $90^\circ$",
+        r"the base point $O$ for the velocity of $B$, multiplied by $\overrightarrow{OB}$ "
+        r"turned through $90^\circ$",
         r"-0.09\,\unit{m} \cdot 1.44\,\unit{m/s} - 0.1559\,\unit{m} \cdot 2.494\,\unit{m/s}"
         r" \approx -0.5184\,\unit{m^2/s}",
         r"-0.18\,\unit{m} \cdot 1.44\,\unit{m/s} - 8\,\unit{rad/s} \cdot (0.18\,\unit{m})^{2}"
@@ -101,8 +101,7 @@ def test_a_wheel_that_its_pole_has_solved_is_checked_from_its_centre() -> None:
 
 def test_points_of_a_body_are_checked_by_the_projection_theorem() -> None:
     assert read_checks("crossed-belt-drive")[0] == Check(
-        "the projection theorem, the velocities of $B$ and $A$ each multiplied by "
-        r"$\overrightarrow{AB}$",
+        r"the projection theorem for $B$ and $A$, multiplied by $\overrightarrow{AB}$",
         r"0.02071\,\unit{m} \cdot 0.1101\,\unit{m/s} + 0.07727\,\unit{m} \cdot 0.4881\,\unit{m/s}"
         r" \approx 0.04\,\unit{m^2/s}",
         r"0.08\,\unit{m} \cdot 0.5\,\unit{m/s} = 0.04\,\unit{m^2/s}",
