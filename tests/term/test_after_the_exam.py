@@ -196,6 +196,12 @@ def test_row_22_a_pool_of_questions_is_marked_by_what_was_drawn(small: Midterm) 
     responses.write_text(download(rows), encoding="utf-8-sig")
     assert mark(small, responses).exit_code == 0
     assert {points for points, _ in totals(small).values()} == {FULL}
+    said = run("explain", small.exam, small.folder / "MARKS", people(STUDENTS)[2].student)
+    answers = re.findall(r'typed +"(\S+)"', said)
+    bounds = re.findall(r"right from (\S+) to (\S+)", said)
+    assert len(answers) == len(bounds) == 4
+    for answer, (low, high) in zip(answers, bounds, strict=True):
+        assert float(low) <= float(answer) <= float(high)
     responses.write_text(download(rows, ("Response",)), encoding="utf-8-sig")
     refused = mark(small, responses)
     assert refused.exit_code == 2
