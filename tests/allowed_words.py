@@ -132,7 +132,7 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "Student, Test",
             "Test Student",
         ],
-        "lms/responses/google_forms.py": [
+        "lms/responses/forms/google_forms.py": [
             "email address",
         ],
         "lms/responses/moodle_columns.py": [
@@ -145,14 +145,14 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "正解",
             "题目",
         ],
-        "lms/responses/ms_forms.py": [
+        "lms/responses/forms/ms_forms.py": [
             "completion time",
             "last modified time",
             "quiz feedback",
             "start time",
             "total points",
         ],
-        "lms/responses/wjx.py": [
+        "lms/responses/forms/wjx.py": [
             "序号",
         ],
         "lms/grades/systems/sakai.py": [

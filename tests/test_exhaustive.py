@@ -58,9 +58,8 @@ EXCEPTIONS = {
     "_": "what is not the difference of two points is no vector between points",
     "lms/grades/item_groups.py: 'feedback' if known == 'feedback' else "
     "'percentage'": "the cells decide; a known word may only say that they are feedback",
-    "reports/feedback/remarks.py: _VERDICTS.get(verdict, verdict)": "a file of marks may hold "
-    "a verdict of a later version, which is shown as it stands",
-    "grading/verdict_names.py: _VERDICTS.get(verdict, verdict)": "the same in the class report",
+    "grading/sheets/part.py: places.get(row.line, ())": "cells stand in their row, where no others "
+    "are named",
     "problem/assemble.py: if isinstance(value, (Vector, Line, Round, str))": "numbers of any "
     "arithmetic are taken, what is known to be no number is refused",
 }

@@ -35,6 +35,7 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import FILES, MARKER
+from kinegrade.marks_folder.rows import StudentTotal
 from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.processes.garbage_collection import bulk_work
 
@@ -94,9 +95,8 @@ def grade(
         accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
         terms = MarkingTerms(rules, accepted, wishes.decimal, wishes.follows, pool)
         orders = exam.printed_orders()
-        hands = gather_hand_marks(
-            wishes.find_hand_sources(output), find_markable(exam, rules, orders)
-        )
+        markable = find_markable(exam, rules, orders)
+        hands = gather_hand_marks(wishes.find_hand_sources(output), markable)
         by_hand = HandMarking(hands.by_hand, exam.head)
         blocks = by_hand.watched(others.watched(mark_blocks(exam, sheet, terms)))
         grades = collect_grades(exam, sheet, write_marks(folder, blocks))
@@ -105,9 +105,8 @@ def grade(
         settled = by_hand.settle(grades)
         scale = None if settled.still_open else _make_scale(rules, exam.language)
         grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))
-        kept = wishes.never_lower
-        earlier = None if kept is None else kept.totals.by_student
-        grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
+        totals = TotalTerms(rules.penalties, _find_earlier(wishes.never_lower), scale)
+        grades = _write_totals(folder, grades, totals)
         folder.policy(rules.text)
         folder.printed(orders)
         folder.corrections(exam.head.corrections)
@@ -122,6 +121,10 @@ def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> N
     names = {student: each.name for student, each in exam.head.candidates.items()}
     folder.open(settled.still_open, names)
     folder.bonus({**exam.head.bonus, **settled.bonus})
+
+
+def _find_earlier(marks: MarksFolder | None) -> Mapping[str, StudentTotal] | None:
+    return None if marks is None else marks.totals.by_student
 
 
 def _make_scale(rules: Policy, language: Language) -> Scale | None:

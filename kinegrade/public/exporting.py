@@ -54,14 +54,9 @@ def export(
         require_same_key(exam, marks)
     place = Path(output)
     expect_own_place(place)
-    require_word("to", to, GRADE_FILES)
-    require_known(options)
-    if options.language is not None and not (to in SYSTEMS and SYSTEMS[to].speaks):
-        raise OptionError(Message("terminal.no-headers"))
+    _require_possible(to, options)
     if to == WORKBOOK and options.into is None:
         return _export_workbook(marks, place, force=force)
-    if options.overwrite and to != WORKBOOK:
-        raise OptionError(Message("terminal.no-overwrite"))
     grades = read_grades(marks, exam)
     _require_sense(options, grades)
     options = replace(options, title=options.title.strip())
@@ -70,6 +65,16 @@ def export(
     notes = *made.notes, _tell(made, place, grades, options), *_list_above(grades, options)
     untold = _list_untold(grades, place) if options.per_question else ()
     return Outcome(place, notes, (*made.complaints, *untold, *_list_open(marks, place)))
+
+
+def _require_possible(to: str, options: ExportOptions) -> None:
+    """Raises OptionError for a system that is not known, and for options that it does not have."""
+    require_word("to", to, GRADE_FILES)
+    require_known(options)
+    if options.language is not None and not (to in SYSTEMS and SYSTEMS[to].speaks):
+        raise OptionError(Message("terminal.no-headers"))
+    if options.overwrite and to != WORKBOOK:
+        raise OptionError(Message("terminal.no-overwrite"))
 
 
 def _export_workbook(marks: MarksFolder, place: Path, *, force: bool) -> Outcome:

@@ -44,7 +44,7 @@ def write(quiz, target, *, force=False):
     return []
 """
 READER = """from kinegrade.language.message import Message
-from kinegrade.lms.responses.form_rows import form_rows
+from kinegrade.lms.responses.forms.form_rows import form_rows
 
 TITLE = Message("responses.scroll")
 

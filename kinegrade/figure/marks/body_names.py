@@ -86,8 +86,10 @@ def _find_at_angles(wish: Wish, layout: Layout) -> Floats:
 
 def _list_arcs(layout: Layout) -> Iterator[AngleArc]:
     for mark in layout.marks:
-        if isinstance(mark, AngleArc | LedAngleArc):
-            yield mark if isinstance(mark, AngleArc) else mark.arc
+        if isinstance(mark, AngleArc):
+            yield mark
+        elif isinstance(mark, LedAngleArc):
+            yield mark.arc
 
 
 def _find_in_others(wish: Wish, others: Iterable[Rim]) -> Floats:

@@ -102,11 +102,15 @@ def _seat(rim: Rim, angle: float, share: float) -> Vector:
     """The direction nearest to an angle at a share of the pitch from a gear's tooth; of other
     circles the angle itself.
     """
-    if rim.kind != "gear":
-        return polar(angle)
-    step = find_tooth_angle(rim.radius)
-    first = angle_of(rim.tooth - rim.at) + share * step
-    return polar(first + round((angle - first) / step) * step)
+    match rim.kind:
+        case "gear":
+            step = find_tooth_angle(rim.radius)
+            first = angle_of(rim.tooth - rim.at) + share * step
+            return polar(first + round((angle - first) / step) * step)
+        case "wheel" | "slot" | "cam" | "edge":
+            return polar(angle)
+        case _:
+            assert_never(rim.kind)
 
 
 def _draw_from_centre(

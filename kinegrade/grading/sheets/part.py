@@ -39,7 +39,8 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
     def make_entry(row: Row, kept: str) -> Entry:
         sources = put.get(row.line, ())
         given = responses(row.cells)
-        at, when = places.get(row.line, ()), answers.submitted.get(row.line, "")
+        at = places.get(row.line, ())
+        when = answers.submitted.get(row.line, "")
         return Entry(row.line, given, kept, table.file, sources, at, submitted=when)
 
     entries = {student: _make_entries(rows[student], make_entry) for student in rows}

@@ -128,9 +128,13 @@ def _measure_alone(node: Node) -> float:
 
 def _rises_and_falls(node: Letter | Sign) -> bool:
     """Whether a letter or a sign reaches from above the small letters to below the line."""
-    if isinstance(node, Sign):
-        return node.latex in "()"
-    return node.name.removeprefix("\\") in _RISING_AND_FALLING
+    match node:
+        case Sign():
+            return node.latex in "()"
+        case Letter():
+            return node.name.removeprefix("\\") in _RISING_AND_FALLING
+        case _:
+            assert_never(node)
 
 
 def _find_width(name: str) -> float:

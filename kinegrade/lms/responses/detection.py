@@ -10,7 +10,8 @@ from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.tables import Table
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, list_plainly
-from kinegrade.lms.responses import canvas, google_forms, long, moodle, ms_forms, sheet, wjx
+from kinegrade.lms.responses import canvas, long, moodle, sheet
+from kinegrade.lms.responses.forms import google_forms, ms_forms, wjx
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 
 

@@ -13,7 +13,7 @@ from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.cell_text import make_header_key
 from kinegrade.files.tables import Table
 from kinegrade.language.message import Message
-from kinegrade.lms.responses.form_rows import form_rows
+from kinegrade.lms.responses.forms.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 
 TITLE = Message("responses.ms-forms")
