@@ -105,18 +105,18 @@ def grade(
         settled = by_hand.settle(grades)
         scale = None if settled.still_open else _make_scale(rules, exam.language)
         grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))
-        totals = TotalTerms(rules.penalties, _find_earlier(wishes.never_lower), scale)
-        grades = _write_totals(folder, grades, totals)
+        earlier = _find_earlier(wishes.never_lower)
+        grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
         folder.policy(rules.text)
         folder.printed(orders)
-        folder.corrections(exam.head.corrections)
         _write_by_hand(folder, settled, exam)
         _write_exports(path, wishes.exports)
     return replace(grades, notes=hands.notes)
 
 
 def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> None:
-    """Writes the marks by hand, and who still lacks one."""
+    """Writes the marks by hand, and who still lacks one; and how old the key is."""
+    folder.corrections(exam.head.corrections)
     folder.by_hand(settled.list_marks())
     names = {student: each.name for student, each in exam.head.candidates.items()}
     folder.open(settled.still_open, names)
