@@ -139,7 +139,8 @@ def diff(
 ) -> None:
     """Show how the marks in MARKS2 differ from those in MARKS1."""
     from kinegrade.public.folders import expect_folders
-    from kinegrade.reports.comparison import compare, write_comparison_csv, write_comparison_text
+    from kinegrade.reports.comparison import compare
+    from kinegrade.reports.comparison_writing import write_comparison_csv, write_comparison_text
 
     expect_folders((before, "MARKS"), (after, "MARKS"))
     comparison = compare(kinegrade.open_marks(before), kinegrade.open_marks(after))

@@ -29,18 +29,18 @@ from kinegrade.marks_folder.cells import (
     read_whole,
 )
 from kinegrade.marks_folder.check import refuse_changed_totals
+from kinegrade.marks_folder.complaints import read_complaints
+from kinegrade.marks_folder.corrections import read_corrections
 from kinegrade.marks_folder.earlier import find_named_mistakes, names_policy
 from kinegrade.marks_folder.hand_marks import ByHand, find_only_by_hand, read_hand_marks
+from kinegrade.marks_folder.kept_totals import read_kept_totals
 from kinegrade.marks_folder.layout import (
     ANSWERS,
     BONUS,
     BY_POLICY,
     CHANGES,
-    COMPLAINTS,
-    CORRECTIONS,
     FOR_PEOPLE,
     GRADES,
-    KEPT,
     MANUAL,
     MERGED,
     MISTAKE,
@@ -86,9 +86,7 @@ class MarksFolder:
     @cached_property
     def kept(self) -> Mapping[str, KeptTotal]:
         """The students whose earlier total stands; empty where there is no kept.csv."""
-        path = self.path / KEPT.name
-        records = read_records_if_any(self.path, KEPT)
-        return {cells[0]: _read_kept_total(cells, path, line) for line, cells in records}
+        return read_kept_totals(self.path)
 
     @cached_property
     def put(self) -> Put:
@@ -148,12 +146,7 @@ class MarksFolder:
     @cached_property
     def corrections(self) -> int:
         """How often the key was corrected before the class was marked."""
-        for line, (count,) in read_records_if_any(self.path, CORRECTIONS):
-            if not count.isdecimal():
-                path, expected = self.path / CORRECTIONS.name, Message("marks.whole-number")
-                raise TableError(explain_cell(path, line, "corrections", count, expected))
-            return int(count)
-        return 0
+        return read_corrections(self.path)
 
     @cached_property
     def subtracted(self) -> Mapping[str, Subtracted]:
@@ -218,17 +211,7 @@ class MarksFolder:
 
     def complaints(self) -> tuple[Complaint, ...]:
         """The lines of complaints.csv."""
-        path = self.path / COMPLAINTS.name
-        found = []
-        for line, cells in read_records(self.path, COMPLAINTS):
-            file, number, column, content, problem, done = map(restore, cells)
-            if number and not number.isdecimal():
-                expected = Message("marks.line-number")
-                raise TableError(explain_cell(path, line, "line", number, expected))
-            found.append(
-                Complaint(file, int(number) if number else None, column, content, problem, done)
-            )
-        return tuple(found)
+        return read_complaints(self.path)
 
     def tables(self) -> Iterator[tuple[str, Table]]:
         """The tables meant for people, as they stand, each with its name."""
@@ -244,15 +227,6 @@ def open_marks(path: Path) -> MarksFolder:
     folder = MarksFolder(path)
     refuse_changed_totals(path, folder.totals, folder.sums(), folder.scale)
     return folder
-
-
-def _read_kept_total(cells: Record, path: Path, line: int) -> KeptTotal:
-    student, name, *amounts, reason = cells
-    columns = KEPT.columns[2:-1]
-    points = [
-        read_amount(cell, path, line, column) for cell, column in zip(amounts, columns, strict=True)
-    ]
-    return KeptTotal(student, restore(name), restore(reason), *points)
 
 
 def _find_mistakes(verdict: str, listed: str, reason: str) -> tuple[str, ...]:

@@ -5,20 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import date
-from fractions import Fraction
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
 from typing import Literal
 
-from kinegrade.errors import OptionError, Problem
+from kinegrade.errors import OptionError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.follow_through import FollowThrough
 from kinegrade.grading.grade import Export, MarkingWishes
 from kinegrade.grading.grade import grade as mark_class
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.marks import ClassGrades
-from kinegrade.grading.policy.reading import read_policy, stated_policy
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.language.message import Fault, Message, Part
 from kinegrade.lms.grades import moodle
@@ -26,11 +24,14 @@ from kinegrade.lms.responses.answer_table import ReadingWishes
 from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.cells import Record
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.marks_folder.hand_marks import list_hand_marks
-from kinegrade.marks_folder.layout import CHANGES, KEPT, MANUAL, SUBTRACTED
-from kinegrade.marks_folder.open_questions import describe_open
-from kinegrade.numbers.amounts import write_amount
+from kinegrade.marks_folder.layout import CHANGES
 from kinegrade.public.folders import expect_own_place
+from kinegrade.public.marking_notes import (
+    describe_by_hand,
+    describe_grades,
+    describe_subtracted,
+    list_written,
+)
 from kinegrade.public.opened import expect_opened
 from kinegrade.public.opening import open_marks
 from kinegrade.public.options import require_known
@@ -156,26 +157,13 @@ def grade(
     grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
     marks = open_marks(place)
     written = [
-        *_list_written(grades, place, kept=options.never_lower is not None),
-        *_describe_by_hand(grades, marks),
-        *_describe_subtracted(marks),
-        *_describe_grades(marks, exam, options.policy),
+        *list_written(grades, place, kept=options.never_lower is not None),
+        *describe_by_hand(grades, marks),
+        *describe_subtracted(marks),
+        *describe_grades(marks, exam, options.policy),
     ]
     complaints = tuple(complaint.fault for complaint in grades.complaints)
     return Graded(place, tuple(written), complaints, grades=grades, assumed=read.assumed)
-
-
-def _describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:
-    """What hands marked, and what they still have to mark."""
-    yield from grades.notes
-    given = list(list_hand_marks(marks.by_hand))
-    if given:
-        changed = sum(mark.is_override for mark in given)
-        overrides = Message("terminal.overrides", count=changed)
-        file = str(marks.path / MANUAL.name)
-        yield Message("terminal.by-hand", file=file, count=len(given), overrides=overrides)
-    if marks.open:
-        yield describe_open(marks.open)
 
 
 def _require_kept_log(place: Path, options: GradeOptions) -> None:
@@ -208,48 +196,3 @@ def _read_log(place: Path) -> tuple[Record, ...]:
 def _choose_following(exam: ExamFolder) -> Follows:
     follow_through = FollowThrough(exam)
     return Follows(follow_through, follow_through.stages)
-
-
-def _describe_subtracted(marks: MarksFolder) -> Iterator[Message]:
-    """From how many totals points were subtracted, where a policy says what costs any."""
-    if (marks.path / SUBTRACTED.name).exists():
-        points = [each.subtracted for each in marks.totals.students if each.subtracted]
-        whole = write_amount(sum(points, Fraction(0)))
-        file = str(marks.path / SUBTRACTED.name)
-        yield Message("terminal.subtracted", file=file, count=len(points), points=whole)
-
-
-def _describe_grades(
-    marks: MarksFolder, exam: ExamFolder, policy: str | PathLike[str] | None
-) -> Iterator[Message]:
-    """By which scale grades were given, and how many passed; or that they wait."""
-    banks = stated_policy(exam).scale
-    stated = banks if policy is None else read_policy(Path(policy), exam).scale
-    if stated is None:
-        return
-    if stated != banks and banks is not None:
-        yield Message("terminal.scale-of-policy", file=str(policy))
-    if marks.scale is None:
-        yield Message("terminal.grades-wait")
-        return
-    passing = {step.grade for step in marks.scale.steps if step.passes}
-    present = [each for each in marks.totals.students if each.is_present]
-    least = marks.scale.pass_mark or Fraction(0)
-    yield Message(
-        "terminal.graded",
-        mark=Message("scale.percent", number=write_amount(100 * least, places=2)),
-        count=sum(each.grade in passing for each in present),
-        present=len(present),
-        absent=len(marks.totals.students) - len(present),
-    )
-
-
-def _list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[Message]:
-    """What was written, one line each."""
-    complaints = Message("terminal.complaints", count=len(marks.complaints))
-    yield Message(
-        "terminal.marked", folder=str(output), count=len(marks.grades), complaints=complaints
-    )
-    if kept:
-        who = sum(each.kept is not None for each in marks.grades)
-        yield Message("terminal.kept-totals", file=str(output / KEPT.name), count=who)

@@ -12,7 +12,8 @@ from kinegrade.files.csv_writing import neutralise, write_csv_text
 from kinegrade.marks_folder.cells import Record
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import CHANGES
-from kinegrade.reports.comparison import compare, list_amounts
+from kinegrade.reports.comparison import compare
+from kinegrade.reports.comparison_writing import list_amounts
 
 _MARK = "\ufeff"  # by which spreadsheets recognise UTF-8
 

@@ -19,9 +19,9 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.lms.grades import moodle
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import StudentTotal
-from kinegrade.reports.comparison import (
+from kinegrade.reports.comparison import compare
+from kinegrade.reports.comparison_writing import (
     HEADER,
-    compare,
     write_comparison_csv,
     write_comparison_text,
 )

@@ -18,18 +18,15 @@ from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.files.cell_text import trim
-from kinegrade.files.decoding import name_encoding
 from kinegrade.files.tables import Complaint, Row, Table, drop_headers
 from kinegrade.language.message import (
     Fault,
     Message,
-    Part,
     Quoted,
-    list_all,
     list_choices,
     list_plainly,
-    list_statements,
 )
+from kinegrade.lms.responses.assumptions import list_assumptions
 from kinegrade.lms.responses.detection import DIALECTS, detected
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
@@ -102,7 +99,7 @@ def read_responses(
     _refuse_another_class(table, everybody, columns, found, exam.head.students)
     variants = None if wishes.own_papers or system not in _POOLED else pool_of(exam)
     answers = _answers(_Read(table, typed, columns, found), variants, exam)
-    assumed = _assumed(table, system, wishes.source, typed, columns)
+    assumed = list_assumptions(table, system, wishes.source, typed, columns)
     return Responses(answers, system, (*assumed, *_restored(table.file, found)))
 
 
@@ -231,22 +228,3 @@ def _explain_done(who: Found) -> Message:
     if not who.likely:
         return Message("marking.not-graded")
     return Message("marking.correct-file", students=list_choices(map(Quoted, who.likely)))
-
-
-def _assumed(
-    table: Table, name: str, source: str | None, typed: TypedRows, columns: Columns
-) -> Iterator[Message]:
-    if source is None and name != "sheet":
-        yield Message("responses.taken-for", file=table.file, system=DIALECTS[name].title)
-    if table.encoding not in ("UTF-8", "XLSX"):
-        yield Message("responses.read-as", file=table.file, encoding=name_encoding(table.encoding))
-    if name != "sheet":
-        yield Message("responses.identified", file=table.file, columns=_titles(table, columns))
-    if typed.assumed:
-        what = list_statements(typed.assumed)
-        yield Message("responses.assumed", file=table.file, what=what)
-
-
-def _titles(table: Table, columns: Columns) -> Part:
-    titles = [Quoted(" ".join(table.header[place].split())) for place in columns.indices]
-    return list_all(titles) if titles else Message("responses.nothing")
