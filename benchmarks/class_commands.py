@@ -55,6 +55,10 @@ COMMANDS = (
     "diff MARKS AGAIN",
     "report EXAM MARKS -o report.html",
     "sharing EXAM MARKS -o sharing.csv",
+    "explain EXAM MARKS 0007",
+    "compare-entries answers.csv answers.csv",
+    "merge MARKS AGAIN --prefer last -o ALL",
+    "term MARKS AGAIN -o term.csv",
 )
 
 

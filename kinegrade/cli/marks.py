@@ -90,6 +90,7 @@ _EXAM_LANGUAGE = click.option(
     "--own-papers",
     is_flag=True,
 )
+@click.option("--pseudonymous", is_flag=True)
 @FORCE
 @refusing
 def grade(

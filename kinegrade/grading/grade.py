@@ -52,7 +52,7 @@ class MarkingWishes:
     stand beside those that are carried over; `never_lower` is an earlier marking whose totals are
     kept where they are higher; `follows` works out what follows from wrong answers. A
     marking in which most answers fit other papers is refused, unless `own_papers` confirms that
-    they belong to the students' own.
+    they belong to the students' own. A `pseudonymous` marking leaves names out of the folder.
     """
 
     exports: Mapping[str, Export] = field(default_factory=dict)
@@ -62,6 +62,7 @@ class MarkingWishes:
     follows: Follows | None = None
     own_papers: bool = False
     manual: tuple[Path, ...] = ()
+    pseudonymous: bool = False
 
     def find_hand_sources(self, output: Path) -> HandSources:
         """Where marks by hand come from, when they are written into a folder."""
@@ -102,7 +103,7 @@ def grade(
         grades = collect_grades(exam, sheet, write_marks(folder, blocks))
         if not wishes.own_papers:
             others.refuse(exam, ", ".join(each.table.file for each in files))
-        settled = by_hand.settle(grades)
+        settled = by_hand.settle(_leave_out_names(grades) if wishes.pseudonymous else grades)
         scale = None if settled.still_open else _make_scale(rules, exam.language)
         grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))
         earlier = _find_earlier(wishes.never_lower)
@@ -114,11 +115,15 @@ def grade(
     return replace(grades, notes=hands.notes)
 
 
+def _leave_out_names(grades: ClassGrades) -> ClassGrades:
+    return replace(grades, grades=tuple(replace(each, name="") for each in grades.grades))
+
+
 def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> None:
     """Writes the marks by hand, and who still lacks one; and how old the key is."""
     folder.corrections(exam.head.corrections)
     folder.by_hand(settled.list_marks())
-    names = {student: each.name for student, each in exam.head.candidates.items()}
+    names = {each.student: each.name for each in settled.grades.grades}
     folder.open(settled.still_open, names)
     folder.bonus({**exam.head.bonus, **settled.bonus})
 

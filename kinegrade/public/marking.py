@@ -53,7 +53,7 @@ class GradeOptions:
     papers although most answers fit others. `policy` is a file of other rules; `manual` are files
     of marks by hand; `never_lower` an earlier marking whose totals stand where they are higher.
     What differs from the earlier marking `since` is added to its log of changes, with the `reason`;
-    the two go together.
+    the two go together. A `pseudonymous` marking leaves names out of the folder.
     `assuming` is given each assumption as soon as it is made, before anything is marked.
     """
 
@@ -67,6 +67,7 @@ class GradeOptions:
     since: MarksFolder | None = None
     reason: str = ""
     own_papers: bool = False
+    pseudonymous: bool = False
     assuming: Callable[[Part], None] = _in_silence
 
     @property
@@ -99,6 +100,7 @@ class GradeOptions:
             _choose_following(exam),
             self.own_papers,
             tuple(map(Path, _list_files(self.manual))),
+            self.pseudonymous,
         )
 
 

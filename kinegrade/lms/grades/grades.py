@@ -15,6 +15,7 @@ from typing import NamedTuple, assert_never
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import Candidate
 from kinegrade.files.cell_text import trim
 from kinegrade.files.csv_writing import neutralise
 from kinegrade.language import ENGLISH, Language
@@ -173,6 +174,12 @@ def _write_points(grade: StudentGrade, number: str, question: str) -> str:
     return f"{number}: {sign}{points}/{write_amount(grade.out_of.get(question, Fraction(0)))}"
 
 
+def _add_person(grade: StudentGrade, candidate: Candidate) -> StudentGrade:
+    """The address; and the name, where the class was marked without names."""
+    name = grade.name or neutralise(candidate.name)
+    return replace(grade, name=name, email=trim(candidate.email))
+
+
 def _add_exam(grades: ClassGrades, exam: ExamFolder) -> ClassGrades:
     candidates = exam.head.candidates
     strangers = [each.student for each in grades.students if each.student not in candidates]
@@ -183,7 +190,5 @@ def _add_exam(grades: ClassGrades, exam: ExamFolder) -> ClassGrades:
         grades,
         title=" ".join(exam.head.title.split()),
         language=exam.language,
-        students=tuple(
-            replace(each, email=trim(candidates[each.student].email)) for each in grades.students
-        ),
+        students=tuple(_add_person(each, candidates[each.student]) for each in grades.students),
     )

@@ -52,7 +52,7 @@ class ExplanationWriter:
 
     def _head(self) -> Iterator[str]:
         who, total = self.explanation.candidate, self.explanation.total
-        name, shown = show_in_one_line(who.name), show_in_one_line(who.student)
+        name, shown = show_in_one_line(total.name), show_in_one_line(who.student)
         yield self.words.text(
             "explain.head",
             student=f"{shown} {name}".strip(),
