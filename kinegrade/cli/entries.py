@@ -45,7 +45,7 @@ def compare_entries(
         else:
             from kinegrade.files.output import write_file
 
-            write_file(output, encode_agreed(compared), force=force)
+            write_file(output, encode_agreed(compared), "csv", force=force)
     finish_with_complaints(complaints)
     if compared.differences:
         sys.exit(COMPLAINTS)

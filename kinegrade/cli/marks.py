@@ -149,7 +149,7 @@ def diff(
         from kinegrade.files.output import write_file
 
         content = write_comparison_csv(comparison, open_catalogue(language))
-        write_file(output, content, force=force)
+        write_file(output, content, "csv", force=force)
     click.echo(write_comparison_text(comparison, terminal_words()))
 
 

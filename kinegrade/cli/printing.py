@@ -42,7 +42,7 @@ def sample(bank: Path, *, output: Path, seed: str, language: Language, force: bo
     from kinegrade.files.output import write_file
 
     blueprint = kinegrade.Bank.read(bank).blueprint
-    write_file(output, print_first_proof(blueprint, seed, language), force=force)
+    write_file(output, print_first_proof(blueprint, seed, language), "pdf", force=force)
 
 
 @command()
@@ -103,7 +103,7 @@ def paper(exam: Path, student: str, output: Path | None, *, solution: bool, forc
     if output is None:
         click.echo(pages, nl=False)
     else:
-        write_file(output, pages, force=force)
+        write_file(output, pages, "pdf", force=force)
     finish_with_complaints(again.complaints())
 
 

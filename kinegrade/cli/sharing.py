@@ -41,6 +41,6 @@ def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool)
 
     folder, marked = open_both(exam, marks)
     found = find_sharing(folder, marked, level / 100)
-    write_file(output, write_sharing_csv(found, folder.language), force=force)
+    write_file(output, write_sharing_csv(found, folder.language), "csv", force=force)
     for sentence in describe_sharing(found):
         say(sentence)

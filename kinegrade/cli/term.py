@@ -107,9 +107,9 @@ def _write(table: Table, output: Path, *, force: bool) -> None:
     if ending == ".xlsx":
         from kinegrade.lms.workbook import write_tables
 
-        write_file(output, write_tables([("term", table)]), force=force)
+        write_file(output, write_tables([("term", table)]), "xlsx", force=force)
     elif ending == ".csv":
         text = write_csv_text(table.header, [row.cells for row in table.rows])
-        write_file(output, encode_for_people(text), force=force)
+        write_file(output, encode_for_people(text), "csv", force=force)
     else:
         raise refuse_usage(Message("terminal.term-ending", file=str(output)))

@@ -20,6 +20,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinegrade.errors import OutputError
+from kinegrade.files.endings import Kind, require_ending
 from kinegrade.files.leftovers import clear_leftovers, make_process_name, remove
 from kinegrade.files.publishing import move_to_free_place, publish, sync_folder
 from kinegrade.files.temporary import clear_temporary_folders
@@ -74,10 +75,12 @@ def output_folder(
         publish(path, partial, target)
 
 
-def write_file(path: Path, content: bytes, *, force: bool = False) -> None:
-    """Writes a file whole or not at all; with `force` over an existing plain file. Raises
-    OutputError.
+def write_file(path: Path, content: bytes, kind: Kind, *, force: bool = False) -> None:
+    """Writes a file of that kind whole or not at all; with `force` over an existing plain file.
+
+    Raises OutputError, too where the file's name is that of another kind.
     """
+    require_ending(path, kind)
     with output_file(path, force=force) as partial:
         partial.write_bytes(content)
 

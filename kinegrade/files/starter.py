@@ -32,5 +32,5 @@ def write_starter_file(
         what, do = Message("files.starter-name"), Message("files.leave-out-ending")
         raise OutputError(Fault(name, what, do=do))
     target = path if path is not None else Path(f"{name}.toml")
-    write_file(target, read_starter_text(package).encode("utf-8"), force=force)
+    write_file(target, read_starter_text(package).encode("utf-8"), "toml", force=force)
     return target

@@ -43,5 +43,5 @@ def report(
     expect_own_place(place)
     chosen = exam.language if language is None else find_language(language)
     page = class_report(marks, exam, read_exam_wording(exam, chosen), chosen, ranks=ranks)
-    write_file(place, page.encode("utf-8", "backslashreplace"), force=force)
+    write_file(place, page.encode("utf-8", "backslashreplace"), "html", force=force)
     return Outcome(place)

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from kinegrade.errors import OptionError, Problem
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.files.endings import Kind
 from kinegrade.files.output import write_file
 from kinegrade.grading.same_key import require_same_key
 from kinegrade.language.message import Fault, Message, Part, Quoted, Text, list_plainly
@@ -61,7 +62,7 @@ def export(
     _require_sense(options, grades)
     options = replace(options, title=options.title.strip())
     made = _make_file(to, grades, options)
-    write_file(place, made.content, force=force)
+    write_file(place, made.content, made.kind, force=force)
     notes = *made.notes, _tell(made, place, grades, options), *_list_above(grades, options)
     untold = _list_untold(grades, place) if options.per_question else ()
     return Outcome(place, notes, (*made.complaints, *untold, *_list_open(marks, place)))
@@ -81,7 +82,7 @@ def _export_workbook(marks: MarksFolder, place: Path, *, force: bool) -> Outcome
     """One spreadsheet with everything, which is no file of another system."""
     from kinegrade.lms.workbook import workbook
 
-    write_file(place, workbook(marks), force=force)
+    write_file(place, workbook(marks), "xlsx", force=force)
     return Outcome(place, (), tuple(_list_open(marks, place)))
 
 
@@ -118,6 +119,7 @@ class _Made:
     students: int
     complaints: tuple[Problem, ...]
     notes: tuple[Problem, ...] = ()
+    kind: Kind = "grades"
 
 
 def _make_file(to: str, grades: ClassGrades, options: ExportOptions) -> _Made:
@@ -125,7 +127,8 @@ def _make_file(to: str, grades: ClassGrades, options: ExportOptions) -> _Made:
     if to == WORKBOOK and into is not None:
         from kinegrade.lms.grades.office.filling import fill_workbook
 
-        return _say_filled(into.name, fill_workbook(grades, into, options))
+        filled = _say_filled(into.name, fill_workbook(grades, into, options))
+        return replace(filled, kind="xlsx")
     dialect = SYSTEMS[to]
     if into is not None:
         return _say_filled(dialect.name, fill_in(dialect, grades, into, options))

@@ -139,13 +139,13 @@ def test_where_nothing_atomic_exists_two_renames_do_it(
 
 def test_a_file_is_written_whole_and_replaced_only_by_force(tmp_path: Path) -> None:
     target = tmp_path / "moodle.csv"
-    write_file(target, b"one")
+    write_file(target, b"one", "csv")
     with pytest.raises(
         OutputError, match="moodle.csv: already exists - expected a new file - add --force"
     ):
-        write_file(target, b"two")
+        write_file(target, b"two", "csv")
     assert target.read_bytes() == b"one"
-    write_file(target, b"two", force=True)
+    write_file(target, b"two", "csv", force=True)
     assert target.read_bytes() == b"two"
     assert os.listdir(tmp_path) == ["moodle.csv"]
 
@@ -153,7 +153,7 @@ def test_a_file_is_written_whole_and_replaced_only_by_force(tmp_path: Path) -> N
 def test_only_a_plain_file_is_replaced_by_a_file(tmp_path: Path) -> None:
     for path in (tmp_path, Path(os.devnull)):
         with pytest.raises(OutputError, match="is not a plain file"):
-            write_file(path, b"one", force=True)
+            write_file(path, b"one", "csv", force=True)
 
 
 def versions(target: Path) -> Iterator[set[str]]:
@@ -253,5 +253,5 @@ def test_the_key_in_a_temporary_folder_of_a_killed_run_goes_with_the_next_output
     left = make_process_name("kinegrade").replace(f"-{os.getpid()}-", f"-{ended.pid}-")
     (room / left).mkdir()
     (room / left / "key.jsonl").write_text("the key", encoding="utf-8")
-    write_file(tmp_path / "quiz.xml", b"")
+    write_file(tmp_path / "quiz.csv", b"", "csv")
     assert not list(room.iterdir())

@@ -175,7 +175,7 @@ def show(
         from kinegrade.exam.printing.sample import print_sample
         from kinegrade.files.output import write_file
 
-        write_file(output, print_sample(template, seed, chosen), force=force)
+        write_file(output, print_sample(template, seed, chosen), "pdf", force=force)
 
 
 def _choose_language(template: Template, wanted: Language | None) -> Language:

@@ -74,7 +74,8 @@ def solve(
         from kinegrade.exam.printing.sample import print_worked_solution
         from kinegrade.files.output import write_file
 
-        write_file(output, print_worked_solution(solution, language, asks, method), force=force)
+        pages = print_worked_solution(solution, language, asks, method)
+        write_file(output, pages, "pdf", force=force)
 
 
 def _read_settings(settings: tuple[str, ...]) -> dict[str, str]:

@@ -79,5 +79,5 @@ def gallery(
     from kinegrade.problem.template.library.library import find_template_names as shipped_names
 
     sheet = make_contact_sheet(template_names or shipped_names(), language, draws)
-    write_file(output, sheet.pdf, force=force)
+    write_file(output, sheet.pdf, "pdf", force=force)
     finish_with_complaints(sheet.complaints)

@@ -65,7 +65,7 @@ def _write(exam: ExamFolder, lines: Sequence[bytes]) -> None:
     if not lines:
         exam.pool.unlink(missing_ok=True)
         return
-    write_file(exam.pool, b"".join(line + b"\n" for line in lines), force=True)
+    write_file(exam.pool, b"".join(line + b"\n" for line in lines), "jsonl", force=True)
     exam.pool.chmod(exam.key.stat().st_mode & 0o777)
 
 

@@ -30,5 +30,5 @@ def write_starter(name: str, path: Path | None = None, *, force: bool = False) -
     target = path if path is not None else Path(f"{name}.toml")
     if target.name != f"{name}.toml":
         raise TemplateError(Fault(str(target), Message("template.starter-name", name=name)))
-    write_file(target, text.encode("utf-8"), force=force)
+    write_file(target, text.encode("utf-8"), "toml", force=force)
     return target
