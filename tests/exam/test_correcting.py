@@ -133,6 +133,7 @@ def test_marks_given_before_a_correction_of_the_key_are_not_used(exam: Path) -> 
         ("feedback", ("-o", folder / "SHEETS")),
         ("report", ("-o", folder / "report.html")),
         ("sharing", ("-o", folder / "sharing.csv")),
+        ("explain", ("007",)),
     ):
         refused = kinegrade(command, exam, folder / "OLD", *options)
         assert (refused.exit_code, refused.stderr.splitlines()) == (2, [said]), command

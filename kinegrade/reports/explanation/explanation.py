@@ -23,6 +23,7 @@ from kinegrade.grading.judging.follow import Decided, Follows
 from kinegrade.grading.judging.judge import Verdict
 from kinegrade.grading.policy.policy import Policy
 from kinegrade.grading.policy.reading import read_policy, stated_policy
+from kinegrade.grading.same_key import require_same_key
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.cells import Record
@@ -72,6 +73,7 @@ def explain_marks(
     `which` is empty for all answers, else a question or one answer: `q3.v_B` as in the answer
     sheet, `3.v_B` as on the student's paper. Raises ExamError, TableError, PolicyError.
     """
+    require_same_key(exam, marks)
     candidate = _find_candidate(exam, student)
     if candidate.student in marks.elsewhere:
         where = Quoted(marks.elsewhere[candidate.student])
