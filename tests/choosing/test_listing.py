@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.choosing.choice import read_entries
-from kinegrade.cli import choosing
+from kinegrade.cli.problems import choosing
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from tests.small_class import kinegrade
 

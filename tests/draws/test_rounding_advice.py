@@ -62,7 +62,7 @@ WIDER = {"a_cor": "1/100", "alpha_AB": "3/200", "omega_AB": "1/100", "v_O": "1/1
 
 def test_only_the_asks_that_rounding_leaves_are_named() -> None:
     assert refusal(strict("1/5000", "omega_AB")).endswith(
-        'state carry = 5 or tolerance = "honest" or wider for omega_AB (1 %)'
+        'state carry = 6 or tolerance = "honest" or wider for omega_AB (1 %)'
     )
 
 

@@ -251,7 +251,7 @@ def test_feedback_report_diff_and_exports_have_them(folder: Path) -> None:
     assert "(0 / 3)\n\nMarked by hand: copied\n" in sofya
     assert "## Bonus (+1.5)\n\nneat\n" in sofya
     changes = kinegrade("diff", folder / "BEFORE", marks).stdout
-    assert "right -> by hand: by luck" in changes
+    assert "right -> marked by hand: by luck" in changes
     assert "by hand: copied" in changes
     report = folder / "report.html"
     assert kinegrade("report", exam, marks, "-o", report).exit_code == 0

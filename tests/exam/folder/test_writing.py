@@ -80,12 +80,15 @@ HEAD = ExamHead(
             seat="3",
             language="zh",
             extra_time="25 %",
+            was_spare=True,
         ),
     ),
     spares=(Candidate("spare-1", "", paper="B-C9PV-269B", file="papers/spare-1.pdf"),),
     by_hand=(HandQuestion("q2", Fraction(5), "Velocity poles", bonus=True),),
     choices=(Choice(("q1", "q3"), 1),),
     earlier={"slider-crank": ({"r": "0.35"},)},
+    corrections=1,
+    forgotten=True,
     editable={"bank.toml": "0f"},
 )
 ANSWER = StatedAnswer(

@@ -33,10 +33,10 @@ def form_rows(
     *,
     questions: Sequence[int],
     known: Mapping[Kind, Sequence[int]],
-    end: int,
+    end: int | None = None,
 ) -> TypedRows:
     """The responses of a form whose questions are these columns; `known` are other columns that
-    identify the student, `end` is the one that says when it was sent.
+    identify the student, `end` is the one that says when it was sent, None where none does.
 
     Raises TableError where questions and asks do not agree.
     """
@@ -49,9 +49,10 @@ def form_rows(
         "email": [*known["email"], *about["email"]] if "email" in known else about["email"],
     }
     rest = [place for place in questions if place not in {*columns.values(), *about["name"]}]
+    times = ["" if end is None else row.cell(end) for row in table.rows]
     rows = tuple(
-        TypedRow(row, tuple(map(row.cell, columns.values())), submitted=row.cell(end))
-        for row in table.rows
+        TypedRow(row, tuple(map(row.cell, columns.values())), submitted=time)
+        for row, time in zip(table.rows, times, strict=True)
     )
     assumed = tuple(
         Message("responses.column", columns=_show(table.header[place]), asks=column)
