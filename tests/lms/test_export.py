@@ -27,9 +27,10 @@ def export(folder: Path, *arguments: str | Path) -> Result:
     "system", [name for name in (*SYSTEMS, "xlsx") if name not in ("blackboard", "edx")]
 )
 def test_every_system_gets_a_file_from_scratch(tmp_path: Path, system: str) -> None:
-    result = export(tmp_path, "--to", system, "--exam", tmp_path / "EXAM")
+    target = tmp_path / ("out.xlsx" if system == "xlsx" else "out.csv")
+    result = export(tmp_path, "--to", system, "--exam", tmp_path / "EXAM", "-o", target)
     assert (result.exit_code, result.stdout) == (0, "")
-    assert (tmp_path / "out.csv").stat().st_size > 100
+    assert target.stat().st_size > 100
 
 
 def test_it_says_who_is_left_alone(tmp_path: Path) -> None:
