@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinegrade.exam.folder.keys import Key
-from kinegrade.grading.judging.follow import Decided, Follows
+from kinegrade.grading.judging.follow import Decided, Follows, walk_stages
 from kinegrade.grading.judging.judge import judge
 from kinegrade.grading.judging.own_answers import EarlierAnswers, find_followed, select_used
 from kinegrade.grading.judging.trivial_answers import Own
@@ -34,14 +34,7 @@ def find_carried_on(
     what follows from all wrong answers before it. Nothing where an answer is absurd.
     """
     found: dict[str, CarriedOn] = {}
-    if any(answer.is_absurd for answer in answers):
-        return found
-    earlier = EarlierAnswers({}, {}, {answer.ask.ask: answer.key.value for answer in answers}, {})
-    for stage in follows.sorted(answers):
-        for answer in stage:
-            value = answer.own_value
-            if value is not None:
-                (earlier.right if answer.is_right else earlier.wrong)[answer.ask.ask] = value
+    for stage, earlier in walk_stages(answers, follows):
         for answer in stage:
             given = earlier.leave_out(answer.ask.ask)
             if given.wrong and not answer.is_right:

@@ -96,18 +96,10 @@ def follow_answers(
     """The decisions that follow-through improves, by ask; `answers` are those to one question.
 
     An answer that earned follow-through counts as a student's answer for later asks, so an error is
-    charged once however far it carries. Where one answer is absurd, nothing follows from any: the
-    others may have been found from it.
+    charged once however far it carries.
     """
     found: dict[str, Decision] = {}
-    if any(answer.is_absurd for answer in answers):
-        return found
-    earlier = EarlierAnswers({}, {}, {answer.ask.ask: answer.key.value for answer in answers}, {})
-    for stage in follows.sorted(answers):
-        for answer in stage:
-            value = answer.own_value
-            if value is not None:
-                (earlier.right if answer.is_right else earlier.wrong)[answer.ask.ask] = value
+    for stage, earlier in walk_stages(answers, follows):
         for answer in _sort_by_points(stage):
             given = earlier.leave_out(answer.ask.ask)
             if given.wrong and answer.may_follow:
@@ -116,6 +108,24 @@ def follow_answers(
                     verdict, earlier.basis[answer.ask.ask] = credit
                     found[answer.ask.ask] = verdict, answer.ruling.follow_through
     return found
+
+
+def walk_stages(
+    answers: Sequence[Decided], follows: Follows
+) -> Iterator[tuple[Sequence[Decided], EarlierAnswers]]:
+    """The answers to one question stage by stage, each with all own answers as far as that.
+
+    Where one answer is absurd, nothing follows from any: the others may have been found from it.
+    """
+    if any(answer.is_absurd for answer in answers):
+        return
+    earlier = EarlierAnswers({}, {}, {answer.ask.ask: answer.key.value for answer in answers}, {})
+    for stage in follows.sorted(answers):
+        for answer in stage:
+            value = answer.own_value
+            if value is not None:
+                (earlier.right if answer.is_right else earlier.wrong)[answer.ask.ask] = value
+        yield stage, earlier
 
 
 def withhold(decision: Decision) -> Decision:
