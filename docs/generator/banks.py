@@ -80,6 +80,16 @@ def write_bank_page() -> str:
         write_words("key", read_words(_BANK, "BANK")),
         f"Engines: {', '.join(map(write_code, ENGINES))}. Translations of `title` and `course` may "
         "also stand in a file beside the bank: `midterm.zh.toml` beside `midterm.toml`.",
+        *_list_entries(),
+        *_stated(read_words(_BANK, "TOLERANCE")),
+        "## Shipped banks",
+        _write_shipped_banks(),
+    )
+
+
+def _list_entries() -> tuple[str, ...]:
+    """What an entry of a bank may be, kind by kind."""
+    return (
         "## Questions",
         "An entry `[[questions]]` names a template:",
         write_words("key", read_words(_BANK, "NAMED")),
@@ -112,9 +122,6 @@ def write_bank_page() -> str:
         write_words("key", read_words(_STEPWISE, "STEPWISE_MISTAKE")),
         "In `asks` of the other entries, an ask is followed by its points, or by a table:",
         write_words("key", read_words(_BANK, "ASK")),
-        *_stated(read_words(_BANK, "TOLERANCE")),
-        "## Shipped banks",
-        _write_shipped_banks(),
     )
 
 
