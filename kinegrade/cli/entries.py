@@ -9,7 +9,14 @@ import click
 
 import kinegrade
 from kinegrade.cli.help import command
-from kinegrade.cli.options import COMPLAINTS, FILE, FORCE, finish_with_complaints, refusing
+from kinegrade.cli.options import (
+    COMPLAINTS,
+    FILE,
+    FORCE,
+    OPTIONAL_OUTPUT,
+    finish_with_complaints,
+    refusing,
+)
 from kinegrade.cli.terminal import terminal_words
 from kinegrade.errors import Problem
 from kinegrade.language.message import Fault, Message
@@ -19,12 +26,7 @@ from kinegrade.language.message import Fault, Message
 @click.argument("first", type=FILE, metavar="A")
 @click.argument("second", type=FILE, metavar="B")
 @click.argument("exam", type=FILE, required=False)
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="FILE",
-)
+@OPTIONAL_OUTPUT
 @FORCE
 @refusing
 def compare_entries(

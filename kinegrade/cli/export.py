@@ -14,7 +14,7 @@ import click
 import kinegrade
 from kinegrade.cli.help import command
 from kinegrade.cli.option_types import LanguageChoice, LateChoice
-from kinegrade.cli.options import FILE, FORCE, finish, refusing
+from kinegrade.cli.options import FILE, FORCE, OUTPUT, finish, refusing
 from kinegrade.cli.terminal import refuse_value
 from kinegrade.language.message import Message, Quoted, list_plainly
 
@@ -33,13 +33,7 @@ def _list_files() -> Iterable[str]:
     type=LateChoice(_list_files),
     required=True,
 )
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    required=True,
-    metavar="FILE",
-)
+@OUTPUT
 @click.option(
     "--into",
     type=FILE,

@@ -16,6 +16,8 @@ from kinegrade.cli.options import (
     FORCE,
     JOBS,
     LANGUAGE,
+    OPTIONAL_OUTPUT,
+    OUTPUT,
     finish,
     finish_with_complaints,
     refusing,
@@ -126,12 +128,7 @@ def grade(
 @command()
 @click.argument("before", type=FILE, metavar="MARKS1")
 @click.argument("after", type=FILE, metavar="MARKS2")
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="FILE",
-)
+@OPTIONAL_OUTPUT
 @LANGUAGE
 @FORCE
 @refusing
@@ -156,13 +153,7 @@ def diff(
 @command("report")
 @click.argument("exam", type=FILE)
 @click.argument("marks", type=FILE)
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    required=True,
-    metavar="FILE",
-)
+@OUTPUT
 @click.option(
     "--ranks",
     is_flag=True,

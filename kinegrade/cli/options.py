@@ -52,6 +52,9 @@ FORCE = click.option(
     is_flag=True,
 )
 FILE = click.Path(path_type=Path)
+_OUTPUT = "-o", "--output"
+OUTPUT = click.option(*_OUTPUT, type=FILE, required=True, metavar="FILE")
+OPTIONAL_OUTPUT = click.option(*_OUTPUT, type=FILE, metavar="FILE")
 
 
 def require_writable(

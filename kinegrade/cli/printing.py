@@ -16,6 +16,7 @@ from kinegrade.cli.options import (
     JOBS,
     LANGUAGE,
     METHOD,
+    OPTIONAL_OUTPUT,
     finish_with_complaints,
     refusing,
     require_writable,
@@ -81,12 +82,7 @@ def papers(exam: Path, output: Path, *, listed: Path | None, force: bool) -> Non
     "--solution",
     is_flag=True,
 )
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="FILE",
-)
+@OPTIONAL_OUTPUT
 @FORCE
 @refusing
 def paper(exam: Path, student: str, output: Path | None, *, solution: bool, force: bool) -> None:

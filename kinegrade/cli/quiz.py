@@ -12,7 +12,7 @@ import click
 import kinegrade
 from kinegrade.cli.help import command
 from kinegrade.cli.option_types import LanguageChoice, LateChoice
-from kinegrade.cli.options import FILE, FORCE, JOBS, METHOD, finish, refusing, show_progress
+from kinegrade.cli.options import FILE, FORCE, JOBS, METHOD, OUTPUT, finish, refusing, show_progress
 
 if TYPE_CHECKING:
     from kinegrade.language import Language
@@ -32,13 +32,7 @@ def _list_formats() -> Iterable[str]:
     type=LateChoice(_list_formats),
     required=True,
 )
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    required=True,
-    metavar="FILE",
-)
+@OUTPUT
 @click.option(
     "--variants",
     type=click.IntRange(1),

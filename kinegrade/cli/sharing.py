@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from kinegrade.cli.help import command
-from kinegrade.cli.options import FILE, FORCE, refusing
+from kinegrade.cli.options import FILE, FORCE, OUTPUT, refusing
 from kinegrade.cli.running.opening import open_both
 from kinegrade.cli.terminal import say
 
@@ -15,13 +15,7 @@ from kinegrade.cli.terminal import say
 @command()
 @click.argument("exam", type=FILE)
 @click.argument("marks", type=FILE)
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    required=True,
-    metavar="FILE",
-)
+@OUTPUT
 @click.option(
     "--level",
     type=click.FloatRange(0, 100, min_open=True, max_open=True),

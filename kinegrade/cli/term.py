@@ -9,7 +9,7 @@ import click
 
 import kinegrade
 from kinegrade.cli.help import command
-from kinegrade.cli.options import FILE, FORCE, LANGUAGE, finish_with_complaints, refusing
+from kinegrade.cli.options import FILE, FORCE, LANGUAGE, OUTPUT, finish_with_complaints, refusing
 from kinegrade.cli.terminal import refuse_usage, say
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message
@@ -22,13 +22,7 @@ if TYPE_CHECKING:
 
 @command()
 @click.argument("marks", type=FILE, nargs=-1, required=True)
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    required=True,
-    metavar="FILE",
-)
+@OUTPUT
 @click.option(
     "--plan",
     type=FILE,

@@ -9,7 +9,7 @@ import click
 
 import kinegrade
 from kinegrade.cli.help import command
-from kinegrade.cli.options import FILE, FORCE, LANGUAGE, METHOD, refusing
+from kinegrade.cli.options import FORCE, LANGUAGE, METHOD, OPTIONAL_OUTPUT, refusing
 from kinegrade.cli.terminal import terminal_words
 from kinegrade.errors import TemplateError
 from kinegrade.language.message import Fault, Message, Quoted
@@ -42,12 +42,7 @@ _ALL = "all"
     "as_json",
     is_flag=True,
 )
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="FILE",
-)
+@OPTIONAL_OUTPUT
 @METHOD
 @LANGUAGE
 @FORCE

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from kinegrade.cli.help import command
-from kinegrade.cli.options import FILE, FORCE, refusing
+from kinegrade.cli.options import FORCE, OPTIONAL_OUTPUT, refusing
 from kinegrade.cli.terminal import refuse_usage, say
 from kinegrade.language.message import Message
 
@@ -22,12 +22,7 @@ from kinegrade.language.message import Message
     "--policy",
     is_flag=True,
 )
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="FILE",
-)
+@OPTIONAL_OUTPUT
 @FORCE
 @refusing
 def new(*, name: str, bank: bool, policy: bool, output: Path | None, force: bool) -> None:

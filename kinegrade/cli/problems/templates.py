@@ -10,10 +10,10 @@ import click
 from kinegrade.cli.help import command
 from kinegrade.cli.options import (
     COMPLAINTS,
-    FILE,
     FORCE,
     JOBS,
     LANGUAGE,
+    OUTPUT,
     finish_with_complaints,
     refusing,
 )
@@ -52,13 +52,7 @@ def check(template_names: tuple[str, ...], sample: int, jobs: int) -> None:
 
 @command()
 @click.argument("template_names", metavar="[TEMPLATE]...", nargs=-1)
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    required=True,
-    metavar="FILE",
-)
+@OUTPUT
 @LANGUAGE
 @click.option(
     "--draws",
