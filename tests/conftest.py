@@ -15,6 +15,7 @@ from kinegrade.exam.bank.bank import Bank, read_bank
 from kinegrade.exam.printing import class_printing
 from tests.golden_files import BANK, GOLDEN, Hold
 from tests.problem.crank import crank_text
+from tests.repeated_secrets import repeat_secrets
 from tests.small_class import VANISHING, generate, write_class
 from tests.tools import complaint, missing_tools
 
@@ -32,6 +33,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--regenerate-golden", action="store_true", help="Write the files of tests/golden/ anew."
     )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if config.getoption("--hypothesis-profile") != "prove":
+        repeat_secrets(config)
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -9,6 +9,8 @@ import os
 import re
 import shutil
 import stat
+import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -77,6 +79,19 @@ def test_the_same_label_twice_gives_other_numbers_and_other_codes(folder: Path) 
         assert re.fullmatch("[0-9a-f]{64}", kept["codes"])
         assert (kept["secret"] != kept["codes"], kept["label"]) == (True, "spring")
         assert make_paper_code("spring", "007") not in codes(exam)
+
+
+def test_the_program_draws_another_secret_whenever_it_is_run() -> None:
+    script = "from kinegrade.exam.folder.exam_secret import draw_secret as d; print(d().draws, d().codes)"
+    program = (sys.executable, "-c", script)
+    runs = [subprocess.run(program, check=True, capture_output=True, text=True) for _ in range(2)]
+    drawn = [word for run in runs for word in run.stdout.split()]
+    assert [len(each) for each in drawn] == [64] * 4
+    assert len(set(drawn)) == 4
+
+
+def test_a_test_draws_the_same_secret_in_every_run() -> None:
+    assert draw_secret().draws[:16] == "5f09bdd8f9f82649"
 
 
 def test_the_secret_stands_in_exam_json_and_nowhere_else(folder: Path) -> None:

@@ -98,7 +98,8 @@ def test_row_17_a_question_is_voided_an_answer_accepted_a_rule_widened(small: Mi
     for each in everybody[2:5]:
         assert each.student in changes
         assert each.name in changes
-    assert "wrong -> right" in changes
+    # What 2 % more leads to may be what a known mistake leads to
+    assert re.search("(wrong|known mistake) -> right", changes)
     assert "known mistake -> accepted" in changes
     assert "3 up, 0 down, 3 unchanged" in changes
 
