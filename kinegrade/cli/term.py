@@ -54,6 +54,7 @@ def term(
     """Put several MARKS together, by weights and the best of some, in one table with grades."""
     from kinegrade.grade_scale.kinds import make_scale
     from kinegrade.marks_folder.open_questions import describe_open
+    from kinegrade.reports.term.excuses import require_excusable
     from kinegrade.reports.term.naming import name_folders
     from kinegrade.reports.term.results import work_out_results
     from kinegrade.reports.term.table import describe_results, make_term_table
@@ -62,6 +63,8 @@ def term(
     chosen = _choose_plan(plan, weights, names)
     folders = {name: kinegrade.open_marks(path) for name, path in zip(names, marks, strict=True)}
     exams = {name: folder.totals for name, folder in folders.items()}
+    if plan is not None:
+        require_excusable(plan, chosen.excused, exams)
     words = open_catalogue(language)
     scale = None if chosen.scale is None else make_scale(chosen.scale, words)
     results = work_out_results(exams, chosen, scale)

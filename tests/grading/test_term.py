@@ -5,6 +5,7 @@ told apart, and the grade of the sum.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from time import process_time
@@ -60,6 +61,38 @@ def test_the_best_of_some_count_and_a_missed_one_counts_as_nothing() -> None:
     assert found["1"].total == Fraction(8, 10)
     assert found["2"].total == Fraction(4, 10)
     assert (set(found["2"].sat), set(found["2"].listed)) == ({"A"}, {"A", "B"})
+
+
+def test_what_a_student_is_excused_from_does_not_count() -> None:
+    plan = Plan(
+        (
+            Part("homework", ("A", "B", "C"), Fraction(1, 4), 2),
+            Part("FINAL", ("FINAL",), Fraction(3, 4), 1),
+        ),
+        excused={"B": frozenset("12"), "C": frozenset("1"), "FINAL": frozenset("2")},
+    )
+    sat = exams(
+        A={"1": "8", "2": "6", "3": "6"}, B={"3": "6", "1": None}, C={"2": "2"},
+        FINAL={"1": "4", "2": None, "3": "10"},
+    )  # fmt: skip
+    found = results(sat, plan)
+    assert found["1"].total == Fraction(8, 10) / 4 + Fraction(4, 10) * 3 / 4
+    assert found["2"].total == Fraction(4, 10)  # the homework alone
+    assert (found["2"].parts["homework"], found["2"].parts["FINAL"]) == (Fraction(4, 10), None)
+    assert found["3"].total == Fraction(6, 10) / 4 + Fraction(3, 4)
+
+
+def test_thirds_of_points_reach_their_bound_where_a_part_does_not_count() -> None:
+    third = Scale((Step("A", Fraction(1, 3), passes=True), Step("B", Fraction(0), passes=False)))
+    written = {"A": ClassTotals((), (total("1", "0.3333", 1),)), "B": ClassTotals((), ())}
+    plan = replace(plan_evenly(("A", "B")), excused={"B": frozenset("1")})
+    assert results(written, plan, third)["1"].grade == "A"
+
+
+def test_whoever_is_excused_from_everything_is_absent() -> None:
+    plan = replace(plan_evenly(("A",)), excused={"A": frozenset("1")})
+    found = results(exams(A={"1": None}), plan, Scale(SCALE.steps, "NE"))["1"]
+    assert (found.total, found.grade) == (0, "NE")
 
 
 def test_exams_of_other_maxima_count_by_their_share() -> None:
@@ -158,6 +191,66 @@ def test_a_workbook_has_numbers_and_texts_that_run_as_no_formula(
     assert rows[3][-3:] == ["n.e.", None, "absent"]
     assert sheet["A5"].value == "=9"
     assert sheet["A5"].data_type == "s"
+
+
+EXCUSED = """
+[excused]
+HW2 = ["8"]
+HW1 = ["=9"]
+"""
+
+
+def test_a_plan_says_who_is_excused_from_what(marked: Path, tmp_path: Path) -> None:
+    output = tmp_path / "term.csv"
+    done = run(marked, output, plan=PLAN.replace("best = 1", "best = 2") + EXCUSED)
+    assert done.exit_code == 0, done.stderr
+    rows = {row["student"]: tuple(row.values())[2:] for row in table(output)}
+    assert rows == {
+        "7": ("100", "0", "100", "50", "80", "2.0", "marked"),
+        "8": ("100", "excused", "0", "100", "40", "5.0", "marked"),
+        "10": ("absent", "absent", "absent", "", "", "n.e.", "absent"),
+        "=9": ("excused", "-", "100", "0", "60", "3.3", "partly"),
+    }
+    assert done.stderr.splitlines()[:6] == [
+        "HW1: 2 students were there, 1 absent, 0 not listed",
+        "HW1: 1 student is excused",
+        "HW2: 1 student was there, 1 absent, 1 not listed",
+        "HW2: 1 student is excused",
+        "FINAL: 3 students were there, 1 absent, 0 not listed",
+        "4 students: 2 sat all, 1 some, 1 none",
+    ]
+
+
+def test_a_part_from_which_a_student_is_excused_is_empty(marked: Path, tmp_path: Path) -> None:
+    output = tmp_path / "term.csv"
+    excused = '[excused]\nHW1 = ["=9"]\nHW2 = ["=9", "8"]\n'
+    assert run(marked, output, plan=PLAN + excused).exit_code == 0
+    (row,) = (row for row in table(output) if row["student"] == "=9")
+    assert tuple(row.values())[2:] == ("excused", "excused", "100", "", "100", "1.0", "marked")
+
+
+@pytest.mark.parametrize(
+    ("excused", "said"),
+    [
+        ('HWII = ["8"]', ['excused.HWII: no marks "HWII"']),
+        ("HW2 = 8", ["excused.HW2: 8"]),
+        ("HW2 = [8]", ["excused.HW2[1]: 8"]),
+        ('HW2 = ["88", "7"]\nFINAL = ["8"]', [
+            'excused.HW2: no student "88" in any of the marks',
+            'excused.HW2: "7" has sat HW2 - expected students who have not - leave this one out, so '
+            "that the points count",
+            'excused.FINAL: "8" has sat FINAL',
+        ]),
+    ],
+)  # fmt: skip
+def test_excuses_that_do_not_fit_are_all_told(
+    marked: Path, tmp_path: Path, excused: str, said: Sequence[str]
+) -> None:
+    done = run(marked, tmp_path / "term.csv", plan=f"{PLAN}\n[excused]\n{excused}\n")
+    assert done.exit_code == 2
+    assert [each for each in said if each not in done.stderr] == []
+    assert all("plan.toml" in line for line in done.stderr.splitlines())
+    assert not (tmp_path / "term.csv").exists()
 
 
 def test_the_same_marks_give_the_same_bytes(marked: Path, tmp_path: Path) -> None:

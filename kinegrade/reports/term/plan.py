@@ -8,6 +8,9 @@ weight = "30 %"
 [parts.FINAL]
 weight = "70 %"
 
+[excused]
+HW2 = ["1002"]
+
 [scale]
 kind = "german"
 """
@@ -16,7 +19,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
 
@@ -27,10 +30,14 @@ from kinegrade.files.fields.values import share, text, whole
 from kinegrade.grade_scale.stated import StatedScale, read_scale
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.numbers.amounts import write_amount
+from kinegrade.reports.term.excuses import Excuses, read_excuses
 
 PLAN = (
     #: What counts: a table `[parts.NAME]` for each part, of a name of your own.
     "parts",
+    #: Who is excused from which marks, `HW2 = ["1002"]`: they do not count for these students, and
+    #: what else belongs to the part, or the other parts where nothing does, counts the more.
+    "excused",
     #: Which grades the totals of the term earn: a table `[scale]`, as in a bank.
     "scale",
 )
@@ -62,10 +69,13 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """The parts of a term, whose weights add up to 1, and its scale, None for no grades."""
+    """The parts of a term, whose weights add up to 1, its scale, None for no grades, and who is
+    excused from what.
+    """
 
     parts: tuple[Part, ...]
     scale: StatedScale | None = None
+    excused: Excuses = field(default_factory=dict)
 
 
 def plan_evenly(names: Sequence[str]) -> Plan:
@@ -102,13 +112,13 @@ def read_plan(path: Path, names: Sequence[str]) -> Plan:
     if not tables:
         table.missing("parts", Message("fields.a-table-like", like=_LIKE))
     parts = [_read_part(name, each) for name, each in tables.items()]
-    scale = read_scale(table)
+    scale, excused = read_scale(table), read_excuses(table.table("excused"), names)
     known = [each for each in parts if each is not None]
     if len(known) == len(tables) and tables:
         for what in (*_list_mismatches(known, names), *_list_sums(known)):
             table.fault("parts", what)
     table.faults.require_none()
-    return Plan(tuple(known), scale)
+    return Plan(tuple(known), scale, excused)
 
 
 def _read_part(name: str, table: Table) -> Part | None:

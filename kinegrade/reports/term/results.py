@@ -1,11 +1,13 @@
 """The results of a term: each student's exams put together by a plan, and the grade of the sum.
 
 An exam that a student did not sit counts as nothing, and is told apart from one without a point.
+One from which a student is excused does not count: a part is the best of the others, and a part of
+which nothing is left leaves its weight to the other parts, each in proportion to its own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -20,17 +22,39 @@ Exams = Mapping[str, ClassTotals]  # the totals of each exam, by its name
 @dataclass(frozen=True, slots=True)
 class TermResult:
     """A student's term: `sat` are the totals of exams where the student was there, `listed` those
-    of all in which the student has a row. `parts` are shares by part, `total` is their weighted
-    sum; `grade` is "" where there is no scale.
+    of all in which the student has a row, `excused` the names of exams that do not count. `parts`
+    are shares by part, None where a part does not count; `total` is their weighted sum; `grade` is
+    "" where there is no scale.
     """
 
     student: str
     name: str
     listed: Mapping[str, StudentTotal]
     sat: Mapping[str, StudentTotal]
-    parts: Mapping[str, Fraction]
+    excused: frozenset[str]
+    parts: Mapping[str, Fraction | None]
     total: Fraction
     grade: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Counted:
+    """What counts of a part: `best` totals, or fewer where the student sat fewer. Its `share` of
+    the points is exact but for the rounding of the totals, which took at most `hidden` from it.
+    """
+
+    weight: Fraction
+    best: int
+    totals: tuple[StudentTotal, ...]
+
+    @property
+    def share(self) -> Fraction:
+        return sum((each.share for each in self.totals), Fraction(0)) / self.best
+
+    @property
+    def hidden(self) -> Fraction:
+        rounded = (bound_rounding(0) / each.out_of for each in self.totals if each.out_of)
+        return sum(rounded, Fraction(0)) / self.best
 
 
 def work_out_results(exams: Exams, plan: Plan, scale: Scale | None) -> tuple[TermResult, ...]:
@@ -53,30 +77,35 @@ def _work_out(
     student: str, listed: Mapping[str, StudentTotal], plan: Plan, scale: Scale | None
 ) -> TermResult:
     sat = {name: total for name, total in listed.items() if total.is_present}
-    counted = {part.name: tuple(_choose_best(part, sat)) for part in plan.parts}
-    parts = {
-        part.name: sum((each.share for each in counted[part.name]), Fraction(0)) / part.best
-        for part in plan.parts
-    }
-    total = sum((part.weight * parts[part.name] for part in plan.parts), Fraction(0))
-    hidden = sum((_find_hidden(part, counted[part.name]) for part in plan.parts), Fraction(0))
+    excused = frozenset(name for name, whose in plan.excused.items() if student in whose)
+    counted = {part.name: _count(part, sat, excused) for part in plan.parts}
+    total, hidden = _add_up([each for each in counted.values() if each is not None])
     name = next((each.name for each in listed.values() if each.name), "")
     grade = "" if scale is None else _find_grade(scale, total + hidden, is_absent=not sat)
-    return TermResult(student, name, listed, sat, parts, total, grade)
+    parts = {part: None if each is None else each.share for part, each in counted.items()}
+    return TermResult(student, name, listed, sat, excused, parts, total, grade)
 
 
-def _choose_best(part: Part, sat: Mapping[str, StudentTotal]) -> Iterator[StudentTotal]:
-    """The best totals of a part, by share; fewer than count where the student sat fewer."""
-    there = [sat[name] for name in part.marks if name in sat]
-    yield from sorted(there, key=lambda total: -total.share)[: part.best]
+def _count(part: Part, sat: Mapping[str, StudentTotal], excused: frozenset[str]) -> _Counted | None:
+    """What counts of a part, the best totals by share; None where nothing does."""
+    names = [name for name in part.marks if name not in excused]
+    best = min(part.best, len(names))
+    if not best:
+        return None
+    there = sorted((sat[name] for name in names if name in sat), key=lambda total: -total.share)
+    return _Counted(part.weight, best, tuple(there[:best]))
 
 
-def _find_hidden(part: Part, counted: Sequence[StudentTotal]) -> Fraction:
-    """How much the rounding of the written totals may have taken from the sum: whoever reached a
-    bound exactly, with thirds of points, has reached it.
+def _add_up(counted: Sequence[_Counted]) -> tuple[Fraction, Fraction]:
+    """The weighted sum of shares, and how much the rounding of the written totals may have taken
+    from it: whoever reached a bound exactly, with thirds of points, has reached it.
     """
-    rounded = (bound_rounding(0) / each.out_of for each in counted if each.out_of)
-    return part.weight * sum(rounded, Fraction(0)) / part.best
+    weight = sum((each.weight for each in counted), Fraction(0))
+    if not weight:
+        return Fraction(0), Fraction(0)
+    total = sum((each.weight * each.share for each in counted), Fraction(0))
+    hidden = sum((each.weight * each.hidden for each in counted), Fraction(0))
+    return total / weight, hidden / weight
 
 
 def _find_grade(scale: Scale, share: Fraction, *, is_absent: bool) -> str:
