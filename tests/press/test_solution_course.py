@@ -39,7 +39,7 @@ def course(
 ) -> list[Setting | DrawingRow]:
     """The parts of a question with these blocks, without its statement."""
     question = WorkedQuestion(1, "q1", "A crank", "It turns.", blocks, figure)
-    (parts,) = arrange_courses([question], TextArea(PAGE, height))
+    (parts,) = arrange_courses([question], TextArea(PAGE, height)).parts
     return list(parts)[0 if figure else 1 :]
 
 

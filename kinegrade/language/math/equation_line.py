@@ -57,12 +57,17 @@ def begins_with_relation(piece: Row) -> bool:
     return piece[0] in _BREAKING
 
 
+def _may_break(sign: Sign, row: Row, place: int) -> bool:
+    """Whether a line may be broken before a sign outside all brackets."""
+    return sign in _BREAKING or (sign in _SIGNS and is_spaced(row, place))
+
+
 def _find_breaks(row: Row) -> Iterator[int]:
     """The places of a row before which it may be broken."""
     depth = 0
     for place, node in enumerate(row):
-        sign = node in _SIGNS and is_spaced(row, place)
-        if place > 0 and depth == 0 and (sign or node in _BREAKING):
+        # Asked first what is no sign: to look up a long node takes time
+        if place > 0 and depth == 0 and isinstance(node, Sign) and _may_break(node, row, place):
             yield place
         opened = is_sign_of(node, "opening") - is_sign_of(node, "closing")
         depth = max(depth + opened, 0)

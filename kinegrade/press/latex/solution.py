@@ -46,7 +46,7 @@ def write_solution_body(sheet: SolutionSheet) -> str:
     courses = arrange_courses(sheet.questions, TextArea(column, _HEIGHT))
     questions = convert_each(
         lambda pair: _write_question(*pair, words, where),
-        zip(sheet.questions, courses, strict=True),
+        zip(sheet.questions, courses.parts, strict=True),
     )
     return write_environment("sheet", [write_comment(words.write(where)), head, *questions]) + "\n"
 

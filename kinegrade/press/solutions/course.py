@@ -73,27 +73,43 @@ class TextArea:
     height: float
 
 
-def arrange_courses(
-    questions: Iterable[WorkedQuestion], area: TextArea
-) -> Iterator[tuple[Part, ...]]:
-    """The parts of each question's solution, the questions one below another."""
-    filling = _Filling(area, _MASTHEAD)
+@dataclass(frozen=True)
+class Courses:
+    """The parts of each question's solution, and about how many pages they fill."""
+
+    parts: tuple[tuple[Part, ...], ...]
+    pages: float
+
+
+def arrange_courses(questions: Iterable[WorkedQuestion], area: TextArea) -> Courses:
+    """The courses of the questions, one below another."""
+    filling, parts = _Filling(area, _MASTHEAD), []
     for question in questions:
         filling.used += _QUESTION_HEAD
-        yield tuple(_arrange(question, filling))
+        parts.append(tuple(_arrange(question, filling)))
+    return Courses(tuple(parts), filling.pages)
 
 
 @dataclass
 class _Filling:
-    """How many millimetres of the page are used as parts are placed."""
+    """How many millimetres of the page are used as parts are placed, after so many full pages."""
 
     area: TextArea
     used: float
+    full: int = 0
+
+    @property
+    def pages(self) -> float:
+        """How many pages are filled."""
+        return self.full + self.used / self.area.height
 
     def place(self, parts: Iterable[Part]) -> Iterator[Part]:
         """The parts, each on a new page where it has no room on this one."""
         for part in parts:
-            self.used = part.height + (self.used if self.has_room(part.height) else 0.0)
+            if not self.has_room(part.height):
+                self.used = 0.0
+                self.full += 1
+            self.used += part.height
             yield part
 
     def place_chain(self, chain: Chain) -> Iterator[Part]:

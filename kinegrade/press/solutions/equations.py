@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from kinegrade.language.math.equation_line import (
     EquationLine,
@@ -85,6 +86,7 @@ class MeasuredDisplay:
     lines: tuple[_Line, ...]
 
 
+@lru_cache(maxsize=512)  # a sheet is arranged twice: as usual, and tighter
 def measure_display(display: Display) -> MeasuredDisplay:
     """The equations of a display with their sizes."""
     return MeasuredDisplay(tuple(map(_measure_line, _join_continued(display.lines))))

@@ -23,6 +23,12 @@ def measure_text(text: str) -> float:
 
 
 @lru_cache(maxsize=4096)
+def measure_formula_height(text: str) -> float:
+    """How high the highest formula of prose is, in em; 0 where it has none."""
+    return max((measure_printed(row).height for row in list_formulas(text)), default=0.0)
+
+
+@lru_cache(maxsize=4096)
 def list_formulas(text: str) -> tuple[Row, ...]:
     """The formulas of a text; one that cannot be read is left out: its writer says where it is."""
     formulas = []

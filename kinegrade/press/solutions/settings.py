@@ -14,7 +14,7 @@ from kinegrade.language.math.printed_size import measure_printed
 from kinegrade.language.math.tree import Mark, Row
 from kinegrade.press.solutions.chains import Chain, TextBlock
 from kinegrade.press.solutions.equations import Equations, MeasuredDisplay, arrange_equations
-from kinegrade.press.solutions.prose_size import list_formulas, measure_text
+from kinegrade.press.solutions.prose_size import measure_formula_height, measure_text
 from kinegrade.press.solutions.terms import Band, arrange_terms, find_bands_height
 from kinegrade.worked.document import Heading, Prose, TermTable
 
@@ -138,8 +138,10 @@ class Column:
     def _estimate_paragraph(self, paragraph: Paragraph) -> float:
         """How high a paragraph is, with the room over its heading."""
         above = _BEFORE_HEADING[paragraph.heading.level] if paragraph.heading else 0.0
-        rows = [*list_formulas(paragraph.text), *filter(None, [paragraph.equation])]
-        tall = max((measure_printed(row).height for row in rows), default=0.0)
+        tall = max(
+            measure_formula_height(paragraph.text),
+            measure_printed(paragraph.equation).height if paragraph.equation else 0.0,
+        )
         lines = max(1, ceil(_measure_paragraph(paragraph) * EM / self.width))
         higher = max(0.0, _TALLEST_IN_LINE * tall - 1)
         return above + (_PITCH[self.script] * lines - _LEADING + higher) * EM

@@ -96,13 +96,16 @@ class TypstPress(Press):
         `paper`.
         """
         # Loaded here, as few exams print solutions
-        from kinegrade.press.typst.solution import write_solution_source  # noqa: PLC0415
+        from kinegrade.press.typst.solution import (  # noqa: PLC0415
+            may_take_fewer,
+            write_solution_source,
+        )
 
         named = self._legible(sheet)
         where = locate_solutions(sheet.code)
         usual = self._explaining(write_solution_source(named, self._size), where)
         pages = count_pages(usual)
-        if pages == 1:
+        if pages == 1 or not may_take_fewer(named, self._size, pages):
             return usual
         tight = self._explaining(write_solution_source(named, self._size, tight=True), where)
         return tight if count_pages(tight) < pages else usual

@@ -18,7 +18,14 @@ from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
 from kinegrade.press.solutions.chains import UNKNOWN, name_question
-from kinegrade.press.solutions.course import Drawing, DrawingRow, Part, TextArea, arrange_courses
+from kinegrade.press.solutions.course import (
+    Courses,
+    Drawing,
+    DrawingRow,
+    Part,
+    TextArea,
+    arrange_courses,
+)
 from kinegrade.press.solutions.equations import Equations
 from kinegrade.press.solutions.settings import (
     Body,
@@ -32,6 +39,7 @@ from kinegrade.press.solutions.terms import Cell, TermColumn
 from kinegrade.press.typst.layout_call import Sheet, write_layout_call, write_signed
 
 _TIGHT_HOLDS = 1.1  # times what a page holds otherwise
+_DOUBT = 0.1  # pages by which tight solutions may turn out shorter than their parts are high
 # Millimetres, as in the layout
 _SIDES, _TOP_AND_BOTTOM = 34.0, 33.5
 _PAPER: dict[PaperSize, tuple[float, float]] = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
@@ -44,14 +52,11 @@ def write_solution_source(
     `tight`; raises TypesetError with all faults of their texts.
     """
     words = open_catalogue(sheet.language)
-    width, height = _PAPER[size]
-    column = Column(width - _SIDES, words.raw("language", "page.")["script"])
-    area = TextArea(column, (height - _TOP_AND_BOTTOM) * (_TIGHT_HOLDS if tight else 1.0))
-    courses = arrange_courses(sheet.questions, area)
+    courses = _arrange(sheet, size, tight=tight)
     data: Sheet = {
         "questions": convert_each(
             lambda pair: _write_question(*pair, sheet, words),
-            zip(sheet.questions, courses, strict=True),
+            zip(sheet.questions, courses.parts, strict=True),
         )
     }
     data |= {
@@ -61,6 +66,20 @@ def write_solution_source(
     data |= {"language": words.raw("language", "page.")}
     data |= {"size": size, "tight": tight, "words": words.raw("solution", "layout.")}
     return write_layout_call("solution", data)
+
+
+def may_take_fewer(sheet: SolutionSheet, size: PaperSize, pages: int) -> bool:
+    """Whether `tight` solutions may take fewer than so many pages, by the heights of their parts:
+    what is far from it need not be typeset.
+    """
+    return _arrange(sheet, size, tight=True).pages < pages - 1 + _DOUBT
+
+
+def _arrange(sheet: SolutionSheet, size: PaperSize, *, tight: bool) -> Courses:
+    script = open_catalogue(sheet.language).raw("language", "page.")["script"]
+    width, height = _PAPER[size]
+    printed = (height - _TOP_AND_BOTTOM) * (_TIGHT_HOLDS if tight else 1.0)
+    return arrange_courses(sheet.questions, TextArea(Column(width - _SIDES, script), printed))
 
 
 def _write_question(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import cos, radians, sin
 
 from kinegrade.mechanics.rates import Rate
@@ -42,12 +43,12 @@ class Projection:
     axis: float
     dropped: Part | None
 
-    @property
+    @cached_property
     def left(self) -> tuple[Share, ...]:
         """The shares of the left side."""
         return tuple(self._shares(self.equation.left))
 
-    @property
+    @cached_property
     def right(self) -> tuple[Share, ...]:
         """The shares of the right side."""
         return tuple(self._shares(self.equation.right))

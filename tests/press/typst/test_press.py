@@ -18,8 +18,9 @@ from kinegrade.language.math.tree import Row
 from kinegrade.language.math.typst import write_typst_row
 from kinegrade.language.prose import typst as prose
 from kinegrade.press.join import count_pages, join_pages
-from kinegrade.press.sheet import AnswerRow, Paper, PaperSize
+from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, SolutionSheet
 from kinegrade.press.typst.press import KEY_CHUNK, TypstPress
+from kinegrade.press.typst.solution import may_take_fewer
 from kinegrade.worked.document import Heading, Prose
 from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
 from tests.press.solutions import ENGLISH_SOLUTION
@@ -296,15 +297,19 @@ def test_papers_are_joined_in_order(press: TypstPress, tmp_path: Path) -> None:
     assert join_pages(papers) == whole
 
 
-def test_a_solution_is_set_tighter_where_that_saves_its_last_page(press: TypstPress) -> None:
+def steps(count: int) -> SolutionSheet:
+    """Worked solutions of one question with so many steps."""
     said = (Heading("Step", 2), Prose("The point $A$ moves to the right along the guide."))
     question = ENGLISH_SOLUTION.questions[0]
-    pages = [
-        count_pages(
-            press.solution(
-                replace(ENGLISH_SOLUTION, questions=(replace(question, blocks=said * count),))
-            )
-        )
-        for count in (44, 48, 80)
-    ]
+    return replace(ENGLISH_SOLUTION, questions=(replace(question, blocks=said * count),))
+
+
+def test_a_solution_is_set_tighter_where_that_saves_its_last_page(press: TypstPress) -> None:
+    pages = [count_pages(press.solution(steps(count))) for count in (44, 48, 80)]
     assert pages == [1, 1, 2]
+
+
+def test_a_solution_far_from_a_page_fewer_is_typeset_once() -> None:
+    assert may_take_fewer(steps(48), "a4", 2)
+    assert not may_take_fewer(steps(60), "a4", 2)
+    assert not may_take_fewer(steps(80), "a4", 2)
