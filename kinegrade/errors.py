@@ -8,7 +8,7 @@ reported at once.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TypeAlias
 
 from kinegrade.language import ENGLISH
@@ -24,6 +24,7 @@ from kinegrade.language.message import (
 )
 
 _SUGGESTIONS = 3  # names that a hint suggests for a wrong one
+_LISTING = "kinegrade words"
 _LISTED = 8  # a hint lists all known names up to this many: of more, only the nearest
 
 
@@ -189,6 +190,21 @@ def find_nearest(word: str, choices: Iterable[str]) -> list[str]:
     known = sorted(choices)
     same = [name for name in known if name.lower() == word.lower()]
     return same or get_close_matches(word, known, n=_SUGGESTIONS)
+
+
+def suggest_examples(word: str, examples: Mapping[str, str], group: str) -> Message:
+    """A closing hint for an unknown word: the three nearest known ones by an example of each, and
+    the group of `kinegrade words` that lists them all.
+
+    >>> english = open_catalogue(ENGLISH)
+    >>> english.write(suggest_examples("velo", {"velocity": "velocity(B)"}, "quantities"))
+    'did you mean "velocity(B)"? (all of them: kinegrade words quantities)'
+    """
+    from difflib import get_close_matches  # as above
+
+    near = get_close_matches(word, examples, _SUGGESTIONS, cutoff=0.0)
+    names = list_choices(Quoted(examples[name]) for name in near)
+    return Message("grammar.did-you-mean-like", names=names, command=f"{_LISTING} {group}")
 
 
 def find_misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[str]:

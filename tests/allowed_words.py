@@ -200,38 +200,81 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             '{ motion = "OA turns", velocity = "omega" }',
         ],
     },
-    "examples in the language of templates": {
+    "sentences and examples in the language of templates": {
+        "mechanics/drivers/circulation.py": [
+            "POINT of BODY circles POINT",
+        ],
         "mechanics/drivers/component.py": [
             "B of AB moves along +x",
+            "POINT of BODY moves along +x|-x|+y|-y|ANGLE [relative to BODY]",
+            "M of M moves along direction(O, A) relative to AE",
         ],
         "mechanics/drivers/rotation.py": [
             "AB turns relative to OA",
             "OA turns",
+            "BODY turns [relative to BODY]",
         ],
         "mechanics/joints/arc.py": [
-            "... stays on circle(C, r) of ...",
+            "POINT of BODY stays on CIRCLE [of BODY]",
+            "M of AB stays on circle(O1, R) of ring",
         ],
         "mechanics/joints/belt.py": [
-            "open belt: ..., ... on ...",
+            "open|crossed belt: CIRCLE of BODY, CIRCLE of BODY on BODY",
+            "open belt: circle(A, r1) of I, circle(B, r2) of II on ground",
         ],
         "mechanics/joints/contact.py": [
             "{} touches {}{}{}",
+            "CIRCLE of BODY touches LINE|CIRCLE [of BODY] [inside]",
+            "circle(C, R) of cam touches line(A, 0) of BC",
         ],
         "mechanics/joints/mesh.py": [
-            "... meshes with ... on ...",
+            "CIRCLE of BODY meshes with CIRCLE of BODY on BODY [inside]",
+            "circle(A, r1) of I meshes with circle(B, r2) of II on arm",
+        ],
+        "mechanics/joints/parallel.py": [
+            "BODY translates|turns with BODY",
+            "BC translates",
+            "rod turns with arm",
         ],
         "mechanics/joints/pin.py": [
             "pin A: OA AB",
+            "pin POINT: BODY BODY ...",
+            "pin O: ground OA",
         ],
         "mechanics/joints/roll.py": [
-            "... rolls on ...",
             "{} rolls on {}{}{}",
+            "CIRCLE of BODY rolls on LINE|CIRCLE [of BODY] [inside]",
+            "circle(A, r) of wheel rolls on line(O, 0)",
+            "circle(A, r2) of II rolls on circle(O, r1) inside",
         ],
         "mechanics/joints/sleeve.py": [
-            "... slides through ... along ...",
+            "BODY slides through BODY along LINE",
+            "AB slides through sleeve along line(O, A)",
         ],
         "mechanics/joints/slide.py": [
             "B of AB slides on line(O, 0)",
+            "POINT of BODY slides on LINE [of BODY]",
+            "A of AB slides on line(O, A) of OC",
+        ],
+        "problem/quantities/measures.py": [
+            "radius(circle_of_poles(AB, phi))",
+            "centre(circle_of_poles(AB, phi))",
+        ],
+        "problem/quantities/motion_functions.py": [
+            "alpha(AB, OA)",
+            "relative_velocity(A, OA, CB)",
+            "relative_acceleration(A, OA, CB)",
+            "coriolis(A, OA, CB)",
+            "circle_of_poles(AB, phi)",
+        ],
+        "problem/vocabulary.py": [
+            "turns with",
+            "relative to",
+        ],
+    },
+    "a command as it is typed": {
+        "errors.py": [
+            "kinegrade words",
         ],
     },
     "a place in a template's file": {

@@ -24,6 +24,7 @@ from kinegrade.cli.problems.choosing import list_templates, show
 from kinegrade.cli.problems.solve import solve
 from kinegrade.cli.problems.starters import new
 from kinegrade.cli.problems.templates import check, gallery
+from kinegrade.cli.problems.vocabulary import words
 from kinegrade.cli.quiz import quiz
 from kinegrade.cli.rosters import assign, roster
 from kinegrade.cli.running.program import Program
@@ -47,6 +48,7 @@ for command in (
     solve,
     check,
     new,
+    words,
     gallery,
     roster,
     generate,

@@ -13,8 +13,8 @@ from typing import Any
 
 from flint import fmpq
 
-from kinegrade.errors import ExpressionError
-from kinegrade.language.message import Message, Quoted, list_plainly
+from kinegrade.errors import ExpressionError, find_nearest
+from kinegrade.language.message import Fault, Message, Quoted, list_choices, list_plainly
 
 FACTORS: dict[str, tuple[Any, str]] = {
     "m": (fmpq(1), "length"),
@@ -74,6 +74,16 @@ class Unit:
         return self.text.replace("^2", "²").replace("deg", "°")
 
 
+def _explain_unknown(text: str, name: str) -> ExpressionError:
+    """The error for a unit that has a part that is none."""
+    what = Message("expression.unit", unit=Quoted(text))
+    expected = Message("expression.unit-like", units=list_plainly(sorted(FACTORS)))
+    near = find_nearest(name, FACTORS)
+    names = list_choices(map(Quoted, near))
+    do = Message("grammar.did-you-mean", names=names) if near else ""
+    return ExpressionError(Fault("", what, expected, do))
+
+
 def read_unit(text: str) -> Unit:
     """The unit written as `text`. Raises ExpressionError for an unknown unit.
 
@@ -84,9 +94,7 @@ def read_unit(text: str) -> Unit:
     while place < len(text) or not place:
         match = _PART.match(text, place)
         if match is None or match["name"] not in FACTORS or (place > 0) != bool(match["mark"]):
-            raise ExpressionError(
-                Message("expression.unit", unit=Quoted(text), units=list_plainly(sorted(FACTORS)))
-            )
+            raise _explain_unknown(text, match["name"] if match else text[place:])
         size, dimension = FACTORS[match["name"]]
         power = int(match["power"] or 1) * (-1 if match["mark"] == "/" else 1)
         factor, place = factor * size**power, match.end()

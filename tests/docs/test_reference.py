@@ -15,31 +15,28 @@ from docs.generator.described import read_constants, read_words
 from docs.generator.folders import write_folder_page
 from docs.generator.pages import PAGES, write_reference
 from docs.generator.python import write_python_page
-from docs.generator.templates import list_sentences, write_expression_page, write_template_page
+from docs.generator.templates import (
+    write_expression_page,
+    write_shipped_page,
+    write_template_page,
+)
 from kinegrade.cli import main
-from kinegrade.errors import FieldError
 from kinegrade.exam.bank import keys as bank_keys
 from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.folder.contents import CONTENTS
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.expressions.reading import read_expression
 from kinegrade.grade_scale import stated as stated_scale
 from kinegrade.grading.lateness import reading as lateness
 from kinegrade.grading.policy import keys as policy_keys
 from kinegrade.grading.policy.reading import read_policy
+from kinegrade.language import ENGLISH
 from kinegrade.marks_folder.layout import FILES
-from kinegrade.problem.quantities.functions import QUANTITIES
-from kinegrade.problem.template.sections import keys as template_keys
 from kinegrade.problem.template.sections import stepwise_keys
-from kinegrade.problem.template.sentences import read_driver, read_joint
+from kinegrade.problem.vocabulary import GROUPS, list_sections, write_meaning
 from kinegrade.reports.term import plan as term_plan
 from tests.small_class import generate, write_class
 
 TABLES = [
-    ("kinegrade.problem.template.sections.keys", template_keys, "NEEDED OPTIONAL SHARING"),
-    ("kinegrade.problem.template.sections.keys", template_keys, "PARAMETER INPUT ASK PUBLISHED"),
-    ("kinegrade.problem.template.sections.keys", template_keys, "FIGURE LENGTH ANGLE RADIUS"),
-    ("kinegrade.problem.template.sections.keys", template_keys, "CIRCLE MOVING TURNING"),
     ("kinegrade.exam.bank.keys", bank_keys, "BANK NAMED ANY FAMILY TAG DRAWN DEALT"),
     ("kinegrade.exam.bank.keys", bank_keys, "COUNTED TEXT BY_HAND ASK"),
     ("kinegrade.exam.bank.keys", bank_keys, "OWN OWN_ASK"),
@@ -96,17 +93,15 @@ def test_the_commands_are_all_there_with_their_options() -> None:
         assert {name for name in options if name not in section} == set()
 
 
-def test_the_functions_and_sentences_are_all_there_and_are_read() -> None:
-    page = write_expression_page()
-    assert [name for name in QUANTITIES if f"`{name}(" not in page] == []
-    assert list_sentences()
-    for sentence in list_sentences():
-        assert sentence in write_template_page()
-        plain = re.sub(r"[\[\]]", "", sentence)
-        try:
-            read_joint(plain)
-        except FieldError:
-            read_driver(plain, read_expression("v"), read_expression("a"))
+def test_the_pages_of_templates_have_all_words_with_their_meanings_and_examples() -> None:
+    pages = (write_template_page() + write_expression_page() + write_shipped_page()).replace(
+        "\\|", "|"
+    )
+    for group in GROUPS:
+        for word in (word for section in list_sections(group) for word in section.words):
+            meaning = " ".join(write_meaning(word.meaning, ENGLISH).split())
+            assert f"| `{word.text}` | {meaning} |" in pages
+            assert [each for each in word.examples if f"`{each}`" not in pages] == []
 
 
 def test_the_files_of_exams_and_marks_are_all_there() -> None:

@@ -63,7 +63,7 @@ def asking(quantity: str, unit: str) -> list[str]:
         (
             "speed(A)",
             "m/s",
-            'unknown function "speed" - known here: abs, acceleration, acos and 35 more',
+            'unknown function "speed" - did you mean "pole(AB)", ',
         ),
         ("omega(A)", "rad/s", "omega(...): argument 1 is a point - expected omega(BODY[, BODY])"),
         (
@@ -238,7 +238,7 @@ def test_an_ask_on_request_that_makes_no_sense_is_refused(
         (
             "omega < 10000000",
             "distance(h, r) < h",
-            '7: conditions[1]: unknown function "distance" - known here: abs, acos, asin and 6 more',
+            '7: conditions[1]: unknown function "distance" - did you mean "tan(phi)", ',
         ),
         (
             PUBLISHED,
@@ -298,7 +298,7 @@ def test_an_exam_that_keeps_such_a_template_can_still_be_read() -> None:
 
 def test_one_unreadable_unit_is_one_fault() -> None:
     assert faults(('r     = { unit = "m"', 'r     = { unit = "furlong"')) == [
-        'crank.toml:14: parameters.r.unit: unit "furlong": expected a product like m/s^2 of '
+        'crank.toml:14: parameters.r.unit: unit "furlong" - expected a product or quotient like m/s^2 of '
         "1, cm, deg, h, km, m, min, mm, rad, s"
     ]
 

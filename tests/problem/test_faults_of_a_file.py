@@ -8,12 +8,10 @@ import pytest
 from click.testing import CliRunner
 
 from kinegrade.cli import main
-from kinegrade.mechanics.joints import JOINTS
 from tests.problem.crank import crank_text
 from tests.problem.turning_crank import changed
 from tests.small_class import kinegrade
 
-SENTENCES = ", ".join(f'"{joint.EXAMPLE}"' for joint in JOINTS)
 CHANGES = (
     ('family = "crank"', 'familie = "crank"'),
     ("pin O: ground OA", "pin O ground OA"),
@@ -31,11 +29,11 @@ CHANGES = (
 )
 FAULTS = [
     'crank.toml:2: familie: unknown table or key - did you mean "family"?',
-    f'crank.toml:4: joints[1]: "pin O ground OA": no such joint - expected one of {SENTENCES}',
-    'crank.toml:5: inputs[1].motion: "OA spins": no such input - expected one of "OA turns", "AB turns relative to OA", "B of AB moves along +x", "A of W circles O"',
+    'crank.toml:4: joints[1]: "pin O ground OA": no such joint - did you mean "pin O: ground OA", "pin A: OA AB" or "open belt: circle(A, r1) of I, circle(B, r2) of II on ground"? (all of them: kinegrade words joints)',
+    'crank.toml:5: inputs[1].motion: "OA spins": no such input - did you mean "OA turns", "A of W circles O" or "AB turns relative to OA"? (all of them: kinegrade words inputs)',
     'crank.toml:6: conditions[1]: "r = 2" - expected "left < right", with one of <, <=, >, >=, ==',
     'crank.toml:7: title: a table of no language - expected a text, or texts by language like { en = "..." }',
-    'crank.toml:11: parameters.r.unit: unit "ft": expected a product like m/s^2 of 1, cm, deg, h, km, m, min, mm, rad, s',
+    'crank.toml:11: parameters.r.unit: unit "ft" - expected a product or quotient like m/s^2 of 1, cm, deg, h, km, m, min, mm, rad, s',
     'crank.toml:12: parameters.phi.draw: "0 .. 90 step 0" - expected a step above zero, the last value not before the first, and at most 2000 values',
     'crank.toml:13: parameters.omega.draw: missing - expected a list, or a range like "0.1 .. 0.5 step 0.05"',
     'crank.toml:16: lengths.half: "r/", character 3: found the end, expected a number, a name or a bracket',

@@ -89,13 +89,13 @@ def test_a_joint_that_lacks_a_method_cannot_be_made(method: str) -> None:
         borrow("Belt", Parallel, Constraint, method)()
 
 
-@pytest.mark.parametrize("attribute", ["EXAMPLE", "PATTERN", "SLIPS"])
+@pytest.mark.parametrize("attribute", ["EXAMPLES", "FORM", "PATTERN", "SLIPS"])
 def test_a_joint_that_lacks_an_attribute_is_refused_as_a_class(attribute: str) -> None:
     with pytest.raises(TypeError, match=f"Belt lacks {attribute}$"):
         borrow("Belt", Parallel, Constraint, attribute)
 
 
-@pytest.mark.parametrize("attribute", ["EXAMPLES", "PATTERN", "TURNS"])
+@pytest.mark.parametrize("attribute", ["EXAMPLES", "FORM", "PATTERN", "TURNS"])
 def test_a_driver_that_lacks_an_attribute_is_refused_as_a_class(attribute: str) -> None:
     with pytest.raises(TypeError, match=f"Spin lacks {attribute}$"):
         borrow("Spin", Rotation, DrivingConstraint, attribute)

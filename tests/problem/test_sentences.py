@@ -114,7 +114,7 @@ def test_input_sentences(text: str, stated: type, fields: dict[str, str]) -> Non
 def test_inputs_refused() -> None:
     with pytest.raises(
         FieldError,
-        match='"OA moves": no such input - expected one of "OA turns", "AB turns relative to OA"',
+        match='"OA moves": no such input - did you mean .*"B of AB moves along \\+x".*words inputs',
     ):
         read_driver("OA moves", Number(1), Number(0))
     with pytest.raises(FieldError, match="a sentence of 401 characters - expected at most 400"):

@@ -13,7 +13,6 @@ from typing import Any
 import pytest
 
 from kinegrade.problem.template.library.library import find_shipped
-from tests.problem.quantity_words import find_unsaid
 from tests.recipes.recipe import Step, edit, follow_steps, read_titles, run, run_python
 
 READ = """def _read_acceleration_pole(reader, body):
@@ -31,6 +30,7 @@ REFER = """def _refer_to_acceleration_pole(names, reader):
 
 """
 FIELDS = {
+    "example": '"acceleration_pole(AB)"',
     "slots": '("BODY",)',
     "gives": "Arrow(LENGTH)",
     "by_changes": "True",
@@ -38,7 +38,11 @@ FIELDS = {
     "refer": "_refer_to_acceleration_pole",
     "derivation": '"value"',
 }
-WORDS = "    #: The point of a body that has no acceleration.\n"
+WORDS = """
+msgctxt "function-acceleration_pole"
+msgid "The point of a body that has no acceleration."
+msgstr ""
+"""
 ASK = """
 x_Q = { quantity = "x(acceleration_pole(AB))", unit = "m", sign = "+x", points = 2, means = { en = "$x$ of $Q$", zh = "$Q$" } }
 q_x = { quantity = "x(acceleration_pole(AB) - B)", unit = "m", sign = "+x", means = { en = "of $BQ$", zh = "$BQ$" } }
@@ -76,23 +80,24 @@ def append(room: Path, text: str) -> None:
 
 
 def add_words(room: Path) -> None:
-    if row() in functions(room).read_text(encoding="utf-8"):
-        edit(functions(room), (row(), WORDS + row()))
+    file = room / "kinegrade/language/catalogues/en/words.po"
+    file.write_text(file.read_text(encoding="utf-8") + WORDS, encoding="utf-8")
 
 
 def check(room: Path) -> str:
     return run(room, "check", "crank.toml", "--sample", "20").stderr
 
 
-def look_for_words(room: Path) -> str:
-    return "\n".join(find_unsaid(functions(room).parent))
+def list_words(room: Path) -> str:
+    done = run(room, "words", "quantities")
+    return done.stdout + done.stderr
 
 
 STEPS = (
     Step("How it is read", add_reading, "'_read_acceleration_pole' is not defined", check),
     Step("What it refers to", add_references, "'_refer_to_acceleration_pole' is not", check),
     Step("Its row", add_row, 'unknown function "acceleration_pole"', check),
-    Step("Its words", add_words, "acceleration_pole: nothing is said of it", look_for_words),
+    Step("Its words", add_words, "no entry words.function-acceleration_pole", list_words),
 )
 
 

@@ -25,7 +25,8 @@ class Doubling(Constraint):
     """`body` turns twice as fast as `of`."""
 
     PATTERN = r"(?P<body>\\w+) turns twice with (?P<of>\\w+)"
-    EXAMPLE = "... turns twice with ..."
+    FORM = "BODY turns twice with BODY"
+    EXAMPLES = ("II turns twice with I",)
     SLIPS = ()
 
     body: str
@@ -93,6 +94,7 @@ def state_doubling(law, case, level):
     )
 """
 WORDS = {
+    "words": '\nmsgctxt "joint-doubling"\nmsgid "One turns twice as fast."\nmsgstr ""\n',
     "mechanics": '\n#, noun\nmsgctxt "doubling"\nmsgid "the doubling of <of> by <body>"\nmsgstr ""\n',
     "solution": '\nmsgctxt "title-doubling"\nmsgid "<body> turns with <other>"\nmsgstr ""\n'
     '\nmsgctxt "doubling"\nmsgid "Twice as fast at all times:"\nmsgstr ""\n',
@@ -272,6 +274,8 @@ def test_the_new_joint_is_proved_drawn_and_explained(room: Path) -> None:
     assert checked.stdout.startswith("twice: sound"), checked.stderr
     assert show(room) == solve(room) == ""
     assert prove(room) == "[4.0, 4.0]\n"
+    listed = run(room, "words", "joints").stdout
+    assert "BODY turns twice with BODY\n    One turns twice as fast." in listed
 
 
 @pytest.mark.parametrize("missing", STEPS, ids=lambda step: step.title)

@@ -12,7 +12,7 @@ on, and `faults.require_none()` reports all faults of a file together.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -50,13 +50,15 @@ class Table:
     def __len__(self) -> int:
         return len(self.content)
 
-    def only(self, *known: str, unknown: Text = _UNKNOWN) -> Table:
+    def only(
+        self, *known: str, unknown: Text = _UNKNOWN, hint: Callable[[str], Text] | None = None
+    ) -> Table:
         """The table with only its known keys; each of the others is noted as a fault, which
-        `unknown` says.
+        `unknown` says and `hint` helps with: by the nearest known ones where there is none.
         """
         others = [key for key in self.content if key not in known]
         for key in others:
-            self.fault(key, unknown, do=suggest(key, known))
+            self.fault(key, unknown, do=hint(key) if hint else suggest(key, known))
         return Table(
             self.faults,
             self.place,

@@ -25,6 +25,7 @@ class Circulation(DrivingConstraint):
     """
 
     PATTERN = r"(?P<point>\w+) of (?P<body>\w+) circles (?P<centre>\w+)"
+    FORM = "POINT of BODY circles POINT"
     EXAMPLES = ("A of W circles O",)
     TURNS = False
 

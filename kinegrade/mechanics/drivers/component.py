@@ -27,7 +27,8 @@ class Component(DrivingConstraint):
     PATTERN = (
         r"(?P<point>\w+) of (?P<body>\w+) moves along (?P<along>.+?)(?: relative to (?P<of>\w+))?"
     )
-    EXAMPLES = ("B of AB moves along +x",)
+    FORM = "POINT of BODY moves along +x|-x|+y|-y|ANGLE [relative to BODY]"
+    EXAMPLES = ("B of AB moves along +x", "M of M moves along direction(O, A) relative to AE")
     TURNS = False
 
     point: str

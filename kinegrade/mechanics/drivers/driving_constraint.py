@@ -17,10 +17,12 @@ FindChain = Callable[[str, str], Chain]
 
 class DrivingConstraint(Element):
     """A driver; `PATTERN` is the regular expression of its sentence, with its parts by name,
-    `EXAMPLES` are shown, and what it drives `TURNS` or moves along a path.
+    `FORM` the same as authors read it, `EXAMPLES` are shown, and what it drives `TURNS` or moves
+    along a path.
     """
 
     PATTERN: ClassVar[str]
+    FORM: ClassVar[str]
     EXAMPLES: ClassVar[tuple[str, ...]]
     TURNS: ClassVar[bool]
 

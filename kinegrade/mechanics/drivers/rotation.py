@@ -24,6 +24,7 @@ class Rotation(DrivingConstraint):
     """
 
     PATTERN = r"(?P<body>\w+) turns(?: relative to (?P<of>\w+))?"
+    FORM = "BODY turns [relative to BODY]"
     EXAMPLES = ("OA turns", "AB turns relative to OA")
     TURNS = True
 

@@ -22,7 +22,8 @@ class Arc(Constraint):
     """`point` of `body` stays on a circle fixed in the body `of`; the centre is a point of `of`."""
 
     PATTERN = rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){OF}"
-    EXAMPLE = "... stays on circle(C, r) of ..."
+    FORM = "POINT of BODY stays on CIRCLE [of BODY]"
+    EXAMPLES = ("M of AB stays on circle(O1, R) of ring",)
     SLIPS = ()
 
     point: str

@@ -26,7 +26,8 @@ class Belt(CarriedPair):
         rf"(?:(?P<crossed>crossed)|open) belt: {CIRCLE}, (?P<on>circle\(.+?\)) of (?P<of>\w+) "
         r"on (?P<carrier>\w+)"
     )
-    EXAMPLE = "open belt: ..., ... on ..."
+    FORM = "open|crossed belt: CIRCLE of BODY, CIRCLE of BODY on BODY"
+    EXAMPLES = ("open belt: circle(A, r1) of I, circle(B, r2) of II on ground",)
     SLIPS = ("crossing", "carried", "ratio")
 
     crossed: bool = False

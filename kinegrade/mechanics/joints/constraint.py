@@ -20,15 +20,16 @@ Slip = Literal["meshing", "crossing", "carried", "arm", "ratio", "centre", "pole
 
 
 class Constraint(Element):
-    """A joint; `PATTERN` is the regular expression of its sentence, with its parts by name, and
-    `EXAMPLE` one that is shown.
+    """A joint; `PATTERN` is the regular expression of its sentence, with its parts by name,
+    `FORM` the same as authors read it, with what it takes in capitals, and `EXAMPLES` are shown.
 
     `SLIPS` are the parts of what it states that students are known to take wrongly; it `TOUCHES`
     where the profile of one body may slip on that of another.
     """
 
     PATTERN: ClassVar[str]
-    EXAMPLE: ClassVar[str]
+    FORM: ClassVar[str]
+    EXAMPLES: ClassVar[tuple[str, ...]]
     SLIPS: ClassVar[tuple[Slip, ...]]
     TOUCHES: ClassVar[bool] = False
 

@@ -20,7 +20,8 @@ class Contact(TouchingPair):
     """
 
     PATTERN = rf"{CIRCLE} touches {ON_SHAPE}{OF}{INSIDE}"
-    EXAMPLE = "... touches ..."
+    FORM = "CIRCLE of BODY touches LINE|CIRCLE [of BODY] [inside]"
+    EXAMPLES = ("circle(C, R) of cam touches line(A, 0) of BC",)
     SLIPS = ()
     TOUCHES = True
 

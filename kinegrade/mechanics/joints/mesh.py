@@ -26,7 +26,8 @@ class Mesh(CarriedPair):
         rf"{CIRCLE} meshes with (?P<on>circle\(.+?\)) of (?P<of>\w+) "
         rf"on (?P<carrier>\w+){INSIDE}"
     )
-    EXAMPLE = "... meshes with ... on ..."
+    FORM = "CIRCLE of BODY meshes with CIRCLE of BODY on BODY [inside]"
+    EXAMPLES = ("circle(A, r1) of I meshes with circle(B, r2) of II on arm",)
     SLIPS = ("meshing", "carried", "arm", "ratio", "centre")
 
     inside: bool = False

@@ -21,7 +21,8 @@ class Parallel(Constraint):
     """`body` does not turn relative to the body `of`; with the ground: it translates."""
 
     PATTERN = r"(?P<body>\w+) (?:translates|turns with (?P<of>\w+))"
-    EXAMPLE = "... translates"
+    FORM = "BODY translates|turns with BODY"
+    EXAMPLES = ("BC translates", "rod turns with arm")
     SLIPS = ()
 
     body: str

@@ -21,7 +21,8 @@ class Pin(Constraint):
     """Two or more bodies (the ground may be one) share `point`."""
 
     PATTERN = r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)"
-    EXAMPLE = "pin A: OA AB"
+    FORM = "pin POINT: BODY BODY ..."
+    EXAMPLES = ("pin A: OA AB", "pin O: ground OA")
     SLIPS = ("pole",)
 
     point: str

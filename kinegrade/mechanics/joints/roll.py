@@ -18,7 +18,11 @@ class Roll(TouchingPair):
     """A circle of `body` rolls without slipping on a line or circle of the body `of`."""
 
     PATTERN = rf"{CIRCLE} rolls on {ON_SHAPE}{OF}{INSIDE}"
-    EXAMPLE = "... rolls on ..."
+    FORM = "CIRCLE of BODY rolls on LINE|CIRCLE [of BODY] [inside]"
+    EXAMPLES = (
+        "circle(A, r) of wheel rolls on line(O, 0)",
+        "circle(A, r2) of II rolls on circle(O, r1) inside",
+    )
     SLIPS = ("meshing", "carried", "arm", "ratio", "centre")
 
     def list_turning_bodies(self) -> tuple[str, ...]:

@@ -22,7 +22,8 @@ class Sleeve(Constraint):
     """`body` slides along `line` in the body `of` and does not turn relative to it."""
 
     PATTERN = r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))"
-    EXAMPLE = "... slides through ... along ..."
+    FORM = "BODY slides through BODY along LINE"
+    EXAMPLES = ("AB slides through sleeve along line(O, A)",)
     SLIPS = ()
 
     body: str

@@ -23,7 +23,8 @@ class Slide(Constraint):
     """
 
     PATTERN = rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){OF}"
-    EXAMPLE = "B of AB slides on line(O, 0)"
+    FORM = "POINT of BODY slides on LINE [of BODY]"
+    EXAMPLES = ("B of AB slides on line(O, 0)", "A of AB slides on line(O, A) of OC")
     SLIPS = ()
 
     point: str

@@ -2,8 +2,8 @@
 their value.
 
 `expression.make_elementary_functions`, `mechanics.geometry`, `quantities` and `centrode` work them
-out; a test holds the names here against theirs. The comments that begin with `#:` say what each
-function gives; the reference of docs/ prints them.
+out; a test holds the names here against theirs. What each function gives is said by the entry
+`words.function-NAME` of the catalogues.
 """
 
 from __future__ import annotations
@@ -41,13 +41,14 @@ Result = Callable[[str, Sequence[Kind]], Kind]
 
 @dataclass(frozen=True)
 class Signature:
-    """The slots that a function's arguments fill, how many of them it needs, and the kind of its
-    value.
+    """The slots that a function's arguments fill, how many of them it needs, the kind of its value,
+    and a call of it that is shown.
     """
 
     slots: tuple[Slot, ...]
     needed: int
     result: Result
+    example: str
 
     def usage(self, name: str) -> str:
         """How the function is written: "velocity(POINT[, BODY])"."""
@@ -56,9 +57,9 @@ class Signature:
         return f"{name}({', '.join(slots[: self.needed])}{more})"
 
 
-def make_signature(*slots: Slot, gives: Result, optional: int = 0) -> Signature:
+def make_signature(*slots: Slot, gives: Result, example: str, optional: int = 0) -> Signature:
     """The signature of a function; the last `optional` slots may stay empty."""
-    return Signature(slots, len(slots) - optional, gives)
+    return Signature(slots, len(slots) - optional, gives, example)
 
 
 def give_scalar(dimension: Dimension) -> Result:
@@ -137,54 +138,38 @@ def _ratio(name: str, kinds: Sequence[Kind]) -> Kind:
 
 
 ELEMENTARY: Mapping[str, Signature] = {
-    #: The square root.
-    "sqrt": make_signature("NUMBER", gives=_root),
-    #: The absolute value.
-    "abs": make_signature("NUMBER", gives=give_first),
-    #: The sine of an angle.
-    "sin": make_signature("ANGLE", gives=_ratio),
-    #: The cosine of an angle.
-    "cos": make_signature("ANGLE", gives=_ratio),
-    #: The tangent of an angle.
-    "tan": make_signature("ANGLE", gives=_ratio),
-    #: The angle between -pi/2 and pi/2 with that sine.
-    "asin": make_signature("RATIO", gives=_ratio),
-    #: The angle between 0 and pi with that cosine.
-    "acos": make_signature("RATIO", gives=_ratio),
-    #: The angle between -pi/2 and pi/2 with that tangent.
-    "atan": make_signature("RATIO", gives=_ratio),
-    #: The direction of the vector (second, first), in (-pi, pi].
-    "atan2": make_signature("NUMBER", "NUMBER", gives=_ratio),
+    "sqrt": make_signature("NUMBER", gives=_root, example="sqrt(l**2 - h**2)"),
+    "abs": make_signature("NUMBER", gives=give_first, example="abs(omega)"),
+    "sin": make_signature("ANGLE", gives=_ratio, example="sin(phi)"),
+    "cos": make_signature("ANGLE", gives=_ratio, example="cos(phi + pi/2)"),
+    "tan": make_signature("ANGLE", gives=_ratio, example="tan(phi)"),
+    "asin": make_signature("RATIO", gives=_ratio, example="asin(r/l)"),
+    "acos": make_signature("RATIO", gives=_ratio, example="acos(r/l)"),
+    "atan": make_signature("RATIO", gives=_ratio, example="atan(h/b)"),
+    "atan2": make_signature("NUMBER", "NUMBER", gives=_ratio, example="atan2(h, b)"),
 }
 CONSTRUCTIONS: Mapping[str, Signature] = {
     **ELEMENTARY,
-    #: The point or vector with these components.
-    "": make_signature("NUMBER", "NUMBER", gives=_joined),
-    #: The point at a distance from another one, in the direction of an angle.
-    "polar": make_signature("PLACE", "NUMBER", "ANGLE", gives=_polar),
-    #: The line through a point and another point, or in the direction of an angle.
-    "line": make_signature("PLACE", "PLACE|ANGLE", gives=_line),
-    #: The circle about a point with a radius.
-    "circle": make_signature("PLACE", "NUMBER", gives=_circle),
-    #: The common point of two lines; or, on the named side, that of a line and a circle or of two
-    #: circles.
+    "": make_signature("NUMBER", "NUMBER", gives=_joined, example="(b, -h)"),
+    "polar": make_signature("PLACE", "NUMBER", "ANGLE", gives=_polar, example="polar(O, r, phi)"),
+    "line": make_signature("PLACE", "PLACE|ANGLE", gives=_line, example="line(O, pi/2)"),
+    "circle": make_signature("PLACE", "NUMBER", gives=_circle, example="circle(A, l)"),
     "meet": make_signature(
-        "LINE|CIRCLE", "LINE|CIRCLE", "SIDE", gives=give_vector(LENGTH), optional=1
+        "LINE|CIRCLE",
+        "LINE|CIRCLE",
+        "SIDE",
+        gives=give_vector(LENGTH),
+        optional=1,
+        example="meet(circle(A, l), line(O, 0), right)",
     ),
-    #: The foot of the perpendicular from a point to a line.
-    "foot": make_signature("PLACE", "LINE", gives=_same),
-    #: The midpoint of two points.
-    "midpoint": make_signature("PLACE", "PLACE", gives=_joined),
-    #: The distance of a point from another point or from a line.
-    "distance": make_signature("PLACE", "PLACE|LINE", gives=_apart),
-    #: The point at a distance from the first point, towards the second or beyond it.
-    "toward": make_signature("PLACE", "PLACE", "NUMBER", gives=_joined),
-    #: The component to the right.
-    "x": make_signature("VECTOR", gives=give_first),
-    #: The component upwards.
-    "y": make_signature("VECTOR", gives=give_first),
-    #: The vector turned counter-clockwise by a right angle.
-    "turned": make_signature("VECTOR", gives=_same),
-    #: The angle of the vector from the first point to the second.
-    "direction": make_signature("PLACE", "PLACE", gives=_ratio),
+    "foot": make_signature("PLACE", "LINE", gives=_same, example="foot(A, line(O, B))"),
+    "midpoint": make_signature("PLACE", "PLACE", gives=_joined, example="midpoint(A, B)"),
+    "distance": make_signature(
+        "PLACE", "PLACE|LINE", gives=_apart, example="distance(A, line(O, B))"
+    ),
+    "toward": make_signature("PLACE", "PLACE", "NUMBER", gives=_joined, example="toward(A, B, l)"),
+    "x": make_signature("VECTOR", gives=give_first, example="x(A)"),
+    "y": make_signature("VECTOR", gives=give_first, example="y(velocity(B))"),
+    "turned": make_signature("VECTOR", gives=_same, example="turned(B - A)"),
+    "direction": make_signature("PLACE", "PLACE", gives=_ratio, example="direction(O, A)"),
 }

@@ -1,6 +1,6 @@
 """What a quantity may take of vectors and circles: magnitudes, components, angles, radii.
 
-The comments that begin with `#:` say what each gives; the reference of docs/ prints them.
+The entry `words.function-NAME` of the catalogues says what each gives.
 """
 
 from __future__ import annotations
@@ -61,18 +61,36 @@ def _measure_centre(arithmetic: Arithmetic, circle: Round) -> Vector:
 
 
 MEASURES: Mapping[str, Measure] = {
-    #: The length of a vector.
-    "magnitude": Measure(make_signature("VECTOR", gives=give_first), _measure_magnitude),
-    #: The component of the first vector along the second.
-    "along": Measure(make_signature("VECTOR", "VECTOR", gives=give_first), _measure_along),
-    #: The angle from the first vector to the second, counter-clockwise, in (-pi, pi].
-    "angle": Measure(make_signature("VECTOR", "VECTOR", gives=give_scalar(NUMBER)), _measure_angle),
-    #: The angle between two vectors, from 0 to pi.
-    "between": Measure(
-        make_signature("VECTOR", "VECTOR", gives=give_scalar(NUMBER)), _measure_between
+    "magnitude": Measure(
+        make_signature("VECTOR", gives=give_first, example="magnitude(velocity(B))"),
+        _measure_magnitude,
     ),
-    #: The radius of a circle.
-    "radius": Measure(make_signature("CIRCLE", gives=give_scalar(LENGTH)), _measure_radius),
-    #: The centre of a circle.
-    "centre": Measure(make_signature("CIRCLE", gives=give_vector(LENGTH)), _measure_centre),
+    "along": Measure(
+        make_signature("VECTOR", "VECTOR", gives=give_first, example="along(velocity(B), B - A)"),
+        _measure_along,
+    ),
+    "angle": Measure(
+        make_signature(
+            "VECTOR", "VECTOR", gives=give_scalar(NUMBER), example="angle(velocity(A), velocity(B))"
+        ),
+        _measure_angle,
+    ),
+    "between": Measure(
+        make_signature(
+            "VECTOR", "VECTOR", gives=give_scalar(NUMBER), example="between(velocity(A), B - A)"
+        ),
+        _measure_between,
+    ),
+    "radius": Measure(
+        make_signature(
+            "CIRCLE", gives=give_scalar(LENGTH), example="radius(circle_of_poles(AB, phi))"
+        ),
+        _measure_radius,
+    ),
+    "centre": Measure(
+        make_signature(
+            "CIRCLE", gives=give_vector(LENGTH), example="centre(circle_of_poles(AB, phi))"
+        ),
+        _measure_centre,
+    ),
 }

@@ -40,13 +40,14 @@ class References:
 class MotionFunction:
     """A function of the motion.
 
-    Its arguments fill the `slots`, the last `optional` of which may stay empty; its value is of the
-    kind that it `gives`. `read` takes a reader and the arguments; it is None for what takes further
-    configurations, which `problem.centrode` works out. `refer` takes the names among the arguments
-    and a reader. `by_changes` says whether it is read off the changes of rates, and not only off
-    rates.
+    `example` is a call that is shown. Its arguments fill the `slots`, the last `optional` of
+    which may stay empty; its value is of the kind that it `gives`. `read` takes a reader and
+    the arguments; it is None for what takes further configurations, which `problem.centrode`
+    works out. `refer` takes the names among the arguments and a reader. `by_changes` says
+    whether it is read off the changes of rates, and not only off rates.
     """
 
+    example: str
     slots: tuple[Slot, ...]
     gives: Kind
     by_changes: bool
@@ -58,9 +59,8 @@ class MotionFunction:
     @property
     def signature(self) -> Signature:
         """What it takes and gives."""
-        return Signature(
-            self.slots, len(self.slots) - self.optional, lambda name, kinds: self.gives
-        )
+        needed = len(self.slots) - self.optional
+        return Signature(self.slots, needed, lambda name, kinds: self.gives, self.example)
 
     @property
     def level(self) -> Level | None:

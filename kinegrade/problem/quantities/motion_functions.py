@@ -1,6 +1,6 @@
 """The functions of the motion: a row for each, from which everything else about it follows.
 
-The comments that begin with `#:` say what each gives; the reference of docs/ prints them.
+The entry `words.function-NAME` of the catalogues says what each gives.
 """
 
 from __future__ import annotations
@@ -106,8 +106,8 @@ def _refer_to_body(names: Sequence[str], reader: MotionReader) -> References:
 
 
 MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
-    #: The velocity of a point, of the body named where it belongs to several.
     "velocity": MotionFunction(
+        example="velocity(B)",
         slots=("POINT", "BODY"),
         optional=1,
         gives=Arrow(SPEED),
@@ -116,8 +116,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_point,
         derivation="point",
     ),
-    #: The acceleration of a point, in the same way.
     "acceleration": MotionFunction(
+        example="acceleration(B)",
         slots=("POINT", "BODY"),
         optional=1,
         gives=Arrow(ACCELERATION),
@@ -126,8 +126,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_point,
         derivation="point",
     ),
-    #: The angular velocity of a body, or relative to a second body.
     "omega": MotionFunction(
+        example="omega(AB)",
         slots=("BODY", "BODY"),
         optional=1,
         gives=Scalar(RATE),
@@ -136,8 +136,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_rotations,
         derivation="rotation",
     ),
-    #: The angular acceleration of a body, or relative to a second body.
     "alpha": MotionFunction(
+        example="alpha(AB, OA)",
         slots=("BODY", "BODY"),
         optional=1,
         gives=Scalar(CHANGE),
@@ -146,8 +146,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_rotations,
         derivation="rotation",
     ),
-    #: The velocity of a point of the first body as seen from the second.
     "relative_velocity": MotionFunction(
+        example="relative_velocity(A, OA, CB)",
         slots=("POINT", "BODY", "BODY"),
         gives=Arrow(SPEED),
         by_changes=False,
@@ -155,8 +155,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_both_points,
         derivation="relative",
     ),
-    #: The acceleration of a point of the first body as seen from the second.
     "relative_acceleration": MotionFunction(
+        example="relative_acceleration(A, OA, CB)",
         slots=("POINT", "BODY", "BODY"),
         gives=Arrow(ACCELERATION),
         by_changes=True,
@@ -164,8 +164,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_turning_frame,
         derivation="relative",
     ),
-    #: The Coriolis acceleration of a point of the first body, the moving frame being the second.
     "coriolis": MotionFunction(
+        example="coriolis(A, OA, CB)",
         slots=("POINT", "BODY", "BODY"),
         gives=Arrow(ACCELERATION),
         by_changes=False,
@@ -173,9 +173,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_turning_frame,
         derivation="coriolis",
     ),
-    #: The normal part of the acceleration of the first point relative to the second, both on the
-    #: body.
     "normal_acceleration": MotionFunction(
+        example="normal_acceleration(B, A, AB)",
         slots=("POINT", "POINT", "BODY"),
         gives=Arrow(ACCELERATION),
         by_changes=False,
@@ -183,9 +182,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_about_base,
         derivation="normal",
     ),
-    #: The tangential part of the acceleration of the first point relative to the second, both on
-    #: the body.
     "tangential_acceleration": MotionFunction(
+        example="tangential_acceleration(B, A, AB)",
         slots=("POINT", "POINT", "BODY"),
         gives=Arrow(ACCELERATION),
         by_changes=True,
@@ -193,8 +191,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_about_base,
         derivation="tangential",
     ),
-    #: The velocity pole (instantaneous centre) of a body.
     "pole": MotionFunction(
+        example="pole(AB)",
         slots=("BODY",),
         gives=Arrow(LENGTH),
         by_changes=False,
@@ -202,8 +200,8 @@ MOTION_FUNCTIONS: Mapping[str, MotionFunction] = {
         refer=_refer_to_body,
         derivation="pole",
     ),
-    #: The fixed centrode of a body while the parameter changes, where it is a circle.
     "circle_of_poles": MotionFunction(
+        example="circle_of_poles(AB, phi)",
         slots=("BODY", "PARAMETER"),
         gives=Ring(),
         by_changes=False,

@@ -1,24 +1,7 @@
 """The sentences in which a template states its joints and inputs, and what each must contain.
 
-    pin A: OA AB
-    B of AB slides on line(O, 0)
-    A of AB slides on line(O, A) of OC
-    AB slides through sleeve along line(O, A)
-    M of AB stays on circle(O1, R) of ring1
-    circle(C, R) of cam touches line(A, 0) of BC
-    circle(A, r2) of II rolls on circle(O, r1) inside
-    circle(A, r1) of I meshes with circle(B, r2) of II on arm
-    open belt: circle(A, r1) of I, circle(B, r2) of II on arm
-    crossed belt: circle(A, r1) of I, circle(B, r2) of II on ground
-    BC translates
-    rod turns with arm
-
-    OA turns
-    AB turns relative to OA
-    B of AB moves along -x [relative to AE]
-    A of W circles O
-
-Where no second body is named it is the ground. `inside` says that one circle lies within the other.
+What each says stands with the joints and drivers of `mechanics`, as `FORM` and `EXAMPLES`;
+`problem.vocabulary` lists them. Where no second body is named it is the ground.
 """
 
 from __future__ import annotations
@@ -28,11 +11,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from typing import TypeVar
 
-from kinegrade.errors import FieldError
+from kinegrade.errors import FieldError, suggest_examples
 from kinegrade.expressions.reading import MAX_LENGTH, read_expression
 from kinegrade.expressions.tree import Call, Expression, Name
 from kinegrade.files.fields.values import found
-from kinegrade.language.message import Message, Quoted, list_plainly
+from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers import DRIVERS, Driver
 from kinegrade.mechanics.joints import GROUND, JOINTS, Joint
 from kinegrade.sign_conventions import Convention
@@ -81,11 +64,11 @@ class DriverSentence:
 
 
 def read_joint(text: str) -> JointSentence:
-    """The joint that a sentence states. Raises FieldError saying which sentences there are."""
+    """The joint that a sentence states. Raises FieldError naming the nearest sentences."""
     stated = _find_stated(JOINTS, text)
     if stated is None:
         what = Message("template.no-such-joint", sentence=found(text))
-        raise FieldError(what, _list_examples(joint.EXAMPLE for joint in JOINTS))
+        raise FieldError(what, do=_suggest_sentences(text, JOINTS, "joints"))
     kind, parts = stated
     bodies = parts.get("bodies")
     return JointSentence(
@@ -103,13 +86,11 @@ def read_joint(text: str) -> JointSentence:
 
 
 def read_driver(text: str, velocity: Expression, acceleration: Expression) -> DriverSentence:
-    """The input that a sentence states. Raises FieldError saying which sentences there are."""
+    """The input that a sentence states. Raises FieldError naming the nearest sentences."""
     stated = _find_stated(DRIVERS, text)
     if stated is None:
         what = Message("template.no-such-input", sentence=found(text))
-        raise FieldError(
-            what, _list_examples(each for driver in DRIVERS for each in driver.EXAMPLES)
-        )
+        raise FieldError(what, do=_suggest_sentences(text, DRIVERS, "inputs"))
     kind, parts = stated
     return DriverSentence(
         stated=kind,
@@ -137,8 +118,23 @@ def find_axis(direction: Expression) -> Convention | None:
     return next((axis for axis, angle in _AXES.items() if angle == direction), None)
 
 
-def _list_examples(sentences: Iterable[str]) -> Message:
-    return Message("template.one-of-sentences", sentences=list_plainly(map(Quoted, sentences)))
+def _suggest_sentences(
+    text: str, kinds: Iterable[type[Joint]] | Iterable[type[Driver]], group: str
+) -> Message:
+    """The nearest sentences: those whose own words are nearest to those of the text."""
+    shown = {_keep_verb(each): each for kind in kinds for each in kind.EXAMPLES}
+    return suggest_examples(_keep_verb(text), shown, group)
+
+
+def _keep_verb(sentence: str) -> str:
+    """A sentence without its shapes and without names, as far as those are told by a capital or a
+    digit.
+
+    >>> _keep_verb("A of AB slides on line(O, A) of OC")
+    'of slides on of'
+    """
+    bare = re.sub(r"\(.*?\)", "", sentence)
+    return " ".join(word for word in bare.split() if word.islower() or word[-1] == ":")
 
 
 def _find_stated(

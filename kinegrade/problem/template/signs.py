@@ -33,4 +33,9 @@ def write_sign(sign: Sign, language: Language) -> str:
     """
     if isinstance(sign, Translated):
         return sign.in_language(language)
-    return open_catalogue(language).write(_WORDS[sign])
+    return open_catalogue(language).write(describe_convention(sign))
+
+
+def describe_convention(sign: Convention) -> Message:
+    """What a usual sign convention says."""
+    return _WORDS[sign]

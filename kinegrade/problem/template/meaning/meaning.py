@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal, assert_never
 
-from kinegrade.errors import FieldError, suggest
+from kinegrade.errors import FieldError, suggest_examples
 from kinegrade.expressions.angular import is_angle
 from kinegrade.expressions.evaluation import read_whole_power
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
@@ -30,7 +30,7 @@ from kinegrade.problem.kinds.kinds import (
     describe_kind,
     unite_dimensions,
 )
-from kinegrade.problem.kinds.signatures import PlainSlot, Signature, Slot
+from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, PlainSlot, Signature, Slot
 from kinegrade.problem.template.meaning.radians import require_no_radians
 
 _PLAIN: Mapping[PlainSlot, tuple[type[Kind], ...]] = {
@@ -100,9 +100,7 @@ class Scope:
         if signature is None:
             if not tree.function:
                 raise FieldError(Message("template.a-pair"), Message("template.number-or-angle"))
-            known = [name for name in self.functions if name]
-            what = Message("template.unknown-function", name=Quoted(tree.function))
-            raise FieldError(what, do=suggest(tree.function, known))
+            raise self._explain_unknown(tree.function)
         if not signature.needed <= len(tree.arguments) <= len(signature.slots):
             count = len(tree.arguments)
             what = Message("template.call-of", call=_write_call(tree), count=count)
@@ -119,6 +117,13 @@ class Scope:
                 )
                 raise FieldError(what, signature.usage(tree.function))
         return signature.result(tree.function, kinds)
+
+    def _explain_unknown(self, function: str) -> FieldError:
+        """The error for a function that there is not."""
+        examples = {name: each.example for name, each in self.functions.items() if name}
+        group = "points" if self.functions.keys() <= CONSTRUCTIONS.keys() else "quantities"
+        what = Message("template.unknown-function", name=Quoted(function))
+        return FieldError(what, do=suggest_examples(function, examples, group))
 
     def fits(self, slot: Slot, tree: Expression, kind: Kind) -> bool:
         """Whether an argument fills a slot. Raises FieldError for degrees where radians are

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Set
 from dataclasses import dataclass
 from typing import TypeVar
 
-from kinegrade.errors import FieldError
+from kinegrade.errors import FieldError, suggest_examples
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import Read, choice, found
 from kinegrade.language.message import Message, Quoted
@@ -71,7 +71,7 @@ class Names:
 
 def read_figure(table: Table, names: Names) -> FigureHints:
     """The marks of the figure that can be read."""
-    figure = table.table("figure").only(*keys.FIGURE)
+    figure = table.table("figure").only(*keys.FIGURE, hint=_suggest_marks)
     return FigureHints(
         lengths=_read_marks(figure, "lengths", _read_length, names),
         angles=_read_marks(figure, "angles", _read_angle, names),
@@ -85,6 +85,10 @@ def read_figure(table: Table, names: Names) -> FigureHints:
         frames=_read_marks(figure, "frames", _read_frame, names),
         axes=figure.optional("axes", choice(PLACES_OF_AXES)),
     )
+
+
+def _suggest_marks(key: str) -> Message:
+    return suggest_examples(key, keys.FIGURE_EXAMPLES, "figure")
 
 
 def _read_marks(
