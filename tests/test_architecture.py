@@ -41,6 +41,7 @@ FLOORS = {
     "sign_conventions": 0,
     "stated_marking": 0,
     "mechanics": 1,
+    "motion": 2,
     "problem": 3,
     "students": 4,
     "figure": 5,

@@ -38,8 +38,17 @@ def describe_dead_point(
 
     `bodies` are those that could turn.
     """
-    found = next(_find_alignments(frames.mechanism, bodies, arithmetic), None)
+    found = find_alignment(frames.mechanism, bodies, arithmetic)
     return found if found and _is_determined_elsewhere(frames.mechanism, arithmetic) else None
+
+
+def find_alignment(
+    mechanism: Mechanism, bodies: Collection[str], arithmetic: Arithmetic
+) -> Message | None:
+    """The first thing that is in line, or at a right angle to its guide, among the joints of
+    `bodies`; None where nothing is.
+    """
+    return next(_find_alignments(mechanism, bodies, arithmetic), None)
 
 
 def _find_alignments(

@@ -27,7 +27,11 @@ Arm = tuple[str, str, Number]
 
 @dataclass(frozen=True)
 class Reason(ABC):
-    """What every law can say, and whether it `keeps_parallel` two bodies."""
+    """What every law can say, and whether it `keeps_parallel` two bodies.
+
+    The factors of a law of turning rates are the same in every position, so that they hold for the
+    angles themselves.
+    """
 
     keeps_parallel: ClassVar[bool] = False
 
@@ -60,6 +64,10 @@ class Reason(ABC):
 
     def find_imposed_direction(self) -> Vector | None:
         """The direction along which a driver imposes a motion; None where none does."""
+        return None
+
+    def find_imposed_circle(self) -> tuple[str, str] | None:
+        """The point that a driver moves on a circle, and its centre; None where none does."""
         return None
 
     def map(self, number: Callable[[Number], Number]) -> Self:
@@ -349,6 +357,10 @@ class ImposedCircling(_Imposed):
     driver: int
     point: str
     centre: str
+
+    def find_imposed_circle(self) -> tuple[str, str] | None:
+        """The point and the centre."""
+        return self.point, self.centre
 
     def list_factors(self, shares: Shares) -> Turning:
         """None: it is a component of a vector."""
