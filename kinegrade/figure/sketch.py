@@ -16,7 +16,7 @@ from kinegrade.figure.marks.body_names import label_bodies
 from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
-from kinegrade.figure.marks.motions import add_motions
+from kinegrade.figure.marks.motions import add_motions, draw_likely_motions
 from kinegrade.figure.marks.names import label_points
 from kinegrade.figure.marks.radii import add_radius
 from kinegrade.figure.marks.right_angles import add_right_angle
@@ -158,9 +158,11 @@ def _place_frames_and_angles(
     sides = [find_sides(at, angle, drawing) for angle in hints.angles]
     legs = [draw_least_legs(at, *each) for each in zip(hints.angles, sides, strict=True)]
     sparing = [line for lines in legs for line in lines]
+    moving = [given for given in hints.arrows if isinstance(given, Moving)]
     layout = add_frames(layout, at, hints, drawing, sparing)
     for number, angle in enumerate(hints.angles, start=1):
-        to_come = [line for lines in legs[number:] for line in lines]
+        arrows = draw_likely_motions(paper, moving, angle.at)
+        to_come = [*arrows, *(line for lines in legs[number:] for line in lines)]
         for arcs in mark_angles(at, angle, sides[number - 1]):
             layout = layout.marked(arcs, to_come, partial(list_led_arcs, arcs, layout.obstacles))
     return layout

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import degrees, hypot
+from math import degrees, hypot, radians
 
 import pytest
 
-from kinegrade.figure.marks.motions import add_motions
+from kinegrade.figure.marks.motions import add_motions, draw_likely_motions
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.plane import nearest_of, shorter_way
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Label, Outline, Scene, Strokes
+from kinegrade.figure.plane import nearest_of, polar, shorter_way
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.drivers import Component, Rotation
 from kinegrade.mechanics.mechanism import Mechanism
@@ -25,6 +25,7 @@ from tests.problem.draws import draw_filter, drawn
 
 RIGHT = Vector(1.0, 0.0)
 BOTH = Moving("v", "B"), Moving("a", "B", None, "acceleration")
+ASIDE = Vector(0.0, 2.6), Vector(0.0, -2.6)
 SHAFT = 7.4  # millimetres, without the tip of its head
 
 
@@ -163,11 +164,66 @@ def test_an_arrow_may_run_along_the_side_of_an_angle_at_its_point() -> None:
     mechanism = slider(1, 0)
     at = mechanism.points["B"]
     above = Strokes(((at + Vector(-30.0, 2.6), at + Vector(30.0, 2.6)),), BOLD)
+    below = Strokes(((at - Vector(30.0, 2.6), at + Vector(30.0, -2.6)),), FIRM)
     for first, along in ((0.0, True), (-0.3, False)):
         arc = Bow(at, 7.0, first, 1.0, THIN)
-        layout = add_motions(Layout.of([above, arc]), mechanism, BOTH[:1], [lay_floor(at)])
+        layout = add_motions(Layout.of([above, below, arc]), mechanism, BOTH[:1])
         ((start, _), *_) = layout.marks[-1].path()
         assert (start.y == pytest.approx(at.y)) == along
+
+
+def test_an_arrow_in_the_ground_is_worse_than_one_across_the_arc_of_an_angle() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    above = Strokes(((at + Vector(-30.0, 2.6), at + Vector(30.0, 2.6)),), BOLD)
+    arc = Bow(at, 7.0, -0.3, 1.0, THIN)
+    layout = add_motions(Layout.of([above, arc]), mechanism, BOTH[:1], [lay_floor(at)])
+    ((start, _), *_) = layout.marks[-1].path()
+    assert start.y == pytest.approx(at.y)
+
+
+def test_a_second_arrow_of_one_sense_goes_on_beyond_the_first_rather_than_into_the_ground() -> None:
+    mechanism = slider(1, 1)
+    at = mechanism.points["B"]
+    above = Strokes(((at + Vector(-30.0, 2.6), at + Vector(30.0, 2.6)),), BOLD)
+    layout = add_motions(Layout.of([above]), mechanism, BOTH, [lay_floor(at)])
+    (_, first), (second, end) = (mark.path()[0] for mark in layout.marks)
+    assert first.y == second.y == end.y == pytest.approx(at.y)
+    assert first.x < second.x < end.x
+    shafts = [part.lines[0] for part in layout.primitives if isinstance(part, Strokes)][1:]
+    assert shafts[1][0].x == pytest.approx(first.x)
+    velocity, acceleration = layout.labels
+    assert velocity.centre.x < first.x < acceleration.centre.x
+
+
+def test_an_arrow_leaves_its_pin_close_to_a_bar_rather_than_beside_its_point() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    for angle, at_pin in ((18.0, True), (4.0, False)):
+        bar = Strokes(((at, at + polar(radians(angle), 30.0)),), BOLD)
+        ((start, _),) = place(Layout.of([bar]), mechanism, Moving("v", "B"))
+        assert (start.y == pytest.approx(at.y)) == at_pin
+
+
+def test_an_arrow_does_not_end_at_a_rim_as_a_radius_does() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    for radius, longer in ((10.0, True), (6.0, False)):
+        rim = Disc(at, radius, FIRM, "grey")
+        walls = Strokes(tuple((at + step, at + step + RIGHT * 30) for step in ASIDE), BOLD)
+        ((_, end),) = place(Layout.of([rim, walls]), mechanism, Moving("v", "B"))
+        assert (end.x > at.x + 11.0) == longer
+
+
+def test_the_letter_of_an_angle_leaves_its_side_to_the_arrow_along_it() -> None:
+    mechanism = slider(-1, 0)
+    at = mechanism.points["B"]
+    lanes = draw_likely_motions(mechanism, [*BOTH[:1], Moving("w", "A", "left")], "B")
+    [part] = lanes
+    assert isinstance(part, Strokes)
+    assert {round(end.x - at.x, 6) for _, end in part.lines} == {-9.0}
+    assert sorted(round(start.y - at.y, 6) for start, _ in part.lines) == [-0.85, 0.85]
+    assert draw_likely_motions(mechanism, BOTH, "O") == ()
 
 
 def test_each_symbol_is_nearest_to_its_own_arrow() -> None:

@@ -2,33 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from kinegrade.figure.marks.imposed import find_imposed_direction
-from kinegrade.figure.marks.moving_arrow import MovingArrow
+from kinegrade.figure.marks.moving_arrow import ARROW, LEAVING, MovingArrow
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import NEAR, length, mean, polar, unit
-from kinegrade.figure.scene import THIN, Bow
+from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
 from kinegrade.figure.symbols import PIN
 from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Moving
 
-# Millimetres from the point to the tail, with their demerits: at its pin, at the free face of its
-# block
-_AHEAD = {PIN + 0.2: 0.0, 3.4: 1.0}
+# Millimetres from the point to the tail, from where on bars are kept off, and of the arrow, with
+# their demerits: at its pin, at the free face of its block, at its pin with a bar at its side, and
+# longer, across a rim
+_AT_PIN = PIN + 0.2
+_AHEAD = {
+    (_AT_PIN, LEAVING, ARROW): 0.0,
+    (3.4, LEAVING, ARROW): 1.0,
+    (_AT_PIN, 5.4, ARROW): 0.4,
+    (_AT_PIN, LEAVING, 12.0): 2.0,
+    (_AT_PIN, 5.4, 12.0): 2.4,
+}
+_HEAD_AT_RIM = 3.5  # demerit of an arrow that ends at a rim, as a radius would
 # Millimetres beside the line of motion, on the free side first, and along it to the tail: level
 # with the point, unless a bar leaves it there
 _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 3.0, -6.6: 3.3}
 _SHIFTS = {0.0: 0.0, 2.5: 2.0, 4.0: 4.0}
-_BEHIND = 12.0  # demerit of an arrow on the far side of the rail on which its point slides
+_BEHIND = 24.0  # demerit of an arrow on the far side of the rail on which its point slides
 _FREER = 3.0  # millimetres by which the mechanism lies on one side for the other to be the free one
 _ACROSS_ARC = 12.0  # demerit of an arrow across the arc of an angle, which would seem to end there
 _SAME = 1e-3  # between two unit vectors of one direction
 _SLANTED = 4.0  # demerit of an arrow in the ground whose line would slant through the hatching
+_LANE = 0.85  # millimetres on either side of an arrow to come that are kept clear of letters
 _PAST_HATCHING = 1.4  # millimetres from a rail to the way past its hatching
 
 
@@ -45,8 +56,10 @@ def add_motions(
     arrows: list[MovingArrow] = []
     for hint in hints:
         ways = _list_arrows(mechanism, hint)
+        ways += [arrow.beyond(hint) for arrow in arrows if arrow.is_ahead(ways[0].toward)]
         across = [arc for arc in arcs if not _begins_along(arc, ways[0])]
-        around = _Surroundings(tuple(rails), Obstacles.of(across))
+        rims = Obstacles((), layout.obstacles.rings)
+        around = _Surroundings(tuple(rails), Obstacles.of(across), rims)
         layout, _ = layout.chosen([around.rate(arrow.among(arrows)) for arrow in ways])
         arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, MovingArrow)]
     for arrow in arrows:
@@ -54,6 +67,21 @@ def add_motions(
         own = [rail for rail in rails if length(rail.at - arrow.point) < NEAR]
         layout = layout.captioned(arrow.wish_apart(others, own))
     return layout
+
+
+def draw_likely_motions(
+    mechanism: Mechanism, hints: Iterable[Moving], point: str
+) -> tuple[Primitive, ...]:
+    """Lines on either side of where the arrows at a point will be, if nothing is in the way; the
+    letters of angles there keep clear of them.
+    """
+    at, lanes = mechanism.points[point], []
+    for hint in hints:
+        if hint.point == point:
+            toward = _find_direction(mechanism, hint)
+            starts = [at + toward.turned() * aside for aside in (_LANE, -_LANE)]
+            lanes += [(start, start + toward * ARROW) for start in starts]
+    return (Strokes(tuple(lanes), THIN),) if lanes else ()
 
 
 def _begins_along(arc: Bow, arrow: MovingArrow) -> bool:
@@ -65,10 +93,11 @@ def _begins_along(arc: Bow, arrow: MovingArrow) -> bool:
 
 @dataclass(frozen=True)
 class _Surroundings:
-    """What else decides where an arrow may stand: rails, and the arcs of angles."""
+    """What else decides where an arrow may stand: rails, the arcs of angles, and rims."""
 
     rails: tuple[Rail, ...]
     angles: Obstacles
+    rims: Obstacles
 
     def rate(self, arrow: MovingArrow) -> MovingArrow:
         """The arrow with its demerit here; the way to one in the ground is past the hatching, and
@@ -77,6 +106,8 @@ class _Surroundings:
         worse, past, ground = 0.0, arrow.past, 0.0
         if self.angles.lines and self.angles.along(arrow.path(), arrow.shared) > 0:
             worse += _ACROSS_ARC
+        if self.rims.rings and self.rims.along((arrow.head(),), arrow.shared) > 0:
+            worse += _HEAD_AT_RIM
         for rail in self.rails:
             slides = length(rail.at - arrow.point) < NEAR
             if slides and (arrow.start - rail.at).dot(rail.side) > rail.level:
@@ -92,17 +123,13 @@ def _list_arrows(mechanism: Mechanism, hint: Moving) -> list[MovingArrow]:
     the mechanism; never behind something.
     """
     point = mechanism.points[hint.point]
-    toward = (
-        unit(direction(mechanism.points, point, hint.along))
-        if hint.along
-        else find_imposed_direction(mechanism, hint)
-    )
+    toward = _find_direction(mechanism, hint)
     across = toward.turned()
     beyond = (point - mean(mechanism.points.values())).dot(across)
     across = across if beyond > _FREER else -across
     ahead = [
-        MovingArrow(point + toward * gap, toward, hint, demerit, point)
-        for gap, demerit in _AHEAD.items()
+        MovingArrow(point + toward * gap, toward, hint, demerit, point, size=size, leaving=leaving)
+        for (gap, leaving, size), demerit in _AHEAD.items()
     ]
     beside = [
         MovingArrow(point + across * offset + toward * shift, toward, hint, nearby + level, point)
@@ -110,3 +137,10 @@ def _list_arrows(mechanism: Mechanism, hint: Moving) -> list[MovingArrow]:
         for shift, level in _SHIFTS.items()
     ]
     return [*ahead, *beside]
+
+
+def _find_direction(mechanism: Mechanism, hint: Moving) -> Vector:
+    """The unit vector of a motion."""
+    if hint.along:
+        return unit(direction(mechanism.points, mechanism.points[hint.point], hint.along))
+    return find_imposed_direction(mechanism, hint)

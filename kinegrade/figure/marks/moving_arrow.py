@@ -18,11 +18,11 @@ from kinegrade.figure.placing.place import (
 )
 from kinegrade.figure.plane import NEAR, length
 from kinegrade.figure.scene import THIN, Outline, Primitive, Strokes
-from kinegrade.figure.symbols import HEADS, PIN, draw_arrow
+from kinegrade.figure.symbols import HEAD_LENGTH, HEADS, PIN, draw_arrow
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Moving
 
-_ARROW = 9.0  # millimetres, length of the arrow of a straight motion
+ARROW = 9.0  # millimetres, length of the arrow of a straight motion
 _OPPOSED = 8.0  # demerit of an arrow that stands tail to tail with another beside its point
 # Millimetres between two parallel arrows at one point, and the demerit of less
 _APART, _TIGHT = 2.5, 6.0
@@ -31,17 +31,21 @@ _PARTED = 4.0  # demerit of a symbol on the other side of the rail of the arrow'
 _LEAST_OFFSET = 1.0  # millimetres from which on an arrow stands beside its point
 _BEYOND_TIP = 1  # spots for the symbol there
 # Millimetres from a point within which an arrow may lie close to a bar, and sideways its block
-_LEAVING, _BLOCK = 3.0, 2.0
+LEAVING, _BLOCK = 3.0, 2.0
 # Millimetres from the ground between which hatching is cleared, and on either side of a line there
 _HATCHING, _CLEARED = (0.3, 1.5), 0.9
 _OFF_PIN = 0.2  # millimetres between a pin and the line from it to a tail
 _PAST_ARROW = 1.6  # millimetres from an arrow to the way past it
+# Millimetres by which an arrow reaches beyond another one on its line, and its demerit; millimetres
+# from its start, where that one's head is
+_FURTHER, _ON_LINE = 7.5, 4.0
+_OFF_HEAD = 1.0
 
 
 @dataclass(frozen=True)
 class MovingArrow:
     """A straight arrow from `start` in the direction `toward`; `ground` is how far from its point
-    the ground is that lies between them, 0 for none.
+    the ground is that lies between them, 0 for none, and `leaving` from where on it keeps off bars.
     """
 
     start: Vector
@@ -51,7 +55,20 @@ class MovingArrow:
     point: Vector
     past: float = _BLOCK
     ground: float = 0.0
+    size: float = ARROW
+    leaving: float = LEAVING
     shared: bool = False
+
+    def beyond(self, hint: Moving) -> MovingArrow:
+        """An arrow of another motion from the same point in the same sense, further than this one,
+        of whose shaft it is the continuation.
+        """
+        worse = self.demerit + _ON_LINE
+        return replace(self, start=self._end(), hint=hint, demerit=worse, size=_FURTHER)
+
+    def is_ahead(self, toward: Vector) -> bool:
+        """Whether it begins at its point, in that direction (a unit vector)."""
+        return abs(self._find_aside(self.start)) < NEAR and length(self.toward - toward) < NEAR
 
     def among(self, others: Sequence[MovingArrow]) -> MovingArrow:
         """The arrow beside others at its point, past which is the way to it."""
@@ -71,10 +88,14 @@ class MovingArrow:
         away = (self.start + self._end()) / 2 - self.point
         aside = abs(self._find_aside(self.start))
         if aside < _LEAST_OFFSET:
-            near = max(0.0, _LEAVING - length(self.start - self.point))
+            near = max(_OFF_HEAD, self.leaving - length(self.start - self.point))
             return ((self.start + self.toward * near, self._end()),)
         past, line = self.point + away * (self.past / aside), self._trace_line(self.past)
         return ((self.start, self._end()), (past, self.point + away), *([line] if line else []))
+
+    def head(self) -> Segment:
+        """The piece under its arrowhead."""
+        return (self._end() - self.toward * HEAD_LENGTH, self._end())
 
     def is_level(self) -> bool:
         """Whether its tail is level with its point, or on its line of motion."""
@@ -121,7 +142,7 @@ class MovingArrow:
 
     def _list_stations(self) -> list[Vector]:
         """Points along the arrow, a millimetre apart."""
-        return [self.start + self.toward * step for step in range(int(_ARROW) + 1)]
+        return [self.start + self.toward * step for step in range(int(self.size) + 1)]
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead; beside its point also the line from there to its tail."""
@@ -153,4 +174,4 @@ class MovingArrow:
         return (PIN + _OFF_PIN) * abs(self._find_aside(self.start)) / size if size else 0.0
 
     def _end(self) -> Vector:
-        return self.start + self.toward * _ARROW
+        return self.start + self.toward * self.size
