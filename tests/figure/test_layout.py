@@ -99,3 +99,30 @@ def test_a_symbol_too_far_from_its_mark_to_be_found_has_no_good_place() -> None:
     for demerit, crowded in ((LOST, ("x",)), (LOST / 2, ())):
         wish = Wish("x", np.array([[0.0, 0.0]]), demerits=np.array([demerit]))
         assert Layout.of(()).captioned(wish).crowded == crowded
+
+
+@dataclass(frozen=True)
+class Leaning:
+    """A line whose symbol stands at one place, on the line or not."""
+
+    foot: float
+    at: float
+    demerit: float
+    shared: bool = False
+
+    def path(self) -> tuple[Segment, ...]:
+        return ((Vector(self.foot, 0.0), Vector(self.foot, 5.0)),)
+
+    def wish(self) -> Wish:
+        return Wish("l", np.array([[self.at, 2.0]]))
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        return (Strokes(self.path(), THIN),)
+
+
+def test_a_mark_whose_label_would_stand_on_its_own_line_gives_way_to_another() -> None:
+    on_itself, beside_itself = Leaning(0.0, 0.0, 0.5), Leaning(10.0, 14.0, 1.0)
+    alone = Layout.of(()).marked([on_itself])
+    assert alone.crowded == ("l",)
+    layout = Layout.of(()).marked([on_itself, beside_itself])
+    assert (layout.crowded, layout.marks, len(layout.labels)) == ((), (beside_itself,), 1)

@@ -9,11 +9,12 @@ from math import acos, degrees
 import pytest
 from shapely import LineString, Polygon
 
-from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.joints.symbol import Kind, Rim
 from kinegrade.figure.marks.radii import add_radius
+from kinegrade.figure.marks.radius_arrows import RadiusFromOutside
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import angle_of, length, nearest_of, shorter_way, unit
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, TOOTHED, Bow, Disc, Outline, Primitive, Strokes
 from kinegrade.figure.teeth import trace_gear
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector import Vector
@@ -143,3 +144,15 @@ def test_the_tip_of_an_arrow_keeps_clear_of_an_arrow_along_the_rim() -> None:
     along = Bow(ORIGIN, 18.9, angle_of(preferred) - 0.1, 0.2, FIRM)
     layout = mark([make_rim(ORIGIN, 20.0)], [along])
     assert turned(layout, preferred) > 10.0
+
+
+@pytest.mark.parametrize("kind", ["wheel", "gear"])
+def test_an_arrow_at_a_gear_comes_from_outside_as_at_a_wheel(kind: Kind) -> None:
+    tooth = polar(12.0, 0.0)
+    rim = Rim("W", "O", ORIGIN, 12.0, kind, False, tooth, tooth)
+    teeth = Outline(trace_gear(ORIGIN, tooth, inward=False), TOOTHED)
+    drawn = teeth if kind == "gear" else Disc(ORIGIN, 12.0, FIRM)
+    layout = Layout.of([Disc(ORIGIN, 8.0, THIN), drawn])
+    layout = add_radius(layout, {"O": ORIGIN}, (rim,), Radius("R", "O"))
+    assert isinstance(layout.marks[-1], RadiusFromOutside)
+    assert layout.crowded == ()

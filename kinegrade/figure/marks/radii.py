@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 from math import cos, pi
 from typing import assert_never
 
@@ -61,14 +62,14 @@ def add_radius(
     for angle in _list_angles(rim):
         toward, outside = _seat_in_tooth(rim, angle), _seat_in_gap(rim, angle)
         leaning = _LEANING * any(toward.dot(line) > _LEAST_ANGLE for line in lines)
+        inward = partial(RadiusFromOutside, rim.at, rim.radius, outside, hint.symbol)
         if rim.radius < _SMALL_RADIUS:
-            marks.append(RadiusFromOutside(rim.at, rim.radius, outside, hint.symbol, leaning))
+            marks.append(inward(leaning, rim.kind == "gear"))
             continue
         demerit = leaning + _WITHIN_ANGLE * any(_lies_within(angle, arc) for arc in sectors)
         marks.append(_draw_from_centre(rim, found, at.values(), hint.symbol, (toward, demerit)))
         if not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
-            inward = leaning + _INWARD
-            marks.append(RadiusFromOutside(rim.at, rim.radius, outside, hint.symbol, inward))
+            marks.append(inward(leaning + _INWARD, rim.kind == "gear"))
     return layout.marked(marks)
 
 

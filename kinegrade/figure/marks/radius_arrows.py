@@ -12,12 +12,14 @@ from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_b
 from kinegrade.figure.plane import length, nearest_of, unit
 from kinegrade.figure.scene import THIN, Outline, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
+from kinegrade.figure.teeth import TOOTH_TIP
 from kinegrade.mechanics.vector import Vector
 
 # Cost of an arrow across another wheel, and of one towards a centre that is in its own circle
 _ACROSS, _TOWARD_CENTRE = 15.0, 1.5
 _HALO = 0.6  # millimetres of white about an arrowhead among hatching
 _BESIDE = 1.2  # millimetres beside another wheel within which an arrow seems to lie on its rim
+_PAST_TEETH = TOOTH_TIP + 1.0  # millimetres from a pitch circle to where an arrow is past its teeth
 _TOUCHING = 0.99  # share of a radius: nearer is within the circle
 
 
@@ -90,11 +92,12 @@ class RadiusFromOutside:
     toward: Vector
     symbol: str
     demerit: float
+    toothed: bool
     shared: bool = False
 
     def path(self) -> tuple[Segment, ...]:
-        """The arrow without the tip, which touches the rim in any case."""
-        return ((self._out(0.4), self._out(7.0)),)
+        """The arrow without the tip, which touches the rim in any case, or is between teeth."""
+        return ((self._out(_PAST_TEETH if self.toothed else 0.4), self._out(7.0)),)
 
     def wish(self) -> Wish:
         """Around the tail."""

@@ -110,23 +110,33 @@ class Layout:
     ) -> Layout:
         """The layout with the alternative that covers least, and its label; areas reserved for
         later items may be kept clear. Only where the best is not cheap, `find_cheaper` gives
-        further ones with a demerit below its cost.
+        further ones with a demerit below its cost; only where its label is crowded, the labels are
+        judged by the lines of their own marks as well.
         """
         layout, wish = self.chosen(alternatives, sparing)
         cost = layout.costs[-1]
         further = tuple(find_cheaper(cost)) if cost > _CHEAP else ()
         if further:
             layout, wish = self.chosen([layout.marks[-1], *further], sparing)
-        return layout.captioned(wish, sparing)
+        usual = layout.captioned(wish, sparing)
+        if usual.crowded == self.crowded:
+            return usual
+        layout, wish = self.chosen([*alternatives, *further], sparing, beside_own_lines=True)
+        other = layout.captioned(wish, sparing)
+        return other if other.crowded == self.crowded else usual
 
     def chosen(
-        self, alternatives: Sequence[Mark], sparing: Sequence[Primitive] = ()
+        self,
+        alternatives: Sequence[Mark],
+        sparing: Sequence[Primitive] = (),
+        *,
+        beside_own_lines: bool = False,
     ) -> tuple[Layout, Wish]:
         """The layout with the alternative that covers least, and the wish of its label, which is
         still to be written.
         """
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
-        mark, wish, cost = _choose_least_covering(alternatives, crowded)
+        mark, wish, cost = _choose_least_covering(alternatives, crowded, own=beside_own_lines)
         struck = cost >= COST_LABEL and self._strikes_label(mark)
         layout = replace(
             self.drawn(mark.primitives()),
@@ -168,10 +178,10 @@ def _batch(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
 
 
 def _choose_least_covering(
-    alternatives: Sequence[Mark], obstacles: Obstacles
+    alternatives: Sequence[Mark], obstacles: Obstacles, *, own: bool
 ) -> tuple[Mark, Wish, float]:
     """The cheapest alternative, its wish and its cost: what its line covers, what its label
-    covers, and its demerit; among equals the preferred one.
+    covers, its `own` line as well, and its demerit; among equals the preferred one.
 
     Alternatives are judged in order of preference, several at once, and coverage is computed only
     while it can still decide: first of the line, then of the label.
@@ -190,7 +200,8 @@ def _choose_least_covering(
                 heappush(waiting, (round(covered + mark.demerit, 6), number, True))
                 continue
             wish = mark.wish()
-            total = round(cost + measure_crowding(wish, obstacles), 6)
+            under = obstacles.with_drawn(mark.primitives()) if own else obstacles
+            total = round(cost + measure_crowding(wish, under), 6)
             if total < least:
                 best, least = (mark, wish), total
     return *best, least
