@@ -57,6 +57,22 @@ def test_a_stand_is_taller_beside_a_bar_that_leaves_steeply_downward() -> None:
     assert heights == [3.6, 5.2, 6.2]
 
 
+def two_cranks(first: float, second: float) -> Mechanism:
+    at = Vector(0.6, 0.0)
+    points = {"O": ORIGIN, "A": polar(0.3, first), "P": at, "B": at + polar(0.3, second)}
+    bodies = Body("OA", ("O", "A")), Body("PB", ("P", "B"))
+    return Mechanism(points, bodies, (Pin("O", ("OA", GROUND)), Pin("P", ("PB", GROUND))), ())
+
+
+def test_the_stands_on_the_floors_of_one_mechanism_are_of_one_height() -> None:
+    assert list(map(length, uprights_of_stands(two_cranks(30, -62)))) == [6.2, 6.2]
+    assert list(map(length, uprights_of_stands(two_cranks(30, 60)))) == [3.6, 3.6]
+
+
+def test_a_stand_that_hangs_stays_as_it_is_beside_a_tall_one() -> None:
+    assert list(map(length, uprights_of_stands(two_cranks(-90, -62)))) == [3.6, 6.2]
+
+
 @pytest.mark.parametrize("angle", [-70, -90, -110])
 def test_a_stand_hangs_above_a_bar_that_leaves_downward(angle: float) -> None:
     assert sides_of_stands(crank(angle)) == [UP]

@@ -4,7 +4,7 @@ rest.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import asin, atan2, hypot
 from typing import assert_never
 
@@ -50,9 +50,30 @@ def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
         for rim in anatomy.rims
         if rim.body == GROUND and not rim.ring and rim.radius < _INSIDE
     }
-    for name in find_fixed_pins(anatomy.symbols):
-        if name not in wheels and name not in anatomy.knife_edges:
-            yield from draw_pivot(at[name], choose_upright(at[name], anatomy))
+    pins = [
+        at[name]
+        for name in find_fixed_pins(anatomy.symbols)
+        if name not in wheels and name not in anatomy.knife_edges
+    ]
+    for pin, upright in zip(pins, _choose_alike(pins, anatomy), strict=True):
+        yield from draw_pivot(pin, upright)
+
+
+def _choose_alike(pins: Sequence[Vector], anatomy: Anatomy) -> list[Vector]:
+    """The uprights of the stands: on floors, but for those of sleeves, all as tall as the tallest
+    where that is free, so that the supports of one mechanism look alike.
+    """
+    uprights = [choose_upright(pin, anatomy) for pin in pins]
+    on_floors = [
+        upright.y < 0 and not _turns_a_sleeve(pin, anatomy)
+        for pin, upright in zip(pins, uprights, strict=True)
+    ]
+    floors = [upright for upright, floor in zip(uprights, on_floors, strict=True) if floor]
+    tallest = max(floors, key=length, default=None)
+    return [
+        tallest if tallest and floor and _measure_hindrance(pin, tallest, anatomy) == 0 else own
+        for pin, own, floor in zip(pins, uprights, on_floors, strict=True)
+    ]
 
 
 def choose_upright(at: Vector, anatomy: Anatomy) -> Vector:
@@ -60,21 +81,25 @@ def choose_upright(at: Vector, anatomy: Anatomy) -> Vector:
     look alike in all postures, and rather tall than on another side, unless something is in the
     way there.
     """
-    turning = any(length(sleeve.point - at) < 1.0 for sleeve in anatomy.sleeves)
-    usual = STANDS[1] if turning else STANDS[0]
-
-    def hindrance(upright: Vector) -> float:
-        bars = sum(_measure_part(part, at, upright) for part in anatomy.parts)
-        rims = sum(_measure_rim(rim, at, upright) for rim in anatomy.rims)
-        centres = sum(_measure_centre(rim, at, upright) for rim in anatomy.rims)
-        axes = _measure_axes(upright, at, anatomy)
-        return round(bars + rims + centres + axes, 6)
-
+    usual = STANDS[1] if _turns_a_sleeve(at, anatomy) else STANDS[0]
     down, *others = (SIDE_VECTORS[name] for name in ("down", "up", "left", "right"))
     lower = [down * height for height in STANDS if height >= usual]
     uprights = (*lower, *(side * usual for side in others))
-    free = next((upright for upright in uprights if hindrance(upright) == 0), None)
-    return free or min(uprights, key=hindrance)
+    rated = ((_measure_hindrance(at, upright, anatomy), upright) for upright in uprights)
+    free = next((upright for hindrance, upright in rated if hindrance == 0), None)
+    return free or min(uprights, key=lambda upright: _measure_hindrance(at, upright, anatomy))
+
+
+def _turns_a_sleeve(at: Vector, anatomy: Anatomy) -> bool:
+    return any(length(sleeve.point - at) < 1.0 for sleeve in anatomy.sleeves)
+
+
+def _measure_hindrance(at: Vector, upright: Vector, anatomy: Anatomy) -> float:
+    """How much is in the way of a stand along the upright of a pin; 0 for nothing."""
+    bars = sum(_measure_part(part, at, upright) for part in anatomy.parts)
+    rims = sum(_measure_rim(rim, at, upright) for rim in anatomy.rims)
+    centres = sum(_measure_centre(rim, at, upright) for rim in anatomy.rims)
+    return round(bars + rims + centres + _measure_axes(upright, at, anatomy), 6)
 
 
 def _measure_part(part: Part, at: Vector, upright: Vector) -> float:
