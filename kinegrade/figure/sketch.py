@@ -12,7 +12,7 @@ from operator import attrgetter
 from typing import Literal, assert_never
 
 from kinegrade.figure.marks.angles import draw_least_legs, list_led_arcs, mark_angles
-from kinegrade.figure.marks.body_names import label_bodies
+from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
@@ -134,7 +134,7 @@ def _compose(
     for radius in hints.radii:
         layout = add_radius(layout, paper.points, drawing.rims, radius)
     layout = add_axes_aside(layout, hints)
-    return layout.written(label_bodies(paper, hints, drawing, layout))
+    return add_body_names(layout, paper, hints, drawing)
 
 
 def _place_lengths(

@@ -7,7 +7,7 @@ from math import hypot
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.angle_arc import AngleArc
-from kinegrade.figure.marks.body_names import label_bodies
+from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Part
@@ -26,8 +26,7 @@ WHEEL = Rim("W", "O", CENTRE, 15.0, "wheel", False, CENTRE, CENTRE)
 def name(body: str, rims: tuple[Rim, ...], layout: Layout, parts: tuple[Part, ...] = ()) -> Vector:
     """Where the name 1 of a body is written."""
     hints, drawing = FigureHints(labels={body: "1"}), Drawing((), (), rims, parts, (), ())
-    wishes = label_bodies(NO_MECHANISM, hints, drawing, layout)
-    return layout.written(wishes).labels[-1].centre
+    return add_body_names(layout, NO_MECHANISM, hints, drawing).labels[-1].centre
 
 
 def test_the_name_of_a_wheel_does_not_stand_beside_another_letter() -> None:
@@ -58,6 +57,11 @@ def test_the_name_of_a_bar_does_not_stand_in_a_wheel_behind_it() -> None:
     at = name("AB", (replace(WHEEL, radius=25.0),), Layout.of(()), (bar,))
     assert hypot(*at) > 25.0
     assert abs(at.y - 10.0) < 4.0
+
+
+def test_the_name_of_a_bar_all_over_a_wheel_is_led_to_it_from_outside() -> None:
+    bar = Bar("AB", Vector(-6.0, 5.0), Vector(6.0, 5.0))
+    assert hypot(*name("AB", (replace(WHEEL, radius=12.0),), Layout.of(()), (bar,))) > 12.0
 
 
 def test_the_name_of_a_wheel_without_room_does_not_stand_beyond_the_ring_around_it() -> None:

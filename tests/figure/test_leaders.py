@@ -8,7 +8,7 @@ import numpy as np
 
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish
-from kinegrade.figure.scene import BOLD, THIN, Label, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Label, Strokes
 from kinegrade.mechanics.vector import Vector
 
 POINT = Vector(0.0, 0.0)
@@ -39,10 +39,27 @@ def test_no_leader_crosses_a_bar() -> None:
 
 def test_a_leader_crosses_only_what_its_point_lies_amid() -> None:
     wish = Wish("E", np.array([[9.0, 0.0]]), names=POINT)
-    for teeth, amid, led in ((2.5, 2.0, True), (2.5, 0.0, False), (4.5, 2.0, False)):
+    for teeth, amid, led in ((2.0, 2.0, True), (2.0, 0.0, False), (4.5, 2.0, False)):
         fence = Strokes(((Vector(teeth, -5.0), Vector(teeth, 5.0)),), BOLD)
         layout = Layout.of((fence,)).written((replace(wish, amid=amid),))
         assert any(isinstance(each, Strokes) and each.pen == THIN for each in layout.lines) == led
+
+
+def test_a_letter_amid_teeth_is_led_to_its_dot_from_less_far_off() -> None:
+    wish = Wish("E", np.array([[4.2, 0.0]]), names=POINT)
+    for amid, led in ((0.0, False), (2.0, True)):
+        layout = Layout.of(()).written((replace(wish, amid=amid),))
+        assert bool(layout.lines) == led
+
+
+def test_a_letter_that_would_stand_off_is_looked_a_closer_place_for() -> None:
+    far = Wish("E", np.array([[7.0, 0.0]]), names=POINT)
+    near = replace(far, spots=np.array([[2.0, 2.5], [0.0, 3.0]]))
+    fence = Strokes(((Vector(1.0, 2.5), Vector(3.0, 2.5)),), FIRM)
+    for drawn, centre in (((), Vector(2.0, 2.5)), ((fence,), Vector(7.0, 0.0))):
+        only = replace(near, spots=near.spots[:1])
+        layout = Layout.of(drawn).written((replace(far, closely=lambda only=only: only),))
+        assert layout.labels[0].centre == centre
 
 
 def test_a_letter_that_stands_off_is_no_index_of_another_label() -> None:

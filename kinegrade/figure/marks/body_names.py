@@ -4,8 +4,8 @@ nothing else could own them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from math import pi
 
 import numpy as np
@@ -13,6 +13,7 @@ import numpy as np
 from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc
+from kinegrade.figure.marks.dimension_lines import Leader
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.extent import measure_symbol
@@ -22,6 +23,7 @@ from kinegrade.figure.placing.place import (
     Wish,
     list_spots_around,
     list_spots_beside,
+    place_label,
 )
 from kinegrade.figure.plane import polar, unit
 from kinegrade.figure.teeth import TOOTH_TIP
@@ -34,25 +36,64 @@ _AT_END, _ASIDE = 6.0, 1.5  # millimetres beyond the end of a line, and beside i
 _IN_ANGLE = 4.0  # millimetres beyond the arc of an angle in which a letter would name that
 _SHARES = (0.7, 0.55, 0.4)  # of the radius of a circle, for the name of its body
 _NEAR = 48  # spots around the middle of a bar before those along it
+# Millimetres of the leader of a bar's name, and where on the bar it ends
+_REACHES, _PLACES = (6.0, 9.0, 12.0), (0.5, 0.35, 0.65)
+_TAKEN, _DEAR = 10.0, 40.0  # demerit of a leader to a taken place; cost of one that is of no use
 _AT_TEETH = 0.8  # millimetres between the teeth of a ring and its name
 
 
-def label_bodies(
-    mechanism: Mechanism, hints: FigureHints, drawing: Drawing, layout: Layout
-) -> Iterator[Wish]:
-    """The labels of bodies, which may stand anywhere in or next to them, but last in the disc of
-    another one, beside what is written already, at the end of a line or in an angle, which would
-    seem to have that name.
+def add_body_names(
+    layout: Layout, mechanism: Mechanism, hints: FigureHints, drawing: Drawing
+) -> Layout:
+    """The layout with the names of bodies, which may stand anywhere in or next to them, but last in
+    the disc of another one, beside what is written already, at the end of a line or in an angle,
+    which would seem to have that name. The name of a bar without any other place is led to it.
 
     Raises TemplateError for the label of a body of which nothing is drawn.
     """
     for body, symbol in hints.labels.items():
         if symbol and body not in mechanism.points:
-            wish = Wish(symbol, _list_spots(body, symbol, drawing))
-            others = [rim for rim in drawing.rims if rim.body != body]
-            taken = _find_beside(wish, layout) + _find_at_angles(wish, layout)
-            order = np.argsort(taken + _find_in_others(wish, others), kind="stable")
-            yield replace(wish, spots=wish.spots[order])
+            around = _Surroundings(layout, tuple(rim for rim in drawing.rims if rim.body != body))
+            spots = _list_spots(body, symbol, drawing)
+            taken = around.rate(symbol, spots)
+            wish = Wish(symbol, spots[np.argsort(taken, kind="stable")])
+            leaders = [
+                around.rate_leader(leader) for leader in _list_leaders(body, symbol, drawing)
+            ]
+            layout = _write_name(layout, wish, around, leaders)
+    return layout
+
+
+def _write_name(
+    layout: Layout, wish: Wish, around: _Surroundings, leaders: Sequence[Leader]
+) -> Layout:
+    """The layout with a name at one of its places, or at a leader where none is its own."""
+    placed = place_label(wish, layout.obstacles)
+    spot = np.array([placed.label.centre])
+    if leaders and (placed.faulty or around.rate(wish.symbol, spot)[0] > 0):
+        led = layout.marked(leaders)
+        if led.costs[-1] < _DEAR:
+            return led
+    return layout.written((wish,))
+
+
+@dataclass(frozen=True)
+class _Surroundings:
+    """What else a name might be read as that of: what is written and marked, other bodies' rims."""
+
+    layout: Layout
+    others: tuple[Rim, ...]
+
+    def rate(self, symbol: str, spots: Floats) -> Floats:
+        """For each spot how many things there would seem to have the name."""
+        wish = Wish(symbol, spots)
+        taken = _find_beside(wish, self.layout) + _find_at_angles(wish, self.layout)
+        return taken + _find_in_others(wish, self.others)
+
+    def rate_leader(self, leader: Leader) -> Leader:
+        """The leader with its demerit here."""
+        [taken] = self.rate(leader.symbol, leader.wish().spots[:1])
+        return replace(leader, worse=_TAKEN * taken)
 
 
 def _find_beside(wish: Wish, layout: Layout) -> Floats:
@@ -113,6 +154,20 @@ def _list_spots(body: str, symbol: str, drawing: Drawing) -> Floats:
     around = list_spots_around(symbol, (parts[0].start + parts[0].end) / 2)
     along = [list_spots_beside(symbol, part.start, part.end) for part in parts]
     return np.concatenate((around[:_NEAR], *along, around[_NEAR:]))
+
+
+def _list_leaders(body: str, symbol: str, drawing: Drawing) -> list[Leader]:
+    """Leaders to places on the bar that a body is drawn as; none to a circle."""
+    if any(rim.body == body for rim in drawing.rims):
+        return []
+    bars = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
+    starts = [bar.start + (bar.end - bar.start) * share for bar in bars[:1] for share in _PLACES]
+    return [
+        Leader(start, pi / 6 * turn, reach, symbol)
+        for reach in _REACHES
+        for start in starts
+        for turn in range(12)
+    ]
 
 
 def _list_spots_in_circle(symbol: str, rim: Rim) -> Floats:

@@ -108,19 +108,20 @@ class SymbolBeside:
 @dataclass(frozen=True)
 class Leader:
     """The symbol at the end of a leader to the middle of a bar, for bars that are short and
-    crowded.
+    crowded; `worse` is how much its place is.
     """
 
     middle: Vector
     angle: float
     reach: float
     symbol: str
+    worse: float = 0.0
     shared: bool = True
 
     @property
     def demerit(self) -> float:
         """Higher than that of any unobstructed dimension line."""
-        return 1.0 * self.reach
+        return self.reach + self.worse
 
     def path(self) -> tuple[Segment, ...]:
         """The leader without its start, which touches the bar in any case."""

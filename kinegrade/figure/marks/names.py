@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.mark import direction
-from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
+from kinegrade.figure.placing.place import (
+    Floats,
+    Wish,
+    list_close_spots,
+    list_spots_around,
+    rate_nearness,
+)
 from kinegrade.figure.plane import NEAR, length, on_line, unit
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
@@ -21,8 +28,9 @@ from kinegrade.problem.template.hints import Angle, FigureHints
 # Cost of a letter that may be read as that of another point: between a thin and a firm line
 _MISTAKEN = 20.0
 _NEAR_SPOTS = 48  # spots for a letter of which those outside an angle at its point come first
-_TEETH = 2.0  # millimetres of the leader to a point among teeth that may cross these
+_TEETH = 4.5  # millimetres of the leader to a point among teeth that may cross these
 _INSIDE = 0.95  # share of a radius: nearer to the rim a letter may stand on either side
+_Wedge = tuple[Vector, float]  # the bisector of an angle, and the cosine of its half
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
 
 
@@ -46,14 +54,21 @@ def label_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> 
     for name in _find_named_points(mechanism, hints, drawing):
         symbol = hints.labels.get(name, write_point_symbol(name))
         if symbol:
-            wish = _label_point(symbol, mechanism.points[name], drawing, places)
             angles = [angle for angle in hints.angles if angle.at == name]
-            yield _keep_out_of_angles(wish, mechanism.points, angles) if angles else wish
+            wedges = [_find_wedge(mechanism.points, angle) for angle in angles]
+            wish = _label_point(symbol, mechanism.points[name], drawing, places, wedges)
+            yield _keep_out_of_angles(wish, mechanism.points[name], wedges) if wedges else wish
     for name, end in ends:
         yield _label_point(write_point_symbol(name), end, drawing, places)
 
 
-def _label_point(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]) -> Wish:
+def _label_point(
+    symbol: str,
+    at: Vector,
+    drawing: Drawing,
+    places: Iterable[Vector],
+    wedges: Sequence[_Wedge] = (),
+) -> Wish:
     """A letter at its point, in the same circles as this first; covering a thin line is preferred
     to standing nearer to another point.
     """
@@ -64,7 +79,20 @@ def _label_point(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]
             spots = spots[np.argsort(beyond, kind="stable")]
     others = [place for place in places if length(place - at) > NEAR]
     demerits = _MISTAKEN * rate_nearness(symbol, spots, [at], others)
-    return Wish(symbol, spots, demerits=demerits, names=at, amid=_TEETH * _meshes(at, drawing))
+    amid, closely = (
+        _TEETH * _meshes(at, drawing),
+        partial(_look_closely, symbol, at, others, wedges),
+    )
+    return Wish(symbol, spots, demerits=demerits, names=at, amid=amid, closely=closely)
+
+
+def _look_closely(
+    symbol: str, at: Vector, others: Sequence[Vector], wedges: Sequence[_Wedge]
+) -> Wish:
+    """The many places close to a point for its letter, outside the angles there."""
+    spots = list_close_spots(symbol, at)
+    mistaken = rate_nearness(symbol, spots, [at], others) + _find_within(spots, at, wedges)
+    return Wish(symbol, spots, demerits=_MISTAKEN * mistaken)
 
 
 def _meshes(at: Vector, drawing: Drawing) -> bool:
@@ -73,21 +101,30 @@ def _meshes(at: Vector, drawing: Drawing) -> bool:
     return any(abs(length(at - gear.at) - gear.radius) < NEAR for gear in gears)
 
 
-def _keep_out_of_angles(wish: Wish, at: Mapping[str, Vector], angles: Iterable[Angle]) -> Wish:
+def _keep_out_of_angles(wish: Wish, at: Vector, wedges: Sequence[_Wedge]) -> Wish:
     """The letter of a vertex first outside its angles, in which it would seem to name them, as
     long as it stands near.
     """
-    within = np.zeros(len(wish.spots))
-    for angle in angles:
-        vertex = at[angle.at]
-        sides = [unit(direction(at, vertex, name)) for name in (angle.start, angle.end)]
-        middle = unit(sides[0] + sides[1])
-        steps = wish.spots - np.array(vertex)
-        within[steps @ np.array(middle) > np.hypot(*steps.T) * middle.dot(sides[0])] = 1
+    within = _find_within(wish.spots, at, wedges)
     within[_NEAR_SPOTS:] = 2
     order = np.argsort(within, kind="stable")
     demerits = None if wish.demerits is None else wish.demerits[order]
     return replace(wish, spots=wish.spots[order], demerits=demerits)
+
+
+def _find_wedge(at: Mapping[str, Vector], angle: Angle) -> _Wedge:
+    """The bisector of an angle, and the cosine of its half."""
+    sides = [unit(direction(at, at[angle.at], name)) for name in (angle.start, angle.end)]
+    middle = unit(sides[0] + sides[1])
+    return middle, middle.dot(sides[0])
+
+
+def _find_within(spots: Floats, at: Vector, wedges: Iterable[_Wedge]) -> Floats:
+    """For each spot 1 in an angle at a point, else 0."""
+    within, steps = np.zeros(len(spots)), spots - np.array(at)
+    for middle, least in wedges:
+        within[steps @ np.array(middle) > np.hypot(*steps.T) * least] = 1
+    return within
 
 
 def _find_free_direction(at: Vector, drawing: Drawing) -> Vector | None:

@@ -22,6 +22,7 @@ from kinegrade.figure.placing.place import (
     measure_crowding,
     measure_gap,
     place_label,
+    place_letter,
     trace_leader,
 )
 from kinegrade.figure.plane import length, unit
@@ -34,6 +35,7 @@ _BATCHES = (4, 12, 36)
 # Millimetres between a letter and a label that make one word of them, and its demerit: no fault
 _ADJOINS, _ONE_WORD = 1.5, 0.45
 _CHEAP = 8.0  # cost of a mark up to which no further alternatives are made
+_LITTLE = 6.0  # cost by which a mark may be worse so that its label has a good place
 _HARD = 20.0  # cost from which on a leader would cross too much to be of use
 
 
@@ -73,11 +75,11 @@ class Layout:
         """The layout with a label for each wish, in order, and a leader where one is needed."""
         layout = self
         for wish in wishes:
-            placed = place_label(wish, layout.obstacles)
-            leader = trace_leader(placed.label, wish.names) if wish.names else None
+            placed = place_letter(wish, layout.obstacles)
+            leader = _trace_leader(wish, placed)
             if leader and layout._adjoins(placed.label):
                 placed = place_label(layout._keep_from_labels(wish), layout.obstacles)
-                leader = trace_leader(placed.label, wish.names) if wish.names else None
+                leader = _trace_leader(wish, placed)
             crossed = layout._measure_leader(leader, wish.amid) if leader else 0.0
             layout = layout._labelled(placed)
             if leader and crossed < _HARD:
@@ -87,8 +89,9 @@ class Layout:
     def _measure_leader(self, leader: Segment, amid: float) -> float:
         """What a leader crosses before it is so many millimetres from its end."""
         start, end = leader
-        at_point = unit(end - start) * min(amid, length(end - start) / 2)
-        return self.obstacles.along(((start, end - at_point),), shared=True)
+        if length(end - start) <= amid:
+            return 0.0
+        return self.obstacles.along(((start, end - unit(end - start) * amid),), shared=True)
 
     def _keep_from_labels(self, wish: Wish) -> Wish:
         """The wish, rather not beside another label, of which the letter would seem to be the
@@ -110,8 +113,25 @@ class Layout:
     ) -> Layout:
         """The layout with the alternative that covers least, and its label; areas reserved for
         later items may be kept clear. Only where the best is not cheap, `find_cheaper` gives
-        further ones with a demerit below its cost; only where its label is crowded, the labels are
-        judged by the lines of their own marks as well.
+        further ones with a demerit below its cost; only where it leaves no good place for its
+        own label, one that is little worse is taken.
+        """
+        found = self._marked_best(alternatives, sparing, find_cheaper)
+        others = [mark for mark in alternatives if mark != found.marks[-1]]
+        if len(found.crowded) == len(self.crowded) or not others:
+            return found
+        second = self._marked_best(others, sparing, find_cheaper)
+        near = second.costs[-1] < found.costs[-1] + _LITTLE
+        return second if near and len(second.crowded) < len(found.crowded) else found
+
+    def _marked_best(
+        self,
+        alternatives: Sequence[Mark],
+        sparing: Sequence[Primitive],
+        find_cheaper: Callable[[float], Iterable[Mark]],
+    ) -> Layout:
+        """The layout with the alternative that covers least, and its label: only where that is
+        crowded, the labels are judged by the lines of their own marks as well.
         """
         layout, wish = self.chosen(alternatives, sparing)
         cost = layout.costs[-1]
@@ -165,6 +185,11 @@ class Layout:
 
     def _complaining(self, symbol: str) -> Layout:
         return replace(self, crowded=tuple(dict.fromkeys((*self.crowded, symbol))))
+
+
+def _trace_leader(wish: Wish, placed: Placed) -> Segment | None:
+    """The leader of a letter that names a point and stands off from it."""
+    return trace_leader(placed.label, wish.names, wish.amid > 0) if wish.names else None
 
 
 def _batch(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:

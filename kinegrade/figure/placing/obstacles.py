@@ -25,6 +25,7 @@ from kinegrade.figure.placing.crossing import (
     invert_step,
     make_boxed_strip,
 )
+from kinegrade.figure.plane import unit
 from kinegrade.figure.scene import (
     BOLD,
     THIN,
@@ -202,12 +203,19 @@ def _make_band(contour: Sequence[Vector]) -> list[Boxed]:
     """Teeth as a band of their height along the middles of their flanks: a quarter as many lines as
     they have, and no place between them; with the back of a rack.
     """
-    half = (TOOTH_TIP + TOOTH_ROOT) / 2
     flanks = [(contour[place] + contour[place + 1]) / 2 for place in range(0, len(contour), 4)]
-    band = [_make_line(*step, half, COST_FIRM) for step in pairwise(flanks)]
-    closing = _make_line(flanks[-1], flanks[0], half, COST_FIRM)
+    band = [_make_stripe(*step) for step in pairwise((*flanks, flanks[0]))]
     back = _make_line(contour[-1], contour[0], TOOTHED.width / 2, COST_FIRM)
-    return [*band, closing, back]
+    return [*band, back]
+
+
+def _make_stripe(start: Vector, end: Vector) -> Boxed:
+    """A piece of such a band, as high as teeth at any angle: an upright box is widened by the pen
+    along both axes.
+    """
+    across = unit(end - start).turned()
+    half = (TOOTH_TIP + TOOTH_ROOT) / 2 / (abs(across.x) + abs(across.y))
+    return _make_line(start, end, half, COST_FIRM)
 
 
 def _split(primitive: Strokes | Outline | Bow) -> Iterable[Segment]:

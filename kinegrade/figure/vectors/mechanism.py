@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import product
 
-from kinegrade.figure.marks.body_names import label_bodies
+from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.names import label_points
 from kinegrade.figure.marks.rotations import add_rotations
 from kinegrade.figure.mechanism.fitting import Room, fit_scene
@@ -156,4 +156,4 @@ def _compose(
     early, late = ((), named) if symbols_first else (named, ())
     layout = add_symbols(layout.written(early), placed).written(late)
     layout = add_rotations(layout, paper, turnings, drawing, named)
-    return layout.written(label_bodies(paper, plain.hints, drawing, layout))
+    return add_body_names(layout, paper, plain.hints, drawing)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from math import pi
 
-from kinegrade.figure.marks.body_names import label_bodies
+from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.names import label_points
 from kinegrade.figure.marks.rotations import list_turning_arrows
 from kinegrade.figure.marks.turning_arrow import TurningArrow
@@ -99,7 +99,7 @@ class _Construction:
         layout = add_symbols(layout, placed)
         if self.rotation:
             layout = layout.marked(_mark_rotation_about(self.place(scale), self.rotation, placed))
-        return layout.written(label_bodies(paper, plain.hints, drawing, layout))
+        return add_body_names(layout, paper, plain.hints, drawing)
 
     def place(self, scale: float) -> Vector:
         """The pole on paper; only for a pole that is not at infinity."""
