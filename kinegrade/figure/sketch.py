@@ -11,7 +11,12 @@ from itertools import groupby
 from operator import attrgetter
 from typing import Literal, assert_never
 
-from kinegrade.figure.marks.angles import draw_least_legs, list_led_arcs, mark_angles
+from kinegrade.figure.marks.angles import (
+    draw_least_legs,
+    list_circles,
+    list_led_arcs,
+    mark_angles,
+)
 from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
@@ -160,10 +165,11 @@ def _place_frames_and_angles(
     sparing = [line for lines in legs for line in lines]
     moving = [given for given in hints.arrows if isinstance(given, Moving)]
     layout = add_frames(layout, at, hints, drawing, sparing)
+    circles = list_circles(drawing.primitives)
     for number, angle in enumerate(hints.angles, start=1):
         arrows = draw_likely_motions(paper, moving, angle.at)
         to_come = [*arrows, *(line for lines in legs[number:] for line in lines)]
-        for arcs in mark_angles(at, angle, sides[number - 1]):
+        for arcs in mark_angles(at, angle, sides[number - 1], circles):
             layout = layout.marked(arcs, to_come, partial(list_led_arcs, arcs, layout.obstacles))
     return layout
 

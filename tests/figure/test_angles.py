@@ -6,18 +6,19 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from math import degrees, hypot, radians, sin
+from operator import attrgetter
 
 import pytest
 
 from kinegrade.figure.joints.symbol import Use
 from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc
-from kinegrade.figure.marks.angles import list_led_arcs, mark_angles
-from kinegrade.figure.marks.sides import find_sides
+from kinegrade.figure.marks.angles import list_circles, list_led_arcs, mark_angles
+from kinegrade.figure.marks.sides import Side, find_sides
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, is_slender
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import angle_of
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Label, Scene, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -110,6 +111,22 @@ def test_the_arc_of_a_narrow_angle_is_seen_beside_a_broad_bar() -> None:
         radii[use] = min(arcs, key=lambda arc: arc.demerit).bow.radius
     assert radii["slot"] * sin(radians(20)) > 1.75 + 2.5
     assert radii["link"] < radii["slot"]
+
+
+def test_the_arc_of_an_angle_does_not_run_along_a_circle() -> None:
+    at = {"O": Vector(0.0, 0.0)}
+    sides = tuple(Side(turn, 0.0, 0.0, broad=False, lag=0.0) for turn in (0.0, 1.2))
+    hint = Angle("x", "O", "right", "up")
+    [alone] = mark_angles(at, hint, sides)
+    nicest = min(alone, key=attrgetter("demerit")).bow
+    for circle in (Disc(nicest.centre, nicest.radius + 0.5, FIRM), replace(nicest, radius=7.4)):
+        [arcs] = mark_angles(at, hint, sides, [circle])
+        assert abs(min(arcs, key=attrgetter("demerit")).bow.radius - circle.radius) > 1.0
+
+
+def test_only_circles_large_enough_to_be_mistaken_for_an_arc_count() -> None:
+    pin, wheel = Disc(Vector(0.0, 0.0), 0.9, FIRM), Disc(Vector(0.0, 0.0), 9.0, FIRM)
+    assert list_circles([pin, wheel, Strokes((), FIRM)]) == [wheel]
 
 
 def test_a_leader_that_cannot_be_the_cheapest_is_not_made() -> None:

@@ -14,8 +14,8 @@ from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.wedge import measure_narrow
-from kinegrade.figure.plane import NEAR, polar, shorter_way, unit
-from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
+from kinegrade.figure.plane import NEAR, length, polar, shorter_way, unit
+from kinegrade.figure.scene import THIN, Bow, Disc, Primitive, Strokes
 from kinegrade.figure.symbols import BAR_WIDTH
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import TURN, Angle
@@ -31,27 +31,43 @@ _EXTENDED = 2.5  # demerit of an arc beyond the end of a bar, which needs a thin
 # Demerits of an arc that ends within so many millimetres of a point on a side
 _ON_PIN, _ON_BLOCK = 12.0, 4.0
 _PIN_ROOM, _BLOCK_ROOM = 1.6, 3.2
+# Millimetres between an arc and a circle at two of the places along the arc by which they merge,
+# the demerit of that, and the least radius of such a circle
+_MERGES, _PROBES, _MERGED, _LEAST_CIRCLE = 1.0, (0.1, 0.3, 0.5, 0.7, 0.9), 16.0, 3.2
 _LANE = 0.4  # millimetres on either side of a line to come that are kept clear of letters
 _LED = 3  # arcs of the preferred radii that may have a leader
 
 
 def mark_angles(
-    at: Mapping[str, Vector], hint: Angle, legs: tuple[Side, ...]
+    at: Mapping[str, Vector],
+    hint: Angle,
+    legs: tuple[Side, ...],
+    circles: Sequence[Disc | Bow] = (),
 ) -> Iterator[list[AngleArc]]:
-    """Arcs of several radii between two sides; none when the angle is too small to be visible."""
+    """Arcs of several radii between two sides, rather not along any of the `circles` that are
+    drawn; none when the angle is too small to be visible.
+    """
     reaches = _measure_reaches(at[hint.at], legs, at.values())
     nicest = _choose_bow(at, hint, legs)
     if abs(nicest.sweep) > _SMALLEST_ANGLE:
-        arcs = [
+        bows = [_reach_ground(nicest, radius, legs) for radius in _RADII]
+        yield [
             AngleArc(
-                _reach_ground(nicest, radius, legs),
+                bow,
                 legs,
                 hint,
-                _rate_demerit(radius, nicest.radius, legs) + _rate_ends(radius, reaches),
+                _rate_demerit(bow.radius, nicest.radius, legs)
+                + _rate_ends(bow.radius, reaches)
+                + _rate_merging(bow, circles),
             )
-            for radius in _RADII
+            for bow in bows
         ]
-        yield arcs
+
+
+def list_circles(primitives: Iterable[Primitive]) -> list[Disc | Bow]:
+    """The circles among what is drawn with which the arc of an angle might merge."""
+    round_ones = (part for part in primitives if isinstance(part, Disc | Bow))
+    return [part for part in round_ones if part.radius > _LEAST_CIRCLE]
 
 
 def list_led_arcs(arcs: Iterable[AngleArc], obstacles: Obstacles, dear: float) -> Iterator[Mark]:
@@ -112,6 +128,16 @@ def _rate_ends(radius: float, reaches: Iterable[float]) -> float:
     """The demerit of an arc whose end lies on a pin, or on the block that may be there."""
     gap = min((abs(reach - radius) for reach in reaches), default=inf)
     return _ON_PIN if gap < _PIN_ROOM else _ON_BLOCK if gap < _BLOCK_ROOM else 0.0
+
+
+def _rate_merging(bow: Bow, circles: Iterable[Disc | Bow]) -> float:
+    """The demerit of an arc that runs along a circle, of which it would seem to be a part."""
+    places = [bow.centre + polar(bow.start + bow.sweep * share, bow.radius) for share in _PROBES]
+    for circle in circles:
+        on_it = (abs(length(at - circle.centre) - circle.radius) < _MERGES for at in places)
+        if sum(on_it) > 1:
+            return _MERGED
+    return 0.0
 
 
 def _measure_reaches(vertex: Vector, legs: Iterable[Side], points: Iterable[Vector]) -> list[float]:
