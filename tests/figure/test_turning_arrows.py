@@ -37,6 +37,7 @@ def arc(start: float, sweep: float, radius: float = 5.0) -> Bow:
     "company",
     [
         replace(ALONE, arcs=(arc(80, 40, 7.0),)),
+        replace(ALONE, arcs=(arc(0, 100, 10.0),)),
         replace(ALONE, twins=(arc(120, -40),)),
         replace(ALONE, twins=(arc(0, 70, 11.1),)),
         replace(ALONE, rims=(6.0,)),
@@ -45,6 +46,7 @@ def arc(start: float, sweep: float, radius: float = 5.0) -> Bow:
     ],
     ids=[
         "after the arc of an angle",
+        "within the arc of an angle",
         "tip to tip",
         "within another",
         "beside a rim",

@@ -113,8 +113,10 @@ def _rate_arc(bow: Bow, arc: Bow) -> float:
     """The demerit of an arrow that would look like a part of the arc of an angle at the same
     pivot.
     """
-    alike = abs(bow.radius - arc.radius) < _APART
-    return _MERGED if alike and _measure_between(bow, arc) < _ALONG else 0.0
+    between, room = _measure_between(bow, arc), arc.radius - bow.radius
+    nested = between < 0 and 0 < room < _ROOM
+    alike = abs(room) < _APART and between < _ALONG
+    return _STACKED * nested + _MERGED * alike
 
 
 def _stands_in(bow: Bow, disc: Rim) -> bool:
