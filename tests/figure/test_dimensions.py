@@ -73,6 +73,14 @@ def test_extension_lines_start_outside_the_supports_of_their_points() -> None:
         assert -6.5 < start.y < -5.1
 
 
+def test_a_dimension_line_stands_short_of_guides_beside_a_broad_bar() -> None:
+    guides = Strokes(
+        tuple((Vector(-30.0, level), Vector(30.0, level)) for level in (6.6, -6.6)), FIRM
+    )
+    for _, end in _find_extensions(_add(Length("d", "A", "B"), (guides,))):
+        assert abs(end.y) < 6.6
+
+
 def test_parallel_dimension_lines_stand_apart() -> None:
     points = {**AB, "C": Vector(-20.0, 1.3), "D": Vector(5.0, 1.3)}
     layout = Layout.of((Strokes(((Vector(-25.0, -2.0), Vector(25.0, -2.0)),), BOLD),))

@@ -29,6 +29,8 @@ _LEAVING = 1.6  # millimetres from a point to its extension line, where nothing 
 _SUPPORT, _PROBES, _OUTSIDE = (7.0, 10, 0.5)
 _BODY = 2.9  # millimetres around a point in which the broad body or the sleeve is that it is on
 _HIDDEN = 1.0  # demerit of a millimetre between a point and its extension line beyond a support
+# Millimetres, of a dimension line close to its points, short of what is farther, its demerit
+_CLOSE_BY, _CLOSER = 4.6, 6.0
 _SHORT = 4.0  # millimetres of a gap that still leave room for a line of the least offset
 # Millimetres, of the leader from a symbol to a bar with no room next to it
 _LEADERS = (6.0, 9.0)
@@ -91,10 +93,28 @@ def _list_dimensions(
         )
         for side in (1.0, -1.0)
     }
-    return [
+    close = [
+        _draw_close_dimension((start, end), measured, side, symbol, gaps[side])
+        for side in (1.0, -1.0)
+        if max(gaps[side]) <= _BODY + _OUTSIDE
+    ]
+    farther = [
         _draw_dimension((start, end), measured, offset, symbol, gaps[copysign(1.0, offset)])
         for offset in _OFFSETS
     ]
+    return [*close, *farther]
+
+
+def _draw_close_dimension(
+    points: Segment, measured: Vector, side: float, symbol: str, gaps: tuple[float, float]
+) -> DimensionLine:
+    """The dimension line just beside the broad body that its points are on, short of a guide or
+    another bar that stands farther out on that side.
+    """
+    across = measured.turned() * side
+    level = max(across.dot(point) for point in points) + _CLOSE_BY
+    feet = [point + across * (level - across.dot(point)) for point in points]
+    return DimensionLine(points, (feet[0], feet[1]), symbol, _CLOSER, gaps)
 
 
 def _rate_join(join: Join) -> float:
