@@ -117,9 +117,9 @@ class Layout:
         own label, one that is little worse is taken.
         """
         found = self._marked_best(alternatives, sparing, find_cheaper)
-        others = [mark for mark in alternatives if mark != found.marks[-1]]
-        if len(found.crowded) == len(self.crowded) or not others:
+        if len(found.crowded) == len(self.crowded) or len(alternatives) < 2:
             return found
+        others = [mark for mark in alternatives if mark is not found.marks[-1]]
         second = self._marked_best(others, sparing, find_cheaper)
         near = second.costs[-1] < found.costs[-1] + _LITTLE
         return second if near and len(second.crowded) < len(found.crowded) else found
