@@ -14,46 +14,40 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 
 PROMISE = 100
+CRANK = [
+    {"r": r, "k": "sqrt(3)", "phi": phi, "omega": "7", "alpha": "5"}
+    for r, phi in (("1/5", "60"), ("1/4", "30"), ("3/10", "45"), ("2/5", "120"))
+]
+CRANK_AT_ODD_ANGLES = [
+    {**values, "phi": phi}
+    for values, phi in zip(CRANK, ("37.42", "61.3", "17.77", "143.9"), strict=True)
+]
+ROCKER = [
+    {"l": "1/2", "theta": theta, "psi": psi, "omega": "-2", "eps": "1", "v_B": "3/5", "a_B": "1"}
+    for theta, psi in (("30", "90"), ("60", "90"))
+]
+Symbols = dict[str, sp.Symbol]
+Rates = dict[sp.Symbol, sp.Expr]
 
 
 def figures() -> Iterator[Figure]:
     """The slider-crank and the slotted rocker, exact; and the same by certified balls."""
-    crank = [
-        {"r": r, "k": "sqrt(3)", "phi": phi, "omega": "7", "alpha": "5"}
-        for r, phi in (("1/5", "60"), ("1/4", "30"), ("3/10", "45"), ("2/5", "120"))
-    ]
-    rocker = [
-        {
-            "l": "1/2",
-            "theta": theta,
-            "psi": psi,
-            "omega": "-2",
-            "eps": "1",
-            "v_B": "3/5",
-            "a_B": "1",
-        }
-        for theta, psi in (("30", "90"), ("60", "90"))
-    ]
     yield Figure(
         "slider-crank: v_B, omega_AB, alpha_AB, a_B",
-        seconds(ours("slider-crank", crank), 200),
-        seconds(slider_crank_by_sympy(crank), 7),
+        seconds(ours("slider-crank", CRANK), 200),
+        seconds(slider_crank_by_sympy(CRANK), 7),
         PROMISE,
     )
     yield Figure(
         "slotted rocker, two drivers: omega, alpha, v_rel, a_cor",
-        seconds(ours("slotted-rocker-and-slider-two-drivers", rocker), 200),
-        seconds(slotted_rocker_by_sympy(rocker), 7),
+        seconds(ours("slotted-rocker-and-slider-two-drivers", ROCKER), 200),
+        seconds(slotted_rocker_by_sympy(ROCKER), 7),
         PROMISE,
     )
-    odd = [
-        {**values, "phi": phi}
-        for values, phi in zip(crank, ("37.42", "61.3", "17.77", "143.9"), strict=True)
-    ]
     yield Figure(
         "slider-crank at 37.42 degrees (40 certified digits)",
-        seconds(ours("slider-crank", odd), 200),
-        seconds(slider_crank_by_sympy(odd, evaluate=True), 7),
+        seconds(ours("slider-crank", CRANK_AT_ODD_ANGLES), 200),
+        seconds(slider_crank_by_sympy(CRANK_AT_ODD_ANGLES, evaluate=True), 7),
         None,
     )
 
@@ -79,6 +73,20 @@ def settled(
     return [number.evalf(40) if evaluate else sp.simplify(number) for number in numbers]
 
 
+def solve(equations: sp.Matrix, unknowns: list[sp.Symbol]) -> Rates:
+    """The only solution of equations whose left sides are given, by unknown."""
+    found: Rates = sp.solve(list(equations), unknowns, dict=True)[0]
+    return found
+
+
+def read_values(at: Symbols, given: dict[str, str], angles: tuple[str, ...]) -> Rates:
+    """What the letters are worth, angles in radians."""
+    return {
+        at[name]: sp.sympify(text, rational=True) * (sp.pi / 180 if name in angles else 1)
+        for name, text in given.items()
+    }
+
+
 def slider_crank_by_sympy(
     instances: list[dict[str, str]], evaluate: bool = False
 ) -> Callable[[], object]:
@@ -87,34 +95,24 @@ def slider_crank_by_sympy(
 
     def script() -> object:
         given = next(turn)
-        r, k, phi, omega, alpha = sp.symbols("r k phi omega alpha", positive=True)
-        w, e, v, a = sp.symbols("omega_AB alpha_AB v_B a_B")
-        crank = sp.Matrix([r * sp.cos(phi), r * sp.sin(phi)])
-        rod = sp.Matrix([r * sp.sqrt(k**2 - sp.sin(phi) ** 2), -r * sp.sin(phi)])
-        velocities = sp.solve(
-            list(cross(-omega, crank) + cross(w, rod) - sp.Matrix([v, 0])), [w, v], dict=True
-        )[0]
-        accelerations = sp.solve(
-            list(
-                cross(-alpha, crank)
-                - omega**2 * crank
-                + cross(e, rod)
-                - velocities[w] ** 2 * rod
-                - sp.Matrix([a, 0])
-            ),
-            [e, a],
-            dict=True,
-        )[0]
-        values = {
-            r: sp.Rational(given["r"]),
-            k: sp.sqrt(3),
-            phi: sp.Rational(given["phi"]) * sp.pi / 180,
-            omega: sp.Integer(given["omega"]),
-            alpha: sp.Integer(given["alpha"]),
-        }
+        at = {name: sp.Symbol(name, positive=True) for name in given}
+        velocities, accelerations = solve_slider_crank(at)
+        values = read_values(at, given, ("phi",))
         return settled(velocities, values, evaluate) + settled(accelerations, values, evaluate)
 
     return script
+
+
+def solve_slider_crank(at: Symbols) -> tuple[Rates, Rates]:
+    """Velocities and accelerations of the slider-crank in letters."""
+    r, k, phi, omega = (at[name] for name in ("r", "k", "phi", "omega"))
+    w, e, v, a = sp.symbols("omega_AB alpha_AB v_B a_B")
+    crank = sp.Matrix([r * sp.cos(phi), r * sp.sin(phi)])
+    rod = sp.Matrix([r * sp.sqrt(k**2 - sp.sin(phi) ** 2), -r * sp.sin(phi)])
+    velocities = solve(cross(-omega, crank) + cross(w, rod) - sp.Matrix([v, 0]), [w, v])
+    of_crank = cross(-at["alpha"], crank) - omega**2 * crank
+    of_rod = cross(e, rod) - velocities[w] ** 2 * rod
+    return velocities, solve(of_crank + of_rod - sp.Matrix([a, 0]), [e, a])
 
 
 def slotted_rocker_by_sympy(instances: list[dict[str, str]]) -> Callable[[], object]:
@@ -125,45 +123,29 @@ def slotted_rocker_by_sympy(instances: list[dict[str, str]]) -> Callable[[], obj
 
     def script() -> object:
         given = next(turn)
-        length, distance, theta, psi, omega, eps, v_b, a_b = sp.symbols(
-            "l d theta psi omega eps v_B a_B"
-        )
-        w, e, v, a = sp.symbols("omega_AB alpha_AB v_rel a_rel")
-        slot = sp.Matrix([sp.cos(psi), sp.sin(psi)])
-        link = sp.Matrix([-length * sp.cos(theta), length * sp.sin(theta)])
-        coriolis = cross(2 * omega, v * slot)
-        velocities = sp.solve(
-            list(sp.Matrix([v_b, 0]) + cross(w, link) - cross(omega, distance * slot) - v * slot),
-            [w, v],
-            dict=True,
-        )[0]
-        accelerations = sp.solve(
-            list(
-                sp.Matrix([a_b, 0])
-                + cross(e, link)
-                - w**2 * link
-                - cross(eps, distance * slot)
-                + omega**2 * distance * slot
-                - coriolis
-                - a * slot
-            ),
-            [e, a],
-            dict=True,
-        )[0]
-        values = {
-            length: sp.Rational(given["l"]),
-            theta: sp.Rational(given["theta"]) * sp.pi / 180,
-            psi: sp.Rational(given["psi"]) * sp.pi / 180,
-            omega: sp.Integer(given["omega"]),
-            eps: sp.Integer(given["eps"]),
-            v_b: sp.Rational(given["v_B"]),
-            a_b: sp.Integer(given["a_B"]),
-        }
-        values[distance] = (length * sp.sin(theta) / sp.sin(psi)).subs(values)
+        at = {name: sp.Symbol(name) for name in (*given, "d", "v_rel")}
+        velocities, accelerations = solve_slotted_rocker(at)
+        values = read_values(at, given, ("theta", "psi"))
+        values[at["d"]] = (at["l"] * sp.sin(at["theta"]) / sp.sin(at["psi"])).subs(values)
         rates = {
             symbol: sp.simplify(expression.subs(values))
             for symbol, expression in velocities.items()
         }
-        return rates, settled({**accelerations, v: 2 * omega * v}, {**values, **rates}, False)
+        asked = {**accelerations, at["v_rel"]: 2 * at["omega"] * at["v_rel"]}
+        return rates, settled(asked, {**values, **rates}, False)
 
     return script
+
+
+def solve_slotted_rocker(at: Symbols) -> tuple[Rates, Rates]:
+    """Velocities and accelerations of the slotted rocker in letters."""
+    length, distance, omega, v = (at[name] for name in ("l", "d", "omega", "v_rel"))
+    w, e, a = sp.symbols("omega_AB alpha_AB a_rel")
+    slot = sp.Matrix([sp.cos(at["psi"]), sp.sin(at["psi"])])
+    link = sp.Matrix([-length * sp.cos(at["theta"]), length * sp.sin(at["theta"])])
+    arm = distance * slot
+    of_slider = sp.Matrix([at["v_B"], 0])
+    velocities = solve(of_slider + cross(w, link) - cross(omega, arm) - v * slot, [w, v])
+    of_link = sp.Matrix([at["a_B"], 0]) + cross(e, link) - w**2 * link
+    of_rocker = cross(at["eps"], arm) - omega**2 * arm + cross(2 * omega, v * slot)
+    return velocities, solve(of_link - of_rocker - a * slot, [e, a])
