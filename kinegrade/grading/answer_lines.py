@@ -79,17 +79,12 @@ def _show_response(reading: Reading) -> str:
 
 
 def _write_reasons(reasons: Sequence[Text], words: Catalogue) -> list[str]:
-    """Most reasons are comparisons with the key, which are quickly recognised as harmless by how
-    they begin.
+    """Most reasons are comparisons, in words with a comma: they need quotation marks, and nothing
+    else.
     """
-    beginning = words.text("marking.key", comparison="")
-    is_harmless = beginning[:1].isalpha()
     return [
         f'"{reason}"'
-        if is_harmless
-        and isinstance(reason, str)
-        and reason.startswith(beginning)
-        and '"' not in reason
+        if isinstance(reason, str) and reason[:1].isalpha() and "," in reason and '"' not in reason
         else write_csv_cell(neutralise(words.write(reason)))
         for reason in reasons
     ]

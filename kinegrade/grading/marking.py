@@ -106,6 +106,7 @@ class _Marker:
         complaints = [
             complaint
             for paper, entry in rows
+            if paper.lacks
             for complaint in find_strange(paper, entry, self.asks, self.sheet.columns)
         ]
         complaints += [

@@ -39,8 +39,8 @@ _EXPLAINED: tuple[Kind, ...] = ("mistake", "follow-through", "accepted", "void")
 
 @dataclass
 class OtherPapers:
-    """What has been counted so far: numeric answers, those of them that nothing explains, and each
-    student's numbers.
+    """What has been counted so far: numeric answers, those of them that nothing explains, and the
+    numbers of all students, block by block.
     """
 
     asks: tuple[Ask, ...]
@@ -54,12 +54,12 @@ class OtherPapers:
         for block in blocks:
             judged, width = block.judged, len(self.asks)
             is_number = ~np.isnan(judged.cells.values)
-            right = np.array([kind == "right" for kind in judged.kinds], dtype=np.bool_)
+            right = np.array(judged.kinds, dtype=object) == "right"
             doubtful = np.flatnonzero(is_number & ~right).tolist()
             self.numbers += int(is_number.sum())
             self.strange += sum(judged.kinds[place] not in _EXPLAINED for place in doubtful)
-            self.rows += list(judged.cells.values.reshape(-1, width))
-            self.right += list(right.reshape(-1, width))
+            self.rows.append(judged.cells.values.reshape(-1, width))
+            self.right.append(right.reshape(-1, width))
             yield block
 
     def refuse(self, exam: ExamFolder, file: str) -> None:
@@ -68,9 +68,10 @@ class OtherPapers:
         """
         if self.numbers < _LEAST or 2 * self.strange <= self.numbers:
             return
-        step = max(1, len(self.rows) // _LOOKED_AT)
-        places = np.arange(0, len(self.rows), step)
-        answers = _Answers(np.array(self.rows)[places], np.array(self.right)[places], places)
+        rows, right = np.concatenate(self.rows), np.concatenate(self.right)
+        step = max(1, len(rows) // _LOOKED_AT)
+        places = np.arange(0, len(rows), step)
+        answers = _Answers(rows[places], right[places], places)
         bounds = list_intervals(chain(exam.papers(), exam.variants()), len(self.asks))
         questions = group_places(self.asks)
         found = answers.foreign(bounds, questions)

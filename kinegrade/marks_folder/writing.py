@@ -165,20 +165,23 @@ def _write_answer_lines(cells: AnswerCells) -> str:
     return "".join(parts)
 
 
-def _grade_rows(grades: Iterable[Grade], needed: Sequence[str]) -> Iterator[tuple[str, ...]]:
+def _grade_rows(grades: Sequence[Grade], needed: Sequence[str]) -> Iterator[tuple[str, ...]]:
     """Most students share one tuple of points with others: such amounts are formatted once."""
-    known: dict[tuple[int, int, Fraction | None, Fraction], tuple[str, ...]] = {}
+    known: dict[tuple[int, int, int, int], tuple[str, ...]] = {}
     for grade in grades:
-        which = id(grade.points), id(grade.out_of), grade.kept, grade.subtracted
+        # by identity, because hashing a fraction takes longer than the rest of the line
+        which = id(grade.points), id(grade.out_of), id(grade.kept), id(grade.subtracted)
         status: Status = "absent" if grade.absent else "marked"
         if which not in known:
             known[which] = _write_amounts(grade)
-        last = {
-            SUBTRACTED_POINTS: write_amount(grade.subtracted),
-            SCALE_GRADE: neutralise(grade.grade),
-        }
-        shown = (last[name] for name in needed)
+        shown = [_LAST[name](grade) for name in needed]
         yield (grade.student, neutralise(grade.name), *known[which], status, *shown)
+
+
+_LAST: Mapping[str, Callable[[Grade], str]] = {
+    SUBTRACTED_POINTS: lambda grade: write_amount(grade.subtracted),
+    SCALE_GRADE: lambda grade: neutralise(grade.grade),
+}
 
 
 def _write_amounts(grade: Grade) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping
+from functools import cached_property
 
 from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.cell_text import shorten, trim
@@ -44,13 +45,25 @@ class StudentIds:
     """
 
     def __init__(self, students: Iterable[str], codes: Mapping[str, str]) -> None:
-        self._coded = {_fold_code(code): student for code, student in codes.items()}
-        self._exact: dict[str, str] = {}
+        self._students, self._codes = tuple(students), codes
+
+    @cached_property
+    def _exact(self) -> Mapping[str, str]:
+        """The students by their ids as they are compared; of equal ones the first."""
+        return {make_student_key(student): student for student in reversed(self._students)}
+
+    @cached_property
+    def _coded(self) -> Mapping[str, str]:
+        """The students by the codes of their papers; in most files every id is exact."""
+        return {_fold_code(code): student for code, student in self._codes.items()}
+
+    @cached_property
+    def _near(self) -> Mapping[str, tuple[str, ...]]:
+        """The students by what is left of their ids where spreadsheets strip them."""
         near: dict[str, list[str]] = defaultdict(list)
-        for student in students:
-            self._exact.setdefault(make_student_key(student), student)
+        for student in self._students:
             near[_strip(make_student_key(student))].append(student)
-        self._near = {stripped: tuple(found) for stripped, found in near.items()}
+        return {stripped: tuple(found) for stripped, found in near.items()}
 
     def exact(self, cell: str) -> str | None:
         """The student with that id, wrapped or not, in full-width digits or not; else the one whose

@@ -38,12 +38,12 @@ def read_json(text: str) -> object:
 
 def _object(pairs: Sequence[tuple[str, object]]) -> dict[str, object]:
     """A JSON object in which no key occurs twice."""
-    found: dict[str, object] = {}
-    for key, value in pairs:
-        if key in found:
-            raise JsonError(Message("fields.twice-in-object", key=Quoted(key)))
-        found[key] = value
-    return found
+    found = dict(pairs)
+    if len(found) == len(pairs):
+        return found
+    keys = [key for key, _ in pairs]
+    twice = next(key for place, key in enumerate(keys) if key in keys[:place])
+    raise JsonError(Message("fields.twice-in-object", key=Quoted(twice)))
 
 
 def _refuse_constant(name: str) -> object:

@@ -39,15 +39,18 @@ class HandMarking:
     def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
         """The same blocks; what the machine gave is noted on the way."""
         for block in blocks:
-            width = len(block.asks)
             for row, (paper, _) in enumerate(block.judged.rows):
-                marks = self.by_hand.get(paper.student, {})
-                asked = enumerate(block.asks) if marks else ()
-                for number, ask in asked:
-                    if ask.column in marks:
-                        _, share = block.judged.decision(row * width + number)
-                        self.machine[paper.student, ask.column] = share * ask.points
+                if marks := self.by_hand.get(paper.student):
+                    self._note(block, row, marks)
             yield block
+
+    def _note(self, block: MarkedBlock, row: int, marks: Mapping[str, HandMark]) -> None:
+        """Notes what the machine gave to the asks that a person marked in a row."""
+        student, first = block.judged.rows[row][0].student, row * len(block.asks)
+        for number, ask in enumerate(block.asks):
+            if ask.column in marks:
+                _, share = block.judged.decision(first + number)
+                self.machine[student, ask.column] = share * ask.points
 
     @property
     def bonus(self) -> Set[str]:

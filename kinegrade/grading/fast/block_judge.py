@@ -17,7 +17,7 @@ from operator import itemgetter
 
 import numpy as np
 
-from kinegrade.exam.folder.keys import Ask, Key, Keys
+from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.exam.folder.stated_keys import read_centres, read_mistakes, read_rules
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
@@ -28,7 +28,7 @@ from kinegrade.grading.fast.reasons import read_reasons, write_mistakes
 from kinegrade.grading.fast.typed_cells import CellReader
 from kinegrade.grading.judging.decision import Decision, decide, name_mistakes, void
 from kinegrade.grading.judging.follow import Decided, Follows, follow_answers, withhold
-from kinegrade.grading.judging.judge import Kind, Verdict, judge
+from kinegrade.grading.judging.judge import Kind, judge
 from kinegrade.grading.policy.accepted import Alternative, Alternatives
 from kinegrade.grading.policy.policy import NO_ROOM, Policy, Ruling
 from kinegrade.grading.typed.decimal_style import FileStyle
@@ -118,7 +118,7 @@ class BlockJudge:
     ) -> None:
         """Numbers at places where all rules are the papers', or all are the policy's."""
         reasons = comparison.reasons(places, read_reasons(self.language, by_policy=by_policy))
-        block.put_compared(places.tolist(), comparison.right[places].tolist(), reasons)
+        block.put_compared(places, comparison.right[places], reasons)
         if by_policy:
             block.by_policy.update(places.tolist())
 
@@ -143,25 +143,20 @@ class BlockJudge:
         """
         open_to = wrong if self.alternatives else ()
         found: _Open = {place: None for place in open_to if self._others(block, place)}
-        rulings = [self.policy.ruling(ask.column) for ask in self.asks]
-        asked = [self._asked(block, place) for place in wrong]
+        keys, width = [paper.keys for paper, _ in block.rows], len(self.asks)
+        asked = [(keys[place // width], place % width) for place in wrong]
         mistakes = Mistakes.of(wrong, read_mistakes(asked))
+        shares = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
         for place, ways in mistakes.leading(block.cells.values, rules, self.language):
-            shares = rulings[place % len(rulings)].mistakes
-            best = find_best(ways, shares)
+            credits = shares[place % width]
+            best = find_best(ways, credits)
             if best is None:
                 found.setdefault(place, {way.name for way in ways})
             elif place not in found:
-                names = name_mistakes(best.name, (way.name for way in ways))
+                names = name_mistakes(best.name, [way.name for way in ways])
                 reason = write_mistakes(names, best.comparison, self.language)
-                share = shares.get(names[0], block.credits[NO_SHARE])
-                block.put(place, (Verdict("mistake", reason, mistakes=names), share))
+                block.put_mistakes(place, names, reason, credits.get(names[0]))
         return found
-
-    def _asked(self, block: JudgedBlock, place: int) -> tuple[Keys, int]:
-        """The keys of the paper at a place, and the number of the ask."""
-        row, number = divmod(place, len(self.asks))
-        return block.rows[row][0].keys, number
 
     def _others(self, block: JudgedBlock, place: int) -> Sequence[Alternative]:
         row, number = divmod(place, len(self.asks))

@@ -10,8 +10,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import TypeVar
+
+import numpy as np
 
 from kinegrade.exam.folder.keys import Paper
+from kinegrade.grading.fast.bounds import Flags, Places
 from kinegrade.grading.fast.typed_cells import TypedCells
 from kinegrade.grading.judging.decision import Decision
 from kinegrade.grading.judging.judge import Kind, Verdict
@@ -20,6 +24,8 @@ from kinegrade.language.message import Text
 
 Row = tuple[Paper, Entry]
 NO_SHARE, FULL_SHARE = 0, 1  # indices into `JudgedBlock.credits`
+_KINDS = np.array(["wrong", "right"], dtype=object)
+_Cell = TypeVar("_Cell")
 USUAL_CREDITS = 2  # the length of `credits` if every answer has all or nothing
 
 
@@ -50,16 +56,23 @@ class JudgedBlock:
         (self.by_policy.add if verdict.by_policy else self.by_policy.discard)(place)
         self._set_share(place, share)
 
-    def put_compared(
-        self, places: Sequence[int], right: Sequence[bool], reasons: Sequence[str]
+    def put_mistakes(
+        self, place: int, mistakes: tuple[str, ...], reason: str, share: Fraction | None
     ) -> None:
+        """Sets an answer to which mistakes lead, with a share of the points if there is one."""
+        self.kinds[place], self.reasons[place] = "mistake", reason
+        self.mistakes[place] = mistakes
+        self.by_policy.discard(place)
+        if share is None:
+            self.shares[place] = NO_SHARE
+        else:
+            self._set_share(place, share)
+
+    def put_compared(self, places: Places, right: Flags, reasons: Sequence[str]) -> None:
         """Sets answers that are right or wrong by the key, each for its reason."""
-        for place, is_right, reason in zip(places, right, reasons, strict=True):
-            if is_right:
-                self.kinds[place], self.shares[place] = "right", FULL_SHARE
-            else:
-                self.kinds[place], self.shares[place] = "wrong", NO_SHARE
-            self.reasons[place] = reason
+        _set_at(self.kinds, places, _KINDS[right.astype(np.intp)].tolist())
+        _set_at(self.shares, places, np.where(right, FULL_SHARE, NO_SHARE).tolist())
+        _set_at(self.reasons, places, reasons)
 
     def _set_share(self, place: int, share: Fraction) -> None:
         if not share:
@@ -78,3 +91,13 @@ class JudgedBlock:
             by_policy=place in self.by_policy,
         )
         return verdict, self.credits[self.shares[place]]
+
+
+def _set_at(column: list[_Cell], places: Places, cells: Sequence[_Cell]) -> None:
+    """Sets the cells of a column at these places, all in one step."""
+    if len(places) == len(column):
+        column[:] = cells
+        return
+    held = np.array(column, dtype=object)
+    held[places] = cells
+    column[:] = held.tolist()

@@ -87,6 +87,8 @@ def find_best(ways: Sequence[Way], shares: Mapping[str, Fraction]) -> Way | None
     """
     if not all(way.certain for way in ways):
         return None
+    if len(ways) == 1:  # as most answers have
+        return ways[0]
     best = min(ways, key=lambda way: rank_mistake(way.name, way.difference, shares))
     for way in ways:
         near = abs(way.difference - best.difference) < _TOO_NEAR * abs(best.value)

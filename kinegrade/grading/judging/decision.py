@@ -8,7 +8,7 @@ key, the accepted answers in their order, the mistakes, the right number in a wr
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import assert_never
@@ -132,11 +132,13 @@ def rank_mistake(
     return -shares.get(find_identifier(label), _NONE), difference, label
 
 
-def name_mistakes(best: str, labels: Iterable[str]) -> tuple[str, ...]:
+def name_mistakes(best: str, labels: Collection[str]) -> tuple[str, ...]:
     """The identifiers of mistakes that lead to one answer, each once: that of the best by rank
     first.
     """
     first = find_identifier(best)
+    if len(labels) == 1:
+        return (first,)
     return first, *sorted({find_identifier(label) for label in labels} - {first})
 
 

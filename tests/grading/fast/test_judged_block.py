@@ -36,7 +36,8 @@ def test_the_last_decision_that_was_put_stands(
     )
     block = JudgedBlock([], cells, ["blank"] * SIZE, [""] * SIZE, [0] * SIZE)
     expected: list[Decision] = [(Verdict("blank", ""), Fraction(0))] * SIZE
-    block.put_compared(range(len(compared)), compared, ["key 2"] * len(compared))
+    places = np.arange(len(compared))
+    block.put_compared(places, np.array(compared, dtype=np.bool_), ["key 2"] * len(compared))
     for place, right in enumerate(compared):
         kind = "right" if right else "wrong"
         expected[place] = Verdict(kind, "key 2"), Fraction(right)
@@ -44,3 +45,13 @@ def test_the_last_decision_that_was_put_stands(
         block.put(place, decision)
         expected[place] = decision
     assert [block.decision(place) for place in range(SIZE)] == expected
+
+
+@given(st.sampled_from([None, Fraction(0), Fraction(1, 3), Fraction(1)]), st.booleans())
+def test_mistakes_that_are_put_are_a_decision(share: Fraction | None, by_policy: bool) -> None:
+    cells = TypedCells(CellReader((), find_file_style([])), [""], np.zeros(1), [""], {}, {})
+    block = JudgedBlock([], cells, ["wrong"], ["key 2"], [0])
+    block.by_policy.update({0} if by_policy else ())
+    block.put_mistakes(0, ("wrong-pole",), "leads to 1", share)
+    verdict = Verdict("mistake", "leads to 1", mistakes=("wrong-pole",))
+    assert block.decision(0) == (verdict, share or Fraction(0))
