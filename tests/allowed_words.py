@@ -201,6 +201,14 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
     },
     "sentences and examples in the language of templates": {
+        "expressions/tree.py": [
+            "left of",
+            "right of",
+        ],
+        "mechanics/branches.py": [
+            "left of A->B",
+            "right of A->B",
+        ],
         "mechanics/drivers/circulation.py": [
             "POINT of BODY circles POINT",
         ],
@@ -213,6 +221,10 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "AB turns relative to OA",
             "OA turns",
             "BODY turns [relative to BODY]",
+        ],
+        "mechanics/geometry.py": [
+            "left of",
+            "right of",
         ],
         "mechanics/joints/arc.py": [
             "POINT of BODY stays on CIRCLE [of BODY]",
@@ -255,6 +267,12 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "B of AB slides on line(O, 0)",
             "POINT of BODY slides on LINE [of BODY]",
             "A of AB slides on line(O, A) of OC",
+        ],
+        "problem/kinds/signatures.py": [
+            "meet(circle(A, l), circle(D, m), left of A->D)",
+            "meet(circle(A, l), circle(D, m), right of A->D)",
+            "left of",
+            "right of",
         ],
         "problem/quantities/measures.py": [
             "radius(circle_of_poles(AB, phi))",

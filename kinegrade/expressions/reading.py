@@ -5,7 +5,8 @@
     product = signed (("*" | "/") signed)*
     signed  = ("+" | "-") signed | power
     power   = atom ["**" signed]
-    atom    = number | name | name "(" [sum ("," sum)*] ")" | "(" sum ["," sum] ")"
+    atom    = number | name | name "(" [sum ("," sum)*] ")" | "(" sum ["," sum] ")" | side
+    side    = ("left" | "right") "of" name "->" name
 
 Templates, the command line and the key are read with it; points and constructions are names and
 calls like any other.
@@ -24,6 +25,7 @@ from kinegrade.expressions.faults import (
 )
 from kinegrade.expressions.tree import (
     PRODUCTS,
+    SIDES_OF,
     SUMS,
     Call,
     Expression,
@@ -38,7 +40,7 @@ MAX_DEPTH = 40
 _MAX_DIGITS = 60
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,2})?)"
-    r"|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),]))",
+    r"|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|->|[-+*/(),]))",
     re.ASCII,
 )
 _Taken = TypeVar("_Taken", bound=str)
@@ -143,6 +145,8 @@ class _Reader:
             return Number(read_rational(token))
         if kind == "name":
             self._advance()
+            if token in SIDES_OF and (self.kind, self.token) == ("name", "of"):
+                return self.side(SIDES_OF[token])
             return Call(token, self.arguments(depth)) if self.take("(") else Name(token)
         if self.take("("):
             parts = self.arguments(depth)
@@ -150,6 +154,22 @@ class _Reader:
                 raise self.fail(Message("expression.value-or-pair"))
             return parts[0] if len(parts) == 1 else Call("", parts)
         raise self.fail(Message("expression.number-name-or-bracket"))
+
+    def side(self, function: str) -> Expression:
+        """The side of a directed line through two named points, as the call of a function."""
+        self._advance()
+        start = self.name()
+        if not self.take("->"):
+            raise self.fail(Message("expression.arrow"))
+        return Call(function, (start, self.name()))
+
+    def name(self) -> Name:
+        """A name."""
+        if self.kind != "name":
+            raise self.fail(Message("expression.point-name"))
+        token = self.token
+        self._advance()
+        return Name(token)
 
     def arguments(self, depth: int) -> tuple[Expression, ...]:
         """The arguments up to the closing bracket."""

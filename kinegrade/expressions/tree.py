@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, assert_never
 
@@ -12,6 +12,8 @@ Mark = Literal["+", "-", "*", "/"]
 Operator = Literal["+", "-", "*", "/", "**"]
 SUMS: tuple[Mark, ...] = ("+", "-")
 PRODUCTS: tuple[Mark, ...] = ("*", "/")
+# The functions that `left of A->B` and `right of A->B` call; no name has a blank
+SIDES_OF: Mapping[str, str] = {"left": "left of", "right": "right of"}
 
 
 @dataclass(frozen=True)

@@ -15,20 +15,12 @@ from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError, MechanismError
 from kinegrade.language.message import Fault, Message, Text, list_plainly
+from kinegrade.mechanics.branches import BRANCHES, DIRECTED, Beside, Branch, measure_lead
 from kinegrade.mechanics.shapes import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.text import write_decimal
 
-Branch = str
-_SIDES: Mapping[Branch, Callable[[Vector], Any]] = {
-    "right": lambda p: p.x,
-    "left": lambda p: -p.x,
-    "upper": lambda p: p.y,
-    "lower": lambda p: -p.y,
-}
-_TURNS: Mapping[Branch, int] = {"counterclockwise": 1, "clockwise": -1}
-BRANCHES = (*_SIDES, *_TURNS)
 _PLAIN = re.compile(r"-?[0-9]+(\.[0-9]+)?")  # without a power of ten
 
 
@@ -60,6 +52,8 @@ def make_constructions(
         "x": lambda p: p.x,
         "y": lambda p: p.y,
         "turned": lambda v: v.turned(),
+        "left of": lambda p, q: Beside(q - p, "left"),
+        "right of": lambda p, q: Beside(q - p, "right"),
         "direction": build.direction,
     }
 
@@ -114,16 +108,16 @@ class Constructions:
         """The common point of two lines, or the one on the named side of a line and a circle or of
         two circles.
 
-        right, left, upper, lower compare the two candidates; counterclockwise and clockwise, for
-        two circles, say on which side of the directed line from the first centre to the second the
-        point lies. Raises MechanismError when there is no common point, or when the name does not
-        distinguish the two.
+        right, left, upper, lower compare the two candidates, and so does the side of a directed
+        line through two points; counterclockwise and clockwise, for two circles, say on which side
+        of the directed line from the first centre to the second the point lies. Raises
+        MechanismError when there is no common point, or when the name does not distinguish the two.
         """
         if isinstance(first, Line) and isinstance(second, Line):
             return self._lines(first, second)
-        if branch not in BRANCHES:
+        if not isinstance(branch, Beside) and branch not in BRANCHES:
             what = Message("mechanics.two-common-points")
-            do = Message("mechanics.choose-branch", names=list_plainly(BRANCHES))
+            do = Message("mechanics.choose-branch", names=list_plainly((*BRANCHES, *DIRECTED)))
             raise ExpressionError(Fault("meet(...)", what, do=do))
         match first, second:
             case Round(), Round():
@@ -180,21 +174,14 @@ class Constructions:
     def _pick(
         self, first: Vector, second: Vector, axis: Vector, origin: Vector, branch: Branch
     ) -> Vector:
-        if branch in _TURNS:
-            ahead = (
-                axis.cross(first - origin) * _TURNS[branch]
-                - axis.cross(second - origin) * _TURNS[branch]
-            )
-        else:
-            ahead = _SIDES[branch](first) - _SIDES[branch](second)
-        side = self.arithmetic.sign(ahead)
+        side = self.arithmetic.sign(measure_lead(first, second, axis, origin, branch))
         if (
             self.arithmetic.certified
             and side == 0
             and not self.arithmetic.is_zero((first - second).squared())
         ):
-            what = Message("mechanics.undecided-branch", branch=branch)
-            do = Message("mechanics.name-branch", names=list_plainly(BRANCHES))
+            what = Message("mechanics.undecided-branch", branch=str(branch))
+            do = Message("mechanics.name-branch", names=list_plainly((*BRANCHES, *DIRECTED)))
             raise MechanismError(Fault("", what, do=do))
         first_wins = side >= 0
         choose = self.arithmetic.choose

@@ -17,8 +17,9 @@ from kinegrade.expressions.angular import is_angle
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.tree import Call, Expression, Name, find_names
 from kinegrade.language.message import Fault, Message
+from kinegrade.mechanics.branches import BRANCHES
 from kinegrade.mechanics.drivers import Driver
-from kinegrade.mechanics.geometry import BRANCHES, Constructions, Round, make_constructions
+from kinegrade.mechanics.geometry import Constructions, Round, make_constructions
 from kinegrade.mechanics.joints import Circle, Joint, Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.sentence import DriverParts, JointParts

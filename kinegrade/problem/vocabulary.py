@@ -11,11 +11,12 @@ from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Literal, TypeAlias, assert_never, get_args
 
+from kinegrade.expressions.tree import SIDES_OF
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
+from kinegrade.mechanics.branches import BRANCHES
 from kinegrade.mechanics.drivers import DRIVERS, Driver
-from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import JOINTS, Joint
 from kinegrade.numbers.units import FACTORS
 from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, ELEMENTARY, Signature
@@ -126,16 +127,24 @@ def _parts(*beginnings: str) -> Section:
 
 
 def _constructions() -> Section:
-    return _functions("constructions", _leave_out(CONSTRUCTIONS, ELEMENTARY))
+    named = _leave_out(CONSTRUCTIONS, {*ELEMENTARY, *SIDES_OF.values()})
+    return _functions("constructions", named)
 
 
 def _branches() -> Section:
-    return _keys("branches", "branch", BRANCHES)
+    """The words that tell two common points apart."""
+    directed = {name: CONSTRUCTIONS[name] for name in SIDES_OF.values()}
+    plain = _keys("branches", "branch", BRANCHES)
+    return Section(plain.title, (*_functions("branches", directed).words, *plain.words))
 
 
 def _functions(title: str, functions: Mapping[str, Signature]) -> Section:
     words = tuple(
-        Word(each.usage(name), Message(f"words.function-{name or 'pair'}"), (each.example,))
+        Word(
+            each.usage(name),
+            Message(f"words.function-{name.replace(' ', '-') or 'pair'}"),
+            (each.example,),
+        )
         for name, each in functions.items()
     )
     return Section(Message(f"words.title-{title}"), words)

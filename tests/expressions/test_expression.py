@@ -96,6 +96,8 @@ def test_what_expressions_come_to(text: str, result: str) -> None:
         ("", '"", character 1: found the end, expected a number, a name or a bracket'),
         ("1 +", '"1 +", character 4: found the end, expected a number, a name or a bracket'),
         ("1 2", '"1 2", character 3: found "2", expected an operator or the end'),
+        ("left of A B", '"left of A B", character 11: found "B", expected an arrow from point'),
+        ("left of 2->B", '"left of 2->B", character 9: found "2", expected the name of a point'),
         ("2x", '"2x", character 2: found "x", expected an operator or the end'),
         ("(1", '"(1", character 3: found the end, expected "," or ")"'),
         ("1)", '"1)", character 2: found ")", expected an operator or the end'),

@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.reading import read_expression
-from kinegrade.mechanics.geometry import BRANCHES, make_constructions
+from kinegrade.mechanics.branches import BRANCHES
+from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.field import Field
 from tests.laws.growing import DIRECTIONS, RADII
@@ -56,6 +57,11 @@ def construct(text: str, field: Field | None = None) -> Any:
         ),  # to the right of the way from O to B
         ("meet(circle(O, 3), circle(B, 5), counterclockwise)", "(-3, 0)"),
         ("meet(circle(O, 3), line(A, pi/2), upper)", "(3, 0)"),  # touching
+        ("meet(circle(O, 3), circle(B, 5), right of O->B)", "(3, 0)"),
+        ("meet(circle(O, 3), circle(B, 5), left of O->B)", "(-3, 0)"),
+        ("meet(circle(O, 3), circle(B, 5), left of B->O)", "(3, 0)"),
+        ("meet(circle(O, 5), line(A, pi/2), left of O->A)", "(3, 4)"),
+        ("meet(line(A, pi/2), circle(O, 5), right of O->A)", "(3, -4)"),
     ],
 )
 def test_points(text: str, expected: str) -> None:

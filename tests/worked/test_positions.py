@@ -18,7 +18,11 @@ from kinegrade.language.math.width import measure_row
 from kinegrade.language.prose.typst import write_prose
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.library.library import (
+    find_shipped,
+    find_template_names,
+    load_template,
+)
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
@@ -164,6 +168,27 @@ def test_the_last_line_ends_with_the_answer_of_the_key(name: str, ask: str) -> N
 @pytest.mark.parametrize("name", POSES)
 def test_a_pose_asks_for_nothing_but_positions(name: str) -> None:
     assert all(is_positional(ask) for ask in load_template(name).asks.values())
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "$B$ is the one on the right of the line from $O$ to $A$ of the points in which"),
+        ("zh", "的两交点中位于由 $O$ 指向 $A$ 的直线右侧的一个"),
+        ("de", "$B$ ist der rechts von der Geraden von $O$ nach $A$ gelegene der Punkte, in denen"),
+    ],
+)
+def test_the_side_of_a_directed_line_is_told_as_the_template_names_it(
+    language: Language, said: str
+) -> None:
+    text = (find_shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
+    assert ", right)" in text
+    template = read_template("slider-crank", text.replace(", right)", ", right of O->A)"))
+    values = {"r": "1/5", "k": "2", "phi": "150"}
+    solution = solve_template(template, values)
+    assert solution["v_B"] == solve_template(load_template("slider-crank"), values)["v_B"]
+    blocks = explain_positions(Case(solution, language), ["B"])
+    assert any(said in sentence for sentence in sentences(blocks))
 
 
 def test_a_slider_crank_is_told_as_in_a_textbook() -> None:

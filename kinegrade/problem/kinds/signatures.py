@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal, assert_never
 
+from kinegrade.expressions.tree import SIDES_OF
 from kinegrade.problem.kinds.dimension import (
     LENGTH,
     NUMBER,
@@ -51,8 +52,10 @@ class Signature:
     example: str
 
     def usage(self, name: str) -> str:
-        """How the function is written: "velocity(POINT[, BODY])"."""
+        """How the function is written: "velocity(POINT[, BODY])", "left of POINT->POINT"."""
         slots = [slot.replace("PLACE", "POINT") for slot in self.slots]
+        if name in SIDES_OF.values():
+            return f"{name} {'->'.join(slots)}"
         more = "".join(f"[, {slot}]" for slot in slots[self.needed :])
         return f"{name}({', '.join(slots[: self.needed])}{more})"
 
@@ -96,6 +99,11 @@ def _circle(name: str, kinds: Sequence[Kind]) -> Kind:
 def _line(name: str, kinds: Sequence[Kind]) -> Kind:
     """A line."""
     return Straight()
+
+
+def _side(name: str, kinds: Sequence[Kind]) -> Kind:
+    """One of two common points."""
+    return Side()
 
 
 def give_first(name: str, kinds: Sequence[Kind]) -> Kind:
@@ -148,6 +156,8 @@ ELEMENTARY: Mapping[str, Signature] = {
     "atan": make_signature("RATIO", gives=_ratio, example="atan(h/b)"),
     "atan2": make_signature("NUMBER", "NUMBER", gives=_ratio, example="atan2(h, b)"),
 }
+_LEFT = "meet(circle(A, l), circle(D, m), left of A->D)"
+_RIGHT = "meet(circle(A, l), circle(D, m), right of A->D)"
 CONSTRUCTIONS: Mapping[str, Signature] = {
     **ELEMENTARY,
     "": make_signature("NUMBER", "NUMBER", gives=_joined, example="(b, -h)"),
@@ -171,5 +181,7 @@ CONSTRUCTIONS: Mapping[str, Signature] = {
     "x": make_signature("VECTOR", gives=give_first, example="x(A)"),
     "y": make_signature("VECTOR", gives=give_first, example="y(velocity(B))"),
     "turned": make_signature("VECTOR", gives=_same, example="turned(B - A)"),
+    "left of": make_signature("PLACE", "PLACE", gives=_side, example=_LEFT),
+    "right of": make_signature("PLACE", "PLACE", gives=_side, example=_RIGHT),
     "direction": make_signature("PLACE", "PLACE", gives=_ratio, example="direction(O, A)"),
 }

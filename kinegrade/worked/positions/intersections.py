@@ -34,7 +34,7 @@ from kinegrade.worked.positions.axes import find_line, length_of
 from kinegrade.worked.positions.circles_meeting import explain_circles
 from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.instance import AREA, METRE, PURE, Instance
-from kinegrade.worked.positions.shapes import describe_chord_end, describe_line
+from kinegrade.worked.positions.shapes import describe_chord_end, describe_line, describe_side
 from kinegrade.worked.positions.vectors import describe_vector
 
 _Line = tuple[Pair, Pair]  # a point and a direction
@@ -44,7 +44,7 @@ _NOTHING: Pair = (ZERO, ZERO)
 def explain_meeting(step: Step, instance: Instance) -> tuple[Block, ...]:
     """The point in which two lines, a line and a circle, or two circles meet."""
     first, second, *branch = list_parts(step.tree)
-    side = branch[0].name if branch and isinstance(branch[0], Name) else ""
+    side = describe_side(branch[0], instance) if branch else None
     if not (isinstance(first, Call) and isinstance(second, Call)):
         return ()
     circles = [shape for shape in (first, second) if shape.function == "circle"]

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from kinegrade.expressions.tree import Call
+from kinegrade.expressions.tree import SIDES_OF, Call, Expression, Name
 from kinegrade.language.message import Message
 from kinegrade.worked.formulas.leaves import count_quarter_turns
 from kinegrade.worked.positions.algebra import ZERO
@@ -46,16 +46,31 @@ def describe_circle(circle: Call, instance: Instance) -> Message:
     return Message("solution.circle", centre=instance.text(centre), radius=instance.text(radius))
 
 
+def describe_side(branch: Expression, instance: Instance) -> Message | None:
+    """Which of two common points is meant; None where the branch tells them apart for two circles
+    alone.
+    """
+    match branch:
+        case Name(name):
+            return _SIDES.get(name)
+        case Call(function, (start, end)):
+            side = "left" if function == SIDES_OF["left"] else "right"
+            ends = {"start": instance.text(start), "end": instance.text(end)}
+            return Message(f"solution.{side}-of-one", **ends)
+        case _:
+            return None
+
+
 def describe_chord_end(
-    point: str, line: Call, circle: Call, side: str, instance: Instance
+    point: str, line: Call, circle: Call, side: Message | None, instance: Instance
 ) -> Message:
     """Which of the common points of a line and a circle is meant; where no side tells, they touch
     in one.
     """
     name = instance.letter(point)
     path, round_ = describe_line(line, instance), describe_circle(circle, instance)
-    if side in _SIDES:
+    if side is not None:
         return Message(
-            "solution.line-meets-circle", point=name, side=_SIDES[side], line=path, circle=round_
+            "solution.line-meets-circle", point=name, side=side, line=path, circle=round_
         )
     return Message("solution.line-touches-circle", point=name, line=path, circle=round_)

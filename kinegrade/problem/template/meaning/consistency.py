@@ -16,7 +16,7 @@ from kinegrade.expressions.tree import Expression, Name, find_names
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.place import Place, key_path
 from kinegrade.language.message import Listing, Message, Quoted, list_choices
-from kinegrade.mechanics.geometry import BRANCHES
+from kinegrade.mechanics.branches import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.kinds.dimension import (
     ACCELERATION,

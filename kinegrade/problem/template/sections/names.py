@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from kinegrade.files.fields.table import Table
 from kinegrade.language.message import Message, list_plainly
-from kinegrade.mechanics.geometry import BRANCHES
+from kinegrade.mechanics.branches import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 
 _RESERVED = frozenset({"pi", GROUND, *BRANCHES})

@@ -10,7 +10,7 @@ from kinegrade.expressions.tree import Expression, find_names
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.place import Place
 from kinegrade.language.message import Message, Quoted, Text
-from kinegrade.mechanics.geometry import BRANCHES
+from kinegrade.mechanics.branches import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.template.conditions import mixes_angle_and_number
 from kinegrade.problem.template.draft import Draft
