@@ -12,7 +12,7 @@ from kinegrade.draws.deck import Combination, Deck, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.draws.examining import Examined, Refused
 from kinegrade.errors import TemplateError
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.quantity import Quantity
@@ -21,6 +21,7 @@ from kinegrade.problem.statement_faults import find_statement_faults
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import find_unfinished_translations
 from kinegrade.proof.answerable import find_answerable, write_values
+from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
 from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
@@ -33,6 +34,7 @@ _FEWEST = 500  # distinct instances: fewer, and a large class finds out the patt
 _TEXTS_TRIED = 1000  # draws at which the texts that depend on values are tried
 _SEARCHED = 300  # instances that the search for breaking values tries
 _RIGHT_ANGLE = 90
+_EXAMPLES = 10  # instances that are put together in other ways, some milliseconds each
 _FEW = 0.02  # a share of draws, or of all others, that chance may leave unlike the rest
 _BEYOND = 2 * WIDEST  # stands for more than any tolerance may give
 
@@ -63,6 +65,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
         report.faults += error.faults
         return report
     _weigh(report)
+    _note_assemblies(report)
     _search(report, min(sample, _SEARCHED))
     report.following = find_connections(template, _select_asked(report))
     return report
@@ -134,6 +137,22 @@ def _draw(report: Report, draws: Sequence[Combination]) -> None:
     report.seconds = (perf_counter() - start) / max(report.instances, 1)
 
 
+def _note_assemblies(report: Report) -> None:
+    """How else the mechanism closes in the first instances."""
+    for other in find_other_assemblies(report.template):
+        closed = sum(close_otherwise(each, other) is not None for each in report.examples)
+        if closed:
+            report.assemblies.append(
+                Message(
+                    "template.report-assembly",
+                    point=other.point,
+                    taken=Quoted(other.taken),
+                    other=Quoted(other.other),
+                    share=f"{closed / len(report.examples):.0%}",
+                )
+            )
+
+
 def _weigh(report: Report) -> None:
     """Too few instances are a fault, and answers with points that need not be worked out."""
     if not report.instances:
@@ -196,6 +215,8 @@ def _check_deck(template: Template, secret: str) -> Deck:
 def _note(report: Report, solution: Solution) -> None:
     """Count an accepted instance and the spread of its answers."""
     report.instances += 1
+    if len(report.examples) < _EXAMPLES:
+        report.examples.append(solution)
     known = {Copied("given", name): given for name, given in solution.parameters.items()}
     for name, answer in solution.answers.items():
         report.spreads.setdefault(name, Spread()).note(answer, known)

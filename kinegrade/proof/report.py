@@ -10,6 +10,7 @@ from fractions import Fraction
 from kinegrade.draws.examining import Reason
 from kinegrade.errors import Problem
 from kinegrade.language.message import Message
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.spread import Spread
 from kinegrade.students.near_mistakes import NearMistakes
@@ -25,7 +26,8 @@ class Report:
     all drawn values; the others are faults. `near` are the mistakes that lead to right
     answers. `shares` are for each ask the relative tolerances that honest rounding takes in the
     instances, `special` counts those in which a given is zero or a multiple of a right angle.
-    `seconds` is the mean time of an instance; `remarks` are for the author to weigh.
+    `examples` are the first few instances, `assemblies` says how else they close. `seconds` is the
+    mean time of an instance; `remarks` are for the author to weigh.
     """
 
     template: Template
@@ -38,6 +40,8 @@ class Report:
     special: Counter[str] = field(default_factory=Counter)
     spreads: dict[str, Spread] = field(default_factory=dict)
     near: NearMistakes = field(default_factory=NearMistakes)
+    examples: list[Solution] = field(default_factory=list)
+    assemblies: list[Message] = field(default_factory=list)
     following: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     seconds: float = 0.0
     remarks: list[Message] = field(default_factory=list)

@@ -5,14 +5,17 @@ a template.
 from __future__ import annotations
 
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
 from kinegrade.cli import main
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.library.reading import read_template
+from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
 from kinegrade.proof.checking import check, choose_drawable
 from kinegrade.proof.neighbours import list_probed
 from kinegrade.proof.report import Report
@@ -371,3 +374,47 @@ def test_the_report_is_in_the_language_of_the_terminal(tmp_path: Path) -> None:
     assert shown.stdout.startswith("crank：有误\n  齐全的语言：en、zh\n")
     assert "拒绝：大小不合理 2、不合条件 6、退化 4、机构不成立 4\n" in shown.stdout
     assert "  错误：v_x 在所有实例中答案相同：学生会猜到\n" in shown.stdout
+
+
+def test_the_other_way_in_which_a_mechanism_closes_is_said() -> None:
+    found = all_said(write_findings(check(load_template("slider-crank"), sample=10)))
+    assert (
+        'B is "right"; with "left" it closes as well in 100% of the draws: -o FILE shows both'
+    ) in found
+
+
+@pytest.mark.parametrize(
+    ("taken", "other"),
+    [
+        ("right", "left"),
+        ("left of A->O", "right of A->O"),
+        ("right of A->O", "left of A->O"),
+    ],
+)
+def test_the_other_assembly_takes_the_other_common_point(taken: str, other: str) -> None:
+    template = read_template("slider-crank", SLIDER.replace(", right)", f", {taken})"))
+    (assembly,) = find_other_assemblies(template)
+    assert (assembly.point, assembly.taken, assembly.other) == ("B", taken, other)
+    solution = solve_template(template, {"phi": "30", "r": "1/5", "k": "2"})
+    closed = close_otherwise(solution, assembly)
+    assert closed is not None
+    here, there = (each.doubles.points["B"].x for each in (solution, closed))
+    middle = solution.doubles.points["A"].x
+    assert here - middle == pytest.approx(middle - there)
+    assert here != there
+
+
+def test_what_does_not_close_is_no_other_assembly() -> None:
+    right_alone = ', right)"\nQ = "(sqrt(r*x(B)), 0)"'
+    template = read_template("slider-crank", SLIDER.replace(', right)"', right_alone))
+    (assembly,) = find_other_assemblies(template)
+    solution = solve_template(template, {"phi": "30", "r": "1/5", "k": "2"})
+    assert close_otherwise(solution, assembly) is None
+
+
+def test_check_draws_both_assemblies(tmp_path: Path) -> None:
+    sheet = tmp_path / "both.pdf"
+    arguments = ["check", "slider-crank", "--sample", "2", "-o", str(sheet), "--lang", "en"]
+    assert CliRunner().invoke(main, arguments).exit_code == 0
+    printed = subprocess.run(["pdftotext", sheet, "-"], capture_output=True, text=True, check=True)
+    assert "left" in printed.stdout

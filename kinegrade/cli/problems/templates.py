@@ -13,6 +13,7 @@ from kinegrade.cli.options import (
     FORCE,
     JOBS,
     LANGUAGE,
+    OPTIONAL_OUTPUT,
     OUTPUT,
     finish_with_complaints,
     refusing,
@@ -30,22 +31,38 @@ from kinegrade.language import Language
     show_default=True,
 )
 @JOBS
+@OPTIONAL_OUTPUT
+@LANGUAGE
+@FORCE
 @refusing
-def check(template_names: tuple[str, ...], sample: int, jobs: int) -> None:
+def check(
+    *,
+    template_names: tuple[str, ...],
+    sample: int,
+    jobs: int,
+    output: Path | None,
+    language: Language,
+    force: bool,
+) -> None:
     """Prove templates: published results exactly, drawn instances solvable and sensible (default:
     all shipped).
     """
+    from kinegrade.exam.printing.gallery import make_assembly_sheet
     from kinegrade.exam.printing.template_proof import prove_templates
+    from kinegrade.files.output import write_file
     from kinegrade.problem.template.library.library import find_template_names as shipped_names
     from kinegrade.processes.executor import open_executor
 
     sound, words = True, terminal_words()
+    names = template_names or shipped_names()
     with open_executor(jobs, "check") as workers:
-        for proof in prove_templates(template_names or shipped_names(), sample, workers):
+        for proof in prove_templates(names, sample, workers):
             click.echo(words.write(proof.verdict))
             for finding in proof.findings:
                 click.echo(f"  {words.write(finding)}")
             sound &= proof.sound
+    if output is not None:
+        write_file(output, make_assembly_sheet(names, language).pdf, "pdf", force=force)
     if not sound:
         sys.exit(COMPLAINTS)
 

@@ -7,8 +7,8 @@ reason.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -31,6 +31,9 @@ from kinegrade.problem.template.given_marks import mark_givens
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import require_language
+from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
+
+_Draw = Callable[[Template, Language], tuple[tuple[GalleryFigure, ...], tuple[str, ...]]]
 
 
 @dataclass(frozen=True)
@@ -47,7 +50,19 @@ def make_contact_sheet(names: Iterable[str], language: Language, draws: int) -> 
 
     Raises TemplateError when none of them can be read.
     """
-    entries = [_make_entry(name, language, draws) for name in dict.fromkeys(names)]
+    return _make_sheet(names, language, partial(_draw_figures, draws=draws))
+
+
+def make_assembly_sheet(names: Iterable[str], language: Language) -> ContactSheet:
+    """The same, each at one draw, put together as its template says and in all other ways.
+
+    Raises TemplateError when none of them can be read.
+    """
+    return _make_sheet(names, language, _draw_assemblies)
+
+
+def _make_sheet(names: Iterable[str], language: Language, draw: _Draw) -> ContactSheet:
+    entries = [_make_entry(name, language, draw) for name in dict.fromkeys(names)]
     if not any(entry.family for entry in entries):
         raise TemplateError(*(fault for entry in entries for fault in entry.faults))
     press = TypstPress()
@@ -69,7 +84,7 @@ def _order_entries(entries: Iterable[GalleryEntry]) -> tuple[GalleryEntry, ...]:
     return tuple(sorted(entries, key=lambda entry: (not entry.family, entry.family, entry.name)))
 
 
-def _make_entry(name: str, language: Language, draws: int) -> GalleryEntry:
+def _make_entry(name: str, language: Language, draw: _Draw) -> GalleryEntry:
     """The entry of one template; if it cannot be read, its faults alone."""
     try:
         template = load_template(name)
@@ -77,7 +92,7 @@ def _make_entry(name: str, language: Language, draws: int) -> GalleryEntry:
     except TemplateError as error:
         return _make_unreadable_entry(Path(name).stem, _write_faults(error, language))
     demands, unsolved = _find_demands(template, language)
-    figures, faults = _draw_figures(template, draws, language)
+    figures, faults = draw(template, language)
     asked = template.asked()
     return GalleryEntry(
         template.about.family,
@@ -128,27 +143,52 @@ def _require_printable(press: TypstPress, entry: GalleryEntry, language: Languag
 
 
 def _draw_figures(
-    template: Template, draws: int, language: Language
+    template: Template, language: Language, draws: int
 ) -> tuple[tuple[GalleryFigure, ...], tuple[str, ...]]:
     """The figures of the first good combinations, the same in every gallery, and why there are no
     more.
     """
-    deck = make_deck(template, template.name, "gallery")
-    filters = {"gallery": DrawFilter(template, template.asked(), deck, {})}
     figures: list[GalleryFigure] = []
     try:
-        dealt = deal(filters, draws, partial(look_here, filters))["gallery"]
-        for position in dealt.positions[:draws]:
-            values = deck.combination(position)
-            figures.append(_draw_figure(filters["gallery"].solved(values), language))
+        solutions, shortage = _deal_first(template, draws, language)
+        for solution in solutions:
+            figures.append(_draw_figure(solution, language))
     except KinegradeError as error:
         return tuple(figures), _write_faults(error, language)
+    return tuple(figures), shortage
+
+
+def _deal_first(
+    template: Template, draws: int, language: Language
+) -> tuple[list[Solution], tuple[str, ...]]:
+    """The instances of the first good combinations, and a line where there are too few."""
+    deck = make_deck(template, template.name, "gallery")
+    draw_filter = DrawFilter(template, template.asked(), deck, {})
+    filters = {"gallery": draw_filter}
+    dealt = deal(filters, draws, partial(look_here, filters))["gallery"]
+    values = map(deck.combination, dealt.positions[:draws])
+    solutions = [draw_filter.solved(each) for each in values]
     if dealt.lasting:
-        return tuple(figures), ()
-    shortage = open_catalogue(language).write(
-        dealt.shortage(template.name, "draws", filters["gallery"])
-    )
-    return tuple(figures), (shortage,)
+        return solutions, ()
+    shortage = dealt.shortage(template.name, "draws", draw_filter)
+    return solutions, (open_catalogue(language).write(shortage),)
+
+
+def _draw_assemblies(
+    template: Template, language: Language
+) -> tuple[tuple[GalleryFigure, ...], tuple[str, ...]]:
+    """The figure of the first good combination, and those of the other ways in which it closes."""
+    try:
+        (solution,), shortage = _deal_first(template, 1, language)
+        figures = [_draw_figure(solution, language)]
+        for other in find_other_assemblies(template):
+            closed = close_otherwise(solution, other)
+            if closed is not None:
+                caption = f"${other.point}$: {other.other}"
+                figures.append(replace(_draw_figure(closed, language), givens=caption))
+    except KinegradeError as error:
+        return (), _write_faults(error, language)
+    return tuple(figures), shortage
 
 
 def _write_faults(error: KinegradeError, language: Language) -> tuple[str, ...]:
