@@ -52,7 +52,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     report.faults += find_unfinished_translations(template)
     _weigh_texts(report, sample)
     if not template.published:
-        report.faults.append(Message("template.no-published"))
+        report.remarks.append(Message("template.no-published"))
     report.faults += asks.faults()
     if asks.stuck and not asks.solved:
         report.faults.append(Message("template.no-drawn-solved", reason=asks.stuck))

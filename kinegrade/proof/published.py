@@ -1,21 +1,28 @@
-"""Published results held against the engine's answers, exactly."""
+"""Published results held against the engine's answers: exactly, or to their printed figures."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping
+from decimal import Decimal
 from typing import Any
 
 from kinegrade.draws.deck import Combination, make_deck
 from kinegrade.errors import ExpressionError, KinegradeError, Problem
+from kinegrade.expressions.angular import is_angle
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.balls import Undecided
+from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Ask, Published, Template
 from kinegrade.proof.report import Report
 
 _Proof = tuple[Solution, dict[str, Problem]]  # an instance with what differs there
+_PRINTED = re.compile(r"-?\d+\.\d*", re.ASCII)
+_SHOWN = 10  # digits of an answer that no small field holds
 _INSTANCES = 5  # values at which a published formula is proved, besides the values it states
 
 
@@ -23,10 +30,9 @@ def prove_published(report: Report, published: Published) -> None:
     """Compare the published results with the engine's: at the stated values, and at several for
     those left open, of an exact field where there are such.
     """
-    where, complete = (
-        f"published ({published.source})",
-        set(published.given) == set(report.template.parameters),
-    )
+    where = f"published ({published.source})"
+    stated = _list_stated(report.template, published)
+    complete = set(stated) == set(report.template.parameters)
     proofs: list[_Proof] = []
     inexact: list[_Proof] = []
     problem: Problem = ""
@@ -45,7 +51,9 @@ def prove_published(report: Report, published: Published) -> None:
     wrong: dict[str, Fault] = {}
     proofs = proofs or inexact[:_INSTANCES]
     for solution, found in proofs:
-        report.proved += len(gives) - len(found)
+        right = [name for name in gives if name not in found]
+        report.rounded += sum(is_printed_decimal(published.texts[name]) for name in right)
+        report.proved += len(right)
         for name, fault in found.items():
             place = Message("template.at-instance", where=where, values=_write_instance(solution))
             wrong.setdefault(name, Fault(place, fault))
@@ -57,8 +65,17 @@ def prove_published(report: Report, published: Published) -> None:
 
 def _choose_settled(report: Report, published: Published, count: int) -> list[Combination]:
     """The values that a source states, with `count` draws of those it leaves open."""
-    fixed = {name: (text,) for name, text in published.given.items()}
+    fixed = {name: (text,) for name, text in _list_stated(report.template, published).items()}
     return make_deck(report.template, report.secret, published.source, fixed).first(count)
+
+
+def _list_stated(template: Template, published: Published) -> Mapping[str, str]:
+    """The values for which results hold; a printed decimal belongs to the data of the source."""
+    if not any(map(is_printed_decimal, published.texts.values())):
+        return published.given
+    parameters = template.parameters.items()
+    data = {name: each.published for name, each in parameters if each.published is not None}
+    return {**data, **published.given}
 
 
 def _write_instance(solution: Solution) -> str:
@@ -72,30 +89,75 @@ def _write_instance(solution: Solution) -> str:
 def _find_differences(
     template: Template, published: Published, solution: Solution
 ) -> Iterator[tuple[str, Problem]]:
-    """The published results that the engine's answers do not equal exactly, by name, and how."""
+    """The published results that the engine's answers do not meet, by name, and how: a decimal to
+    its printed figures, all others exactly, or to within the enclosure where no field holds them.
+    """
     for name, answer in solution.answers.items():
-        ask, tree = template.asks[name], published.gives[name]
+        stated = published.texts[name]
         try:
-            expected = evaluate(
-                tree,
-                _quote(solution),
-                make_elementary_functions(solution.arithmetic),
-                solution.arithmetic,
-            )
+            with solution.arithmetic.context():
+                met = _is_met(template.asks[name], published, solution)
         except ExpressionError as error:
             yield name, Fault(name, error.faults[0])
-            continue
-        if not solution.arithmetic.exact:
+        except Undecided:
             yield name, Fault(name, Message("template.stated-in-no-field"))
-        elif not _is_equal(expected, answer.number, ask, solution.arithmetic):
-            stated, given = published.texts[name], str(answer.exact)
-            yield name, Message("template.engine-gives", ask=name, stated=stated, given=given)
+        else:
+            if not met:
+                given = answer.exact or answer.decimal(_SHOWN)
+                yield name, Message("template.engine-gives", ask=name, stated=stated, given=given)
+
+
+def _is_met(ask: Ask, published: Published, solution: Solution) -> bool:
+    """Whether the engine's answer is the one that the source gives."""
+    answer, arithmetic = solution[ask.name], solution.arithmetic
+    if is_printed_decimal(published.texts[ask.name]):
+        return _is_rounded(published.texts[ask.name], answer)
+    functions, tree = make_elementary_functions(arithmetic), published.gives[ask.name]
+    expected = evaluate(tree, _quote(solution), functions, arithmetic)
+    if arithmetic.exact:
+        return _is_equal(expected, answer.number, ask, arithmetic)
+    if ask.unit.degrees and is_angle(tree, solution.template.angles):
+        expected = expected * 180 / arithmetic.turns(1)
+    return bool(arithmetic.is_zero(_turn_back(expected - answer.number, answer)))
+
+
+def is_printed_decimal(text: str) -> bool:
+    """Whether a result is stated as a decimal, as a book prints it: `4.08`, not `4` or `204/50`.
+
+    >>> is_printed_decimal("-4.08"), is_printed_decimal("2*omega"), is_printed_decimal("4")
+    (True, False, False)
+    """
+    return _PRINTED.fullmatch(text) is not None
+
+
+def _is_rounded(stated: str, answer: Quantity) -> bool:
+    """Whether an answer is as near to a printed decimal as half a unit of its last place."""
+    if answer.at_infinity:
+        return False
+    printed = Decimal(stated)
+    half_unit = Decimal(5).scaleb(int(printed.as_tuple().exponent) - 1)
+    return bool(abs(_turn_back(Decimal(answer.certified) - printed, answer)) <= half_unit)
+
+
+def _turn_back(difference: Any, answer: Quantity) -> Any:
+    """A difference of answers, without the full turns in which angles may differ."""
+    turn = int(answer.full_turn) if answer.measure.degrees else 0
+    return difference - turn * round(float(difference) / turn) if turn else difference
 
 
 def _quote(solution: Solution) -> dict[str, Any]:
     """The parameters as a source quotes them: numbers in their units, degrees as angles."""
-    values = {name: quantity.number for name, quantity in solution.parameters.items()}
+    values = {name: _quote_given(name, solution) for name in solution.parameters}
     return {**values, "pi": solution.arithmetic.turns(1)}
+
+
+def _quote_given(name: str, solution: Solution) -> Any:
+    """The number of a parameter; where no field holds the values, enclosed."""
+    given = solution.parameters[name]
+    if solution.arithmetic.exact:
+        return given.number
+    value = solution.assembly.values[name]
+    return value if given.measure.degrees else value / given.measure.factor
 
 
 def _is_equal(expected: Any, answer: Any, ask: Ask, field_: Any) -> bool:

@@ -22,18 +22,20 @@ SECRET = "check"  # the instances looked at are the same every time
 class Report:
     """What the check of a template found; `faults` is empty when the template is sound.
 
-    `secret` is what the instances were drawn from. `sound` are the asks that can be worked out at
-    all drawn values; the others are faults. `near` are the mistakes that lead to right
-    answers. `shares` are for each ask the relative tolerances that honest rounding takes in the
+    `secret` is what the instances were drawn from. `sound` are the asks that can be worked out
+    at all drawn values; the others are faults. Of the published results `proved`, `rounded`
+    were held to their printed figures. `near` are the mistakes that lead to right answers.
+    `shares` are for each ask the relative tolerances that honest rounding takes in the
     instances, `special` counts those in which a given is zero or a multiple of a right angle.
-    `examples` are the first few instances, `assemblies` says how else they close. `seconds` is the
-    mean time of an instance; `remarks` are for the author to weigh.
+    `examples` are the first few instances, `assemblies` says how else they close. `seconds` is
+    the mean time of an instance; `remarks` are for the author to weigh.
     """
 
     template: Template
     secret: str = SECRET
     sound: tuple[str, ...] = ()
     proved: int = 0
+    rounded: int = 0
     instances: int = 0
     refused: Counter[Reason] = field(default_factory=Counter)
     shares: dict[str, list[Fraction]] = field(default_factory=dict)

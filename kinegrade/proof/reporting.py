@@ -12,9 +12,11 @@ from kinegrade.students.near_mistakes import Shares
 
 
 def write_verdict(report: Report) -> Message:
-    """Whether the template is sound."""
+    """Whether the template is sound, and proved by a published result."""
     if report.faults:
         return Message("template.report-faulty", name=report.template.name)
+    if not report.template.published:
+        return Message("template.report-unproved", name=report.template.name)
     return Message("template.report-sound", name=report.template.name)
 
 
@@ -23,7 +25,9 @@ def write_findings(report: Report) -> Iterator[Message]:
     languages = find_languages(report.template)
     complete = list_plainly(languages) if languages else Message("template.no-language")
     yield Message("template.report-languages", languages=complete)
-    yield Message("template.report-proved", number=report.proved)
+    yield Message("template.report-proved", number=report.proved - report.rounded)
+    if report.rounded:
+        yield Message("template.report-rounded", number=report.rounded)
     yield Message(
         "template.report-examined",
         combinations=report.template.combinations,
