@@ -10,6 +10,7 @@ import click
 
 import kinegrade
 from kinegrade.cli.help import command
+from kinegrade.cli.option_types import LanguageChoice
 from kinegrade.cli.options import (
     FILE,
     FORCE,
@@ -125,6 +126,11 @@ def reprint_exam(exam: Path, *, template: Path, accept_changes: bool, jobs: int)
 @click.argument("students", nargs=-1, metavar="[STUDENT]...")
 @METHOD
 @click.option(
+    "--lang",
+    "language",
+    type=LanguageChoice(),
+)
+@click.option(
     "--before-due",
     is_flag=True,
 )
@@ -136,6 +142,7 @@ def solutions(
     students: tuple[str, ...],
     *,
     method: Method | None,
+    language: Language | None,
     before_due: bool,
     jobs: int,
     force: bool,
@@ -149,6 +156,6 @@ def solutions(
     folder = kinegrade.open_exam(exam)
     if not before_due:
         require_due_past(folder)
-    wishes = SolutionWishes(students, method, jobs, force, show_progress)
+    wishes = SolutionWishes(students, method, language, jobs, force, show_progress)
     count = add_solutions(folder, wishes)
     say(Message("terminal.solutions-written", exam=str(exam), count=count))

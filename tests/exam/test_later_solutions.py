@@ -95,6 +95,24 @@ def test_a_method_of_its_own_is_kept_for_what_is_printed_again(exam: Path, tmp_p
     assert contents(exam) == contents(folder / "EXAM")
 
 
+def test_a_language_for_all_takes_the_place_of_that_of_the_papers(
+    exam: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "other").mkdir()
+    folder = write_class(tmp_path / "other")
+    assert generate(folder, "EXAM", "--solutions", "--lang", "zh").exit_code == 0
+    assert kinegrade("solutions", exam, "--lang", "zh").exit_code == 0
+    for stem in STEMS:
+        name = f"solutions/{stem}.pdf"
+        assert (exam / name).read_bytes() == (folder / "EXAM" / name).read_bytes()
+
+
+def test_a_language_that_the_exam_lacks_is_refused(exam: Path) -> None:
+    result = kinegrade("solutions", exam, "--lang", "de")
+    assert (result.exit_code, (exam / "solutions").exists()) == (2, False)
+    assert 'bank: no text in "de" (title, course) - expected' in result.stderr
+
+
 def test_those_of_one_student_are_the_same_and_the_rest_may_follow(
     solved: dict[str, bytes], exam: Path
 ) -> None:

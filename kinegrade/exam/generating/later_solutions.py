@@ -12,6 +12,7 @@ from pathlib import Path
 from msgspec import structs
 
 from kinegrade.errors import OptionError, OutputError
+from kinegrade.exam.bank.texts import require_bank_language
 from kinegrade.exam.folder.contents import SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
@@ -24,6 +25,7 @@ from kinegrade.exam.printing.printed_files import write_solutions
 from kinegrade.exam.printing.printing import PrintRun
 from kinegrade.exam.printing.reprint import find_candidates, kept_run
 from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.press.protocol import Printout
 from kinegrade.problem.template.template import Method
@@ -38,13 +40,15 @@ Progress = Callable[[Iterator[tuple[str, Printout]], int], Iterator[tuple[str, P
 class SolutionWishes:
     """Whose worked solutions are wanted, by id; none for everybody's.
 
-    `method` finds velocities where several serve, by default that of the exam; with `force` those
-    that exist are replaced. They are printed by up to `jobs` processes; `progress` is given them
-    one after another, and their number.
+    `method` finds velocities where several serve, by default that of the exam; they are in
+    `language`, by default in that of each paper; with `force` those that exist are replaced. They
+    are printed by up to `jobs` processes; `progress` is given them one after another, and their
+    number.
     """
 
     students: tuple[str, ...]
     method: Method | None
+    language: Language | None
     jobs: int
     force: bool
     progress: Progress
@@ -74,11 +78,15 @@ def add_solutions(exam: ExamFolder, wishes: SolutionWishes) -> int:
 
 def _make_run(exam: ExamFolder, wishes: SolutionWishes, students: Sequence[Candidate]) -> PrintRun:
     """How the worked solutions are printed. Raises OptionError where some of the class would have
-    theirs by another method than the others.
+    theirs by another method than the others; BankError, or TemplateError, where texts are missing
+    in the language.
     """
     kept = KeptExam(exam)
+    if wishes.language:
+        require_bank_language(kept.bank, wishes.language)
+    printed = {"solutions": True, "solution_language": wishes.language}
     if wishes.method in (None, exam.head.method):
-        return kept_run(exam, kept, solutions=True)
+        return kept_run(exam, kept, **printed)
     if len(students) < len(exam.head.students):
         raise OptionError(
             Fault(
@@ -88,7 +96,7 @@ def _make_run(exam: ExamFolder, wishes: SolutionWishes, students: Sequence[Candi
                 Message("exam.name-nobody"),
             )
         )
-    return kept_run(exam, kept, solutions=True, method=wishes.method)
+    return kept_run(exam, kept, **printed, method=wishes.method)
 
 
 def _require_new(exam: ExamFolder, students: Sequence[Candidate]) -> None:

@@ -49,13 +49,15 @@ class PressOrder:
 
 @dataclass(frozen=True)
 class Extras:
-    """What is wanted beside papers and key: worked solutions, by `method` where several serve, and
-    papers in the other kinds of files named (docx, html).
+    """What is wanted beside papers and key: worked solutions, by `method` where several serve,
+    in `solution_language` for everybody, else in that of each paper; papers in the other kinds of
+    files named (docx, html).
     """
 
     solutions: bool = False
     method: Method | None = None
     also: tuple[str, ...] = ()
+    solution_language: Language | None = None
 
 
 @dataclass(frozen=True)
@@ -150,7 +152,7 @@ def print_solutions(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> 
     # It loads everything for worked solutions
     from kinegrade.exam.printing.solution_pages import SolutionWriter, write_solution_sheet
 
-    writer = SolutionWriter(run.language, run.extras.method)
+    writer = SolutionWriter(run.language, run.extras.method, run.extras.solution_language)
     return press.solutions(
         {paper.student.file_name: write_solution_sheet(run.bank, paper, writer) for paper in papers}
     )

@@ -28,12 +28,13 @@ _Instance = tuple[Language, str, tuple[tuple[str, str], ...]]
 @dataclass(frozen=True)
 class SolutionWriter:
     """Writes worked solutions by `method` where several serve, None leaves it to each template, in
-    `language` unless the student has another; that of a question that several papers have in common
-    is written once for all of them.
+    `language` unless the student has another, or else in the one `for_all`; that of a question that
+    several papers have in common is written once for all of them.
     """
 
     language: Language
     method: Method | None = None
+    for_all: Language | None = None
     _done: dict[_Instance, WorkedQuestion] = field(default_factory=dict, repr=False)
 
     def write(self, number: int, question: SetQuestion, language: Language) -> WorkedQuestion:
@@ -47,7 +48,7 @@ class SolutionWriter:
 
 def write_solution_sheet(bank: Bank, paper: SetPaper, writer: SolutionWriter) -> SolutionSheet:
     """The worked solutions of one student's paper, in the order of the paper."""
-    language = find_own_language(paper, writer.language)
+    language = writer.for_all or find_own_language(paper, writer.language)
     questions = tuple(
         writer.write(number, question, language) for number, question in paper.numbered
     )
