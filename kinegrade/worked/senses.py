@@ -76,12 +76,7 @@ def say_beside(message: Message, case: Case) -> Row:
 
 def state_way(vector: Vector, case: Case) -> Row:
     """The direction of a vector beside its magnitude, nothing for a zero vector."""
-    if is_zero(vector):
-        return ()
-    sense = find_axis_sense(vector)
-    if sense:
-        return say_beside(sense, case)
-    return (Sign(","), _APART, *state_angle(bearing(vector)).print(case.mark))
+    return () if is_zero(vector) else say_beside(describe_direction(vector, case), case)
 
 
 def describe_direction(vector: Vector, case: Case) -> Message:

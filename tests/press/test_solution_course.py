@@ -169,3 +169,17 @@ def test_text_goes_on_above_drawings_that_have_no_room_on_the_page() -> None:
 def find_drawings(parts: list[Setting | DrawingRow]) -> int:
     """The place of the first row of drawings."""
     return [isinstance(part, DrawingRow) for part in parts].index(True)
+
+
+def test_a_high_equation_beside_its_sentence_has_room_above_and_below() -> None:
+    # the fraction of an angle's tangent ran into the lines around it
+    low, high = (
+        course(Prose("It is:"), read_display((line,)))[0]
+        for line in (r"x &= 1", r"x &= \frac{1}{2}")
+    )
+    assert isinstance(low, Setting)
+    assert isinstance(high, Setting)
+    assert isinstance(low.body, Paragraph)
+    assert isinstance(high.body, Paragraph)
+    assert (low.body.is_tall, high.body.is_tall) == (False, True)
+    assert high.height > low.height + 2

@@ -26,6 +26,8 @@ _PITCH = {"latin": 1.27, "chinese": 1.45}  # em from line to line, by script
 _LEADING = 0.62  # em between two lines, of their pitch
 _TALLEST_IN_LINE = 0.7  # of the height of a display is that of the same formula within a text
 _GAP = 1.7  # millimetres between two blocks
+_REACHING = 1.2  # em: an equation that is higher reaches beyond the line of its sentence
+_TALL_ROOM = 1.2  # millimetres more above and below it, as in the layouts
 _BEFORE_HEADING: dict[int, float] = {1: 2.4, 2: 1.6}
 
 
@@ -38,6 +40,11 @@ class Paragraph:
     heading: Heading | None = None
     text: str = ""  # prose
     equation: Row = ()
+
+    @property
+    def is_tall(self) -> bool:
+        """Whether its equation, set as a display, would reach into the lines above and below."""
+        return measure_printed(self.equation).height > _REACHING if self.equation else False
 
 
 @dataclass(frozen=True)
@@ -142,9 +149,10 @@ class Column:
             measure_formula_height(paragraph.text),
             measure_printed(paragraph.equation).height if paragraph.equation else 0.0,
         )
+        beside = 2 * _TALL_ROOM if paragraph.is_tall else 0.0
         lines = max(1, ceil(_measure_paragraph(paragraph) * EM / self.width))
         higher = max(0.0, _TALLEST_IN_LINE * tall - 1)
-        return above + (_PITCH[self.script] * lines - _LEADING + higher) * EM
+        return above + beside + (_PITCH[self.script] * lines - _LEADING + higher) * EM
 
 
 def fits(setting: Setting) -> bool:

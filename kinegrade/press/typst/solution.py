@@ -145,6 +145,7 @@ def _write_paragraph(paragraph: Paragraph, where: Location) -> Sheet:
     return written | {
         "kind": "paragraph",
         "level": heading.level if heading else 0,
+        "tall": paragraph.is_tall,
         "equation": f"$display({write_typst_row(equation)})$" if equation else None,
     }
 

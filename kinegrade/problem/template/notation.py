@@ -7,6 +7,7 @@ v_tr      v_{\\mathrm{e}}   a_tr_n   a_{\\mathrm{e}}^{\\mathrm{n}}   a_cor  a_{\
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator, Sequence
 
 _GREEK = {
     "alpha": r"\alpha",
@@ -24,6 +25,7 @@ _GREEK = {
     "omega": r"\omega",
 }
 _PARTS = {"rel": r"\mathrm{r}", "tr": r"\mathrm{e}", "cor": r"\mathrm{C}"}
+_COMPONENTS = ("x", "y")
 _UPPER = {"n": r"\mathrm{n}", "t": r"\mathrm{t}"}
 
 
@@ -35,21 +37,26 @@ def write_symbol(name: str) -> str:
     """
     head, *rest = name.split("_")
     letters, digits = _split_digits(head)
-    lower = ([digits] if digits else []) + [
-        _write_subscript(part) for part in rest if part not in _UPPER
-    ]
+    parts = [digits, *(part for part in rest if part not in _UPPER)]
     upper = [_UPPER[part] for part in rest if part in _UPPER]
     text = _GREEK.get(letters, letters)
+    lower = "".join(_write_subscripts(list(filter(None, parts))))
     if lower:
-        text += "_{" + ",".join(lower) + "}"
+        text += "_{" + lower + "}"
     return text + ("^{" + ",".join(upper) + "}" if upper else "")
 
 
-def _write_subscript(part: str) -> str:
-    """One part of a subscript: relative, transport and Coriolis by their letters, points with their
-    digits.
+def _write_subscripts(parts: Sequence[str]) -> Iterator[str]:
+    r"""The parts of a subscript: relative, transport and Coriolis by their letters, points with
+    their digits; commas between them, but not between a kind of motion and whose it is.
+
+    >>> write_symbol("v_rel_2"), write_symbol("v_rel_x")
+    ('v_{\\mathrm{r}2}', 'v_{\\mathrm{r},x}')
     """
-    return _PARTS.get(part, write_point_symbol(part))
+    for before, part in zip(["", *parts], parts, strict=False):
+        whose = before in _PARTS and part not in _COMPONENTS
+        yield "," if before and not whose else ""
+        yield _PARTS.get(part, write_point_symbol(part))
 
 
 def write_point_symbol(name: str) -> str:
