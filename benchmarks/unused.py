@@ -41,8 +41,6 @@ SEEN_BY_OTHERS = {
     "sympy": "a public method, for those who calculate on",
 }
 USED_BY_TESTS = {
-    "displacement": "where a path ends, for whoever shows a cycle",
-    "find_path": "the path of a motion, for whoever shows a cycle",
     "greatest": "by how much the positions of a path miss their conditions",
     "choose_way": "the way of one mistake, for a student who makes it in a benchmark",
     "list_help_keys": "the entries of help, which no other code names",

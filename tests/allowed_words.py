@@ -56,6 +56,7 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         "figure/back_ends/svg.py": [
             "Libertinus Serif, STIX Two Text, Times New Roman, Times, Liberation Serif, serif",
         ],
+        "cycles/graphs.py": ["{}, Noto Serif CJK SC, Songti SC, SimSun"],
     },
     "Typst code": {
         "figure/back_ends/typst.py": [

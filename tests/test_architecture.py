@@ -45,6 +45,7 @@ FLOORS = {
     "problem": 3,
     "students": 4,
     "figure": 5,
+    "cycles": 6,
     "draws": 6,
     "worked": 7,
     "choosing": 8,

@@ -21,6 +21,7 @@ from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
 from kinegrade.cli.printing import paper, papers, reprint_exam, sample, solutions
 from kinegrade.cli.problems.choosing import list_templates, show
+from kinegrade.cli.problems.cycle import cycle
 from kinegrade.cli.problems.solve import solve
 from kinegrade.cli.problems.starters import new
 from kinegrade.cli.problems.templates import check, gallery
@@ -46,6 +47,7 @@ for command in (
     list_templates,
     show,
     solve,
+    cycle,
     check,
     new,
     words,

@@ -18,6 +18,7 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import list_statement_languages
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
+from kinegrade.public.cycles import Animation, animate
 from kinegrade.students.mistaking.consequences import attach_mistakes
 
 
@@ -46,6 +47,20 @@ class Problem:
         """
         given = {name: str(value) for name, value in values.items()}
         return attach_mistakes(solve_template(self.template, given))
+
+    def animate(self, /, **values: str | int | float) -> Animation:
+        """The figure moving through its whole cycle from the given values, which a notebook plays;
+        its `.html` needs no other file.
+
+        Values as for `solve`. Raises TemplateError, and MechanismError where nothing can move.
+
+        >>> template("slider-crank").animate(phi=30).html.count("<svg")
+        1
+        >>> template("pose-four-bar-coupler").animate()
+        Traceback (most recent call last):
+        kinegrade.errors.MechanismError: pose-four-bar-coupler: no driver moves the mechanism: ...
+        """
+        return animate(self.solve(**values), self._language)
 
     def _repr_html_(self) -> str:
         language = self._language

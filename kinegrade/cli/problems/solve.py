@@ -22,21 +22,23 @@ if TYPE_CHECKING:
     from kinegrade.problem.template.template import Method
 
 _ALL = "all"
-
-
-@command()
-@click.argument("template_name", metavar="TEMPLATE")
-@click.option(
+SETTINGS = click.option(
     "--set",
     "settings",
     multiple=True,
     metavar="NAME=VALUE",
 )
-@click.option(
+ASKS = click.option(
     "--asks",
     "asked",
     metavar="all|NAME,...",
 )
+
+
+@command()
+@click.argument("template_name", metavar="TEMPLATE")
+@SETTINGS
+@ASKS
 @click.option(
     "--json",
     "as_json",
@@ -61,8 +63,8 @@ def solve(
     """Solve a template exactly at given values; the rest take their published value, or the first
     drawable one.
     """
-    solved = kinegrade.template(template_name).solve(**_read_settings(settings))
-    asks = None if asked is None else _choose_asks(asked, solved)
+    solved = kinegrade.template(template_name).solve(**read_settings(settings))
+    asks = None if asked is None else choose_asks(asked, solved)
     solution = solved if asks is None else solved.only(asks)
     click.echo(_write_json(solution) if as_json else _write_table(solution))
     if output is not None:
@@ -73,7 +75,7 @@ def solve(
         write_file(output, pages, "pdf", force=force)
 
 
-def _read_settings(settings: tuple[str, ...]) -> dict[str, str]:
+def read_settings(settings: tuple[str, ...]) -> dict[str, str]:
     """The values of --set. Raises TemplateError for a setting without "=" or given twice."""
     values: dict[str, str] = {}
     faults = []
@@ -89,7 +91,7 @@ def _read_settings(settings: tuple[str, ...]) -> dict[str, str]:
     return values
 
 
-def _choose_asks(asked: str, solution: Solution) -> tuple[str, ...]:
+def choose_asks(asked: str, solution: Solution) -> tuple[str, ...]:
     """The asks of --asks, in the order of the template. Raises TemplateError for unknown ones."""
     from kinegrade.problem.solution import explain_no_ask
 

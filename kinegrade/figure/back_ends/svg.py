@@ -6,6 +6,7 @@ style sheet.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import lru_cache
 from html import escape
 from math import ceil, cos, pi, sin
@@ -28,13 +29,14 @@ from kinegrade.figure.scene import (
 from kinegrade.language.math.runs import Run, split_symbol
 from kinegrade.mechanics.vector import Vector
 
-_FONTS = "Libertinus Serif, STIX Two Text, Times New Roman, Times, Liberation Serif, serif"
+FONTS = "Libertinus Serif, STIX Two Text, Times New Roman, Times, Liberation Serif, serif"
 _FILLS: dict[Fill, str] = {"none": "", "white": "#fff", "grey": "#e8e8e8", "black": "#000"}
 _DASHES: dict[Dash, str] = {
     "solid": "",
     "dashed": "1.06 1.06",
     "dash-dotted": "1.06 .7 .01 .7",
 }  # millimetres
+CLOSE = "</g>\n</svg>\n"  # the end of a document
 _HALF = pi * 0.999  # the longest sweep of one arc, whose two ends must determine its circle
 
 
@@ -49,21 +51,28 @@ def to_svg(scene: Scene) -> str:
 @lru_cache(maxsize=256)
 def _write_document(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
     """The document of a figure, cached; the papers of a class hold many equal figures."""
+    return "\n".join((open_document(width, height), write_parts(primitives, height), CLOSE))
+
+
+def open_document(width: float, height: float) -> str:
+    """The beginning of a document of that width and height in millimetres."""
     across, upward = _write_millimetres(width), _write_millimetres(height)
-    lines = [_write_primitive(primitive, height) for primitive in primitives]
     return "\n".join(
         (
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{across}mm" height="{upward}mm" '
             f'viewBox="0 0 {across} {upward}">',
             f'<rect width="{across}" height="{upward}" fill="#fff"/>',
             '<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round" '
-            f'font-family="{_FONTS}" font-size="{_write_millimetres(EM)}">',
-            *lines,
-            "</g>",
-            "</svg>",
-            "",
+            f'font-family="{FONTS}" font-size="{_write_millimetres(EM)}">',
         )
     )
+
+
+def write_parts(primitives: Iterable[Primitive], height: float) -> str:
+    """Primitives as elements within a document of that height in millimetres. Raises
+    TypesetError.
+    """
+    return "\n".join(_write_primitive(primitive, height) for primitive in primitives)
 
 
 def _write_primitive(primitive: Primitive, height: float) -> str:
@@ -134,6 +143,11 @@ def _label(label: Label, height: float) -> str:
 def _write_runs(symbol: str) -> tuple[Run, ...]:
     require_symbol(symbol)
     return split_symbol(symbol, "figure.labels")
+
+
+def write_symbol_spans(symbol: str) -> str:
+    """A LaTeX symbol as the content of a text element. Raises TypesetError for another label."""
+    return _spans(_write_runs(symbol))
 
 
 def _spans(runs: tuple[Run, ...]) -> str:

@@ -15,8 +15,8 @@ from kinegrade.press.html.short_texts import write_prose_html, write_symbol_html
 
 @cache
 def load_layout(name: str) -> Template:
-    """A layout of this room; it may call `css(FILE)` and the filters `prose`, `symbol`, `named`
-    and `plot`.
+    """A layout of this room; it may call `css(FILE)`, also for a script, and the filters `prose`,
+    `symbol`, `named` and `plot`.
     """
     folder = files("kinegrade.press.html") / "layouts"
     environment = Environment(

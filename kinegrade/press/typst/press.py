@@ -22,6 +22,7 @@ from kinegrade.language.gathering import convert_each
 from kinegrade.language.message import Fault, Location, Message
 from kinegrade.language.typst_text import write_literal
 from kinegrade.press.archive_page import ArchivePage
+from kinegrade.press.cycle_page import CyclePage
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.legible import make_legible, make_owner_legible, make_owners_legible
 from kinegrade.press.places import GALLERY, KEY, locate_paper, locate_question, locate_solutions
@@ -29,6 +30,7 @@ from kinegrade.press.protocol import Press, Printout, unprintable_character
 from kinegrade.press.sheet import Gallery, KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.press.typst.archive_page import write_archive_page_source
 from kinegrade.press.typst.compiler import make_compiler
+from kinegrade.press.typst.cycle_page import write_cycle_page_source
 from kinegrade.press.typst.gallery import write_gallery_source
 from kinegrade.press.typst.key import write_key_source
 from kinegrade.press.typst.paper import write_paper_source
@@ -119,6 +121,10 @@ class TypstPress(Press):
         reported at `where`.
         """
         return self._explaining(write_gallery_source(gallery, self._size), where)
+
+    def cycle(self, page: CyclePage) -> bytes:
+        """The page of a cycle as PDF. Raises TypesetError."""
+        return self._explaining(write_cycle_page_source(page, self._size), Message("motion.page"))
 
     def archive_page(self, page: ArchivePage) -> bytes:
         """The page that is kept with an archive, as PDF. Raises TypesetError; characters of ids

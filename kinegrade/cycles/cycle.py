@@ -1,0 +1,69 @@
+"""A mechanism's cycle as it is shown: its curves, strokes and ends."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinegrade.cycles.curves import Curve, find_followed, trace_curves
+from kinegrade.cycles.swings import Swing, find_swings
+from kinegrade.errors import MechanismError, TemplateError
+from kinegrade.language.message import Fault, Message, list_plainly
+from kinegrade.motion.path import Path, Still, find_path
+from kinegrade.problem.solution import Solution
+
+_POSITIONS = 721
+
+
+@dataclass(frozen=True, eq=False)
+class Cycle:
+    """The cycle of an instance through its instant.
+
+    `curves` are over the whole cycle, `instant` has their values at the instant.
+    """
+
+    solution: Solution
+    path: Path
+    curves: tuple[Curve, ...]
+    instant: tuple[float, ...]
+    swings: tuple[Swing, ...]
+
+    @property
+    def count(self) -> int:
+        """Of how many positions the curves are."""
+        return _POSITIONS
+
+
+def make_cycle(solution: Solution, names: Sequence[str] | None = None) -> Cycle:
+    """The cycle of a solved instance with the curves of these asks, by default of what the template
+    gives points for.
+
+    Raises MechanismError where it has none, TemplateError for asks that have no curve.
+    """
+    template = solution.template
+    path = find_path(solution.motion)
+    if isinstance(path, Still):
+        raise MechanismError(Fault(template.name, path.reason))
+    asked = _choose_asks(solution, names)
+    placement = path.place(path.spread(_POSITIONS))
+    curves = trace_curves(solution, placement, asked)
+    now = trace_curves(solution, path.place(np.zeros(1)), asked)
+    instant = tuple(float(curve.values[0]) for curve in now)
+    return Cycle(solution, path, tuple(curves), instant, find_swings(path))
+
+
+def _choose_asks(solution: Solution, names: Sequence[str] | None) -> tuple[str, ...]:
+    """The asks of these names. Raises TemplateError for those that have no curve."""
+    template = solution.template
+    followed = find_followed(template)
+    if names is None:
+        asked = template.asked() or tuple(template.asks)
+        return tuple(name for name in asked if name in followed)
+    astray = [name for name in names if name not in followed]
+    if astray:
+        known = list_plainly(followed)
+        faults = (Message("motion.no-curve", ask=name, known=known) for name in astray)
+        raise TemplateError(*(Fault(template.name, fault) for fault in faults))
+    return tuple(names)

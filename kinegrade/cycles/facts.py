@@ -1,0 +1,101 @@
+"""What is said of a cycle: how far the input goes, strokes, time ratios, extremes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from decimal import Decimal
+from typing import assert_never
+
+from kinegrade.cycles.curves import Curve
+from kinegrade.cycles.cycle import Cycle
+from kinegrade.cycles.swings import Swing
+from kinegrade.language.math.units import write_unit
+from kinegrade.language.message import Message
+from kinegrade.mechanics.geometry import round_short
+from kinegrade.motion.ends import Blocked, ChangePoint, Closed, End, Limit, Open, Receding
+
+
+def list_facts(cycle: Cycle) -> Iterator[Message]:
+    """A sentence for each thing worth saying of a cycle, in plain text."""
+    path, is_angle = cycle.path, cycle.path.input.is_angle
+    for end in (path.start, path.end):
+        if end is not None:
+            yield _describe_end(end, is_angle)
+    for change in path.changes:
+        yield _describe_change(change, is_angle)
+    for swing in cycle.swings:
+        yield _describe_swing(swing, is_angle)
+    for curve in cycle.curves:
+        if not curve.is_steep:
+            yield _describe_extremes(curve, is_angle)
+
+
+def _describe_end(end: End, is_angle: bool) -> Message:
+    """Why the input goes no further."""
+    place = _write_place(end.displacement, is_angle)
+    match end:
+        case Closed(turns=turns):
+            return Message("motion.closed", turns=turns)
+        case Limit(line=line):
+            if line is None:
+                return Message("motion.limit", place=place)
+            return Message("motion.limit-in-line", place=place, line=line)
+        case Receding():
+            return Message("motion.receding", place=place)
+        case Blocked():
+            return Message("motion.blocked", place=place)
+        case Open():
+            return Message("motion.open", place=place)
+        case _:
+            assert_never(end)
+
+
+def _describe_change(change: ChangePoint, is_angle: bool) -> Message:
+    place = _write_place(change.displacement, is_angle)
+    if change.line is None:
+        return Message("motion.change-point", place=place)
+    return Message("motion.change-point-in-line", place=place, line=change.line)
+
+
+def _describe_swing(swing: Swing, is_angle: bool) -> Message:
+    """A stroke in m, or a swing in degrees, with its ends and its time ratio."""
+    kind = "swing" if swing.is_angle else "stroke"
+    stated = Message(
+        f"motion.way-{kind}",
+        name=swing.name,
+        extent=_write_place(swing.extent, swing.is_angle),
+        start=_write_place(swing.at_least, is_angle),
+        end=_write_place(swing.at_greatest, is_angle),
+    )
+    if swing.time_ratio is None:
+        return stated
+    ratio = round_short(swing.time_ratio)
+    return Message("motion.with-ratio", swing=stated, ratio=ratio)
+
+
+def _describe_extremes(curve: Curve, is_angle: bool) -> Message:
+    """The least and the greatest value of a curve, and where they are."""
+    unit = "" if curve.ask.unit.text == "1" else write_unit(curve.ask.unit.text)
+    least, greatest = (
+        Message(
+            "motion.extreme",
+            value=_round(float(curve.values[number])),
+            unit=unit,
+            place=_write_place(float(curve.moved[number]), is_angle),
+        )
+        for number in (curve.least, curve.greatest)
+    )
+    return Message("motion.extremes", ask=curve.ask.name, least=least, greatest=greatest)
+
+
+def _write_place(displacement: float, is_angle: bool) -> Message:
+    """A displacement in degrees or m."""
+    if is_angle:
+        return Message("motion.degrees", number=_round(math.degrees(displacement)))
+    return Message("motion.metres", number=_round(displacement))
+
+
+def _round(value: float) -> Decimal | str:
+    """Four significant figures; what rounding leaves of zero is zero."""
+    return round_short(0.0 if abs(value) < 1e-9 else value)

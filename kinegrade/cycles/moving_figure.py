@@ -1,0 +1,161 @@
+"""The figure of a mechanism at many positions of its cycle: a drawing of each, all in one frame and
+to one scale.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinegrade.figure.marks.names import write_point_symbol
+from kinegrade.figure.mechanism.layers import draw
+from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.placing.extent import measure_symbol
+from kinegrade.figure.scene import (
+    Box,
+    Label,
+    Outline,
+    Pen,
+    Primitive,
+    find_common_box,
+    move,
+)
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.motion.ends import Closed
+from kinegrade.motion.path import Array, Path
+from kinegrade.motion.placing import find_carriers
+from kinegrade.numbers.number import Number
+from kinegrade.problem.template.hints import FigureHints
+
+WIDTH, HEIGHT = 120.0, 90.0  # millimetres
+_SURROUND = 16.0  # millimetres that symbols take beside the mechanism
+_A_TURN = 72  # positions
+_FEW = 36  # positions of each turn where there are several
+_MOST = 216
+_FAR = 1.6  # sizes of the mechanism that a part may go before the drawing is cut off
+_ASIDE = Vector(2.6, 2.4)  # from a point to its letter
+_TRACE = Pen(0.18, "dashed")
+
+
+@dataclass(frozen=True)
+class MovingFigure:
+    """Drawings of a mechanism, each a list of primitives in millimetres from the lower left corner
+    of one frame; `still` is what none of them changes.
+
+    `moved` is how far the input has gone in each, rad or m, `first` the number of the instant;
+    where it is `closed`, the first follows upon the last.
+    """
+
+    width: float
+    height: float
+    still: tuple[Primitive, ...]
+    drawings: tuple[tuple[Primitive, ...], ...]
+    moved: tuple[float, ...]
+    first: int
+    closed: bool
+
+
+def draw_moving_figure(path: Path, hints: FigureHints) -> MovingFigure:
+    """The figure at positions along the path; where a part goes far away, of those nearby."""
+    moved = _choose_displacements(path)
+    places = path.place(moved).frames.mechanism
+    mechanisms = [_take(places, number, moved.shape) for number in range(len(moved))]
+    scale = _choose_scale(mechanisms)
+    drawn = [_draw(scale_to_paper(each, scale), hints) for each in mechanisms]
+    traces = _trace_points(path, mechanisms, scale)
+    box = find_common_box([*traces, *(part for parts in drawn for part in parts)])
+    still, drawings = _separate(drawn)
+    corner = Vector(1.0 - box.left, 1.0 - box.bottom)
+    return MovingFigure(
+        box.width + 2,
+        box.height + 2,
+        tuple(move(part, corner) for part in (*traces, *still)),
+        tuple(tuple(move(part, corner) for part in parts) for parts in drawings),
+        tuple(moved.tolist()),
+        int(np.argmin(np.abs(moved))),
+        isinstance(path.end, Closed),
+    )
+
+
+def _choose_displacements(path: Path) -> Array:
+    """The displacements that are drawn, the instant among them."""
+    low, high = path.bounds
+    turns = round((high - low) / path.input.period) if path.input.period else 1
+    count = _A_TURN if turns <= 1 else min(_MOST, _FEW * turns)
+    moved = np.unique(np.append(path.spread(count + 1), 0.0))
+    return moved[:-1] if isinstance(path.end, Closed) else _select_near(path, moved)
+
+
+def _select_near(path: Path, moved: Array) -> Array:
+    """The displacements about the instant at which no part has gone far away."""
+    points = path.place(moved).frames.mechanism.points.values()
+    start = path.motion.points.values()
+    ways = [
+        np.hypot(*np.broadcast_arrays(now.x - then.x, now.y - then.y, moved)[:2])
+        for now, then in zip(points, start, strict=True)
+    ]
+    far = moved[np.array(ways).max(axis=0) > _FAR * path.size]
+    before, after = far[far < 0].max(initial=-np.inf), far[far > 0].min(initial=np.inf)
+    return np.asarray(moved[(moved > before) & (moved < after)])
+
+
+def _take(mechanism: Mechanism, number: int, shape: tuple[int, ...]) -> Mechanism:
+    """The mechanism at one position."""
+
+    def take(value: Number) -> Number:
+        return float(np.broadcast_to(np.asarray(value, dtype=float), shape)[number])
+
+    return mechanism.map(take)
+
+
+def _choose_scale(mechanisms: list[Mechanism]) -> float:
+    """Millimetres on paper per metre."""
+    places = [place for each in mechanisms for place in each.points.values()]
+    radii = [circle.radius for joint in mechanisms[0].joints for circle in joint.list_circles()]
+    reach = 2 * max(radii, default=0.0)
+    wide = max(place.x for place in places) - min(place.x for place in places) + reach
+    high = max(place.y for place in places) - min(place.y for place in places) + reach
+    across, upward = (WIDTH - _SURROUND) / max(wide, 1e-9), (HEIGHT - _SURROUND) / max(high, 1e-9)
+    return float(min(across, upward))
+
+
+def _draw(paper: Mechanism, hints: FigureHints) -> tuple[Primitive, ...]:
+    """The mechanism and the letters of its points."""
+    symbols = {
+        name: hints.labels.get(name, write_point_symbol(name)) for name in find_carriers(paper)
+    }
+    letters = [
+        Label(symbol, paper.points[name] + _ASIDE, *measure_symbol(symbol))
+        for name, symbol in symbols.items()
+        if symbol is not None
+    ]
+    return (*draw(paper, hints).primitives, *letters)
+
+
+def _trace_points(path: Path, mechanisms: list[Mechanism], scale: float) -> list[Primitive]:
+    """The ways of the points that move with bodies."""
+    traces: list[Primitive] = []
+    for name in find_carriers(path.motion.frames.mechanism):
+        corners = [each.points[name] * scale for each in mechanisms]
+        box = Box(
+            min(c.x for c in corners),
+            min(c.y for c in corners),
+            max(c.x for c in corners),
+            max(c.y for c in corners),
+        )
+        if max(box.width, box.height) > 0.5:
+            closed = isinstance(path.end, Closed)
+            traces.append(Outline(tuple(corners), _TRACE, closed=closed))
+    return traces
+
+
+def _separate(
+    drawn: list[tuple[Primitive, ...]],
+) -> tuple[tuple[Primitive, ...], list[tuple[Primitive, ...]]]:
+    """What is the same in all drawings before anything that is not, and the rest of each."""
+    count = 0
+    while all(len(parts) > count and parts[count] == drawn[0][count] for parts in drawn):
+        count += 1
+    return drawn[0][:count], [parts[count:] for parts in drawn]

@@ -1,0 +1,36 @@
+"""A cycle as a table: a row for each position, for whoever calculates on."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinegrade.cycles.cycle import Cycle
+from kinegrade.cycles.graphs import convert_displacements
+from kinegrade.files.csv_writing import write_csv_text
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.motion.placing import find_carriers
+
+_DIGITS = 12
+
+
+def write_table(cycle: Cycle) -> str:
+    """The input's displacement in degrees or m, the coordinates of moving points in m, and the
+    asks in their units; a cell is empty where a value is beyond all bounds.
+    """
+    path = cycle.path
+    placement = path.place(path.spread(cycle.count))
+    unit = "deg" if path.input.is_angle else "m"
+    columns = [(f"input ({unit})", convert_displacements(path, placement.moved))]
+    mechanism = placement.frames.mechanism
+    moving = [name for name, body in find_carriers(mechanism).items() if body != GROUND]
+    for name in moving:
+        columns.append((f"x_{name} (m)", np.asarray(mechanism.points[name].x)))
+        columns.append((f"y_{name} (m)", np.asarray(mechanism.points[name].y)))
+    columns += [(f"{each.ask.name} ({each.ask.unit.text})", each.values) for each in cycle.curves]
+    shape = placement.moved.shape
+    cells = [[_write(float(number)) for number in np.broadcast_to(v, shape)] for _, v in columns]
+    return write_csv_text([name for name, _ in columns], list(zip(*cells, strict=True)))
+
+
+def _write(number: float) -> str:
+    return f"{number + 0.0:.{_DIGITS}g}" if np.isfinite(number) else ""

@@ -1,0 +1,90 @@
+"""`kinegrade cycle` and the moving figure of notebooks: a mechanism over its whole cycle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Literal, assert_never
+
+from kinegrade.cycles.cycle import Cycle, make_cycle
+from kinegrade.cycles.facts import list_facts
+from kinegrade.cycles.graphs import draw_graphs
+from kinegrade.cycles.moving_figure import draw_moving_figure
+from kinegrade.cycles.table import write_table
+from kinegrade.figure.back_ends.svg import to_svg
+from kinegrade.figure.scene import Scene
+from kinegrade.files.csv_writing import encode_for_people
+from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message
+from kinegrade.press.cycle_page import CyclePage
+from kinegrade.press.html.cycle_page import write_cycle_page
+from kinegrade.press.html.moving_figure import write_moving_figure
+from kinegrade.press.typst.press import TypstPress
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.template.texts import require_language
+
+CycleFormat = Literal["pdf", "svg", "csv", "html"]
+
+
+@dataclass(frozen=True)
+class Animation:
+    """The moving figure of a problem, which a notebook shows; `html` needs no other file."""
+
+    html: str = field(repr=False)
+
+    def _repr_html_(self) -> str:
+        return self.html
+
+
+def animate(solution: Solution, language: Language) -> Animation:
+    """The moving figure of a solved instance. Raises MechanismError where nothing can move."""
+    cycle = make_cycle(solution, ())
+    return Animation(write_moving_figure(cycle.path, solution.template.figure, language))
+
+
+def describe_cycle(cycle: Cycle, language: Language) -> list[str]:
+    """What is said of a cycle, a line each."""
+    words = open_catalogue(language)
+    return [words.write(fact) for fact in list_facts(cycle)]
+
+
+def write_cycle(cycle: Cycle, language: Language, kind: CycleFormat) -> bytes:
+    """A cycle as a file of that kind. Raises TemplateError for a language that the template does
+    not have, TypesetError.
+    """
+    match kind:
+        case "csv":
+            return encode_for_people(write_table(cycle))
+        case "svg":
+            return draw_graphs(cycle, language).encode()
+        case "html":
+            title, facts = _write_title(cycle, language), describe_cycle(cycle, language)
+            return write_cycle_page(cycle, title, facts, language).encode()
+        case "pdf":
+            return TypstPress().cycle(_lay_out_page(cycle, language))
+        case _:
+            assert_never(kind)
+
+
+def _write_title(cycle: Cycle, language: Language) -> str:
+    """The template's title."""
+    require_language([cycle.solution.template], language)
+    title = cycle.solution.template.about.title.in_language(language)
+    return open_catalogue(language).write(Message("motion.page-title", title=title))
+
+
+def _lay_out_page(cycle: Cycle, language: Language) -> CyclePage:
+    """The page: the figure at the instant, what is said, each curve by itself."""
+    figure = draw_moving_figure(cycle.path, cycle.solution.template.figure)
+    parts = (*figure.still, *figure.drawings[figure.first])
+    each = (
+        replace(cycle, curves=(curve,), instant=(value,))
+        for curve, value in zip(cycle.curves, cycle.instant, strict=True)
+    )
+    return CyclePage(
+        language,
+        _write_title(cycle, language),
+        to_svg(Scene(figure.width, figure.height, 1.0, parts)),
+        tuple(describe_cycle(cycle, language)),
+        tuple(draw_graphs(one, language) for one in each),
+    )

@@ -1,0 +1,58 @@
+"""Curves over a cycle: what is asked has its exact value at the instant, and cannot be followed where
+it names an angle of the instant.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from kinegrade.cycles.curves import find_followed
+from kinegrade.cycles.cycle import make_cycle
+from kinegrade.cycles.facts import list_facts
+from kinegrade.errors import TemplateError
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+
+TEMPLATES = [name for name in find_template_names() if load_template(name).scheme.drivers]
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_every_curve_goes_through_the_exact_value_at_the_instant(name: str) -> None:
+    template = load_template(name)
+    solution = solve_template(template, {})
+    cycle = make_cycle(solution, find_followed(template))
+    for curve, instant in zip(cycle.curves, cycle.instant, strict=True):
+        quantity = solution[curve.ask.name]
+        if quantity.at_infinity:
+            assert not np.isfinite(instant)
+        elif not curve.ask.cyclic:
+            assert instant == pytest.approx(float(quantity.decimal(15)), rel=1e-9, abs=1e-9)
+
+
+def test_what_names_an_angle_of_the_instant_has_no_curve() -> None:
+    solution = solve_template(load_template("guide-tube-rod-fixed-centrode"), {})
+    with pytest.raises(TemplateError, match='"rho" has no curve over the cycle: choose from '):
+        make_cycle(solution, ("rho",))
+
+
+def test_what_is_said_of_a_cycle() -> None:
+    solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "3"})
+    words = open_catalogue(ENGLISH)
+    assert [words.write(fact) for fact in list_facts(make_cycle(solution, ("v_B",)))] == [
+        "full turns of the input until the mechanism is as at the instant: 1",
+        "stroke of B: 0.4 m, its ends at 120° and 300°; time ratio 1",
+        "v_B: least 0 m/s at 120°, greatest 0.2109 m/s at 13°",
+    ]
+
+
+def test_dead_points_are_said_and_extremes_there_are_not() -> None:
+    solution = solve_template(load_template("four-bar-parallel-coupler"), {})
+    words = open_catalogue(ENGLISH)
+    assert [words.write(fact) for fact in list_facts(make_cycle(solution))] == [
+        "dead point of the input at -135.5°: B, D and E are in line",
+        "dead point of the input at 15.52°: B, D and E are in line",
+        "angle of swing of DE: 104.5°, its ends at -31.04° and -135.5°",
+    ]

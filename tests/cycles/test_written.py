@@ -1,0 +1,98 @@
+"""A cycle as files: pages, graphs, tables, and a figure that moves."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from pypdf import PdfReader
+
+import kinegrade
+from kinegrade.cycles.cycle import make_cycle
+from kinegrade.cycles.moving_figure import draw_moving_figure
+from kinegrade.errors import MechanismError
+from kinegrade.language import ENGLISH, Language
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.public.cycles import write_cycle
+from tests.motion.mechanisms import follow
+
+MANY = [name for name in find_template_names() if load_template(name).scheme.drivers][::6]
+
+
+@pytest.mark.parametrize("language", [ENGLISH, Language("zh"), Language("de")])
+def test_the_graphs_are_one_picture_with_a_curve_and_a_mark_each(language: Language) -> None:
+    cycle = make_cycle(solve_template(load_template("slider-crank"), {}))
+    tree = ElementTree.fromstring(write_cycle(cycle, language, "svg"))
+    kind = "{http://www.w3.org/2000/svg}"
+    assert len([each for each in tree.iter(f"{kind}path") if each.get("clip-path")]) == 4
+    assert len(list(tree.iter(f"{kind}circle"))) == 4
+    texts = ["".join(each.itertext()) for each in tree.iter(f"{kind}text")]
+    assert "aAB(rad/s²)" not in texts
+    assert any(text.endswith("(rad/s²)") for text in texts)
+    assert ("0,5" in texts) == (language == Language("de"))
+
+
+def test_the_table_has_the_input_the_moving_points_and_the_asks() -> None:
+    cycle = make_cycle(solve_template(load_template("slider-crank"), {}), ("v_B",))
+    table = write_cycle(cycle, ENGLISH, "csv").decode("utf-8-sig")
+    header, *rows = csv.reader(io.StringIO(table))
+    assert header == ["input (deg)", "x_A (m)", "y_A (m)", "x_B (m)", "y_B (m)", "v_B (m/s)"]
+    assert len(rows) == 721
+    assert float(rows[0][1]) == pytest.approx(0.5)
+    assert [float(cell) for cell in rows[-1][1:]] == pytest.approx(list(map(float, rows[0][1:])))
+
+
+def test_the_page_says_what_the_terminal_says(tmp_path: Path) -> None:
+    cycle = make_cycle(solve_template(load_template("stone-crusher"), {}))
+    pdf = write_cycle(cycle, ENGLISH, "pdf")
+    text = " ".join(page.extract_text() for page in PdfReader(io.BytesIO(pdf)).pages)
+    assert "full turns of the input" in text
+    assert "time ratio 1.038" in text
+
+
+def read_baked(html: str) -> dict[str, object]:
+    found = re.search(r"DATA = (\{.*\});\n", html)
+    assert found is not None
+    baked: dict[str, object] = json.loads(found[1])
+    return baked
+
+
+def test_the_moving_figure_begins_at_the_instant_and_loads_nothing() -> None:
+    html = kinegrade.template("slider-crank").animate(phi=30).html
+    assert not re.search(r"(src|href)=|url\(|import|fetch|http(?!://www.w3.org/2000/svg)", html)
+    baked = read_baked(html)
+    assert baked["moved"][baked["first"]] == "0.0"  # type: ignore[index]
+    assert baked["closed"] is True
+    assert len(baked["drawings"]) == 72  # type: ignore[arg-type]
+
+
+def test_the_page_that_moves_is_whole_and_escapes_what_it_shows() -> None:
+    cycle = make_cycle(solve_template(load_template("pole-four-bar-coupler"), {}))
+    page = write_cycle(cycle, Language("zh"), "html").decode()
+    assert page.startswith('<!DOCTYPE html>\n<html lang="zh')
+    assert page.count("<script>") == 1
+    assert "播放" in page
+
+
+@pytest.mark.parametrize("name", MANY)
+def test_every_drawing_of_a_moving_figure_lies_within_its_frame(name: str) -> None:
+    template = load_template(name)
+    figure = draw_moving_figure(follow(solve_template(template, {}).motion), template.figure)
+    assert figure.width <= 170
+    assert figure.height <= 140
+    assert len(figure.drawings) == len(figure.moved) >= 8
+    assert figure.moved[figure.first] == 0
+
+
+def test_what_cannot_move_says_why() -> None:
+    with pytest.raises(MechanismError) as refused:
+        kinegrade.template("pose-four-bar-coupler").animate()
+    assert str(refused.value) == (
+        "pose-four-bar-coupler: no driver moves the mechanism: it has no cycle"
+    )
