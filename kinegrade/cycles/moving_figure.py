@@ -5,16 +5,15 @@ to one scale.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import starmap
 
 import numpy as np
 
-from kinegrade.figure.marks.names import write_point_symbol
+from kinegrade.figure.marks.names import label_points, write_point_symbol
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
-from kinegrade.figure.placing.extent import measure_symbol
+from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.scene import (
-    Box,
-    Label,
     Outline,
     Pen,
     Primitive,
@@ -35,7 +34,8 @@ _A_TURN = 72  # positions
 _FEW = 36  # positions of each turn where there are several
 _MOST = 216
 _FAR = 1.6  # sizes of the mechanism that a part may go before the drawing is cut off
-_ASIDE = Vector(2.6, 2.4)  # from a point to its letter
+_FINE = 601  # positions of the points' ways
+_SEEN = 0.5  # millimetres: a way that is shorter is not drawn
 _TRACE = Pen(0.18, "dashed")
 
 
@@ -63,8 +63,10 @@ def draw_moving_figure(path: Path, hints: FigureHints) -> MovingFigure:
     places = path.place(moved).frames.mechanism
     mechanisms = [_take(places, number, moved.shape) for number in range(len(moved))]
     scale = _choose_scale(mechanisms)
-    drawn = [_draw(scale_to_paper(each, scale), hints) for each in mechanisms]
-    traces = _trace_points(path, mechanisms, scale)
+    first = int(np.argmin(np.abs(moved)))
+    letters = _place_letters(scale_to_paper(mechanisms[first], scale), hints)
+    drawn = [_draw(scale_to_paper(each, scale), hints, letters) for each in mechanisms]
+    traces = _trace_points(path, moved, scale)
     box = find_common_box([*traces, *(part for parts in drawn for part in parts)])
     still, drawings = _separate(drawn)
     corner = Vector(1.0 - box.left, 1.0 - box.bottom)
@@ -74,7 +76,7 @@ def draw_moving_figure(path: Path, hints: FigureHints) -> MovingFigure:
         tuple(move(part, corner) for part in (*traces, *still)),
         tuple(tuple(move(part, corner) for part in parts) for parts in drawings),
         tuple(moved.tolist()),
-        int(np.argmin(np.abs(moved))),
+        first,
         isinstance(path.end, Closed),
     )
 
@@ -121,33 +123,39 @@ def _choose_scale(mechanisms: list[Mechanism]) -> float:
     return float(min(across, upward))
 
 
-def _draw(paper: Mechanism, hints: FigureHints) -> tuple[Primitive, ...]:
-    """The mechanism and the letters of its points."""
+def _place_letters(paper: Mechanism, hints: FigureHints) -> dict[str, Primitive]:
+    """The labels of points, placed as in a figure, each about its point as the origin."""
+    drawing = draw(paper, hints)
+    layout = Layout.of(drawing.primitives).written(label_points(paper, hints, drawing))
     symbols = {
-        name: hints.labels.get(name, write_point_symbol(name)) for name in find_carriers(paper)
+        hints.labels.get(name, write_point_symbol(name)): name for name in find_carriers(paper)
     }
-    letters = [
-        Label(symbol, paper.points[name] + _ASIDE, *measure_symbol(symbol))
-        for name, symbol in symbols.items()
-        if symbol is not None
-    ]
-    return (*draw(paper, hints).primitives, *letters)
+    return {
+        name: move(label, -paper.points[name])
+        for label in layout.labels
+        if (name := symbols.get(label.symbol)) is not None
+    }
 
 
-def _trace_points(path: Path, mechanisms: list[Mechanism], scale: float) -> list[Primitive]:
-    """The ways of the points that move with bodies."""
+def _draw(
+    paper: Mechanism, hints: FigureHints, letters: dict[str, Primitive]
+) -> tuple[Primitive, ...]:
+    """The mechanism and the letters of its points."""
+    labels = [move(label, paper.points[name]) for name, label in letters.items()]
+    return (*draw(paper, hints).primitives, *labels)
+
+
+def _trace_points(path: Path, moved: Array, scale: float) -> list[Primitive]:
+    """The ways of the points that move with bodies, over what is drawn."""
+    closed = isinstance(path.end, Closed)
+    fine = path.spread(_FINE) if closed else np.linspace(moved[0], moved[-1], _FINE)
+    points = path.place(fine).frames.mechanism.points
     traces: list[Primitive] = []
     for name in find_carriers(path.motion.frames.mechanism):
-        corners = [each.points[name] * scale for each in mechanisms]
-        box = Box(
-            min(c.x for c in corners),
-            min(c.y for c in corners),
-            max(c.x for c in corners),
-            max(c.y for c in corners),
-        )
-        if max(box.width, box.height) > 0.5:
-            closed = isinstance(path.end, Closed)
-            traces.append(Outline(tuple(corners), _TRACE, closed=closed))
+        across, upward = np.broadcast_arrays(points[name].x, points[name].y, fine)[:2]
+        if max(np.ptp(across), np.ptp(upward)) * scale > _SEEN:
+            corners = zip((across * scale).tolist(), (upward * scale).tolist(), strict=True)
+            traces.append(Outline(tuple(starmap(Vector, corners)), _TRACE, closed=False))
     return traces
 
 
