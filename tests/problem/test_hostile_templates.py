@@ -50,7 +50,8 @@ def test_large_files_and_strange_names_are_refused_before_reading() -> None:
         read_template("hostile", "#" * (MAX_CHARACTERS + 1))
     for name in ("../crank", "crank.toml", "Crank", "", "a b", "-a", "con\n"):
         with pytest.raises(
-            TemplateError, match="a template's name is made of small letters, digits and hyphens"
+            TemplateError,
+            match="a template's name is made of small letters, digits, hyphens and underscores",
         ):
             read_template(name, CRANK)
 

@@ -247,7 +247,7 @@ def test_a_mechanism_is_called_by_a_plain_name(name: str) -> None:
     (fault,) = faults((('mechanism = "arm"', f"mechanism = {name}"),))
     assert fault.startswith("crank.toml:5: mechanism: ")
     assert fault.endswith(
-        " - expected a file's name in mechanisms/ without .toml: small letters, digits and hyphens"
+        " - expected a file's name in mechanisms/ without .toml: small letters, digits, hyphens and underscores"
     )
 
 

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.problem.template.library.starter import write_starter_text
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.library.starter import find_alike, write_starter_text
 from kinegrade.problem.template.sections.keys import NEEDED, OPTIONAL
 from tests.small_class import kinegrade
 
@@ -65,9 +66,17 @@ def test_a_name_is_small_letters_digits_and_hyphens(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert refusal("--", name) == (
-        f"error: {name}.toml: a template's name is made of small letters, digits and hyphens"
+        f"error: {name}.toml: a template's name is made of small letters, digits, hyphens and underscores"
     )
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_name_may_have_underscores(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert kinegrade("new", "my_first").exit_code == 0
+    checked = kinegrade("check", "my_first.toml", "--sample", "20")
+    assert checked.stdout.startswith("my_first: sound\n")
+    assert kinegrade("show", "my_first.toml", "-o", "page.pdf").exit_code == 0
 
 
 @pytest.mark.parametrize("file", ["other.toml", "my-first", "my-first.txt"])
@@ -78,3 +87,58 @@ def test_a_template_is_called_by_the_name_of_its_file(file: str, tmp_path: Path)
         "in my-first.toml: change the path or the name"
     )
     assert not path.exists()
+
+
+def test_a_template_is_written_like_a_shipped_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = kinegrade("new", "my-crank", "--like", "slider-crank")
+    assert result.exit_code == 0
+    assert result.stderr == (
+        "my-crank.toml: written, like slider-crank; prove it with: kinegrade check my-crank.toml; "
+        "look at it with: kinegrade gallery my-crank.toml --draws 6 -o sheet.pdf\n"
+    )
+    text = (tmp_path / "my-crank.toml").read_text(encoding="utf-8")
+    assert text == load_template("slider-crank").file.text
+
+
+def test_a_shared_mechanism_is_written_beside_and_one_that_is_there_is_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert kinegrade("new", "my-bar", "--like", "pole-four-bar-coupler").exit_code == 0
+    checked = kinegrade("check", "my-bar.toml", "--sample", "20")
+    assert checked.stdout.startswith("my-bar: sound\n")
+    shared = tmp_path / "mechanisms" / "four-bar-with-coupler.toml"
+    shared.write_text("mine", encoding="utf-8")
+    assert kinegrade("new", "other", "--like", "pole-four-bar-coupler").exit_code == 0
+    assert shared.read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.parametrize(
+    ("words", "like"),
+    [
+        ("slotted rocker", "rolling-wheel-pin-slotted-rocker"),
+        ("Four-bar COUPLER", "pole-four-bar-coupler"),
+        ("凸轮", "pose-cam-tappet"),
+    ],
+)
+def test_a_template_is_found_by_words(words: str, like: str) -> None:
+    assert find_alike(words) == like
+
+
+def test_words_that_no_template_has_and_names_that_there_are_not_are_refused() -> None:
+    assert refusal("x", "--from", "qwertz") == (
+        'error: no shipped template has any of the words "qwertz" - choose one by: kinegrade list'
+    )
+    assert refusal("x", "--like", "slider-krank") == (
+        'error: no template "slider-krank": did you mean "slider-crank"?'
+    )
+
+
+@pytest.mark.parametrize("also", [["--bank"], ["--policy"], ["--from", "cam"]])
+def test_one_model_is_chosen_and_for_a_template_alone(also: list[str]) -> None:
+    result = kinegrade("new", "x", "--like", "slider-crank", *also)
+    assert result.exit_code == 2
+    assert "a template is written --like another or found by --from words" in result.stderr

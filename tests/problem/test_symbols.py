@@ -6,6 +6,7 @@ import pytest
 
 from kinegrade.errors import TypesetError
 from kinegrade.figure.back_ends.required_symbol import require_symbol
+from kinegrade.problem.template.notation import write_symbol
 from kinegrade.problem.template.symbols import find_symbol_fault
 
 
@@ -76,3 +77,22 @@ def test_what_is_no_symbol_is_refused_by_its_fault(symbol: str, message: str) ->
     with pytest.raises(TypesetError) as refusal:
         require_symbol(symbol)
     assert message in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "symbol"),
+    [
+        ("xO6", "x_{O_{6}}"),
+        ("lAB", "l_{AB}"),
+        ("omegaOA", r"\omega_{OA}"),
+        ("sigma", r"\sigma"),
+        ("lambda", r"\lambda"),
+        ("epsilon_2", r"\varepsilon_{2}"),
+        ("Delta", r"\Delta"),
+        ("k_BC", "k_{BC}"),
+        ("OA", "OA"),
+    ],
+)
+def test_a_name_is_printed_as_a_symbol_with_its_subscript(name: str, symbol: str) -> None:
+    assert write_symbol(name) == symbol
+    assert find_symbol_fault(symbol) is None

@@ -22,19 +22,32 @@ from kinegrade.language.message import Message
     "--policy",
     is_flag=True,
 )
+@click.option("--like", metavar="TEMPLATE", default="")
+@click.option("--from", "words", metavar="WORDS", default="")
 @OPTIONAL_OUTPUT
 @FORCE
 @refusing
-def new(*, name: str, bank: bool, policy: bool, output: Path | None, force: bool) -> None:
+def new(
+    *,
+    name: str,
+    bank: bool,
+    policy: bool,
+    like: str,
+    words: str,
+    output: Path | None,
+    force: bool,
+) -> None:
     """Write a starter, complete and sound, to be written over: a template, a bank or a policy."""
     if bank and policy:
         raise refuse_usage(Message("terminal.one-starter"))
+    if (like or words) and (bank or policy or (like and words)):
+        raise refuse_usage(Message("terminal.one-model"))
     if bank:
         _write_plainly("bank", "kinegrade.exam.bank", name, output, force)
     elif policy:
         _write_plainly("policy", "kinegrade.grading.policy", name, output, force)
     else:
-        _write_template(name, output, force)
+        _write_template(name, like, words, output, force)
 
 
 def _write_plainly(kind: str, package: str, name: str, output: Path | None, force: bool) -> None:
@@ -44,8 +57,12 @@ def _write_plainly(kind: str, package: str, name: str, output: Path | None, forc
     say(Message(f"terminal.starter-{kind}", path=str(path)))
 
 
-def _write_template(name: str, output: Path | None, force: bool) -> None:
-    from kinegrade.problem.template.library.starter import write_starter
+def _write_template(name: str, like: str, words: str, output: Path | None, force: bool) -> None:
+    from kinegrade.problem.template.library.starter import find_alike, write_starter
 
-    path = write_starter(name, output, force=force)
-    say(Message("terminal.starter", path=str(path)))
+    model = find_alike(words) if words else like
+    path = write_starter(name, output, like=model, force=force)
+    if model:
+        say(Message("terminal.written-like", path=str(path), name=model))
+    else:
+        say(Message("terminal.starter", path=str(path)))

@@ -1,4 +1,5 @@
-"""From the names of parameters and asks to the symbols of textbooks, in LaTeX math.
+"""From the names of parameters and asks to the symbols of textbooks, in LaTeX math: Greek letters
+are spelled out, what follows a letter as a point's name or behind `_` is its subscript.
 
 omega_AB  \\omega_{AB}      r1       r_{1}            a_BC_y   a_{BC,y}
 v_tr      v_{\\mathrm{e}}   a_tr_n   a_{\\mathrm{e}}^{\\mathrm{n}}   a_cor  a_{\\mathrm{C}}
@@ -9,21 +10,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-_GREEK = {
-    "alpha": r"\alpha",
-    "beta": r"\beta",
-    "gamma": r"\gamma",
-    "delta": r"\delta",
+from kinegrade.language.math.letters import GREEK
+
+_GREEK = {name: rf"\{name}" for name in GREEK} | {
     "eps": r"\varepsilon",
-    "theta": r"\theta",
-    "kappa": r"\kappa",
+    "epsilon": r"\varepsilon",
     "lam": r"\lambda",
-    "rho": r"\rho",
     "phi": r"\varphi",
-    "psi": r"\psi",
-    "eta": r"\eta",
-    "omega": r"\omega",
 }
+_OF_POINT = re.compile(r"^([a-z]|" + "|".join(_GREEK) + r")([A-Z]\w*)", re.ASCII)
 _PARTS = {"rel": r"\mathrm{r}", "tr": r"\mathrm{e}", "cor": r"\mathrm{C}"}
 _COMPONENTS = ("x", "y")
 _UPPER = {"n": r"\mathrm{n}", "t": r"\mathrm{t}"}
@@ -32,10 +27,10 @@ _UPPER = {"n": r"\mathrm{n}", "t": r"\mathrm{t}"}
 def write_symbol(name: str) -> str:
     """The LaTeX symbol of a parameter or an ask.
 
-    >>> write_symbol("omega_AB"), write_symbol("a_BA_n")
-    ('\\\\omega_{AB}', 'a_{BA}^{\\\\mathrm{n}}')
+    >>> write_symbol("omega_AB"), write_symbol("a_BA_n"), write_symbol("xO6")
+    ('\\\\omega_{AB}', 'a_{BA}^{\\\\mathrm{n}}', 'x_{O_{6}}')
     """
-    head, *rest = name.split("_")
+    head, *rest = _OF_POINT.sub(r"\1_\2", name, 1).split("_")
     letters, digits = _split_digits(head)
     parts = [digits, *(part for part in rest if part not in _UPPER)]
     upper = [_UPPER[part] for part in rest if part in _UPPER]

@@ -1,5 +1,5 @@
-"""The starter template: a complete mechanism with every table of a template, for an author to write
-over.
+"""Templates for an author to write over: the starter, a complete mechanism with every table, or a
+copy of a shipped template.
 """
 
 from __future__ import annotations
@@ -9,8 +9,11 @@ from pathlib import Path
 from kinegrade.errors import TemplateError
 from kinegrade.files.output import write_file
 from kinegrade.files.starter import read_starter_text
-from kinegrade.language.message import Fault, Message
-from kinegrade.problem.template.library.reading import read_template
+from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.sections.opening import FOLDER, require_file_name
+from kinegrade.problem.template.tags import list_tags
+from kinegrade.problem.template.template import MechanismFile, Template
 
 
 def write_starter_text() -> str:
@@ -18,17 +21,57 @@ def write_starter_text() -> str:
     return read_starter_text("kinegrade.problem.template.library")
 
 
-def write_starter(name: str, path: Path | None = None, *, force: bool = False) -> Path:
-    """Writes the starter as the template `name`, by default to NAME.toml in the current folder;
-    gives its path.
+def write_starter(
+    name: str, path: Path | None = None, *, like: str = "", force: bool = False
+) -> Path:
+    """Writes the starter, or the shipped template `like` which it is to be, as the template `name`,
+    by default to NAME.toml in the current folder; gives its path. A mechanism that the shipped one
+    shares with others is written into `mechanisms/` beside it, unless one of its name is there.
 
-    Raises TemplateError for what cannot be a template's name, and for a path that does not end in
-    it; OutputError where the file exists, unless `force`.
+    Raises TemplateError for what cannot be a template's name, for a path that does not end in it
+    and where there is no template `like`; OutputError where the file exists, unless `force`.
     """
-    text = write_starter_text()
-    read_template(name, text)
+    file = load_template(like).file if like else None
+    text = file.text if file is not None else write_starter_text()
+    require_file_name(name)
     target = path if path is not None else Path(f"{name}.toml")
     if target.name != f"{name}.toml":
         raise TemplateError(Fault(str(target), Message("template.starter-name", name=name)))
     write_file(target, text.encode("utf-8"), "toml", force=force)
+    if file is not None and file.mechanism is not None:
+        _write_mechanism(file.mechanism, target.parent / FOLDER)
     return target
+
+
+def _write_mechanism(mechanism: MechanismFile, folder: Path) -> None:
+    """A shared mechanism, where the folder does not have it."""
+    file = folder / f"{mechanism.name}.toml"
+    if not file.exists():
+        folder.mkdir(exist_ok=True)
+        write_file(file, mechanism.text.encode("utf-8"), "toml")
+
+
+def find_alike(words: str) -> str:
+    """The shipped template with most of the words in its name, title, family or tags; the shortest
+    of several. Raises TemplateError where none has any.
+
+    >>> find_alike("slotted rocker")
+    'rolling-wheel-pin-slotted-rocker'
+    """
+    wanted = words.casefold().split()
+    templates = {name: load_template(name) for name in find_template_names()}
+    texts = {name: _list_words(template) for name, template in templates.items()}
+    found = {name: sum(word in text for word in wanted) for name, text in texts.items()}
+    best = max(found, key=lambda name: (found[name], -len(templates[name].file.text)))
+    if not found[best]:
+        raise TemplateError(Message("template.none-alike", words=Quoted(words)))
+    return best
+
+
+def _list_words(template: Template) -> str:
+    """What a template is called and tagged, in all its languages."""
+    title = template.about.title
+    titles = [title.in_language(language) for language in title.languages]
+    return " ".join(
+        (template.name, template.about.family, *list_tags(template), *titles)
+    ).casefold()

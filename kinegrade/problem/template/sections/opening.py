@@ -28,7 +28,7 @@ from kinegrade.problem.template.template import MechanismFile, TemplateFile
 
 FOLDER = "mechanisms"  # beside the templates
 TEMPLATE = FileKind(Message("template.a-template"), TemplateError, 4 * MAX_CHARACTERS)
-_FILE_NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*", re.ASCII)
+_FILE_NAME = re.compile(r"[a-z0-9]+([-_][a-z0-9]+)*", re.ASCII)
 # The mechanism of that name; raises KinegradeError when there is none.
 Mechanisms = Callable[[str], MechanismFile]
 
@@ -53,6 +53,12 @@ def no_mechanisms(name: str) -> MechanismFile:
     )
 
 
+def require_file_name(name: str) -> None:
+    """Raises TemplateError for what cannot be a template's name."""
+    if not _FILE_NAME.fullmatch(name):
+        raise TemplateError(Fault(f"{name}.toml", Message("template.file-name")))
+
+
 def open_template(
     name: str, text: str, mechanisms: Mechanisms, translations: Translations
 ) -> Opened:
@@ -60,8 +66,7 @@ def open_template(
 
     Raises TemplateError where a file is not TOML, or where the mechanism cannot be loaded.
     """
-    if not _FILE_NAME.fullmatch(name):
-        raise TemplateError(Fault(f"{name}.toml", Message("template.file-name")))
+    require_file_name(name)
     file = f"{name}.toml"
     template = _read_toml(file, text)
     if "mechanism" in template:
