@@ -31,6 +31,7 @@ from kinegrade.worked.vectors.inclinations import (
     name_axis,
 )
 from kinegrade.worked.vectors.known_vectors import list_ways
+from kinegrade.worked.vectors.magnitudes import is_turned
 from kinegrade.worked.vectors.summands import PLACES, Summand, add_summands, name_component
 from kinegrade.worked.vectors.vectors import UNITS
 
@@ -84,8 +85,11 @@ def _project(piece: Piece, axis: AxisName, case: Case) -> tuple[Summand, ...] | 
         return ()
     sign = 1 - quarters if cosine is None else cosine.sign
     formula: Formula = piece.symbol
-    if double(piece.value.dot(piece.positive)) < 0:
-        sign, formula = -sign, abs(formula)
+    against = double(piece.value.dot(piece.positive)) < 0
+    if against:
+        sign = -sign
+    if against or is_turned(piece.symbol, case):
+        formula = abs(formula)
     if cosine is not None:
         formula = formula * cosine.state(False)
     number = measure(piece.value[PLACES[axis]] * sign, piece.symbol.unit)

@@ -51,7 +51,7 @@ def state_magnitude(equation: VectorEquation, part: Part, case: Case) -> Formula
             speed = case.motion.rates[term.rate]
             turned = _take_size(case.naming.omega(term.frame), omega)
             size = _take_size(relative, speed)
-            return TWO * turned * (abs(relative) if _is_turned(relative, case) else size)
+            return TWO * turned * (abs(relative) if is_turned(relative, case) else size)
         case "absolute" | "transport" | "relative" | "rotation":
             return _state_term_magnitude(equation, part, term, case)
         case _:
@@ -111,7 +111,7 @@ def _take_size(symbol: Formula, value: Any) -> Formula:
     return symbol if float(value) >= 0 else abs(symbol)
 
 
-def _is_turned(symbol: Formula, case: Case) -> bool:
+def is_turned(symbol: Formula, case: Case) -> bool:
     """Whether a symbol has been given a second sense, that of the question."""
     return symbol.print() in case.findings.turned
 
