@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from kinegrade.expressions.tree import Expression
 from kinegrade.language.math.tree import Row
@@ -48,6 +48,18 @@ class Fact:
         return self.pieces or (Piece(self.symbol, self.value, self.value),)
 
 
+@dataclass(frozen=True)
+class Seen:
+    """The direction in which one point is seen from another: that of a side of a triangle, turned
+    through the triangle's angle, which stands in `tree` under `name`.
+    """
+
+    tree: Expression
+    name: str
+    symbol: Symbol
+    value: Any
+
+
 @dataclass
 class Findings:
     """What a solution has found so far, filled in as it is written.
@@ -58,7 +70,8 @@ class Findings:
     accelerations whose direction has been said; `arms` the distances of two points that have been
     worked out; `turned` the printed symbols of answers that count in the question's sense, opposite
     to that of their step; `places_alone` whether all answers are places of poles that normals lead
-    to, so that speeds are left out; `poles_sought` the bodies about whose poles answers are.
+    to, so that speeds are left out; `seen` the directions that triangles have given, each from one
+    point to another; `poles_sought` the bodies about whose poles answers are.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -71,5 +84,6 @@ class Findings:
     directed: set[VectorSymbol] = field(default_factory=set)
     arms: dict[frozenset[str], Symbol] = field(default_factory=dict)
     turned: set[Row] = field(default_factory=set)
+    seen: dict[tuple[Expression, Expression], Seen] = field(default_factory=dict)
     places_alone: bool = False
     poles_sought: frozenset[str] = frozenset()

@@ -79,3 +79,10 @@ def test_a_direction_beside_an_answer_is_named_and_a_formula() -> None:
     assert not any("$" in line for line in told)
     (line,) = (line for line in told if line.startswith("v_{C} &="))
     assert line.endswith(r"\unit{m/s}\quad\text{(in the direction }105^\circ\text{)}")
+
+
+def test_an_angle_that_a_triangle_has_given_is_not_found_again_by_its_tangent() -> None:
+    told = displayed(kept("pose-four-bar-coupler"))
+    assert not any(r"\tan\varphi_{2}" in line for line in told)
+    (line,) = (line for line in told if line.startswith(r"\varphi_{2} &="))
+    assert r"&= \angle(x,\overrightarrow{BD}) + \angle DBC \approx 50.58^\circ" in line

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from kinegrade.expressions.tree import Call, Expression, Name, Operation
 from kinegrade.language.math.tree import Letter, Row
 from kinegrade.language.message import Message
+from kinegrade.numbers.angle import Angle
 from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y, Working
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.formula import Function
 from kinegrade.worked.formulas.symbols import name_angle, name_vector
 from kinegrade.worked.positions.algebra import Pair, cross, dot, over, times
 from kinegrade.worked.positions.axes import length_of
-from kinegrade.worked.positions.instance import PURE
+from kinegrade.worked.positions.instance import PURE, Instance
 
 _QUADRANTS: Mapping[tuple[int, int], Message] = {  # by the signs of the cosine and of the sine
     (1, 1): Message("solution.first-quadrant"),
@@ -25,6 +27,7 @@ _QUADRANTS: Mapping[tuple[int, int], Message] = {  # by the signs of the cosine 
     (0, 1): Message("solution.angle-right"),
     (0, -1): Message("solution.angle-minus-right"),
 }
+_FULL = 1.0  # radians: angles that differ by more differ by a full turn
 _BETWEEN_LETTERS = name_angle(name_vector("u"), name_vector("v"))
 
 
@@ -59,8 +62,30 @@ def _find_angle_from_axis(
     other = _print_symbol(second, working) if simple else name_vector("v")
     phrase = working.phrase(second, "" if simple or working.symbol else "v")
     sentence = Message("solution.angle-from-axis", first=working.phrase(first), second=phrase)
+    ends = _list_ends(second)
+    seen = working.instance.case.findings.seen.get(ends) if ends else None
+    if seen is not None and start == AXIS_X and working.symbol:
+        known = working.instance.named(seen.name, seen.symbol, seen.value)
+        if _is_turn(known, seen.tree, Call("atan2", (end[1], end[0]))):
+            return seen.tree, replace(working.said(sentence), instance=known)
     label = working.symbol or name_angle(axis, other)
     return _settle(label, working.said(sentence), (), (start, end))
+
+
+def _list_ends(vector: Expression) -> tuple[Expression, Expression] | None:
+    """The start and the end of a vector between two points, None for any other."""
+    return (vector.right, vector.left) if isinstance(vector, Operation) else None
+
+
+def _is_turn(instance: Instance, angle: Expression, other: Expression) -> bool:
+    """Whether two angles are worth the same, and not a full turn apart."""
+    one, another = (_find_radians(tree, instance) for tree in (angle, other))
+    return abs(one - another) < _FULL
+
+
+def _find_radians(angle: Expression, instance: Instance) -> float:
+    value = instance.value(angle)
+    return float(value.ball() if isinstance(value, Angle) else value)
 
 
 def _print_symbol(vector: Expression, working: Working) -> Symbol:

@@ -8,6 +8,7 @@ from kinegrade.expressions.tree import Call, Expression, Name, Operation
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.worked.document import Block, Display
+from kinegrade.worked.findings import Seen
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.formula import Function
 from kinegrade.worked.formulas.symbols import name_corner
@@ -42,7 +43,10 @@ def explain_circles(
     corner = instance.free("corner")
     angle = instance.value(Call("acos", (cosine,)))
     opened = instance.named(corner, _name_corner((second, first, Name(point)), instance), angle)
-    placed = Call("polar", (first, radius, (plus if left else minus)(towards, Name(corner))))
+    turned = (plus if left else minus)(towards, Name(corner))
+    seen = Seen(turned, corner, opened.symbols[corner], angle)
+    instance.case.findings.seen[first, Name(point)] = seen
+    placed = Call("polar", (first, radius, turned))
     sense = name_rotation_sense(left)
     return (
         instance.say(_describe_triangle(point, circles, left, instance)),
