@@ -54,9 +54,9 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 579_511,
-    "lines of code": 61_598,
-    "syntax nodes a line": 9.41,
+    "syntax nodes": 589_073,
+    "lines of code": 62_498,
+    "syntax nodes a line": 9.43,
     "modules of more than 250 lines": 14,
 }
 COPIED = """
