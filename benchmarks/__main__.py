@@ -1,6 +1,6 @@
 """The promised figures, each as a ratio against a peer in this run; `make bench` prints them all.
 
-    python -m benchmarks [startup | solving | templates | marking | papers ...]
+    python -m benchmarks [startup | solving | templates | marking | papers | cycles ...]
 
 The status is 1 if a promise is broken, or if a peer is missing: a promise that is not measured is
 not kept.
@@ -15,15 +15,18 @@ from importlib.util import find_spec
 
 from tests.tools import complaint, missing_tools
 
-BENCHMARKS = ("startup", "solving", "templates", "marking", "papers", "class_commands")
+BENCHMARKS = ("startup", "solving", "templates", "marking", "papers", "class_commands", "cycles")
 
 
 def missing_peer() -> str:
     """One line about what the figures are measured against and is not on this machine, or ""."""
-    if find_spec("sympy") is None:
-        return "sympy: not installed; expected the group dev; run pip install --group dev"
     tools = missing_tools()
-    return complaint(tools) if tools else ""
+    if find_spec("sympy") is not None and tools:
+        return complaint(tools)
+    for peer in ("sympy", "pylinkage"):
+        if find_spec(peer) is None:
+            return f"{peer}: not installed; expected the group dev; run pip install --group dev"
+    return ""
 
 
 def main() -> int:

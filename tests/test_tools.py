@@ -107,3 +107,9 @@ def test_a_bench_without_its_peer_fails_in_one_line(tmp_path: Path) -> None:
 def test_a_bench_without_sympy_fails_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("benchmarks.__main__.find_spec", lambda name: None)
     assert missing_peer().startswith("sympy: not installed; ")
+
+
+def test_a_bench_without_pylinkage_fails_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("benchmarks.__main__.missing_tools", list)
+    monkeypatch.setattr("benchmarks.__main__.find_spec", lambda name: name != "pylinkage" or None)
+    assert missing_peer().startswith("pylinkage: not installed; ")
