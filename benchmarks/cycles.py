@@ -12,7 +12,7 @@ from pylinkage import Crank, Ground, RRRDyad
 from pylinkage.simulation import Linkage
 
 from benchmarks.figure_of_merit import Figure, seconds
-from kinegrade.motion.path import Path, find_path
+from kinegrade.motion.path import MotionPath, find_path
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 
@@ -32,7 +32,7 @@ def figures() -> Iterator[Figure]:
 def follow_four_bar() -> Callable[[], object]:
     """All positions of a turn, a thousand of which would do for a picture."""
     path = find_path(solve_template(load_template("pole-four-bar-coupler"), {}).motion)
-    if not isinstance(path, Path):
+    if not isinstance(path, MotionPath):
         raise TypeError(path)
     moved = np.linspace(*path.bounds, _POSITIONS)
     return lambda: path.place(moved).motion

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import assert_never
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from kinegrade.cycles.curves import Curve, find_followed, trace_curves
 from kinegrade.cycles.swings import Swing, find_swings
 from kinegrade.errors import MechanismError, TemplateError
 from kinegrade.language.message import Fault, Message, list_plainly
-from kinegrade.motion.path import Path, Still, find_path
+from kinegrade.motion.path import MotionPath, Still, find_path
 from kinegrade.problem.solution import Solution
 
 _POSITIONS = 721
@@ -25,7 +26,7 @@ class Cycle:
     """
 
     solution: Solution
-    path: Path
+    path: MotionPath
     curves: tuple[Curve, ...]
     instant: tuple[float, ...]
     swings: tuple[Swing, ...]
@@ -42,16 +43,25 @@ def make_cycle(solution: Solution, names: Sequence[str] | None = None) -> Cycle:
 
     Raises MechanismError where it has none, TemplateError for asks that have no curve.
     """
-    template = solution.template
-    path = find_path(solution.motion)
-    if isinstance(path, Still):
-        raise MechanismError(Fault(template.name, path.reason))
+    path = _require_path(solution)
     asked = _choose_asks(solution, names)
     placement = path.place(path.spread(_POSITIONS))
     curves = trace_curves(solution, placement, asked)
     now = trace_curves(solution, path.place(np.zeros(1)), asked)
     instant = tuple(float(curve.values[0]) for curve in now)
     return Cycle(solution, path, tuple(curves), instant, find_swings(path))
+
+
+def _require_path(solution: Solution) -> MotionPath:
+    """The path of a solved instance. Raises MechanismError where it has none."""
+    found = find_path(solution.motion)
+    match found:
+        case MotionPath():
+            return found
+        case Still(reason=reason):
+            raise MechanismError(Fault(solution.template.name, reason))
+        case _:
+            assert_never(found)
 
 
 def _choose_asks(solution: Solution, names: Sequence[str] | None) -> tuple[str, ...]:

@@ -21,7 +21,7 @@ from kinegrade.language.decimal_mark import write_decimal_text
 from kinegrade.language.math.units import write_unit
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.motion.path import Array, Path
+from kinegrade.motion.path import Array, MotionPath
 
 _WIDTH, _HEIGHT = 160.0, 36.0  # millimetres, of one graph with its ticks
 _LEFT, _RIGHT, _TOP, _BOTTOM = 18.0, 4.0, 6.5, 6.0
@@ -83,12 +83,12 @@ def draw_graphs(cycle: Cycle, language: Language) -> str:
     )
 
 
-def convert_displacements(path: Path, moved: Array) -> Array:
+def convert_displacements(path: MotionPath, moved: Array) -> Array:
     """Displacements of the input as they are shown: angles in degrees, ways in m."""
     return np.asarray(np.degrees(moved)) if path.input.is_angle else moved
 
 
-def name_input(path: Path) -> Message:
+def name_input(path: MotionPath) -> Message:
     """What is drawn to the right, with its unit."""
     leading = path.input.leading
     if not path.input.is_angle:

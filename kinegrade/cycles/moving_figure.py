@@ -22,8 +22,7 @@ from kinegrade.figure.scene import (
 )
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.motion.ends import Closed
-from kinegrade.motion.path import Array, Path
+from kinegrade.motion.path import Array, MotionPath
 from kinegrade.motion.placing import find_carriers
 from kinegrade.numbers.number import Number
 from kinegrade.problem.template.hints import FigureHints
@@ -57,7 +56,7 @@ class MovingFigure:
     closed: bool
 
 
-def draw_moving_figure(path: Path, hints: FigureHints) -> MovingFigure:
+def draw_moving_figure(path: MotionPath, hints: FigureHints) -> MovingFigure:
     """The figure at positions along the path; where a part goes far away, of those nearby."""
     moved = _choose_displacements(path)
     places = path.place(moved).frames.mechanism
@@ -77,20 +76,20 @@ def draw_moving_figure(path: Path, hints: FigureHints) -> MovingFigure:
         tuple(tuple(move(part, corner) for part in parts) for parts in drawings),
         tuple(moved.tolist()),
         first,
-        isinstance(path.end, Closed),
+        path.is_closed,
     )
 
 
-def _choose_displacements(path: Path) -> Array:
+def _choose_displacements(path: MotionPath) -> Array:
     """The displacements that are drawn, the instant among them."""
     low, high = path.bounds
     turns = round((high - low) / path.input.period) if path.input.period else 1
     count = _A_TURN if turns <= 1 else min(_MOST, _FEW * turns)
     moved = np.unique(np.append(path.spread(count + 1), 0.0))
-    return moved[:-1] if isinstance(path.end, Closed) else _select_near(path, moved)
+    return moved[:-1] if path.is_closed else _select_near(path, moved)
 
 
-def _select_near(path: Path, moved: Array) -> Array:
+def _select_near(path: MotionPath, moved: Array) -> Array:
     """The displacements about the instant at which no part has gone far away."""
     points = path.place(moved).frames.mechanism.points.values()
     start = path.motion.points.values()
@@ -145,10 +144,9 @@ def _draw(
     return (*draw(paper, hints).primitives, *labels)
 
 
-def _trace_points(path: Path, moved: Array, scale: float) -> list[Primitive]:
+def _trace_points(path: MotionPath, moved: Array, scale: float) -> list[Primitive]:
     """The ways of the points that move with bodies, over what is drawn."""
-    closed = isinstance(path.end, Closed)
-    fine = path.spread(_FINE) if closed else np.linspace(moved[0], moved[-1], _FINE)
+    fine = path.spread(_FINE) if path.is_closed else np.linspace(moved[0], moved[-1], _FINE)
     points = path.place(fine).frames.mechanism.points
     traces: list[Primitive] = []
     for name in find_carriers(path.motion.frames.mechanism):

@@ -10,7 +10,7 @@ import numpy as np
 
 from kinegrade.mechanics.vector import Vector
 from kinegrade.motion.ends import Closed, Limit
-from kinegrade.motion.path import Array, Path, Placement
+from kinegrade.motion.path import Array, MotionPath, Placement
 
 _POSITIONS = 1441
 _PARTS = 33
@@ -37,7 +37,7 @@ class Swing:
     time_ratio: float | None
 
 
-def find_swings(path: Path) -> tuple[Swing, ...]:
+def find_swings(path: MotionPath) -> tuple[Swing, ...]:
     """The strokes and swings of a path that is closed or lies between dead points; none of what
     stands still or turns fully.
     """
@@ -50,7 +50,7 @@ def find_swings(path: Path) -> tuple[Swing, ...]:
     return tuple(swing for swing in found if swing is not None)
 
 
-def _list_readings(path: Path) -> Iterator[tuple[str, bool, Reading]]:
+def _list_readings(path: MotionPath) -> Iterator[tuple[str, bool, Reading]]:
     """What slides on fixed lines or turns about fixed pins, each with its position and rate."""
     mechanism = path.motion.frames.mechanism
     seen: set[str] = set()
@@ -84,7 +84,7 @@ def _read_body(body: str) -> Reading:
     return read
 
 
-def _measure_swing(path: Path, name: str, is_angle: bool, read: Reading) -> Swing | None:
+def _measure_swing(path: MotionPath, name: str, is_angle: bool, read: Reading) -> Swing | None:
     """The swing of what is read; None where that stands still or turns fully."""
     moved = path.spread(_POSITIONS)
     values = np.broadcast_to(read(path.place(moved))[0], moved.shape)
@@ -98,22 +98,31 @@ def _measure_swing(path: Path, name: str, is_angle: bool, read: Reading) -> Swin
     return Swing(name, is_angle, float(greatest - least), ends[0], ends[1], ratio)
 
 
-def _refine(path: Path, read: Reading, moved: Array, number: int) -> float:
-    """The displacement at which the rate is zero beside a position, or that of an end."""
-    low, high = (moved[max(number - 1, 0)], moved[min(number + 1, len(moved) - 1)])
-    if isinstance(path.end, Closed) and number in (0, len(moved) - 1):
-        return float(moved[number])
+def _refine(path: MotionPath, read: Reading, moved: Array, number: int) -> float:
+    """The displacement beside a position at which the rate is zero, or that of an end at which it
+    is not; the end of a closed path lies beside its beginning.
+    """
+    last = len(moved) - 1
+    beside = [(max(number - 1, 0), min(number + 1, last))]
+    if path.is_closed and number in (0, last):
+        beside = [(0, 1), (last - 1, last)]
+    found = (_find_rest(path, read, moved[low], moved[high]) for low, high in beside)
+    return next((each for each in found if each is not None), float(moved[number]))
+
+
+def _find_rest(path: MotionPath, read: Reading, low: float, high: float) -> float | None:
+    """The displacement between two others at which the rate is zero, None where there is none."""
     for _ in range(_ZOOMS):
         inner = np.linspace(low, high, _PARTS)
         rates = np.broadcast_to(read(path.place(inner))[1], inner.shape)
         changes = np.flatnonzero(np.diff(np.sign(rates)) != 0)
         if not changes.size:
-            return float(moved[number])
+            return None
         low, high = inner[changes[0]], inner[changes[0] + 1]
     return float((low + high) / 2)
 
 
-def _compare_ways(path: Path, least: float, greatest: float) -> float | None:
+def _compare_ways(path: MotionPath, least: float, greatest: float) -> float | None:
     """The time ratio of an input that turns once in a closed cycle."""
     turn, end = path.input.period, path.end
     if turn is None or not isinstance(end, Closed) or end.turns != 1:

@@ -19,7 +19,7 @@ from kinegrade.mechanics.relations import Relation
 from kinegrade.motion.arrays import Arrays
 from kinegrade.motion.conditions import Placed
 from kinegrade.motion.displacement import Displacement
-from kinegrade.motion.ends import ChangePoint, End, Limit
+from kinegrade.motion.ends import ChangePoint, Closed, End, Limit
 from kinegrade.motion.following import meet_input
 from kinegrade.motion.input import Input, find_input
 from kinegrade.motion.placing import place_frames
@@ -36,7 +36,7 @@ _ASTRAY = 1e-3  # rad, or sizes of the mechanism: a path is known much better
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
+class MotionPath:
     """The positions that a mechanism reaches from the instant, its lengths unchanged, by its input
     alone; all displacements are since the instant: rad or m.
 
@@ -63,6 +63,11 @@ class Path:
     def end(self) -> End:
         """What stops the input forwards."""
         return self.traced.end
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether the path comes back to the instant."""
+        return isinstance(self.end, Closed)
 
     @property
     def changes(self) -> tuple[ChangePoint, ...]:
@@ -184,7 +189,7 @@ class Placement:
     all rates, `placed` the relations there.
     """
 
-    path: Path
+    path: MotionPath
     moved: Array
     at: Displacement
     placed: tuple[Placed, ...]
@@ -229,7 +234,7 @@ class Still:
     reason: Problem
 
 
-def find_path(motion: Motion) -> Path | Still:
+def find_path(motion: Motion) -> MotionPath | Still:
     """The path of a motion, of any arithmetic; what stays as it is says why."""
     doubles = motion.map(float)
     mechanism = motion.frames.mechanism.map(float)
@@ -239,6 +244,6 @@ def find_path(motion: Motion) -> Path | Still:
         return Still(Message("motion.no-input"))
     system = System(doubles.frames, moved, tuple(doubles.rates))
     try:
-        return Path(doubles, system, trace_path(system))
+        return MotionPath(doubles, system, trace_path(system))
     except MechanismError as error:
         return Still(error.faults[0])

@@ -9,14 +9,14 @@ from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.mechanics.vector import Vector
-from kinegrade.motion.path import Path, find_path
+from kinegrade.motion.path import MotionPath, find_path
 from kinegrade.numbers.doubles import Doubles
 
 
-def follow(motion: Motion) -> Path:
+def follow(motion: Motion) -> MotionPath:
     """The path of a motion that has one."""
     path = find_path(motion)
-    assert isinstance(path, Path), path
+    assert isinstance(path, MotionPath), path
     return path
 
 

@@ -13,7 +13,7 @@ import pytest
 from mpmath import mp, mpf
 
 from kinegrade.mechanics.rates import make_turning
-from kinegrade.motion.path import Array, Path, Placement
+from kinegrade.motion.path import Array, MotionPath, Placement
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from tests.laws.position import DIGITS, PositionModel
@@ -24,11 +24,11 @@ STEP = 2e-3  # of the input: Richardson's sixth order leaves 1e-11 of what is sm
 
 
 @pytest.fixture(scope="module", params=TEMPLATES)
-def path(request: pytest.FixtureRequest) -> Path:
+def path(request: pytest.FixtureRequest) -> MotionPath:
     return follow(solve_template(load_template(request.param), {}).motion)
 
 
-def spread_within_half_a_turn(path: Path, count: int) -> Placement:
+def spread_within_half_a_turn(path: MotionPath, count: int) -> Placement:
     """Positions in which nothing has turned by more than the independent model can tell."""
     moved = path.spread(count)
     turned = [np.broadcast_to(c, moved.shape) for c in path.place(moved).at.coordinates.values()]
@@ -50,7 +50,7 @@ def find_poses(placement: Placement, number: int) -> list[Any]:
     return unknowns
 
 
-def test_positions_meet_an_independent_model_of_the_joints(path: Path) -> None:
+def test_positions_meet_an_independent_model_of_the_joints(path: MotionPath) -> None:
     placement = spread_within_half_a_turn(path, 400)
     with mp.workdps(DIGITS):
         model = PositionModel(path.motion.frames.mechanism)
@@ -61,18 +61,18 @@ def test_positions_meet_an_independent_model_of_the_joints(path: Path) -> None:
                 assert max(missed, default=0) <= 1e-12 * path.size, joint
 
 
-def test_every_position_meets_its_conditions(path: Path) -> None:
+def test_every_position_meets_its_conditions(path: MotionPath) -> None:
     assert path.place(path.spread(721)).greatest <= 1e-12 * path.size
 
 
-def test_neighbours_on_a_path_lie_near_each_other(path: Path) -> None:
+def test_neighbours_on_a_path_lie_near_each_other(path: MotionPath) -> None:
     moved = path.spread(4001)
     for coordinate in path.place(moved).at.coordinates.values():
         steps = np.abs(np.diff(np.broadcast_to(coordinate, moved.shape)))
         assert steps.max() <= 3 * np.maximum(steps[:-1], steps[1:]).min(initial=np.inf) + 0.1
 
 
-def choose_inside(path: Path) -> Array:
+def choose_inside(path: MotionPath) -> Array:
     """Displacements at which the path is smooth over several steps."""
     low, high = path.bounds
     return low + (high - low) * np.array([0.2, 0.33, 0.47, 0.71, 0.8])
@@ -88,7 +88,7 @@ def differentiate(at: Callable[[float], Array], step: float) -> tuple[Array, Arr
     return slope, bend / step**2
 
 
-def drive_in_step(path: Path) -> Path:
+def drive_in_step(path: MotionPath) -> MotionPath:
     """The path with the drivers' accelerations in proportion, as their velocities are."""
     frames, change = path.motion.frames, float(path.input.leading.acceleration)
     relations = tuple(
@@ -98,7 +98,7 @@ def drive_in_step(path: Path) -> Path:
     return follow(replace(path.motion, frames=replace(frames, relations=relations)))
 
 
-def test_rates_and_their_changes_are_the_derivatives_of_positions(path: Path) -> None:
+def test_rates_and_their_changes_are_the_derivatives_of_positions(path: MotionPath) -> None:
     path, moved = drive_in_step(path), choose_inside(path)
     motion = path.place(moved).motion
     leading = path.input.leading

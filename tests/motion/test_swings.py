@@ -13,9 +13,13 @@ from tests.motion.mechanisms import follow, four_bar, slider_crank
 
 
 @pytest.mark.parametrize("offset", [0.0, 0.4, -0.9])
-def test_a_slider_crank_has_the_stroke_and_time_ratio_of_its_offset(offset: float) -> None:
+@pytest.mark.parametrize("from_outer_dead_centre", [0.8, 0.001, -0.001, 0.0])
+def test_a_slider_crank_has_the_stroke_and_time_ratio_of_its_offset(
+    offset: float, from_outer_dead_centre: float
+) -> None:
     crank, rod = 1.0, 2.5
-    (swing,) = find_swings(follow(slider_crank(crank, rod, offset, 0.8)))
+    at = math.asin(offset / (rod + crank)) + from_outer_dead_centre
+    (swing,) = find_swings(follow(slider_crank(crank, rod, offset, at)))
     stroke = math.sqrt((rod + crank) ** 2 - offset**2) - math.sqrt((rod - crank) ** 2 - offset**2)
     lag = abs(math.asin(offset / (rod - crank)) - math.asin(offset / (rod + crank)))
     assert (swing.name, swing.is_angle) == ("B", False)

@@ -15,14 +15,14 @@ from kinegrade.cycles.moving_figure import MovingFigure, draw_moving_figure
 from kinegrade.figure.back_ends.svg import CLOSE, open_document, write_parts
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.motion.path import Path
+from kinegrade.motion.path import MotionPath
 from kinegrade.press.html.filled_page import load_layout
 from kinegrade.problem.template.hints import FigureHints
 
 _PAUSE = 40  # milliseconds between two drawings
 
 
-def write_moving_figure(path: Path, hints: FigureHints, language: Language) -> str:
+def write_moving_figure(path: MotionPath, hints: FigureHints, language: Language) -> str:
     """The mechanism of a path as an element of a page, at the instant until it is played. Raises
     TypesetError for a symbol that is none.
     """
