@@ -139,3 +139,9 @@ def test_accelerations_follow_alike_only_where_their_steps_are_those_of_velociti
     asked = load_template(name).asked()
     blocks = write_worked_solution(solve_template(load_template(name), {}), asked, "en", method)
     assert (ALIKE in proses(blocks.blocks)) == alike
+
+
+def test_a_belt_says_what_links_the_rotations() -> None:
+    # the idea said what is known and sought, and nothing of why it can be found
+    link = "Seen from the carrier $OA$, both rims have equal speeds, which links the rotations."
+    assert read_idea("crossed-belt-drive").count(link) == 1

@@ -93,15 +93,28 @@ def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
     """Why the equations of a step serve; nothing for those that only carry a motion on."""
     case, coupler = stage.case, find_coupler(stage)
     for relation in select_scalars(step, case):
-        roll = relation.source.find_rolling() if relation.source else None
-        if roll:
-            yield _explain_roll(roll, case)
+        yield from _explain_link(relation.source, case)
     if coupler is not None:
         yield _explain_choice(coupler, case)
     elif len(stage.equations) > 1:
         yield Message("solution.idea-together")
     elif stage.equations and len(stage.equations[0].unknowns) == 2:
         yield from _explain_frames(stage)
+
+
+def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
+    """What a relation of rates alone links; nothing for what is given, or turns alike."""
+    match law:
+        case NoSlip():
+            yield _explain_roll(law, case)
+        case EqualPitchSpeed(carrier=carrier) | EqualBeltSpeed(carrier=carrier):
+            yield Message("solution.idea-rims", carrier=case.naming.body(carrier))
+        case ImposedRotation() | ImposedMotion() | ImposedCircling():
+            return
+        case SharedPoint() | GuidedPoint() | EqualRotation() | None:
+            return
+        case _:
+            assert_never(law)
 
 
 def _explain_roll(roll: NoSlip, case: Case) -> Message:
