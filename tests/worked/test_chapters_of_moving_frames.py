@@ -204,8 +204,8 @@ def test_a_relative_vector_that_is_asked_for() -> None:
         v_{B,x} &= -\omega_{AB}\,y_{B} = -(-3\,\unit{rad/s}) \cdot 1\,\unit{m} = 3\,\unit{m/s}
         v_{B,y} &= v_{A} + \omega_{AB}(x_{B} - x_{A}) = 6\,\unit{m/s}
         The point of the carrier $OA$ that coincides with $B$ turns about $O$:
-        v_{B(OA)} &= OB \cdot \omega_{OA} = 2\sqrt{10}\,\unit{m/s} \approx 6.325\,\unit{m/s},\quad
-            108.43^\circ
+        v_{B(OA)} &= OB \cdot \omega_{OA} = 2\sqrt{10}\,\unit{m/s} \approx 6.325\,\unit{m/s}\quad\text{(in
+            the direction }108.43^\circ\text{)}
         Now the moving frame is the carrier $OA$:
             $\boldsymbol{v}_{\mathrm{r}} = \boldsymbol{v}_{B} - \boldsymbol{v}_{B(OA)}$ is the
             velocity of $B$ relative to it.
