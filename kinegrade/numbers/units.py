@@ -21,6 +21,8 @@ FACTORS: dict[str, tuple[Any, str]] = {
     "cm": (fmpq(1, 100), "length"),
     "mm": (fmpq(1, 1000), "length"),
     "km": (fmpq(1000), "length"),
+    "in": (fmpq(127, 5000), "length"),
+    "ft": (fmpq(381, 1250), "length"),
     "s": (fmpq(1), "time"),
     "min": (fmpq(60), "time"),
     "h": (fmpq(3600), "time"),

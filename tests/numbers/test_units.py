@@ -73,7 +73,7 @@ def test_factors_and_dimensions(text: str, factor: Any, dimension: tuple[int, in
 def test_what_is_no_unit_is_told_with_what_is_known(text: str) -> None:
     with pytest.raises(ExpressionError) as refusal:
         read_unit(text)
-    known = "1, cm, deg, h, km, m, min, mm, rad, s"
+    known = "1, cm, deg, ft, h, in, km, m, min, mm, rad, s"
     expected = f'unit "{text}" - expected a product or quotient like m/s^2 of {known}'
     assert str(refusal.value).startswith(expected)
 
@@ -81,6 +81,13 @@ def test_what_is_no_unit_is_told_with_what_is_known(text: str) -> None:
 def test_a_misspelt_unit_is_told_with_the_nearest() -> None:
     with pytest.raises(ExpressionError, match='unit "rads/s" - .* - did you mean "rad"'):
         read_unit("rads/s")
+
+
+@pytest.mark.parametrize(
+    ("text", "metres"), [("in", "127/5000"), ("ft", "381/1250"), ("ft/s^2", "381/1250")]
+)
+def test_inches_and_feet_are_exact(text: str, metres: str) -> None:
+    assert str(read_unit(text).factor) == metres
 
 
 def test_degrees_and_turns_are_exact_parts_of_pi() -> None:

@@ -392,3 +392,16 @@ def test_a_point_is_placed_only_where_the_solution_uses_it(
     template = load_template(name)
     blocks = write_worked_solution(solve_template(template, {}), template.asked(), "en").blocks
     assert any(text.startswith(place) for text in proses(blocks)) == told
+
+
+@pytest.mark.parametrize(("unit", "factor"), [("ft/s", 0.3048), ("km/h", 1000 / 3600)])
+def test_an_answer_in_other_units_stands_behind_that_in_si(unit: str, factor: float) -> None:
+    text = (find_shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
+    asked = 'v_B      = { quantity = "magnitude(velocity(B))", unit = "'
+    assert f'{asked}m/s"' in text
+    template = read_template("slider-crank", text.replace(f'{asked}m/s"', f'{asked}{unit}"'))
+    values = {"r": "1/5", "k": "2", "phi": "30", "omega": "4"}
+    speed = solve_template(load_template("slider-crank"), values)["v_B"].value
+    blocks = write_worked_solution(solve_template(template, values), ["v_B"], "en").blocks
+    (line,) = (each for each in lines(blocks) if rf"\unit{{{unit}}}" in each)
+    assert rf"\,\unit{{m/s}} \approx {speed / factor:.4g}\,\unit{{{unit}}}" in line

@@ -24,6 +24,8 @@ _WORDS = {
     "mm": Message("typing.unit-mm"),
     "dm": Message("typing.unit-dm"),
     "km": Message("typing.unit-km"),
+    "in": Message("typing.unit-in"),
+    "ft": Message("typing.unit-ft"),
     "s": Message("typing.unit-s"),
     "min": Message("typing.unit-min"),
     "h": Message("typing.unit-h"),

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from kinegrade.expressions.tree import Call, Name
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
+from kinegrade.problem.kinds.dimension import find_dimension
 from kinegrade.problem.kinds.kinds import Scalar
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
@@ -31,8 +31,6 @@ from kinegrade.worked.formulas.numbers import state_number, state_quantity
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.senses import state_rotation_sense, state_way
 from kinegrade.worked.steps.poles import explain_pole
-
-_PREFIXED = re.compile(r"[cm]m(?=$|/|\^)")  # centimetres and millimetres, also per second
 
 
 def explain_answer(ask: Ask, case: Case) -> Iterator[Block]:
@@ -106,13 +104,13 @@ def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
 
 
 def state_value(ask: Ask, case: Case) -> tuple[Link, ...]:
-    """The value that a formula in SI gives; in SI first where the key has centimetres or
-    millimetres.
+    """The value that a formula in SI gives; in SI first where the key has another unit, such as
+    centimetres or feet.
     """
-    answer = case.solution.answers[ask.name]
-    if answer.at_infinity or answer.is_zero or not _PREFIXED.match(answer.unit):
+    answer, unit = case.solution.answers[ask.name], ask.unit
+    if answer.at_infinity or answer.is_zero or unit.factor == 1 or unit.angle:
         return state_quantity(answer)
-    base = state_number(find_value(ask.quantity, case), _PREFIXED.sub("m", answer.unit))
+    base = state_number(find_value(ask.quantity, case), find_dimension(unit).unit)
     *_, prefixed = state_quantity(answer)
     return (*base, prefixed)
 
