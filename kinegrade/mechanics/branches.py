@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, assert_never
 
 from kinegrade.mechanics.vector import Vector
 
@@ -39,9 +39,13 @@ def measure_lead(
     first: Vector, second: Vector, axis: Vector, origin: Vector, branch: Branch
 ) -> Any:
     """How much farther the first of two points lies on the named side than the second."""
-    if isinstance(branch, Beside):
-        return branch.axis.cross(first - second) * _AHEAD[branch.side]
-    if branch in _TURNS:
-        turn = _TURNS[branch]
-        return axis.cross(first - origin) * turn - axis.cross(second - origin) * turn
-    return _SIDES[branch](first) - _SIDES[branch](second)
+    match branch:
+        case Beside(across, side):
+            return across.cross(first - second) * _AHEAD[side]
+        case str() if branch in _TURNS:
+            turn = _TURNS[branch]
+            return axis.cross(first - origin) * turn - axis.cross(second - origin) * turn
+        case str():
+            return _SIDES[branch](first) - _SIDES[branch](second)
+        case _:
+            assert_never(branch)

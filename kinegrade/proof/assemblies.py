@@ -40,14 +40,12 @@ class OtherAssembly:
 def find_other_assemblies(template: Template) -> Iterator[OtherAssembly]:
     """A template for each point that is one of two common points."""
     for point, tree in template.scheme.points.items():
-        match tree:
-            case Call("meet", (first, second, side)) if "circle" in (_shape(first), _shape(second)):
-                other = _oppose(side)
-                points = {**template.scheme.points, point: Call("meet", (first, second, other))}
-                swapped = replace(template, scheme=replace(template.scheme, points=points))
-                yield OtherAssembly(point, _write_side(side), _write_side(other), swapped)
-            case _:
-                pass
+        shapes, side = _read_meeting(tree)
+        if side is not None and "circle" in map(_shape, shapes):
+            other = _oppose(side)
+            points = {**template.scheme.points, point: Call("meet", (*shapes, other))}
+            swapped = replace(template, scheme=replace(template.scheme, points=points))
+            yield OtherAssembly(point, _write_side(side), _write_side(other), swapped)
 
 
 def close_otherwise(solution: Solution, other: OtherAssembly) -> Solution | None:
@@ -59,6 +57,14 @@ def close_otherwise(solution: Solution, other: OtherAssembly) -> Solution | None
         return solve_template(other.template, values, ())
     except KinegradeError:
         return None
+
+
+def _read_meeting(tree: Expression) -> tuple[tuple[Expression, ...], Expression | None]:
+    """The shapes that meet in a point and the side that is named; None where there is none."""
+    if isinstance(tree, Call) and tree.function == "meet" and len(tree.arguments) > 2:
+        *shapes, side = tree.arguments
+        return tuple(shapes), side
+    return (), None
 
 
 def _shape(tree: Expression) -> str:

@@ -5,8 +5,9 @@ meant.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import assert_never
 
-from kinegrade.expressions.tree import SIDES_OF, Call, Expression, Name
+from kinegrade.expressions.tree import SIDES_OF, Call, Expression, Name, Number, Operation
 from kinegrade.language.message import Message
 from kinegrade.worked.formulas.leaves import count_quarter_turns
 from kinegrade.worked.positions.algebra import ZERO
@@ -57,8 +58,10 @@ def describe_side(branch: Expression, instance: Instance) -> Message | None:
             side = "left" if function == SIDES_OF["left"] else "right"
             ends = {"start": instance.text(start), "end": instance.text(end)}
             return Message(f"solution.{side}-of-one", **ends)
-        case _:
+        case Call() | Number() | Operation():
             return None
+        case _:
+            assert_never(branch)
 
 
 def describe_chord_end(
