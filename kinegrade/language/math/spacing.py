@@ -59,14 +59,15 @@ def is_spaced(row: Row, place: int) -> bool:
 
 def is_sign_of(node: Node, kind: Kind) -> bool:
     """Whether a node is a sign of a kind, with or without scripts."""
-    carrier = node.base if isinstance(node, Scripts) else node
-    return isinstance(carrier, Sign) and SIGNS[carrier.latex].kind == kind
+    carrier = node.base if isinstance(node, Scripts) else None
+    signs = (part for part in (node, carrier) if isinstance(part, Sign))
+    return any(SIGNS[sign.latex].kind == kind for sign in signs)
 
 
 def is_function(node: Node) -> bool:
     """Whether a node is the name of a function, with or without scripts."""
-    carrier = node.base if isinstance(node, Scripts) else node
-    return isinstance(carrier, Function)
+    carrier = node.base if isinstance(node, Scripts) else None
+    return isinstance(node, Function) or isinstance(carrier, Function)
 
 
 def _ends_term(row: Row, place: int) -> bool:
