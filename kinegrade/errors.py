@@ -203,8 +203,13 @@ def suggest_examples(word: str, examples: Mapping[str, str], group: str) -> Mess
     from difflib import get_close_matches  # as above
 
     near = get_close_matches(word, examples, _SUGGESTIONS, cutoff=0.0)
-    names = list_choices(Quoted(examples[name]) for name in near)
+    names = list_choices(_quote(examples[name]) for name in near)
     return Message("grammar.did-you-mean-like", names=names, command=f"{_LISTING} {group}")
+
+
+def _quote(example: str) -> Part:
+    """An example between quotation marks, where it has none itself."""
+    return example if '"' in example else Quoted(example)
 
 
 def find_misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[str]:
