@@ -62,6 +62,10 @@ class Reason(ABC):
         """The rolling without slipping that it is; None where it is something else."""
         return None
 
+    def find_rim_carrier(self) -> str | None:
+        """The body seen from which two rims have equal speeds; None where nothing says so."""
+        return None
+
     def find_imposed_direction(self) -> Vector | None:
         """The direction along which a driver imposes a motion; None where none does."""
         return None
@@ -201,7 +205,7 @@ class NoSlip(Reason):
                 slip = along.dot(arm.turned()) / along.squared()
                 carried = slip * shares.carried
             case Circle(radius=other):
-                radius = self.circle.radius * _find_sense(self.inside, shares)
+                radius = self.circle.radius * shares.find_sense(inside=self.inside)
                 distance = other + shares.arm * shares.carried * radius
                 radius, distance = shares.relate(radius, distance)
                 slip = carried = -radius / distance
@@ -241,6 +245,10 @@ class EqualRimSpeed(Reason):
     def is_given(self) -> bool:
         """No: it links two rotations."""
         return False
+
+    def find_rim_carrier(self) -> str:
+        """That of the centres."""
+        return self.carrier
 
     @property
     @abstractmethod
@@ -372,11 +380,6 @@ Imposed = ImposedRotation | ImposedMotion | ImposedCircling
 Law = (
     SharedPoint | GuidedPoint | EqualRotation | NoSlip | EqualPitchSpeed | EqualBeltSpeed | Imposed
 )
-
-
-def _find_sense(inside: bool, shares: Shares) -> Number:
-    """1 where two circles touch from outside, -1 where one lies within the other."""
-    return -shares.meshing if inside else shares.meshing
 
 
 def _measure_arm(circle: Circle, on: Circle, inside: bool, shares: Shares) -> Arm:

@@ -28,6 +28,10 @@ class Shares:
     arm: Number = 1
     ratio: Number = 1
 
+    def find_sense(self, *, inside: bool) -> Number:
+        """1 where two circles touch from outside, -1 where one lies within the other."""
+        return -self.meshing if inside else self.meshing
+
     def relate(self, first: Number, second: Number) -> tuple[Number, Number]:
         """The two lengths of a ratio, m, in each other's place where it is inverse."""
         rest = 1 - self.ratio

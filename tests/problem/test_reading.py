@@ -233,7 +233,7 @@ def test_the_small_template_is_sound() -> None:
             "[bodies]",
             "[figure]\nlength = 1\n[bodies]",
             [
-                'crank.toml:24: figure.length: unknown key - did you mean "lengths = [{ symbol = "l", from = "A", to = "B" }]", "lines = [["O", "A"]]" or "labels = { O1 = "O_1" }"? (all of them: kinegrade words figure)'
+                'crank.toml:24: figure.length: unknown key - did you mean lengths = [{ symbol = "l", from = "A", to = "B" }], lines = [["O", "A"]] or labels = { O1 = "O_1" }? (all of them: kinegrade words figure)'
             ],
         ),
         (

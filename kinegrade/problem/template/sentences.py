@@ -131,7 +131,7 @@ def _keep_verb(sentence: str) -> str:
     digit.
 
     >>> _keep_verb("A of AB slides on line(O, A) of OC")
-    'of slides on of'
+    'of slides on line of'
     """
     bare = re.sub(r"\(.*?\)", "", sentence)
     return " ".join(word for word in bare.split() if word.islower() or word[-1] == ":")

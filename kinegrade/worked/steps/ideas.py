@@ -104,17 +104,13 @@ def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
 
 def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
     """What a relation of rates alone links; nothing for what is given, or turns alike."""
-    match law:
-        case NoSlip():
-            yield _explain_roll(law, case)
-        case EqualPitchSpeed(carrier=carrier) | EqualBeltSpeed(carrier=carrier):
-            yield Message("solution.idea-rims", carrier=case.naming.body(carrier))
-        case ImposedRotation() | ImposedMotion() | ImposedCircling():
-            return
-        case SharedPoint() | GuidedPoint() | EqualRotation() | None:
-            return
-        case _:
-            assert_never(law)
+    if law is None:
+        return
+    roll, carrier = law.find_rolling(), law.find_rim_carrier()
+    if roll is not None:
+        yield _explain_roll(roll, case)
+    if carrier is not None:
+        yield Message("solution.idea-rims", carrier=case.naming.body(carrier))
 
 
 def _explain_roll(roll: NoSlip, case: Case) -> Message:
