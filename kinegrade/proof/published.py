@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from typing import Any
 
@@ -31,25 +31,9 @@ def prove_published(report: Report, published: Published) -> None:
     those left open, of an exact field where there are such.
     """
     where = f"published ({published.source})"
-    stated = _list_stated(report.template, published)
-    complete = set(stated) == set(report.template.parameters)
-    proofs: list[_Proof] = []
-    inexact: list[_Proof] = []
-    problem: Problem = ""
     gives = [name for name in published.gives if name in report.sound]
-    for values in _choose_settled(report, published, 1 if complete else 20 * _INSTANCES):
-        try:
-            solution = solve_template(report.template, values, gives)
-            found = dict(_find_differences(report.template, published, solution))
-            (proofs if solution.arithmetic.exact else inexact).append((solution, found))
-        except KinegradeError as error:
-            problem = error.faults[0]
-        except Inexact:
-            problem = Message("template.no-small-field")
-        if len(proofs) == _INSTANCES:
-            break
+    proofs, problem = _compare_instances(report, published, gives)
     wrong: dict[str, Fault] = {}
-    proofs = proofs or inexact[:_INSTANCES]
     for solution, found in proofs:
         right = [name for name in gives if name not in found]
         report.rounded += sum(is_printed_decimal(published.texts[name]) for name in right)
@@ -61,6 +45,31 @@ def prove_published(report: Report, published: Published) -> None:
     if not proofs:
         what = Message("template.no-instance-solved", reason=problem)
         report.faults.append(Fault(where, what))
+
+
+def _compare_instances(
+    report: Report, published: Published, gives: Sequence[str]
+) -> tuple[list[_Proof], Problem]:
+    """The instances at which results are compared, those of an exact field if there are any, and
+    why the last one that has no solution has none.
+    """
+    stated = _list_stated(report.template, published)
+    complete = set(stated) == set(report.template.parameters)
+    exact: list[_Proof] = []
+    inexact: list[_Proof] = []
+    problem: Problem = ""
+    for values in _choose_settled(report, published, 1 if complete else 20 * _INSTANCES):
+        try:
+            solution = solve_template(report.template, values, gives)
+            found = dict(_find_differences(report.template, published, solution))
+            (exact if solution.arithmetic.exact else inexact).append((solution, found))
+        except KinegradeError as error:
+            problem = error.faults[0]
+        except Inexact:
+            problem = Message("template.no-small-field")
+        if len(exact) == _INSTANCES:
+            break
+    return exact or inexact[:_INSTANCES], problem
 
 
 def _choose_settled(report: Report, published: Published, count: int) -> list[Combination]:
