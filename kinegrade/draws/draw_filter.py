@@ -2,8 +2,8 @@
 others are not.
 
 A part of the order can be filtered alone, in any process: what is found depends on the question,
-the secret and the positions only. Many combinations are looked at together, because that costs
-little more than looking at one.
+the secret and the positions only. Many combinations are screened together, because that costs
+little more than screening one.
 """
 
 from __future__ import annotations
@@ -44,10 +44,19 @@ from kinegrade.students.separation import Separation, collect_columns, find_sepa
 
 # Combinations from which it is judged which mistakes can be kept apart from the truth
 _SAMPLE = 400
-# Solutions that a process keeps for a question
-_KEPT = 50
+_KEPT = 50  # solutions that a process keeps for a question
+_TOGETHER = 100  # combinations that are screened at once, whatever part of them is asked for
 
 Verdict = Reason | None  # why a combination is refused; None for a good one
+
+
+@dataclass(frozen=True)
+class _Screened:
+    """A combination, why doubles refuse it already, and the `bounds` of honest rounding by ask."""
+
+    values: Combination
+    refusal: Refused | None
+    bounds: Mapping[str, float]
 
 
 @dataclass(frozen=True)
@@ -81,27 +90,43 @@ class DrawFilter:
 
     def verdicts(self, part: range) -> tuple[Verdict, ...]:
         """The verdict on the combination at each position of a part of the order."""
-        combinations = [self.deck.combination(position) for position in part]
-        new = [values for values in combinations if not self.earlier.has(values)]
-        found = self.examine(new)
-        for values, one in zip(new, found, strict=True):
-            self._keep(values, one)
-        verdicts = iter(one.reason if isinstance(one, Refused) else None for one in found)
-        return tuple(
-            "earlier" if self.earlier.has(values) else next(verdicts) for values in combinations
-        )
+        return tuple(self._judge(self._find_screened(position)) for position in part)
+
+    def _judge(self, screened: _Screened) -> Verdict:
+        """The verdict on a combination; what was found is kept for its paper."""
+        if self.earlier.has(screened.values):
+            return "earlier"
+        found = self._examine_screened(screened)
+        self._keep(screened.values, found)
+        return found.reason if isinstance(found, Refused) else None
 
     def examine(self, combinations: Sequence[Combination]) -> list[Examined | Refused]:
         """For each combination what is fit for students, or why it is not."""
+        return [self._examine_screened(each) for each in self._screen(combinations)]
+
+    def _find_screened(self, position: int) -> _Screened:
+        """The combination at a position, screened with those before and after it."""
+        number, place = divmod(position, _TOGETHER)
+        if number not in self._blocks:
+            self._blocks.clear()
+            first = number * _TOGETHER
+            block = range(first, min(first + _TOGETHER, self.deck.size))
+            self._blocks[number] = self._screen([self.deck.combination(each) for each in block])
+        return self._blocks[number][place]
+
+    def _screen(self, combinations: Sequence[Combination]) -> list[_Screened]:
+        """Combinations looked at in doubles, all at once."""
         if self.separation is None or not combinations:
-            return [self._examine_one(values, {}) for values in combinations]
+            return [_Screened(values, None, {}) for values in combinations]
         seen = self.separation.compare(collect_columns(combinations))
-        screened = screen(self.separation, self.accuracy, seen)
+        refusals = screen(self.separation, self.accuracy, seen)
         return [
-            refusal
-            or self._examine_one(values, {name: row[place] for name, row in seen.bounds.items()})
-            for place, (values, refusal) in enumerate(zip(combinations, screened, strict=True))
+            _Screened(values, refusal, {name: row[place] for name, row in seen.bounds.items()})
+            for place, (values, refusal) in enumerate(zip(combinations, refusals, strict=True))
         ]
+
+    def _examine_screened(self, screened: _Screened) -> Examined | Refused:
+        return screened.refusal or self._examine_one(screened.values, screened.bounds)
 
     def explain_first(self) -> Problem:
         """Why the first combination is refused, as an example; "" where it is good."""
@@ -212,6 +237,11 @@ class DrawFilter:
         """What the filter found in this process, by its values: a combination need not be solved
         again when its paper is set.
         """
+        return {}
+
+    @cached_property
+    def _blocks(self) -> dict[int, list[_Screened]]:
+        """The combinations that were screened last, by the number of their block."""
         return {}
 
     @cached_property

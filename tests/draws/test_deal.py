@@ -20,6 +20,8 @@ from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.library.library import load_template
+from kinegrade.students.mistaking.mistakes import Values
+from kinegrade.students.separation import Comparison, Separation
 from tests.problem.crank import crank
 from tests.problem.draws import dealt, draw_filter, drawn
 from tests.said import said
@@ -65,6 +67,23 @@ def test_parts_of_a_shipped_template_are_the_whole(name: str) -> None:
     parts = range(1), range(1, 3), range(3, 33), range(33, 60)
     assert sum((draw_filter(template).verdicts(part) for part in parts), ()) == whole
     assert {None, "mistake"} <= set(whole)
+
+
+def test_combinations_that_are_asked_for_one_by_one_are_screened_together(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    screened = []
+    compare = Separation.compare
+
+    def note(separation: Separation, values: Values) -> Comparison:
+        screened.append(len(values["omega"]))
+        return compare(separation, values)
+
+    monkeypatch.setattr(Separation, "compare", note)
+    template = many_cranks()
+    verdicts = [template.verdicts(range(place, place + 1)) for place in range(MANY)]
+    assert sum(verdicts, ()) == whole()
+    assert screened == [360, 100]  # all combinations as the sample, and the block of these
 
 
 @given(st.lists(st.booleans(), min_size=1, max_size=50), st.integers(1, 70))
