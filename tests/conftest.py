@@ -14,6 +14,7 @@ from hypothesis import HealthCheck, settings
 from kinegrade.exam.bank.bank import Bank, read_bank
 from kinegrade.exam.printing import class_printing
 from tests.golden_files import BANK, GOLDEN, Hold
+from tests.kept_results import keep_results
 from tests.problem.crank import crank_text
 from tests.repeated_secrets import repeat_secrets
 from tests.small_class import VANISHING, generate, write_class
@@ -24,7 +25,7 @@ COMMON = {
     "deadline": None,
     "suppress_health_check": [HealthCheck.too_slow, HealthCheck.filter_too_much],
 }
-settings.register_profile("suite", max_examples=50, derandomize=True, **COMMON)
+settings.register_profile("suite", max_examples=25, derandomize=True, **COMMON)
 settings.register_profile("prove", max_examples=200, database=None, **COMMON)
 settings.load_profile("suite")
 
@@ -38,6 +39,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     if config.getoption("--hypothesis-profile") != "prove":
         repeat_secrets(config)
+        keep_results()
 
 
 @pytest.hookimpl(tryfirst=True)

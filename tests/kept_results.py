@@ -1,0 +1,77 @@
+"""What follows from shipped files and stated numbers alone, found once in each process of tests: the
+templates, and which mistakes their draws keep apart. `make prove` finds it anew, as users do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import partial
+
+from kinegrade.draws import draw_filter
+from kinegrade.mechanics.plan import Plan
+from kinegrade.problem.template.beside import Translations
+from kinegrade.problem.template.library import library
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.sections.opening import FOLDER, Mechanisms
+from kinegrade.problem.template.template import Ask, Template
+from kinegrade.students.mistaking.mistakes import Values
+from kinegrade.students.rounding.accuracy import Accuracy
+from kinegrade.students.separation import Separation, find_separation
+
+_MECHANISMS = library.find_shipped("templates") / FOLDER
+
+
+@dataclass(frozen=True)
+class KeptResults:
+    """Templates by their texts, and what their draws keep apart, by all that it depends on."""
+
+    templates: dict[object, Template] = field(default_factory=dict)
+    separations: dict[object, Separation] = field(default_factory=dict)
+    shipped: set[int] = field(default_factory=set)  # the identities of those templates
+
+    def read_template(
+        self,
+        name: str,
+        text: str,
+        mechanisms: Mechanisms,
+        translations: Translations,
+        *,
+        kept: bool,
+    ) -> Template:
+        """As `read_template` of the library; a shipped one is read once."""
+        given = text, mechanisms, translations
+        if not isinstance(mechanisms, partial) or mechanisms.args != (_MECHANISMS,):
+            return read_template(name, *given, kept=kept)
+        key = name, text, tuple(sorted(translations.items())), kept
+        if key not in self.templates:
+            self.templates[key] = read_template(name, *given, kept=kept)
+            self.shipped.add(id(self.templates[key]))
+        return self.templates[key]
+
+    def find_separation(
+        self,
+        template: Template,
+        asks: Mapping[str, Ask],
+        accuracy: Accuracy,
+        plan: Plan,
+        sample: Values,
+    ) -> Separation:
+        """As `find_separation` of students; that of a shipped template is found once."""
+        given = template, asks, accuracy, plan, sample
+        if id(template) not in self.shipped:
+            return find_separation(*given)
+        tolerances = tuple(sorted(accuracy.tolerances.items()))
+        drawn = tuple((name, tuple(values)) for name, values in sample.items())
+        judged = tuple(asks), tolerances, accuracy.carry, accuracy.honest
+        key = id(template), plan, drawn, judged
+        if key not in self.separations:
+            self.separations[key] = find_separation(*given)
+        return self.separations[key]
+
+
+def keep_results() -> None:
+    """Let all tests of this process share what follows from shipped files."""
+    results = KeptResults()
+    library.read_template = results.read_template  # type: ignore[assignment]
+    draw_filter.find_separation = results.find_separation
