@@ -136,6 +136,17 @@ def other_exam(small_class: Path, tmp_path_factory: pytest.TempPathFactory) -> P
     return folder / "EXAM"
 
 
+@pytest.fixture(scope="module")
+def twice_marked(small_class: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with OLD marks, of nobody's answers, and the NEW ones of answers.csv."""
+    exam, folder = small_class / "EXAM", tmp_path_factory.mktemp("marked")
+    answers = folder / "answers.csv"
+    answers.write_text("student,q1.v_B\n" + "007,1\n" * 3000, encoding="utf-8")
+    assert kinegrade("grade", exam, exam / "answers.csv", "-o", folder / "OLD").exit_code == 0
+    assert kinegrade("grade", exam, answers, "-o", folder / "NEW").exit_code == 1
+    return folder
+
+
 @pytest.mark.parametrize(
     ("name", "delay"),
     [
@@ -147,15 +158,12 @@ def other_exam(small_class: Path, tmp_path_factory: pytest.TempPathFactory) -> P
     ],
 )
 def test_a_killed_grade_leaves_the_old_marks_or_the_new(
-    small_class: Path, tmp_path: Path, name: str, delay: float
+    small_class: Path, twice_marked: Path, tmp_path: Path, name: str, delay: float
 ) -> None:
-    exam, answers, marks = small_class / "EXAM", tmp_path / "answers.csv", tmp_path / "MARKS"
-    answers.write_text("student,q1.v_B\n" + "007,1\n" * 3000, encoding="utf-8")
-    again = ("grade", exam, answers, "-o", marks, "--force")
-    assert kinegrade(*again).exit_code == 1
-    new = contents(marks)
-    assert kinegrade("grade", exam, exam / "answers.csv", "-o", marks, "--force").exit_code == 0
-    old = contents(marks)
+    marks = Path(shutil.copytree(twice_marked / "OLD", tmp_path / "MARKS"))
+    old, new = contents(marks), contents(twice_marked / "NEW")
+    answers = twice_marked / "answers.csv"
+    again = ("grade", small_class / "EXAM", answers, "-o", marks, "--force")
     moment = replaced(marks) if name == REPLACED else being_made(name)
     # Or it was faster than the eye, and is done
     killed(list(map(str, again)), tmp_path, moment, delay)

@@ -20,6 +20,12 @@ pytestmark = pytest.mark.xdist_group("class printing")  # one worker sets the cl
 TWO_CHUNKS = "student,name\n" + "".join(
     f"{number},Student {number}\n" for number in range(2 * CHUNK + 1)
 )
+FEW_PAPERS = 4  # of `small_parts`
+SMALL_PARTS = f"""
+from kinegrade.exam.printing import class_printing
+
+class_printing.CHUNK = {FEW_PAPERS}
+"""  # for a process of its own
 BANK = """title = "T"
 course = "C"
 shuffle = true
@@ -51,25 +57,31 @@ def folder(tmp_path: Path) -> Path:
     return write(tmp_path)
 
 
-@pytest.fixture
-def few(folder: Path, small_parts: int) -> Path:
-    """A class that is large enough where a few papers are worth a process."""
-    rows = TWO_CHUNKS.splitlines(keepends=True)[: 2 * small_parts + 2]
+def write_few(folder: Path) -> Path:
+    """A class that is large enough where FEW_PAPERS are worth a process."""
+    write(folder)
+    rows = TWO_CHUNKS.splitlines(keepends=True)[: 2 * FEW_PAPERS + 2]
     (folder / "roster.csv").write_text("".join(rows), encoding="utf-8")
     return folder
+
+
+@pytest.fixture
+def few(tmp_path: Path, small_parts: int) -> Path:
+    assert small_parts == FEW_PAPERS
+    return write_few(tmp_path)
 
 
 @pytest.fixture(scope="module")
 def one(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
     """What a single process writes."""
-    place = write(tmp_path_factory.mktemp("one"))
+    place = write_few(tmp_path_factory.mktemp("one"))
     assert generate(place, "ONE", "--jobs", "1").exit_code == 0
     return contents(place / "ONE")
 
 
-def test_two_processes_write_the_same_bytes_as_one(folder: Path, one: dict[str, bytes]) -> None:
-    assert generate(folder, "TWO", "--jobs", "2").exit_code == 0
-    assert contents(folder / "TWO") == one
+def test_two_processes_write_the_same_bytes_as_one(few: Path, one: dict[str, bytes]) -> None:
+    assert generate(few, "TWO", "--jobs", "2").exit_code == 0
+    assert contents(few / "TWO") == one
 
 
 @pytest.mark.parametrize("count", [1, CHUNK, CHUNK + 1, 300, 1001])
@@ -86,14 +98,17 @@ def test_the_parts_are_the_class_and_become_smaller(count: int, workers: int) ->
 # Of a library: copies where there are none, else processes afresh
 @pytest.mark.parametrize("threads", ["1", "2"])
 def test_copies_of_a_process_without_threads_write_the_same_bytes(
-    folder: Path, one: dict[str, bytes], threads: str
+    tmp_path: Path, one: dict[str, bytes], threads: str
 ) -> None:
+    folder = write_few(tmp_path)
+    program = tmp_path / "program.py"
+    guarded = "if __name__ == '__main__':\n    from kinegrade.cli import main\n\n    main()\n"
+    program.write_text(SMALL_PARTS + guarded, encoding="utf-8")
     command = [
         sys.executable,
         "-W",
         "error:This process:DeprecationWarning",
-        "-m",
-        "kinegrade",
+        str(program),
         "generate",
         "bank.toml",
         "roster.csv",

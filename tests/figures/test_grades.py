@@ -17,9 +17,11 @@ from tests.figures.sheet import (
     write_grades,
 )
 
+EACH = 4  # so many rows, one is looked at; `make prove` looks at all of them
 
-def test_no_graded_figure_has_changed() -> None:
-    lost = find_lost(read_grades(GRADES))
+
+def test_no_graded_figure_of_a_sample_has_changed() -> None:
+    lost = find_lost(read_grades(GRADES)[::EACH])
     assert lost == [], "look at them again: python -m tests.figures grade-sheet OUT --seed SEED"
 
 

@@ -38,10 +38,9 @@ def read_titles(heading: str) -> list[str]:
 
 
 def copy_package(folder: Path) -> Path:
-    """A folder with a copy of the package, as it is."""
+    """A folder with a copy of the package, as it is; what is compiled is good for files as old."""
     folder.mkdir(parents=True, exist_ok=True)
-    copy = folder / "kinegrade"
-    shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(PACKAGE, folder / "kinegrade")
     return folder
 
 
