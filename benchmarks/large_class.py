@@ -15,6 +15,10 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
+from kinegrade.exam.folder.columns.writing import write_columns
+from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
+from kinegrade.exam.folder.exam_folder import open_exam
+
 ASKS = {
     "q1": ("v_B", "omega_AB", "a_B"),
     "q2": ("omega_II", "v_B", "v_C_x"),
@@ -57,7 +61,7 @@ def write_class(folder: Path, students: int, odd_share: float, seed: int = 1) ->
     exam.mkdir(parents=True)
     (exam / "exam.json").write_text(json.dumps(_head(students)), encoding="utf-8")
     with (
-        (exam / "key.jsonl").open("w", encoding="utf-8") as keys,
+        (exam / KEY).open("w", encoding="utf-8") as keys,
         (folder / "answers.csv").open("w", encoding="utf-8", newline="") as sheet,
     ):
         answers = csv.writer(sheet, lineterminator="\n")
@@ -67,6 +71,7 @@ def write_class(folder: Path, students: int, odd_share: float, seed: int = 1) ->
             keys.write(f"{json.dumps(paper)}\n")
             typed = [_typed(entry, random, odd_share) for entry in _entries(paper)]
             answers.writerow([paper["student"], f"Student {number}", *typed])
+    write_columns(exam / KEY_COLUMNS, exam / KEY, open_exam(exam).head)
 
 
 def _head(students: int) -> dict[str, Any]:

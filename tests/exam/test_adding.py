@@ -113,6 +113,7 @@ REWRITTEN = {
     "answers.xlsx",
     "exam.json",
     "key.jsonl",
+    "key.npz",
     "key.pdf",
     "papers.pdf",
     "solutions.pdf",

@@ -45,6 +45,7 @@ TOP = [
     "bank.toml",
     "exam.json",
     "key.jsonl",
+    "key.npz",
     "key.pdf",
     "papers",
     "papers.pdf",

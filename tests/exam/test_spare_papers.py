@@ -73,6 +73,7 @@ def test_an_assigned_paper_is_that_of_the_student(exam: Path, tmp_path: Path) ->
         "answers.xlsx",
         "exam.json",
         "key.jsonl",
+        "key.npz",
         "spare-key.pdf",
         "spares.jsonl",
         "papers.pdf",

@@ -22,6 +22,7 @@ from kinegrade.exam.folder.contents import (
     FORMULA_TEXT,
     HEAD,
     KEY,
+    KEY_COLUMNS,
     LOGO,
     NOTICE,
     POOL,
@@ -50,7 +51,7 @@ class Forgetting:
 
     def list_removed(self) -> list[str]:
         """The files of the exam that are removed, folders as one."""
-        kept = {HEAD, NOTICE, KEY, POOL, TEMPLATES, *_STAY}
+        kept = {HEAD, NOTICE, KEY, KEY_COLUMNS, POOL, TEMPLATES, *_STAY}
         found = sorted(each.name for each in self.exam.path.iterdir())
         return [
             name for name in found if name in CONTENTS and name not in kept and not _is_bank(name)

@@ -13,6 +13,9 @@ from kinegrade.problem.template.translation_names import name_beside
 HEAD = "exam.json"
 #: The right answers, one line for each student, with the values drawn and the known mistakes.
 KEY = "key.jsonl"
+#: The same numbers as arrays, by which a large class is marked faster; while they are not those of
+#: `key.jsonl`, that alone is read.
+KEY_COLUMNS = "key.npz"
 #: The same for spare papers that are not assigned.
 SPARES = "spares.jsonl"
 #: The right answers for people.
@@ -51,6 +54,7 @@ CONTENTS = (
     HEAD,
     NOTICE,
     KEY,
+    KEY_COLUMNS,
     SPARES,
     KEY_BOOK,
     SPARE_KEY_BOOK,

@@ -10,11 +10,22 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.contents import BANK, HEAD, KEY, POOL, SOLUTIONS, SPARES, TEMPLATES
+from kinegrade.exam.folder.columns.reading import DAMAGED, KeyColumns, find_columns
+from kinegrade.exam.folder.contents import (
+    BANK,
+    HEAD,
+    KEY,
+    KEY_COLUMNS,
+    POOL,
+    SOLUTIONS,
+    SPARES,
+    TEMPLATES,
+)
 from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.faults import decoding, explain_unreadable, name_line, name_paper
 from kinegrade.exam.folder.head import read_head
@@ -96,7 +107,16 @@ class ExamFolder:
 
         Raises ExamError with all faults of the key, after the last line is read.
         """
-        return stream_papers(self.key, self.head)
+        done = 0
+        if self._columns is not None:
+            try:
+                for paper in self._columns.papers():
+                    yield paper
+                    done += 1
+                return
+            except DAMAGED:
+                pass
+        yield from islice(stream_papers(self.key, self.head), done, None)
 
     def papers_of(self, students: Collection[str]) -> Mapping[str, Paper]:
         """The papers of these students, by student. Raises ExamError where one is missing."""
@@ -213,6 +233,11 @@ class ExamFolder:
         """
         others = (each for each in (self.pool, self.spares) if each.exists())
         return tuple(map(make_index, (self.key, *others)))
+
+    @cached_property
+    def _columns(self) -> KeyColumns | None:
+        """The key as arrays, where they were written by the key as it now stands."""
+        return find_columns(self.path / KEY_COLUMNS, self.key, self.head)
 
     @cached_property
     def _decoder(self) -> PaperDecoder:

@@ -1,7 +1,7 @@
 """The keys of one paper as they stand on its line of key.jsonl, decoded no further than needed.
 
-`key_decoding` makes them, and `block_judge` reads them by columns: one list for all asks is faster
-than a key for each. Mistakes, about ten for every answer, are decoded only where an answer is
+`key_decoding` makes them, and `columns.gathering` reads them: one list for all asks is faster than
+a key for each. Mistakes, about ten for every answer, are decoded only where an answer is
 wrong.
 """
 
@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain
-from math import isfinite, nan
+from math import isfinite
 from pathlib import Path
 from typing import NamedTuple
 
@@ -20,7 +20,7 @@ import msgspec
 from kinegrade.errors import ExamError, FieldError, Problem
 from kinegrade.exam.folder.exact_keys import read_mistakes as read_exact_mistakes
 from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line
-from kinegrade.exam.folder.keys import NOT_ASKED, Ask, Keys, StatedKey
+from kinegrade.exam.folder.keys import Ask, StatedKey
 from kinegrade.exam.folder.numbers import RATIONAL
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.numbers.tolerance import Tolerance
@@ -122,7 +122,7 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
         return explain_broken(self.place.file, [self.place.locate(found)])
 
 
-def _read_stated_mistakes(
+def read_stated_mistakes(
     asks: Sequence[tuple[StatedKeys, int]],
 ) -> Sequence[Mapping[str, float | Fraction]]:
     """The mistakes of these asks, decoded at once. Raises ExamError as `StatedKeys.mistakes`
@@ -137,37 +137,3 @@ def _read_stated_mistakes(
     except (msgspec.MsgspecError, ValueError):
         pass
     return [keys.mistakes(ask) for keys, ask in asks]
-
-
-def read_centres(keys: Keys) -> Sequence[float]:
-    """The right answers in double precision; NaN where a number of turns is right too, or
-    nothing was asked.
-    """
-    if isinstance(keys, StatedKeys):
-        return keys.centres
-    return [nan if key.period or key is NOT_ASKED else float(Fraction(key.value)) for key in keys]
-
-
-def read_values(keys: Keys) -> Sequence[float]:
-    """The right answers in double precision, those of cyclic angles too; nearly rounded."""
-    if isinstance(keys, StatedKeys):
-        return [entry.value for entry in keys.entries]
-    return [nan if key is NOT_ASKED else float(Fraction(key.value)) for key in keys]
-
-
-def read_periods(keys: Keys) -> Sequence[Fraction | None]:
-    """The full turn of each ask, where any number of turns is right too."""
-    return keys.terms.periods if isinstance(keys, StatedKeys) else [key.period for key in keys]
-
-
-def read_rules(keys: Keys) -> tuple[Tolerance, ...]:
-    """The rule of each ask; where papers share all of them, the same object."""
-    return keys.terms.rules if isinstance(keys, StatedKeys) else tuple(key.rule for key in keys)
-
-
-def read_mistakes(asks: Sequence[tuple[Keys, int]]) -> Sequence[Mapping[str, float | Fraction]]:
-    """What mistakes lead to in these asks. Raises ExamError as `StatedKeys.mistakes` does."""
-    stated = [(keys, ask) for keys, ask in asks if isinstance(keys, StatedKeys)]
-    if len(stated) == len(asks):
-        return _read_stated_mistakes(stated)
-    return [keys[ask].mistakes for keys, ask in asks]

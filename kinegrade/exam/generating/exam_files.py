@@ -14,12 +14,14 @@ from msgspec import structs
 from kinegrade.errors import BankError
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.bank.formula_sheet import list_formula_files
+from kinegrade.exam.folder.columns.writing import write_columns
 from kinegrade.exam.folder.contents import (
     ANSWER_WORKBOOK,
     ANSWERS,
     BANK,
     HEAD,
     KEY,
+    KEY_COLUMNS,
     LOGO,
     NOTICE,
     SPARES,
@@ -190,7 +192,10 @@ def _write_blanks(asks: Iterable[Ask], held: Collection[str] | None) -> list[str
 
 
 def write_head(head: ExamHead, editable: Mapping[str, str] | None, folder: Path) -> None:
-    """exam.json and the notice to instructors; `editable` are digests of files as generated."""
+    """exam.json and the notice to instructors, and the key of that head as arrays; `editable` are
+    digests of files as generated.
+    """
     stated = None if editable is None else dict(editable)
     (folder / HEAD).write_bytes(encode_head(structs.replace(head, editable=stated)))
     (folder / NOTICE).write_text(f"{write_warning()}\n", encoding="utf-8")
+    write_columns(folder / KEY_COLUMNS, folder / KEY, head)

@@ -20,8 +20,8 @@ from itertools import chain
 
 import numpy as np
 
+from kinegrade.exam.folder.columns.gathering import read_values
 from kinegrade.exam.folder.keys import Paper, Sitting, group_places
-from kinegrade.exam.folder.stated_keys import read_values
 from kinegrade.grading.fast.bounds import Flags, Numbers
 from kinegrade.grading.fast.intervals import Intervals, list_intervals
 from kinegrade.grading.poisson import QUESTIONS_THAT_TELL, find_tail

@@ -17,8 +17,8 @@ from operator import itemgetter
 
 import numpy as np
 
+from kinegrade.exam.folder.columns.gathering import read_centres, read_mistakes, read_rules
 from kinegrade.exam.folder.keys import Ask, Key
-from kinegrade.exam.folder.stated_keys import read_centres, read_mistakes, read_rules
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
 from kinegrade.grading.fast.comparison import Comparison, compare
@@ -86,11 +86,11 @@ class BlockJudge:
     def _compared(self, block: JudgedBlock) -> _Open:
         """Records every certain verdict, and gives the places still open."""
         keys = [paper.keys for paper, _ in block.rows]
-        centres = np.array([read_centres(each) for each in keys], dtype=np.float64)
+        centres = read_centres(keys)
         rules = self._rules([read_rules(each) for each in keys])
         comparison = compare(block.cells.values, centres.reshape(-1), rules)
         self._put_numbers(block, comparison)
-        wrong = np.flatnonzero(comparison.certain & ~comparison.right).tolist()
+        wrong = np.flatnonzero(comparison.certain & ~comparison.right)
         return self._uncertain(block, comparison.certain) | self._mistaken(block, wrong, rules)
 
     def _rules(self, printed: Sequence[tuple[Tolerance, ...]]) -> Rules:
@@ -137,15 +137,14 @@ class BlockJudge:
                 found[place] = None
         return found
 
-    def _mistaken(self, block: JudgedBlock, wrong: Sequence[int], rules: Rules) -> _Open:
+    def _mistaken(self, block: JudgedBlock, wrong: Places, rules: Rules) -> _Open:
         """Records the wrong answers to which mistakes certainly lead; gives the others, and those
         with other ways to credit.
         """
-        open_to = wrong if self.alternatives else ()
+        open_to = wrong.tolist() if self.alternatives else ()
         found: _Open = {place: None for place in open_to if self._others(block, place)}
         keys, width = [paper.keys for paper, _ in block.rows], len(self.asks)
-        asked = [(keys[place // width], place % width) for place in wrong]
-        mistakes = Mistakes.of(wrong, read_mistakes(asked))
+        mistakes = Mistakes.of(wrong, read_mistakes(keys, wrong, width))
         shares = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
         for place, ways in mistakes.leading(block.cells.values, rules, self.language):
             credits = shares[place % width]

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from kinegrade.exam.folder.columns.gathering import read_periods, read_rules, read_values
 from kinegrade.exam.folder.keys import Paper
-from kinegrade.exam.folder.stated_keys import read_periods, read_rules, read_values
 from kinegrade.grading.fast.bounds import Flags, Numbers, tabulate_rules
 
 _SAME = 1e-9  # relative: values further apart than this are different

@@ -10,12 +10,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import chain, groupby
+from itertools import groupby
 from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from kinegrade.exam.folder.columns.gathering import LedTo
 from kinegrade.grading.fast.bounds import Numbers, Places, Rules
 from kinegrade.grading.fast.comparison import compare
 from kinegrade.grading.fast.reasons import read_comparisons
@@ -43,19 +45,14 @@ class Way(NamedTuple):
 class Mistakes:
     """What mistakes lead to: their names, the places of the answers, and the wrong values."""
 
-    names: Sequence[str]
+    names: NDArray[np.object_]
     places: Places
     values: Numbers
 
     @classmethod
-    def of(
-        cls, places: Sequence[int], mistakes: Sequence[Mapping[str, float | Fraction]]
-    ) -> Mistakes:
+    def of(cls, places: Places, led_to: LedTo) -> Mistakes:
         """The mistakes at each of these places."""
-        names = list(chain.from_iterable(mistakes))
-        values = chain.from_iterable([each.values() for each in mistakes])
-        owners = np.repeat(np.array(places, dtype=np.intp), list(map(len, mistakes)))
-        return cls(names, owners, np.fromiter(values, np.float64, len(names)))
+        return cls(led_to.names, np.repeat(places, led_to.counts), led_to.values)
 
     def leading(
         self, answers: Numbers, rules: Rules, language: Language
@@ -71,7 +68,7 @@ class Mistakes:
         ways = map(
             Way,
             places[likely].tolist(),
-            [self.names[each] for each in near[likely].tolist()],
+            self.names[near[likely]].tolist(),
             led.certain[likely].tolist(),
             led.difference[likely].tolist(),
             led.centres[likely].tolist(),

@@ -9,6 +9,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kinegrade.exam.folder.columns.gathering import LedTo
 from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.fast.bounds import tabulate_rules
 from kinegrade.grading.fast.mistaken import Mistakes, find_best
@@ -46,7 +47,7 @@ def test_the_best_mistake_is_the_one_that_deciding_exactly_finds(
 ) -> None:
     key, typed = answer
     expected = find_mistaken(read(typed, "1"), key, Ruling(mistakes=credits))
-    mistakes = Mistakes.of([0], [key.mistakes])
+    mistakes = Mistakes.of(np.array([0]), LedTo.of([key.mistakes]))
     rules = tabulate_rules([(key.rule,)])
     found = dict(mistakes.leading(np.array([float(typed)]), rules, ENGLISH))
     ways = found.get(0, [])
@@ -61,7 +62,7 @@ def test_the_best_mistake_is_the_one_that_deciding_exactly_finds(
 
 
 def test_a_single_mistake_is_certain() -> None:
-    mistakes = Mistakes.of([1], [{"wrong-pole": 2.5}])
+    mistakes = Mistakes.of(np.array([1]), LedTo.of([{"wrong-pole": 2.5}]))
     rules = tabulate_rules([(Tolerance(), Tolerance(Fraction(1, 100)))])
     ((place, ways),) = mistakes.leading(np.array([9.0, 2.51]), rules, ENGLISH)
     best = find_best(ways, {})

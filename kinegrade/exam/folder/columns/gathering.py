@@ -1,0 +1,132 @@
+"""The keys of many papers side by side, as judges compare with them: in one step where they stand
+in one part, else paper by paper.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import chain
+from math import nan
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinegrade.exam.folder.columns.part import KeyPart, PartKeys
+from kinegrade.exam.folder.keys import NOT_ASKED, Keys
+from kinegrade.exam.folder.stated_keys import StatedKeys, read_stated_mistakes
+from kinegrade.numbers.tolerance import Tolerance
+
+Numbers = NDArray[np.float64]
+Places = NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True)
+class LedTo:
+    """What mistakes lead to in some asks, one after the other: so many in each ask, their names and
+    the wrong values.
+    """
+
+    counts: Places
+    names: NDArray[np.object_]
+    values: Numbers
+
+    @classmethod
+    def of(cls, mistakes: Sequence[Mapping[str, float | Fraction]]) -> LedTo:
+        """The same from the mistakes of each ask."""
+        return cls(
+            np.array([len(each) for each in mistakes], dtype=np.intp),
+            np.array([*chain.from_iterable(mistakes)], dtype=object),
+            np.array([*chain.from_iterable(each.values() for each in mistakes)], dtype=np.float64),
+        )
+
+
+def read_centres(papers: Sequence[Keys]) -> Numbers:
+    """The right answers in double precision, a row for each paper; NaN where a number of turns is
+    right too, or nothing was asked.
+    """
+    found = _find_rows(papers)
+    if found is not None:
+        part, rows = found
+        return part.centres[rows]
+    return np.array([_list_centres(keys) for keys in papers], dtype=np.float64)
+
+
+def _list_centres(keys: Keys) -> Sequence[float]:
+    match keys:
+        case StatedKeys(centres=centres):
+            return centres
+        case PartKeys(part=part, row=row):
+            listed: list[float] = part.centres[row].tolist()
+            return listed
+        case _:
+            return [
+                nan if key.period or key is NOT_ASKED else float(Fraction(key.value))
+                for key in keys
+            ]
+
+
+def read_values(keys: Keys) -> Sequence[float]:
+    """The right answers in double precision, those of cyclic angles too; nearly rounded."""
+    match keys:
+        case StatedKeys(entries=entries):
+            return [entry.value for entry in entries]
+        case PartKeys(part=part, row=row):
+            values: list[float] = part.values[row].tolist()
+            return values
+        case _:
+            return [nan if key is NOT_ASKED else float(Fraction(key.value)) for key in keys]
+
+
+def read_periods(keys: Keys) -> Sequence[Fraction | None]:
+    """The full turn of each ask, where any number of turns is right too."""
+    match keys:
+        case StatedKeys(terms=terms) | PartKeys(terms=terms):
+            return terms.periods
+        case _:
+            return [key.period for key in keys]
+
+
+def read_rules(keys: Keys) -> tuple[Tolerance, ...]:
+    """The rule of each ask; where papers share all of them, the same object."""
+    match keys:
+        case StatedKeys(terms=terms) | PartKeys(terms=terms):
+            return terms.rules
+        case _:
+            return tuple(key.rule for key in keys)
+
+
+def read_mistakes(papers: Sequence[Keys], places: Places, width: int) -> LedTo:
+    """What mistakes lead to in the asks at these places, counted through all papers of so many
+    asks. Raises ExamError as `StatedKeys.mistakes` does.
+    """
+    found = _find_rows(papers)
+    if found is not None:
+        part, rows = found
+        return _gather_mistakes(part, rows[places // width] * width + places % width)
+    asked = [(papers[place // width], place % width) for place in places.tolist()]
+    stated = [(keys, ask) for keys, ask in asked if isinstance(keys, StatedKeys)]
+    if len(stated) == len(asked):
+        return LedTo.of(read_stated_mistakes(stated))
+    return LedTo.of([keys[ask].mistakes for keys, ask in asked])
+
+
+def _gather_mistakes(part: KeyPart, places: Places) -> LedTo:
+    """Those of the asks of a part at these places, as they stand there one after the other."""
+    begins = part.ends[places]
+    counts = part.ends[places + 1] - begins
+    before = np.cumsum(counts) - counts
+    chosen = np.arange(counts.sum()) + np.repeat(begins - before, counts)
+    return LedTo(counts, part.names[chosen], part.wrong[chosen])
+
+
+def _find_rows(papers: Sequence[Keys]) -> tuple[KeyPart, Places] | None:
+    """The part in which the keys of all papers stand, and their rows; None where there is none."""
+    held = [keys for keys in papers if isinstance(keys, PartKeys)]
+    if not held or len(held) < len(papers):
+        return None
+    part = held[0].part
+    if any(keys.part is not part for keys in held):
+        return None
+    return part, np.array([keys.row for keys in held], dtype=np.intp)

@@ -1,0 +1,90 @@
+"""key.npz read again, part by part, where it was written by the key as it now stands.
+
+A file that is missing, older than the key or damaged is never used: `find_columns` or the part that
+cannot be read says so, and `ExamFolder` reads the key itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from zipfile import BadZipFile, ZipFile
+
+import msgspec
+import numpy as np
+from numpy.lib.format import read_array
+from numpy.typing import NDArray
+
+from kinegrade.exam.folder.columns.part import KeyPart, PartKeys
+from kinegrade.exam.folder.columns.record import (
+    ABOUT,
+    ARRAYS,
+    PART,
+    About,
+    find_origin,
+    read_terms,
+)
+from kinegrade.exam.folder.keys import Paper
+from kinegrade.exam.folder.records import ExamHead
+from kinegrade.exam.folder.stated_keys import Terms
+
+DAMAGED = (OSError, BadZipFile, KeyError, IndexError, ValueError, EOFError, msgspec.MsgspecError)
+_Arrays = dict[str, NDArray[np.generic]]
+_read_about = msgspec.json.Decoder(About).decode
+
+
+@dataclass(frozen=True)
+class KeyColumns:
+    """The keys of all papers in the order of the roster; a paper is read with others of its part,
+    as it is asked for.
+    """
+
+    path: Path
+    head: ExamHead
+    about: About
+
+    def papers(self) -> Iterator[Paper]:
+        """The papers. Raises one of `DAMAGED` at the first that cannot be read."""
+        terms = [read_terms(stated, self.head) for stated in self.about.terms]
+        known = np.array(self.about.mistakes, dtype=object)
+        candidates = iter(self.head.students)
+        with ZipFile(self.path) as archive:
+            for number in range(-(-self.about.papers // PART)):
+                part = _make_part(_read_arrays(archive, number), terms, known)
+                for row in range(len(part.terms)):
+                    owner = next(candidates)
+                    yield Paper(owner.student, owner.name, PartKeys(part, row))
+
+
+def find_columns(path: Path, key: Path, head: ExamHead) -> KeyColumns | None:
+    """The arrays in that file, if they were written by this key and this head; else None."""
+    if not path.exists() or head.choices:
+        return None
+    try:
+        with ZipFile(path) as archive:
+            about = _read_about(archive.read(ABOUT))
+        current = about.origin == find_origin(key, head) and about.papers == len(head.students)
+    except DAMAGED:
+        return None
+    return KeyColumns(path, head, about) if current else None
+
+
+def _read_arrays(archive: ZipFile, number: int) -> _Arrays:
+    found = {}
+    for name in ARRAYS:
+        with archive.open(f"{number}/{name}.npy") as stream:
+            found[name] = read_array(stream, allow_pickle=False)
+    return found
+
+
+def _make_part(arrays: _Arrays, terms: list[Terms], known: NDArray[np.object_]) -> KeyPart:
+    return KeyPart(
+        arrays["centres"].astype(np.float64, copy=False),
+        arrays["values"].astype(np.float64, copy=False),
+        arrays["exact"].astype(np.bytes_, copy=False),
+        [terms[number] for number in arrays["terms"].tolist()],
+        arrays["ends"].astype(np.int64, copy=False),
+        known[arrays["names"].astype(np.intp)],
+        arrays["wrong"].astype(np.float64, copy=False),
+    )

@@ -1,0 +1,159 @@
+"""key.npz says what key.jsonl says, and nothing is taken from it once it does not."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from fractions import Fraction
+from math import nextafter
+from pathlib import Path
+from zipfile import ZipFile
+
+import numpy as np
+import pytest
+
+from benchmarks.large_class import write_class
+from kinegrade.exam.folder.columns import reading, writing
+from kinegrade.exam.folder.columns.gathering import (
+    read_centres,
+    read_mistakes,
+    read_periods,
+    read_rules,
+    read_values,
+)
+from kinegrade.exam.folder.columns.part import PartKeys
+from kinegrade.exam.folder.contents import HEAD, KEY, KEY_COLUMNS
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.keys import Paper
+
+STUDENTS = 25
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    write_class(tmp_path, STUDENTS, 0.0)
+    return tmp_path / "EXAM"
+
+
+def without_columns(folder: Path) -> ExamFolder:
+    """A copy that has the key alone."""
+    copy = folder.with_name("OLD")
+    shutil.copytree(folder, copy, ignore=shutil.ignore_patterns(KEY_COLUMNS))
+    return open_exam(copy)
+
+
+def are_columns(papers: list[Paper]) -> list[bool]:
+    return [isinstance(each.keys, PartKeys) for each in papers]
+
+
+def state(papers: list[Paper]) -> list[object]:
+    """Everything that papers say."""
+    return [(each.student, each.name, [*each.keys]) for each in papers]
+
+
+@pytest.mark.parametrize("size", [1, 7, STUDENTS, 1000])
+def test_columns_hold_every_digit_of_the_key(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, size: int
+) -> None:
+    monkeypatch.setattr(writing, "PART", size)
+    monkeypatch.setattr(reading, "PART", size)
+    write_class(tmp_path, STUDENTS, 0.0)
+    papers = list(open_exam(tmp_path / "EXAM").papers())
+    assert all(are_columns(papers))
+    assert state(papers) == state(list(without_columns(tmp_path / "EXAM").papers()))
+
+
+def test_a_generated_exam_has_columns(small_class: Path) -> None:
+    papers = list(open_exam(small_class / "EXAM").papers())
+    assert all(are_columns(papers))
+
+
+def test_keys_gathered_from_columns_are_those_of_the_lines(folder: Path) -> None:
+    papers, lines = list(open_exam(folder).papers()), list(without_columns(folder).papers())
+    ours, theirs = [each.keys for each in papers], [each.keys for each in lines]
+    mixed = [*ours[:9], *theirs[9:]]
+    places = np.array([0, 3, 4, 100, 101, 249])
+    for keys in (ours, mixed):
+        assert np.array_equal(read_centres(keys), read_centres(theirs), equal_nan=True)
+        assert list(map(read_values, keys)) == list(map(read_values, theirs))
+        assert list(map(read_periods, keys)) == list(map(read_periods, theirs))
+        assert list(map(read_rules, keys)) == list(map(read_rules, theirs))
+        found, expected = (read_mistakes(each, places, 10) for each in (keys, theirs))
+        assert found.counts.tolist() == expected.counts.tolist()
+        assert found.names.tolist() == expected.names.tolist()
+        assert found.values.tolist() == expected.values.tolist()
+
+
+def flip_a_byte(file: Path) -> None:
+    content = bytearray(file.read_bytes())
+    content[len(content) // 2] ^= 1
+    file.write_bytes(content)
+
+
+def leave_out_a_member(file: Path) -> None:
+    with ZipFile(file) as archive:
+        kept = {name: archive.read(name) for name in archive.namelist() if "wrong" not in name}
+    with ZipFile(file, "w") as archive:
+        for name, content in kept.items():
+            archive.writestr(name, content)
+
+
+DAMAGE: dict[str, Callable[[Path], object]] = {
+    "cut": lambda file: file.write_bytes(file.read_bytes()[:-9]),
+    "empty": lambda file: file.write_bytes(b""),
+    "another file": lambda file: file.write_bytes(b"student,name\n"),
+    "a flipped byte": flip_a_byte,
+    "a part of it": leave_out_a_member,
+    "missing": lambda file: file.unlink(),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)
+def test_what_is_damaged_is_read_from_the_key(
+    folder: Path, damage: Callable[[Path], object]
+) -> None:
+    expected = state(list(open_exam(folder).papers()))
+    damage(folder / KEY_COLUMNS)
+    papers = list(open_exam(folder).papers())
+    assert not all(are_columns(papers))
+    assert state(papers) == expected
+
+
+def test_damage_behind_the_first_part_repeats_and_loses_nobody(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(writing, "PART", 10)
+    monkeypatch.setattr(reading, "PART", 10)
+    write_class(tmp_path, STUDENTS, 0.0)
+    flip_a_byte(tmp_path / "EXAM" / KEY_COLUMNS)
+    papers = list(open_exam(tmp_path / "EXAM").papers())
+    assert are_columns(papers) == [True] * 10 + [False] * 15
+    assert [each.student for each in papers] == [f"{number:06}" for number in range(STUDENTS)]
+
+
+def test_a_key_that_was_changed_counts_at_once(folder: Path) -> None:
+    before = next(open_exam(folder).papers()).keys[0]
+    old = f'"value": {float(Fraction(before.value))!r}'
+    value = nextafter(float(Fraction(before.value)), 0)
+    text = (folder / KEY).read_text(encoding="utf-8")
+    assert text.count(old) == 1
+    (folder / KEY).write_text(text.replace(old, f'"value": {value!r}'), encoding="utf-8")
+    papers = list(open_exam(folder).papers())
+    assert not any(are_columns(papers))
+    assert read_values(papers[0].keys)[0] == value
+
+
+@pytest.mark.parametrize(
+    ("old", "new"), [('"points": 3}', '"points": 4}'), ('"000003"', '"000003a"')]
+)
+def test_a_head_that_was_changed_is_compared_with_the_key(folder: Path, old: str, new: str) -> None:
+    head = folder / HEAD
+    head.write_text(head.read_text(encoding="utf-8").replace(old, new, 1), encoding="utf-8")
+    assert reading.find_columns(folder / KEY_COLUMNS, folder / KEY, open_exam(folder).head) is None
+
+
+def test_a_line_that_is_not_as_generated_leaves_no_columns(folder: Path) -> None:
+    text = (folder / KEY).read_text(encoding="utf-8")
+    (folder / KEY).write_text(text.replace('"decimal"', '"digits"', 1), encoding="utf-8")
+    writing.write_columns(folder / KEY_COLUMNS, folder / KEY, open_exam(folder).head)
+    assert sorted(each.name for each in folder.iterdir()) == [HEAD, KEY]
