@@ -70,7 +70,7 @@ def find_separator(text: str) -> tuple[str, int]:
 
 def read_records(
     text: str, separator: str, width: int
-) -> tuple[list[tuple[int, list[str]]], list[int]]:
+) -> tuple[list[tuple[int, tuple[str, ...]]], list[int]]:
     """All records with the lines on which they begin, and the lines with a stray quotation mark.
 
     A quotation mark is stray if it is never closed, or closed on a later line so that the record
@@ -78,7 +78,7 @@ def read_records(
     it would swallow those after it.
     """
     lines = list(io.StringIO(text, newline=""))
-    records: list[tuple[int, list[str]]] = []
+    records: list[tuple[int, tuple[str, ...]]] = []
     stray: list[int] = []
     first = 0
     while True:
@@ -87,11 +87,11 @@ def read_records(
             if after - line > 1 and (
                 len(cells) != width or not _is_strict(lines[line - 1 : after - 1], separator)
             ):
-                records.append((line, lines[line - 1].rstrip("\r\n").split(separator)))
+                records.append((line, tuple(lines[line - 1].rstrip("\r\n").split(separator))))
                 stray.append(line)
                 first = line
                 break
-            records.append((line, cells))
+            records.append((line, tuple(cells)))
         else:
             return records[:-1], stray
 

@@ -73,7 +73,7 @@ class Table:
 
     file: str
     header: tuple[str, ...]
-    rows: tuple[Row, ...]
+    rows: Sequence[Row]
     encoding: str
     separator: str
     complaints: tuple[Complaint, ...]
@@ -113,7 +113,7 @@ def parse_table(
         body = drop_lines(text, skipped) if skipped else text
         separator, width = find_separator(body)
         records, stray_quotes = read_records(body, separator, width)
-    filled = [Row(line + skipped, tuple(cells)) for line, cells in records if any(map(trim, cells))]
+    filled = [Row(line + skipped, cells) for line, cells in records if any(map(trim, cells))]
     if not filled:
         raise TableError(Fault(file, Message("files.empty-table")))
     header, *rows = filled

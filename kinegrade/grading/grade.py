@@ -89,29 +89,41 @@ def grade(
     contents = *FILES, *wishes.exports
     written = output_folder(output, marker=MARKER, contents=contents, force=force)
     with bulk_work(), written as path:
-        folder, files = MarksWriter(path, exam.language), _read_files(answers)
-        sheet, rules = class_sheet(files, exam), _choose_policy(exam, wishes.policy)
-        untimed = check_times(sheet, rules.penalties.late)
-        pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
-        accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
-        terms = MarkingTerms(rules, accepted, wishes.decimal, wishes.follows, pool)
-        orders = exam.printed_orders()
-        markable = find_markable(exam, rules, orders)
-        hands = gather_hand_marks(wishes.find_hand_sources(output), markable)
-        by_hand = HandMarking(hands.by_hand, exam.head)
-        blocks = by_hand.watched(others.watched(mark_blocks(exam, sheet, terms)))
-        grades = collect_grades(exam, sheet, write_marks(folder, blocks))
-        if not wishes.own_papers:
-            others.refuse(exam, ", ".join(each.table.file for each in files))
-        settled = by_hand.settle(_leave_out_names(grades) if wishes.pseudonymous else grades)
-        scale = None if settled.still_open else _make_scale(rules, exam.language)
-        grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))
-        earlier = _find_earlier(wishes.never_lower)
-        grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
-        folder.policy(rules.text)
-        folder.printed(orders)
-        _write_by_hand(folder, settled, exam)
+        marks = _mark(exam, answers, MarksWriter(path, exam.language), output, wishes)
+        # The cells of the sheet are let go before the marks are read again
         _write_exports(path, wishes.exports)
+    return marks
+
+
+def _mark(
+    exam: ExamFolder,
+    answers: Path | Table | Sequence[AnswerFile],
+    folder: MarksWriter,
+    output: Path,
+    wishes: MarkingWishes,
+) -> ClassGrades:
+    """Writes all files of the folder but the exports."""
+    files = _read_files(answers)
+    sheet, rules = class_sheet(files, exam), _choose_policy(exam, wishes.policy)
+    untimed = check_times(sheet, rules.penalties.late)
+    pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
+    accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
+    terms = MarkingTerms(rules, accepted, wishes.decimal, wishes.follows, pool)
+    orders = exam.printed_orders()
+    hands = gather_hand_marks(wishes.find_hand_sources(output), find_markable(exam, rules, orders))
+    by_hand = HandMarking(hands.by_hand, exam.head)
+    blocks = by_hand.watched(others.watched(mark_blocks(exam, sheet, terms)))
+    grades = collect_grades(exam, sheet, write_marks(folder, blocks))
+    if not wishes.own_papers:
+        others.refuse(exam, ", ".join(each.table.file for each in files))
+    settled = by_hand.settle(_leave_out_names(grades) if wishes.pseudonymous else grades)
+    scale = None if settled.still_open else _make_scale(rules, exam.language)
+    grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))
+    earlier = _find_earlier(wishes.never_lower)
+    grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
+    folder.policy(rules.text)
+    folder.printed(orders)
+    _write_by_hand(folder, settled, exam)
     return replace(grades, notes=hands.notes)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
@@ -31,7 +31,9 @@ def read_totals(folder: Path, kept: Mapping[str, KeptTotal], some: Set[str]) -> 
 
 @dataclass
 class _Reader:
-    """Reads rows by the columns of their table; `faults` are those found so far."""
+    """Reads rows by the columns of their table; `faults` are those found so far, `shared` the
+    points of students by their cells, as few rows have points of their own.
+    """
 
     path: Path
     table: Table
@@ -39,6 +41,7 @@ class _Reader:
     kept: Mapping[str, KeptTotal]
     some: Set[str]
     faults: list[Fault] = field(default_factory=list)
+    shared: dict[tuple[str, ...], Mapping[str, Fraction]] = field(default_factory=dict)
 
     def total(self, row: Row) -> StudentTotal:
         """A row, typed."""
@@ -55,7 +58,7 @@ class _Reader:
             row.line,
             cells["student"],
             restore(cells["name"]),
-            {name: amounts[name] for name in held},
+            self._share(tuple(map(cells.__getitem__, self.questions)), held, amounts),
             amounts["total"],
             amounts["out_of"],
             amounts.get("percent"),
@@ -64,6 +67,15 @@ class _Reader:
             restore(cells.get(SCALE_GRADE, "")),
             amounts.get(SUBTRACTED_POINTS, Fraction(0)),
         )
+
+    def _share(
+        self, cells: tuple[str, ...], held: Sequence[str], amounts: Mapping[str, Fraction]
+    ) -> Mapping[str, Fraction]:
+        """The points of the questions held; the same object wherever the cells are the same."""
+        key = (*cells, *held) if len(held) < len(cells) else cells
+        if key not in self.shared:
+            self.shared[key] = {name: amounts[name] for name in held}
+        return self.shared[key]
 
     def _amount(self, row: Row, column: str, cell: str) -> Fraction:
         found = find_amount(cell)

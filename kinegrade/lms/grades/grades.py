@@ -99,9 +99,9 @@ def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrad
     possible = {each.student: each for each in _read_possible(marks.sums())}
     students = tuple(
         _make_student_grade(
-            total, possible.get(total.student), orders.get(total.student, ()), marks.bonus
+            total, points, possible.get(total.student), orders.get(total.student, ()), marks.bonus
         )
-        for total in totals.students
+        for total, points in zip(totals.students, _add_totals(totals.students), strict=True)
     )
     found = ClassGrades(totals.questions, students)
     return found if exam is None else _add_exam(found, exam)
@@ -119,18 +119,31 @@ def _read_possible(sums: Iterable[StudentSums]) -> Iterator[_Possible]:
         yield _Possible(each.student, shared, each.answered)
 
 
+def _add_totals(totals: Iterable[StudentTotal]) -> Iterator[Mapping[str, Fraction]]:
+    """Points by question and in total; students share them where they share those by question."""
+    shared: dict[tuple[int, Fraction], Mapping[str, Fraction]] = {}
+    for each in totals:
+        key = id(each.points), each.total
+        if key not in shared:
+            shared[key] = {**each.points, TOTAL: each.total}
+        yield shared[key]
+
+
 def _make_student_grade(
-    total: StudentTotal, possible: _Possible | None, printed: tuple[str, ...], bonus: Set[str]
+    total: StudentTotal,
+    points: Mapping[str, Fraction],
+    possible: _Possible | None,
+    printed: tuple[str, ...],
+    bonus: Set[str],
 ) -> StudentGrade:
     """A student's grade for an export; the maxima of one without lines in marks.csv are zero."""
-    points = {**total.points, TOTAL: total.total}
     out_of = {TOTAL: Fraction(0)} if possible is None else possible.out_of
     if total.status is None:
         handed_in = (possible is not None and possible.answered) or total.total > 0
     else:
         handed_in = total.status != "absent" or total.kept is not None
     name = neutralise(total.name)
-    held = bonus & out_of.keys()
+    held = frozenset(bonus & out_of.keys())  # one object where it is empty
     return StudentGrade(
         total.student,
         name,

@@ -18,6 +18,7 @@ from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.files.cell_text import trim
+from kinegrade.files.packed_rows import pack_rows
 from kinegrade.files.tables import Complaint, Row, Table, drop_headers
 from kinegrade.language.message import (
     Fault,
@@ -163,7 +164,7 @@ def _answers(read: _Read, variants: Variants | None, exam: ExamFolder) -> Answer
         *(each.complaint for each in left if not each.student),
     )
     header = ("student", *typed.columns)
-    sheet = replace(table, header=header, rows=tuple(_rows(pairs)), complaints=complaints)
+    sheet = replace(table, header=header, rows=pack_rows(_rows(pairs)), complaints=complaints)
     times = {each.row.line: read_time(each.submitted) for each, _ in pairs if each.submitted}
     taken = tuple(each for each in left if each.student)
     return AnswerFile(sheet, put, taken, typed.lines, times)
