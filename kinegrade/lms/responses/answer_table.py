@@ -18,8 +18,7 @@ from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.files.cell_text import trim
-from kinegrade.files.packed_rows import pack_rows
-from kinegrade.files.tables import Complaint, Row, Table, drop_headers
+from kinegrade.files.tables import Complaint, Row, Table, drop_headers, pack_rows
 from kinegrade.language.message import (
     Fault,
     Message,
