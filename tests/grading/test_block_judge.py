@@ -16,6 +16,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kinegrade.exam.folder.columns.part import PartKeys
+from kinegrade.exam.folder.columns.writing import write_columns
+from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.files.tables import parse_table
 from kinegrade.grading import marking
@@ -170,9 +173,13 @@ def test_blocks_say_what_deciding_one_by_one_says(seed: int, policy: str, follow
             Follows(one_and_a_half) if follow else None,
         )
         expected = written(marks_one_by_one(whole, sheet, rules, accepted, follows))
+        terms = MarkingTerms(rules, accepted, follows=follows)
         for one in (exam, whole):
-            marks = mark(one, sheet, MarkingTerms(rules, accepted, follows=follows)).marks
-            assert written(marks) == expected
+            assert written(mark(one, sheet, terms).marks) == expected
+        write_columns(folder / KEY_COLUMNS, folder / KEY, exam.head)
+        by_columns = open_exam(folder)
+        assert all(isinstance(paper.keys, PartKeys) for paper in by_columns.papers())
+        assert written(mark(by_columns, sheet, terms).marks) == expected
 
 
 def written(marks: Iterable[Mark]) -> list[Mark]:

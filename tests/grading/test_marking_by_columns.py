@@ -1,21 +1,56 @@
-"""A class is marked by the arrays beside its key as it is by the key itself, byte for byte."""
+"""A class is marked by the arrays beside its key as it is by the key itself, byte for byte, and as
+every answer is decided exactly.
+"""
 
 from __future__ import annotations
 
+import csv
+import re
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from itertools import cycle
 from pathlib import Path
 
 import pytest
 
-from benchmarks.large_class import write_class
+from benchmarks.large_class import COLUMNS, write_class
+from kinegrade.exam.folder.columns.part import PartKeys
 from kinegrade.exam.folder.contents import KEY_COLUMNS
-from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.keys import Key
+from kinegrade.files.tables import parse_table
 from kinegrade.grading.grade import MarkingWishes, grade
+from kinegrade.grading.marking import MarkingTerms, mark
+from kinegrade.grading.marks import Mark
+from kinegrade.grading.policy.policy import AS_PRINTED
+from kinegrade.grading.sheets.class_sheet import read_sheet
+from kinegrade.numbers.decimals import round_to_decimal
+from tests.grading.one_by_one import marks_one_by_one
+from tests.said import said
 
 POLICIES = {
     "as printed": "",
     "another rule": 'attempts = "first"\ntolerance = { relative = "2 %" }\n',
     "shares for mistakes": 'credit = { mistakes = { sense-reversed = "1/4" }, wrong-unit = "1/2" }\n',
     "figures": "tolerance = { figures = 3 }\n",
+    "the best row": 'attempts = "best"\n',
+}
+
+
+def repeat_rows(sheet: bytes) -> bytes:
+    """Every other row twice, and once more with an answer changed."""
+    head, *rows = sheet.splitlines(keepends=True)
+    more = (row for each in rows[::2] for row in (each, each.replace(b".", b".9", 1)))
+    return b"".join([head, *rows, *more])
+
+
+SHEETS: dict[str, Callable[[bytes], bytes]] = {
+    "as typed": lambda sheet: sheet,
+    "a byte-order mark and CR LF": lambda sheet: b"\xef\xbb\xbf" + sheet.replace(b"\n", b"\r\n"),
+    "quoted cells": lambda sheet: re.sub(rb",(Student \d+),", rb',"\1",', sheet),
+    "repeated rows": repeat_rows,
+    "unknown and missing students": lambda sheet: sheet.replace(b"\n0000", b"\nx", 9),
+    "short rows": lambda sheet: sheet.replace(b"1,", b"1\n", 40),
 }
 
 
@@ -23,20 +58,81 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {file.name: file.read_bytes() for file in sorted(folder.iterdir())}
 
 
+def require_equal_marks(folder: Path, wishes: MarkingWishes) -> None:
+    """Marks the class by the arrays, then by the key alone."""
+
+    def mark_class(name: str) -> dict[str, bytes]:
+        grade(open_exam(folder / "EXAM"), folder / "answers.csv", folder / name, wishes)
+        return contents(folder / name)
+
+    assert (folder / "EXAM" / KEY_COLUMNS).exists()
+    by_columns = mark_class("BY_COLUMNS")
+    (folder / "EXAM" / KEY_COLUMNS).unlink()
+    by_key = mark_class("BY_KEY")
+    assert by_columns == by_key
+    assert by_key["marks.csv"].count(b"\n") > 3000
+
+
 @pytest.mark.parametrize("policy", POLICIES.values(), ids=POLICIES)
 def test_marks_by_columns_are_marks_by_the_key(tmp_path: Path, policy: str) -> None:
     write_class(tmp_path, 300, 0.1)
-    (tmp_path / "policy.toml").write_text(policy, encoding="utf-8")
-    exam = tmp_path / "EXAM"
-    wishes = MarkingWishes(policy=tmp_path / "policy.toml" if policy else None)
+    file = tmp_path / "policy.toml"
+    file.write_text(policy, encoding="utf-8")
+    require_equal_marks(tmp_path, MarkingWishes(policy=file if policy else None, own_papers=True))
 
-    def mark(name: str) -> dict[str, bytes]:
-        grade(open_exam(exam), tmp_path / "answers.csv", tmp_path / name, wishes)
-        return contents(tmp_path / name)
 
-    assert (exam / KEY_COLUMNS).exists()
-    by_columns = mark("BY_COLUMNS")
-    (exam / KEY_COLUMNS).unlink()
-    by_key = mark("BY_KEY")
-    assert by_columns == by_key
-    assert by_key["marks.csv"].count(b"\n") == 3001
+@pytest.mark.parametrize("change", SHEETS.values(), ids=SHEETS)
+def test_so_they_are_for_any_sheet(tmp_path: Path, change: Callable[[bytes], bytes]) -> None:
+    write_class(tmp_path, 300, 0.1)
+    sheet = tmp_path / "answers.csv"
+    sheet.write_bytes(change(sheet.read_bytes()))
+    require_equal_marks(tmp_path, MarkingWishes(own_papers=True))
+
+
+# Below, at and above a bound, and where only digits beyond double precision decide
+STEPS = (
+    Fraction(0),
+    Fraction(1, 10**12),
+    Fraction(-1, 10**12),
+    Fraction(1, 10**30),
+    Fraction(-1, 10**30),
+)
+
+
+def type_at_bounds(exam: ExamFolder) -> Iterator[list[str]]:
+    """A row for each paper, whose answers are at the bounds of what is right, and of what mistakes
+    lead to.
+    """
+    steps = cycle(STEPS)
+    for paper in exam.papers():
+        keys = [paper.key(ask) for ask in range(len(COLUMNS))]
+        bounds = [_choose_bound(key, ask) for ask, key in enumerate(keys)]
+        typed = [bound * (1 + next(steps)) for bound in bounds]
+        yield [paper.student, *(f"{round_to_decimal(each, 45):f}" for each in typed)]
+
+
+def _choose_bound(key: Key, ask: int) -> Fraction:
+    low, high = key.interval
+    wrong = [*key.mistakes.values()][ask % len(key.mistakes)]
+    return (low, high, wrong, key.rule.interval(wrong)[0], key.value)[ask % 5]
+
+
+def state(marks: list[Mark]) -> list[object]:
+    return [
+        (each.student, each.ask, each.verdict.kind, said(each.verdict.reason), each.points)
+        for each in marks
+    ]
+
+
+def test_at_the_bounds_each_answer_is_decided_exactly(tmp_path: Path) -> None:
+    write_class(tmp_path, 60, 0.0)
+    exam = open_exam(tmp_path / "EXAM")
+    with (tmp_path / "typed.csv").open("w", encoding="utf-8", newline="") as stream:
+        csv.writer(stream).writerows([["student", *COLUMNS], *type_at_bounds(exam)])
+    table = parse_table((tmp_path / "typed.csv").read_bytes(), "typed.csv")
+    sheet = read_sheet(table, exam)
+    assert all(isinstance(paper.keys, PartKeys) for paper in exam.papers())
+    marks = mark(exam, sheet, MarkingTerms(AS_PRINTED)).marks
+    exactly = marks_one_by_one(exam.in_memory(), sheet, AS_PRINTED)
+    assert state([*marks]) == state(exactly)
+    assert {each.verdict.kind for each in marks} >= {"right", "wrong", "mistake"}
