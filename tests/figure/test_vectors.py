@@ -4,6 +4,7 @@ letters.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import hypot
 
 import pytest
@@ -11,12 +12,16 @@ import pytest
 from kinegrade.figure.back_ends.typst import write_typst
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Strokes
+from kinegrade.figure.vectors import mechanism as vectors_on_mechanisms
+from kinegrade.figure.vectors.arrows import VectorArrow
 from kinegrade.figure.vectors.mechanism import (
     CROWDED,
     LARGE,
     LONGEST,
     PointArrow,
+    add_symbols,
     draw_with_vectors,
     place_arrows,
 )
@@ -138,3 +143,15 @@ def test_velocities_and_accelerations_of_shipped_templates_are_clear(name: str) 
         scene = draw_with_vectors(mechanism, template.figure, arrows, turnings)
         assert faults(scene, LARGE.width, LARGE.height) == []
         assert write_typst(scene).startswith("#box(")
+
+
+def test_labels_of_an_ordinary_picture_are_placed_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    rounds = []
+
+    def count(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
+        rounds.append(len(arrows))
+        return add_symbols(layout, arrows)
+
+    monkeypatch.setattr(vectors_on_mechanisms, "add_symbols", count)
+    draw_with_vectors(MECHANISM, HINTS, ARROWS)
+    assert rounds == [len(ARROWS)]

@@ -4,13 +4,18 @@ beside which drawing.
 
 from __future__ import annotations
 
+import pytest
+
 from kinegrade.figure.scene import Scene
 from kinegrade.language.math.tree import Mark, Row
 from kinegrade.press.sheet import WorkedQuestion
-from kinegrade.press.solutions.chains import chain_blocks, join_sentences
-from kinegrade.press.solutions.course import DrawingRow, TextArea, arrange_courses
+from kinegrade.press.solutions.chains import Placed, chain_blocks, join_sentences
+from kinegrade.press.solutions.course import TextArea, arrange_courses
+from kinegrade.press.solutions.drawing_rows import DrawingRow
 from kinegrade.press.solutions.equations import MeasuredDisplay, arrange_equations, measure_display
 from kinegrade.press.solutions.settings import (
+    EM,
+    TIGHT,
     Column,
     EquationGroups,
     Paragraph,
@@ -183,3 +188,14 @@ def test_a_high_equation_beside_its_sentence_has_room_above_and_below() -> None:
     assert isinstance(high.body, Paragraph)
     assert (low.body.is_tall, high.body.is_tall) == (False, True)
     assert high.height > low.height + 2
+
+
+def test_closer_blocks_and_lines_take_less_room_but_a_line_is_as_high_as_before() -> None:
+    usual, tight = Column(174.0, "latin"), Column(174.0, "latin", TIGHT)
+    once, often = ((Placed(said, stays=False),) for said in (SAID, LONG_SAID))
+    saved = [
+        usual.set_chain(said)[0].height - tight.set_chain(said)[0].height for said in (once, often)
+    ]
+    assert saved[0] == pytest.approx(0.3 * 1.7)  # of the gap below, nothing of the line
+    lines = round((usual.set_chain(often)[0].height - usual.set_chain(once)[0].height) / 1.27 / EM)
+    assert saved[1] - saved[0] == pytest.approx(lines * 0.15 * 0.62 * EM)

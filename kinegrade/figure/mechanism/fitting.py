@@ -30,6 +30,10 @@ class Room:
     width: float
     height: float
 
+    def holds(self, box: Box) -> bool:
+        """Whether a drawing in that box is within the room."""
+        return box.width <= self.width and box.height <= self.height
+
 
 FIGURE = Room(WIDTH, HEIGHT)
 
@@ -49,14 +53,28 @@ def fit_scene(
     for _ in range(_ATTEMPTS):
         layout = compose(scale)
         box = find_common_box(layout.primitives)
-        if box.width <= room.width and box.height <= room.height:
+        if room.holds(box):
             break
-        scale *= min(
-            _find_shrinkage(box.width, room.width, span[0] * scale),
-            _find_shrinkage(box.height, room.height, span[1] * scale),
-        )
+        scale = _shrink(scale, box, span, room)
     scene = _move_to_corner(layout.primitives, box, scale)
     return replace(scene, crowded=layout.crowded, strain=layout.strain)
+
+
+def find_fitting_scale(
+    trace: Callable[[float], Iterable[Primitive]],
+    scale: float,
+    span: tuple[float, float],
+    room: Room,
+) -> float:
+    """The first scale, from `scale` downward, at which what `trace` gives is within the room;
+    `span` as for `fit_scene`.
+    """
+    for _ in range(_ATTEMPTS):
+        box = find_common_box(trace(scale))
+        if room.holds(box):
+            break
+        scale = _shrink(scale, box, span, room)
+    return scale
 
 
 def make_scene(primitives: Iterable[Primitive], scale: float) -> Scene:
@@ -96,6 +114,15 @@ def measure_span(
     across = [at.x + side * radius for at, radius in boxes for side in (-1, 1)]
     upward = [at.y + side * radius for at, radius in boxes for side in (-1, 1)]
     return max(across) - min(across), max(upward) - min(upward)
+
+
+def _shrink(scale: float, box: Box, span: tuple[float, float], room: Room) -> float:
+    """The next scale to try, where the drawing takes that box."""
+    across, upward = span
+    return scale * min(
+        _find_shrinkage(box.width, room.width, across * scale),
+        _find_shrinkage(box.height, room.height, upward * scale),
+    )
 
 
 def _find_shrinkage(size: float, limit: float, scaled: float) -> float:

@@ -60,6 +60,10 @@ class Wish:
     amid: float = 0.0
     closely: Callable[[], Wish] | None = None
 
+    def label_at(self, spot: int) -> Label:
+        """The label at one of its spots."""
+        return Label(self.symbol, Vector(*self.spots[spot].tolist()), *measure_symbol(self.symbol))
+
 
 @dataclass(frozen=True)
 class Placed:
@@ -74,16 +78,12 @@ class Placed:
 
 def place_label(wish: Wish, obstacles: Obstacles) -> Placed:
     """The label at the first free spot of its wish, or where it covers least."""
-    spots = wish.spots
-    spot, cost = _choose_best(wish.symbol, spots, obstacles, wish.demerits)
-    if cost >= _FARTHER * len(spots) and wish.at is not None:
+    spot, cost = _choose_best(wish.symbol, wish.spots, obstacles, wish.demerits)
+    if cost >= _FARTHER * len(wish.spots) and wish.at is not None:
         wish = widen(wish)
-        spots = wish.spots
-        spot, cost = _choose_best(wish.symbol, spots, obstacles)
-    centre = Vector(*spots[spot].tolist())
-    label = Label(wish.symbol, centre, *measure_symbol(wish.symbol))
+        spot, cost = _choose_best(wish.symbol, wish.spots, obstacles)
     demerit = 0.0 if wish.demerits is None else wish.demerits[spot]
-    return Placed(label, cost - _FARTHER * spot >= _FAULT, lost=bool(demerit >= LOST))
+    return Placed(wish.label_at(spot), cost - _FARTHER * spot >= _FAULT, lost=bool(demerit >= LOST))
 
 
 def widen(wish: Wish) -> Wish:

@@ -14,7 +14,7 @@ from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Floats, Wish, list_spots_around, list_spots_beside
 from kinegrade.figure.plane import length, unit
-from kinegrade.figure.scene import FIRM, THIN, Outline, Pen, Primitive, Strokes
+from kinegrade.figure.scene import FIRM, THIN, Label, Outline, Pen, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
 _IN_PLACE = Vector(0.0, 0.0)
@@ -24,6 +24,8 @@ _HEAD_SHARE = 0.6  # of a short arrow that its head takes at most
 _CLOSE = 0.9  # millimetres: lines nearer than this over a stretch look like one
 _STRETCH = 0.8  # millimetres that two lines may run close together
 _NEARER = 0.3  # millimetres by which a symbol has to be nearer to its arrow than to any other
+# Along a line, of its points whose distance from a symbol is measured
+_SHARES = np.linspace(0.0, 1.0, 17)[:, None, None]
 # Cost of a symbol that may be read as that of another arrow: more than covering a firm line
 _MISTAKEN = 40.0
 
@@ -89,6 +91,10 @@ class VectorArrow:
         )
         return self._wish(np.concatenate((about[:8], near, about[8:], far)), others)
 
+    def foresee_symbol(self) -> Label:
+        """The symbol at the first of its places around the tip."""
+        return Wish(self.symbol, self._about_tip()).label_at(0)
+
     def _about_tip(self) -> Floats:
         start, end = self.line
         return list_spots_around(self.symbol, end, away=end - start)
@@ -120,12 +126,13 @@ def _measure_distances(spots: Floats, half: Floats, lines: Sequence[Segment]) ->
     """The distances from boxes about the spots to the nearest of the lines, each line sampled as a
     row of points.
     """
-    shares = np.linspace(0.0, 1.0, 17)[:, None]
-    points = np.concatenate(
-        [np.array(start) + shares * np.array(end - start) for start, end in lines]
-    )
-    gaps = np.maximum(np.abs(spots[:, None] - points) - half, 0.0)
-    return np.asarray(np.hypot(gaps[..., 0], gaps[..., 1]).min(axis=1))
+    starts, ends = (np.array(corners) for corners in zip(*lines, strict=True))
+    rows = starts + _SHARES * (ends - starts)
+    off = [
+        np.maximum(np.abs(spots[:, axis, None] - rows[..., axis].ravel()) - half[axis], 0.0)
+        for axis in (0, 1)
+    ]
+    return np.asarray(np.sqrt((off[0] ** 2 + off[1] ** 2).min(axis=1)))
 
 
 def put_side_by_side(

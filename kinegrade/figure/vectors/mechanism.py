@@ -5,19 +5,19 @@ curved arrows.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import partial
-from itertools import product
+from functools import cache, partial
 
 from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.names import label_points
 from kinegrade.figure.marks.rotations import add_rotations
-from kinegrade.figure.mechanism.fitting import Room, fit_scene
+from kinegrade.figure.mechanism.fitting import Room, find_fitting_scale, fit_scene
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import length
-from kinegrade.figure.scene import Scene
+from kinegrade.figure.scene import Primitive, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
 from kinegrade.figure.vectors.plain_mechanism import (
     PICTURE,
@@ -81,17 +81,27 @@ def draw_with_vectors(
     """
     plain = BareMechanism.of(mechanism, hints, (arrow.at for arrow in arrows))
     bare = plain.first_scale()
-    least = _LEAST_SCALE * bare
+    span = plain.span
     scenes: list[Scene] = []
-    for size, symbols_first in product(_SIZES, (False, True)):
-        compose = partial(
-            _compose, plain, arrows, turnings, share=size.share, symbols_first=symbols_first
-        )
-        scene = fit_scene(compose, bare, plain.span, size.room)
-        if not scene.crowded and scene.scale >= least:
-            return scene
-        scenes.append(scene)
-    return min(scenes, key=lambda scene: len(scene.crowded) + _TOO_SMALL * (scene.scale < least))
+    for size in _SIZES:
+        stage_at = cache(partial(_Stage.of, plain, arrows, size.share))
+        fitting = find_fitting_scale(_foresee(stage_at), bare, span, size.room)
+        if fitting < _LEAST_SCALE * bare and size is not _SIZES[-1]:
+            continue
+        for symbols_first in (False, True):
+            compose = _compose(stage_at, turnings, symbols_first=symbols_first)
+            scene = fit_scene(compose, fitting, span, size.room)
+            if not _rate_faults(scene, bare):
+                return scene
+            scenes.append(scene)
+    return min(scenes, key=lambda scene: _rate_faults(scene, bare))
+
+
+def _rate_faults(scene: Scene, bare: float) -> int:
+    """How many symbols are crowded; more where the mechanism is too small, whose scale without
+    arrows is `bare`.
+    """
+    return len(scene.crowded) + _TOO_SMALL * (scene.scale < _LEAST_SCALE * bare)
 
 
 def place_arrows(
@@ -137,23 +147,53 @@ def add_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
     return layout
 
 
+def _foresee(stage_at: Callable[[float], _Stage]) -> Callable[[float], Iterable[Primitive]]:
+    return lambda scale: stage_at(scale).foresee()
+
+
 def _compose(
-    plain: BareMechanism,
-    arrows: Sequence[PointArrow],
-    turnings: Sequence[Turning],
-    scale: float,
-    *,
-    share: float,
-    symbols_first: bool,
-) -> Layout:
-    """The mechanism and its arrows, then the labels with the fewest possible places first: letters,
-    symbols, names of bodies; symbols before letters where these leave them no place.
+    stage_at: Callable[[float], _Stage], turnings: Sequence[Turning], *, symbols_first: bool
+) -> Callable[[float], Layout]:
+    return lambda scale: stage_at(scale).write(turnings, symbols_first=symbols_first)
+
+
+@dataclass(frozen=True)
+class _Stage:
+    """A mechanism on paper with its arrows, before a label stands; `letters` are those of its
+    points.
     """
-    paper, drawing = plain.at(scale)
-    placed = place_arrows(arrows, scale, drawing, share=share)
-    layout = add_arrows(Layout.of(drawing.primitives), placed, drawing)
-    named = tuple(label_points(paper, plain.hints, drawing))
-    early, late = ((), named) if symbols_first else (named, ())
-    layout = add_symbols(layout.written(early), placed).written(late)
-    layout = add_rotations(layout, paper, turnings, drawing, named)
-    return add_body_names(layout, paper, plain.hints, drawing)
+
+    paper: Mechanism
+    hints: FigureHints
+    drawing: Drawing
+    arrows: tuple[VectorArrow, ...]
+    letters: tuple[Wish, ...]
+
+    @staticmethod
+    def of(
+        plain: BareMechanism, arrows: Sequence[PointArrow], share: float, scale: float
+    ) -> _Stage:
+        """The mechanism at a scale, the arrows with that `share` of their full length."""
+        paper, drawing = plain.at(scale)
+        placed = place_arrows(arrows, scale, drawing, share=share)
+        letters = tuple(label_points(paper, plain.hints, drawing))
+        return _Stage(paper, plain.hints, drawing, placed, letters)
+
+    def foresee(self) -> tuple[Primitive, ...]:
+        """The lines, and the labels where each would stand first, to know the scale before labels
+        are placed.
+        """
+        lines = (part for arrow in self.arrows for part in arrow.primitives())
+        symbols = (arrow.foresee_symbol() for arrow in self.arrows)
+        letters = (letter.label_at(0) for letter in self.letters)
+        return (*self.drawing.primitives, *lines, *symbols, *letters)
+
+    def write(self, turnings: Sequence[Turning], *, symbols_first: bool) -> Layout:
+        """The mechanism and its arrows, then the labels with the fewest possible places first:
+        letters, symbols, names of bodies; symbols before letters where these leave them no place.
+        """
+        layout = add_arrows(Layout.of(self.drawing.primitives), self.arrows, self.drawing)
+        early, late = ((), self.letters) if symbols_first else (self.letters, ())
+        layout = add_symbols(layout.written(early), self.arrows).written(late)
+        layout = add_rotations(layout, self.paper, turnings, self.drawing, self.letters)
+        return add_body_names(layout, self.paper, self.hints, self.drawing)

@@ -17,12 +17,11 @@ from kinegrade.press.places import locate_part, locate_question, locate_solution
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.press.solutions.chains import UNKNOWN, name_question
 from kinegrade.press.solutions.course import (
-    Drawing,
-    DrawingRow,
     Part,
     TextArea,
     arrange_courses,
 )
+from kinegrade.press.solutions.drawing_rows import Drawing, DrawingRow
 from kinegrade.press.solutions.equations import Equations
 from kinegrade.press.solutions.settings import (
     Body,

@@ -10,56 +10,15 @@ from itertools import pairwise, takewhile
 
 from typing_extensions import TypeIs
 
-from kinegrade.figure.scene import Scene
 from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.press.solutions.chains import Chain, Placed, chain_blocks, join_sentences
+from kinegrade.press.solutions.drawing_rows import GAP, Drawing, DrawingRow
 from kinegrade.press.solutions.settings import Column, Setting, add_heights, fits
 from kinegrade.worked.document import Heading, Pictures, Prose
 
-GAP = 6.0  # millimetres between a drawing and what stands beside it
-CAPTION_WIDTH = 42.0  # millimetres that a caption has at least
-_CAPTION = 9.5  # millimetres that a caption takes with its distance
 _MASTHEAD, _QUESTION_HEAD = 4.0, 8.0  # millimetres at the top of the first page, of a question
-_AROUND = 4.0  # millimetres above and below a row with drawings
 _NARROWEST = 72.0  # millimetres that text beside drawings has at least
 _WORTH_IT = 0.75  # of the height below, which blocks beside a drawing may add at most
-
-
-@dataclass(frozen=True)
-class Drawing:
-    """A picture with its caption, or the question's figure, which has none."""
-
-    scene: Scene
-    caption: str | None
-
-    @property
-    def width(self) -> float:
-        """Millimetres that the drawing takes with its caption."""
-        return self.scene.width if self.caption is None else max(self.scene.width, CAPTION_WIDTH)
-
-    @property
-    def height(self) -> float:
-        """Millimetres that the drawing takes with its caption."""
-        return self.scene.height + (0.0 if self.caption is None else _CAPTION)
-
-
-@dataclass(frozen=True)
-class DrawingRow:
-    """Drawings side by side at the right edge with text to their left, or alone in the middle."""
-
-    drawings: tuple[Drawing, ...]
-    beside: tuple[Setting, ...]
-
-    @property
-    def width(self) -> float:
-        """Millimetres that the drawings take."""
-        return sum(one.width for one in self.drawings) + GAP * (len(self.drawings) - 1)
-
-    @property
-    def height(self) -> float:
-        """Millimetres that the row takes of the page."""
-        drawn = max(one.height for one in self.drawings)
-        return max(drawn, add_heights(self.beside)) + _AROUND
 
 
 Part = Setting | DrawingRow
@@ -230,7 +189,7 @@ def _fill(
     filled: list[tuple[DrawingRow, int]] = []
     for drawings in rows:
         taken = sum(taken for _, taken in filled)
-        filled.append(_fill_row(DrawingRow(drawings, ()), chains[taken:], page))
+        filled.append(_fill_row(DrawingRow(drawings, (), page.spread), chains[taken:], page))
     return filled
 
 

@@ -23,12 +23,24 @@ INDENT = 6.0  # millimetres before an equation
 _BOLD = 1.08
 _AFTER_HEADING, _AFTER_SENTENCE = 0.8, 1.4  # em
 _PITCH = {"latin": 1.27, "chinese": 1.45}  # em from line to line, by script
-_LEADING = 0.62  # em between two lines, of their pitch
+_LEADING = {"latin": 0.62, "chinese": 0.8}  # em between two lines, of their pitch
+_LAST = 0.62  # em of its pitch that the last line does not take
 _TALLEST_IN_LINE = 0.7  # of the height of a display is that of the same formula within a text
 _GAP = 1.7  # millimetres between two blocks
 _REACHING = 1.2  # em: an equation that is higher reaches beyond the line of its sentence
 _TALL_ROOM = 1.2  # millimetres more above and below it, as in the layouts
 _BEFORE_HEADING: dict[int, float] = {1: 2.4, 2: 1.6}
+
+
+@dataclass(frozen=True)
+class Spread:
+    """How far apart blocks and lines stand, as shares of the usual room between them."""
+
+    blocks: float
+    lines: float
+
+
+USUAL, TIGHT = Spread(1.0, 1.0), Spread(0.7, 0.85)
 
 
 @dataclass(frozen=True)
@@ -80,10 +92,13 @@ def add_heights(settings: Iterable[Setting]) -> float:
 
 @dataclass(frozen=True)
 class Column:
-    """A column of text: its width in millimetres, and the script of its language."""
+    """A column of text: its width in millimetres, the script of its language, and how far apart
+    its blocks and lines stand.
+    """
 
     width: float
     script: str
+    spread: Spread = USUAL
 
     def set_chain(self, chain: Chain) -> tuple[Setting, ...]:
         """The settings of blocks that stay together."""
@@ -132,19 +147,21 @@ class Column:
         return arrange_equations(display, (self.width - INDENT) / EM)
 
     def _estimate_height(self, body: Body) -> float:
+        gap = _GAP * self.spread.blocks
         match body:
             case Paragraph():
-                return self._estimate_paragraph(body) + _GAP
+                return self._estimate_paragraph(body) + gap
             case EquationGroups(groups):
-                return sum(group.height * EM + _GAP for group in groups)
+                return sum(group.height * EM + gap for group in groups)
             case Terms(bands):
-                return find_bands_height(bands) + _GAP
+                return find_bands_height(bands) + gap
             case _:
                 assert_never(body)
 
     def _estimate_paragraph(self, paragraph: Paragraph) -> float:
         """How high a paragraph is, with the room over its heading."""
-        above = _BEFORE_HEADING[paragraph.heading.level] if paragraph.heading else 0.0
+        room = _BEFORE_HEADING[paragraph.heading.level] if paragraph.heading else 0.0
+        above = room * self.spread.blocks
         tall = max(
             measure_formula_height(paragraph.text),
             measure_printed(paragraph.equation).height if paragraph.equation else 0.0,
@@ -152,7 +169,8 @@ class Column:
         beside = 2 * _TALL_ROOM if paragraph.is_tall else 0.0
         lines = max(1, ceil(_measure_paragraph(paragraph) * EM / self.width))
         higher = max(0.0, _TALLEST_IN_LINE * tall - 1)
-        return above + beside + (_PITCH[self.script] * lines - _LEADING + higher) * EM
+        closer = (1 - self.spread.lines) * _LEADING[self.script] * (lines - 1)
+        return above + beside + (_PITCH[self.script] * lines - closer - _LAST + higher) * EM
 
 
 def fits(setting: Setting) -> bool:

@@ -7,6 +7,7 @@ beside what has been decided before, so that the layout measures nothing but tab
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import assert_never
 
 from kinegrade.figure.back_ends.typst import write_typst_picture
@@ -20,25 +21,26 @@ from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
 from kinegrade.press.solutions.chains import UNKNOWN, name_question
 from kinegrade.press.solutions.course import (
     Courses,
-    Drawing,
-    DrawingRow,
     Part,
     TextArea,
     arrange_courses,
 )
+from kinegrade.press.solutions.drawing_rows import Drawing, DrawingRow
 from kinegrade.press.solutions.equations import Equations
 from kinegrade.press.solutions.settings import (
+    TIGHT,
+    USUAL,
     Body,
     Column,
     EquationGroups,
     Paragraph,
     Setting,
+    Spread,
     Terms,
 )
 from kinegrade.press.solutions.terms import Cell, TermColumn
 from kinegrade.press.typst.layout_call import Sheet, write_layout_call, write_signed
 
-_TIGHT_HOLDS = 1.1  # times what a page holds otherwise
 _DOUBT = 0.1  # pages by which tight solutions may turn out shorter than their parts are high
 # Millimetres, as in the layout
 _SIDES, _TOP_AND_BOTTOM = 34.0, 33.5
@@ -52,7 +54,8 @@ def write_solution_source(
     `tight`; raises TypesetError with all faults of their texts.
     """
     words = open_catalogue(sheet.language)
-    courses = _arrange(sheet, size, tight=tight)
+    spread = TIGHT if tight else USUAL
+    courses = _arrange(sheet, size, spread)
     data: Sheet = {
         "questions": convert_each(
             lambda pair: _write_question(*pair, sheet, words),
@@ -64,7 +67,7 @@ def write_solution_source(
         for name in ("course", "title", "date", "student", "name", "code")
     }
     data |= {"language": words.raw("language", "page.")}
-    data |= {"size": size, "tight": tight, "words": words.raw("solution", "layout.")}
+    data |= {"size": size, "spread": asdict(spread), "words": words.raw("solution", "layout.")}
     return write_layout_call("solution", data)
 
 
@@ -72,14 +75,14 @@ def may_take_fewer(sheet: SolutionSheet, size: PaperSize, pages: int) -> bool:
     """Whether `tight` solutions may take fewer than so many pages, by the heights of their parts:
     what is far from it need not be typeset.
     """
-    return _arrange(sheet, size, tight=True).pages < pages - 1 + _DOUBT
+    return _arrange(sheet, size, TIGHT).pages < pages - 1 + _DOUBT
 
 
-def _arrange(sheet: SolutionSheet, size: PaperSize, *, tight: bool) -> Courses:
+def _arrange(sheet: SolutionSheet, size: PaperSize, spread: Spread) -> Courses:
     script = open_catalogue(sheet.language).raw("language", "page.")["script"]
     width, height = _PAPER[size]
-    printed = (height - _TOP_AND_BOTTOM) * (_TIGHT_HOLDS if tight else 1.0)
-    return arrange_courses(sheet.questions, TextArea(Column(width - _SIDES, script), printed))
+    column = Column(width - _SIDES, script, spread)
+    return arrange_courses(sheet.questions, TextArea(column, height - _TOP_AND_BOTTOM))
 
 
 def _write_question(

@@ -1,0 +1,53 @@
+"""Rows of drawings in a worked solution, and the text that stands beside them: how much of the page
+they take.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinegrade.figure.scene import Scene
+from kinegrade.press.solutions.settings import USUAL, Setting, Spread, add_heights
+
+GAP = 6.0  # millimetres between a drawing and what stands beside it
+_CAPTION_WIDTH = 42.0  # millimetres that a caption has at least
+_CAPTION = 9.5  # millimetres that a caption takes with its distance
+_AROUND = 4.0  # millimetres above and below a row with drawings
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A picture with its caption, or the question's figure, which has none."""
+
+    scene: Scene
+    caption: str | None
+
+    @property
+    def width(self) -> float:
+        """Millimetres that the drawing takes with its caption."""
+        return self.scene.width if self.caption is None else max(self.scene.width, _CAPTION_WIDTH)
+
+    @property
+    def height(self) -> float:
+        """Millimetres that the drawing takes with its caption."""
+        return self.scene.height + (0.0 if self.caption is None else _CAPTION)
+
+
+@dataclass(frozen=True)
+class DrawingRow:
+    """Drawings side by side at the right edge with text to their left, or alone in the middle."""
+
+    drawings: tuple[Drawing, ...]
+    beside: tuple[Setting, ...]
+    spread: Spread = USUAL
+
+    @property
+    def width(self) -> float:
+        """Millimetres that the drawings take."""
+        return sum(one.width for one in self.drawings) + GAP * (len(self.drawings) - 1)
+
+    @property
+    def height(self) -> float:
+        """Millimetres that the row takes of the page."""
+        drawn = max(one.height for one in self.drawings)
+        return max(drawn, add_heights(self.beside)) + _AROUND * self.spread.blocks
