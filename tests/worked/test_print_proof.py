@@ -6,10 +6,12 @@ from __future__ import annotations
 
 import pytest
 
+from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
 from kinegrade.language import Language
 from kinegrade.language.math.reading import read_math
+from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.library.library import find_template_names
-from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.document import Block, Display, Picture, Pictures, Prose
 from tests.worked.draws import drawn, kept
 from tests.worked.reader.known import KNOWN
 from tests.worked.reader.laws import LAWS, Law, find_faults
@@ -43,6 +45,14 @@ def test_only_shipped_templates_are_excused() -> None:
     assert set().union(*KNOWN.values()) <= set(find_template_names())
 
 
+ALONG, ACROSS = Arrow("v_S", Vector(1.0, 0.0)), Arrow("v_U", Vector(0.5, 0.5), known=False)
+BACK = Arrow("v_W", Vector(0.5, -0.5))
+
+
+def _draw(left: list[Arrow], right: list[Arrow]) -> Pictures:
+    return Pictures((Picture(draw_polygon(left, right), "velocity polygon"),))
+
+
 WRONG: dict[Law, tuple[Block, ...]] = {
     "equal": (Display((read_math(r"r = 2\,\unit{m}", ""), read_math(r"b = r = 3\,\unit{m}", ""))),),
     "rounded": (Display((read_math(r"s = \frac{\sqrt{3}}{2} = 0.8660", ""),)),),
@@ -53,6 +63,8 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     "symbol": (Display((read_math(r"s = 2q", ""),)),),
     "angle": (Prose(r"Projected on the axis at $330^\circ$"),),
     "point": (Display((read_math(r"x_{X} = 2\,\unit{m}", ""),)),),
+    "closed": (_draw([ALONG], [ACROSS]),),
+    "label": (Display((read_math(r"v_S = 2\,\unit{m}", ""),)), _draw([ALONG], [ACROSS, BACK])),
 }
 
 
@@ -71,6 +83,16 @@ def test_a_page_without_faults_has_none() -> None:
     )
     page = Display(tuple(read_math(line, "") for line in page_lines))
     assert list(find_faults((page,), drawn("slider-crank")[0])) == []
+
+
+@pytest.mark.parametrize(
+    "right", [[ACROSS, BACK], [Arrow("v_U", Vector(1.6, 0.0)), Arrow("v_W", Vector(-0.6, 0.0))]]
+)
+def test_a_polygon_that_closes_has_no_faults_with_arrows_drawn_aside_or_not(
+    right: list[Arrow],
+) -> None:
+    page = (Display((read_math(r"v_S = 1\,\unit{m}", ""),)), _draw([ALONG], right))
+    assert list(find_faults(page, drawn("slider-crank")[0])) == []
 
 
 def _lines_with(name: str, part: str) -> list[str]:

@@ -30,9 +30,20 @@ from tests.worked.reader.formula_reader import (
     read_formula,
 )
 from tests.worked.reader.givens import find_letters, read_givens
+from tests.worked.reader.polygons import judge_polygons
 
 Law: TypeAlias = Literal[
-    "equal", "rounded", "exact", "settled", "short", "unit", "symbol", "angle", "point"
+    "equal",
+    "rounded",
+    "exact",
+    "settled",
+    "short",
+    "unit",
+    "symbol",
+    "angle",
+    "point",
+    "closed",
+    "label",
 ]
 LAWS: dict[Law, str] = {
     "equal": "a sign of equality joins equal values, to within what rounding can do",
@@ -44,6 +55,8 @@ LAWS: dict[Law, str] = {
     "symbol": "every symbol is given, found before, or found next",
     "angle": "every angle is given, found before, or what an angle in symbols amounts to",
     "point": "every point with coordinates is one of the statement or the figure",
+    "closed": "the arrows of a polygon follow one another from the origin to one end, on two sides",
+    "label": "a symbol in a polygon stands beside an arrow as long as its value says",
 }
 NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees
 NEXT = 10  # lines after which an unknown of an equation has been found
@@ -80,8 +93,8 @@ class _Known:
         self.angles.append(abs(math.degrees(amount.value)) if amount.is_pure else math.nan)
 
 
-def find_faults(blocks: Iterable[Block], solution: Solution) -> Iterator[Fault]:
-    """All that is wrong with a page, line by line."""
+def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
+    """All that is wrong with a page, line by line, then with its polygons."""
     known = _Known({}, find_letters(solution))
     for symbol, amount in read_givens(solution):
         known.learn(symbol, amount)
@@ -95,6 +108,8 @@ def find_faults(blocks: Iterable[Block], solution: Solution) -> Iterator[Fault]:
                 after = parts[place : place + NEXT]
                 sought = {_name_left(one) for one in after if isinstance(one, Line)}
                 yield from _judge_line(part, sought, known)
+    for wrong in judge_polygons(blocks, known.amounts):
+        yield Fault(wrong.law, wrong.line)
 
 
 def _name_left(line: Line) -> str:

@@ -1,0 +1,155 @@
+"""Polygons of vectors as a reader sees them, from their drawing alone: arrows laid tip to tail from
+a common origin to a common end, each as long as the page says of the vector that its label names.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import hypot
+from typing import Literal
+
+from kinegrade.figure.scene import BOLD, THIN, Disc, Label, Outline, Scene, Strokes
+from kinegrade.language.math.reading import read_math
+from kinegrade.mechanics.vector import Vector
+from kinegrade.worked.document import Block, Pictures
+from tests.worked.reader.amounts import Amount
+from tests.worked.reader.formula_reader import name_magnitude, name_symbol
+
+_IN_PLACE = Vector(0.0, 0.0)
+_APART = 0.05  # millimetres within which two corners coincide
+_LEFT_OUT = 0.02  # of the longest arrow, what arrows too short to be drawn leave open
+_ROUNDED = 0.005  # of a length, what four digits leave open
+_CORNER = re.compile(r"[a-z](_\{\d+\})?'*")  # the small letter of a corner
+_BETWEEN = 2.0  # millimetres by which a symbol longer than its arrow may be nearer to another
+_ORIGIN = 0.5  # millimetres, radius of the dot at the origin
+
+
+@dataclass(frozen=True)
+class PolygonFault:
+    """What is wrong with a polygon, and where."""
+
+    law: Literal["closed", "label"]
+    line: str
+
+
+@dataclass(frozen=True)
+class _Arrow:
+    """An arrow as it is drawn, and how far aside it is drawn from where it belongs."""
+
+    start: Vector
+    tip: Vector
+    aside: Vector = _IN_PLACE
+
+    @property
+    def length(self) -> float:
+        return hypot(*(self.tip - self.start))
+
+    @property
+    def ends(self) -> tuple[Vector, Vector]:
+        """Where its tail and its tip belong."""
+        return self.start - self.aside, self.tip - self.aside
+
+
+def judge_polygons(
+    blocks: Iterable[Block], amounts: Mapping[str, Amount]
+) -> Iterator[PolygonFault]:
+    """The faults of all polygons of a page, on which symbols are worth those `amounts`."""
+    for block in blocks:
+        for picture in block.pictures if isinstance(block, Pictures) else ():
+            origin = _find_origin(picture.scene)
+            if origin is not None:
+                arrows = tuple(_read_arrows(picture.scene))
+                yield from _judge_chains(origin, arrows, picture.caption)
+                yield from _judge_labels(picture.scene, arrows, amounts)
+
+
+def _find_origin(scene: Scene) -> Vector | None:
+    """The dot from which both sides start; None for a picture of something else."""
+    discs = [part for part in scene.primitives if isinstance(part, Disc)]
+    bold = any(isinstance(part, Strokes) and part.pen == BOLD for part in scene.primitives)
+    if bold or [disc.radius for disc in discs] != [_ORIGIN]:
+        return None
+    return discs[0].centre
+
+
+def _read_arrows(scene: Scene) -> Iterator[_Arrow]:
+    """A head of three corners, the tip first, ends the line before it."""
+    asides = {
+        (round(end.x, 3), round(end.y, 3)): end - true
+        for part in scene.primitives
+        if isinstance(part, Strokes) and part.pen == THIN
+        for true, end in part.lines
+    }
+    line = (_IN_PLACE, _IN_PLACE)
+    for part in scene.primitives:
+        match part:
+            case Strokes(lines=(shaft,)):
+                line = shaft
+            case Outline(corners=(tip, _, _)):
+                place = (round(tip.x, 3), round(tip.y, 3))
+                yield _Arrow(line[0], tip, asides.get(place, _IN_PLACE))
+
+
+def _judge_chains(
+    origin: Vector, arrows: tuple[_Arrow, ...], caption: str
+) -> Iterator[PolygonFault]:
+    """Each arrow starts at the origin or at a tip; those after which none starts end together."""
+    reach = _APART + _LEFT_OUT * max((arrow.length for arrow in arrows), default=0.0)
+
+    def meet(one: Vector, other: Vector) -> bool:
+        return hypot(*(one - other)) <= reach
+
+    tails = [arrow.ends[0] for arrow in arrows]
+    tips = [arrow.ends[1] for arrow in arrows]
+    for tail in tails:
+        if not any(meet(tail, place) for place in (origin, *tips)):
+            yield PolygonFault("closed", f"{caption}: an arrow starts nowhere")
+    last = [tip for tip in tips if not any(meet(tip, tail) for tail in tails)]
+    ending = [*last, *(tip for tip in tips if last and meet(tip, last[0]))]
+    if any(not meet(tip, last[0]) for tip in last):
+        yield PolygonFault("closed", f"{caption}: the sides end apart")
+    if last and len(ending) == 2:
+        yield PolygonFault("closed", f"{caption}: one side alone ends at the end")
+
+
+def _judge_labels(
+    scene: Scene, arrows: tuple[_Arrow, ...], amounts: Mapping[str, Amount]
+) -> Iterator[PolygonFault]:
+    """The arrow nearest to a label is as long as the vector that the label names."""
+    for label in scene.primitives:
+        if not isinstance(label, Label) or _CORNER.fullmatch(label.symbol):
+            continue
+        row = read_math(label.symbol, "")
+        names = (name_magnitude(row), name_symbol(row))
+        sizes = [abs(amounts[name].value) * scene.scale for name in names if name in amounts]
+        if sizes and arrows and not _stands_well(label, arrows, sizes):
+            told = " or ".join(f"{size:.2f} mm" for size in sizes)
+            yield PolygonFault("label", f"{label.symbol} is not beside an arrow of {told}")
+
+
+def _stands_well(label: Label, arrows: tuple[_Arrow, ...], sizes: Sequence[float]) -> bool:
+    """Whether no arrow is nearer to a label than one of such a length; a label that is longer than
+    its arrow may be about as near to another.
+    """
+    least = min(_measure_gap(label, arrow) for arrow in arrows)
+    for arrow in arrows:
+        room = _APART + _ROUNDED * arrow.length
+        if any(abs(arrow.length - size) <= room for size in sizes):
+            slack = _BETWEEN if arrow.length < max(label.width, label.height) else _APART
+            if _measure_gap(label, arrow) <= least + slack:
+                return True
+    return False
+
+
+def _measure_gap(label: Label, arrow: _Arrow) -> float:
+    """Millimetres of paper between a label and an arrow."""
+    points = [arrow.start + (arrow.tip - arrow.start) * (place / 40) for place in range(41)]
+    return min(
+        hypot(
+            max(abs(point.x - label.centre.x) - label.width / 2, 0.0),
+            max(abs(point.y - label.centre.y) - label.height / 2, 0.0),
+        )
+        for point in points
+    )
